@@ -1,0 +1,2 @@
+//! Builds the C shim and the example FMUs.
+fn main() {}

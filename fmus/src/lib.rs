@@ -1,0 +1,1 @@
+//! Example workcells as FMUs.

@@ -1,0 +1,19 @@
+//! Shapes, rigid transforms and distances, in metres and radians, f64 throughout (parry's f32 distance was seen to
+//! over-estimate by up to 10.7 mm, the unsafe side).
+//!
+//! Vectors and rotations are parry's own types (glam underneath), so that parry can be called without conversion;
+//! nalgebra is used only for joint-space algebra, converted at that one seam. Transforms are named `a_from_b`.
+
+pub mod distance;
+pub mod shape;
+
+pub use parry3d_f64::math::{Pose, Rotation, Vector as Vec3};
+pub use shape::{Capsule, Cuboid};
+
+/// Rotation by `angle` radians about the unit vector `axis` (right-hand rule), with `libm` trigonometry so that the
+/// bits do not depend on the machine.
+#[must_use]
+pub fn rotation_about(axis: Vec3, angle: f64) -> Rotation {
+    let (s, c) = libm::sincos(0.5 * angle);
+    Rotation::from_xyzw(axis.x * s, axis.y * s, axis.z * s, c)
+}

