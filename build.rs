@@ -1,2 +1,160 @@
-//! Builds the C shim and the example FMUs.
-fn main() {}
+//! Builds the example FMUs (and the C part of the FMI floor) into the build folder.
+//!
+//! The library of the example FMUs is compiled once, by the compiler of this build and with no dependencies, and
+//! packed under each model's name. Equal sources and an equal compiler give equal bytes, wherever the checkout lies.
+#![allow(clippy::print_stdout, reason = "this is how a build script talks to cargo")]
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+use zip::write::SimpleFileOptions;
+
+// The tables of variables, the same source the library is made of.
+#[path = "fmus/src/interface/mod.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod interface;
+use interface::variables::Interface;
+
+/// Folder for project files within an FMU (FMI 2.0.4, section 2.3: reverse domain notation).
+const EXTRA: &str = "extra/io.github.fmi-hazard";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
+    let out = PathBuf::from(env::var("OUT_DIR")?);
+    println!("cargo:rerun-if-changed=build.rs");
+    println!("cargo:rerun-if-changed=fmus/src");
+    println!("cargo:rerun-if-changed=scenarios");
+    println!("cargo:rerun-if-changed=src/fmi");
+
+    let logger = root.join("src/fmi/logger.c");
+    if logger.exists() {
+        cc::Build::new().file(logger).warnings(true).compile("fmi_hazard_logger");
+    }
+
+    let library = fs::read(compile_library(&root, &out)?)?;
+    let fmus = out.join("fmus");
+    fs::create_dir_all(&fmus)?;
+    let mut examples = String::from("pub(crate) static EXAMPLES: &[Example] = &[\n");
+    for model in interface::all() {
+        let cell_files = cell_files(&root.join("scenarios").join(model.name))?;
+        let path = fmus.join(format!("{}.fmu", model.name));
+        fs::write(&path, pack(&model, &library, &cell_files)?)?;
+        if model.identifier.starts_with("faulty") {
+            continue;
+        }
+        writeln!(examples, "    Example {{")?;
+        writeln!(examples, "        name: {:?},\n        summary: {:?},", model.name, model.description)?;
+        writeln!(examples, "        fmu: include_bytes!({:?}),\n        files: &[", utf8(&path)?)?;
+        for (name, file) in &cell_files {
+            writeln!(examples, "            ({name:?}, include_bytes!({:?})),", utf8(file)?)?;
+        }
+        writeln!(examples, "        ],\n    }},")?;
+    }
+    examples.push_str("];\n");
+    fs::write(out.join("examples.rs"), examples)?;
+    println!("cargo:rustc-env=FMI_HAZARD_TEST_FMUS={}", utf8(&fmus)?);
+    Ok(())
+}
+
+/// Compiles the library of all models and returns where it is.
+fn compile_library(root: &Path, out: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    let library = out.join("fmi_hazard_fmus.bin");
+    let mut command = Command::new(env::var_os("RUSTC").ok_or("cargo did not say which compiler to use")?);
+    command
+        .args(["--crate-name", "fmi_hazard_fmus", "--crate-type", "cdylib", "--edition", "2024"])
+        .args(["-C", "opt-level=3", "-C", "codegen-units=1", "-C", "strip=symbols", "-C", "metadata=fmi-hazard-fmus"])
+        .args(["--target", &env::var("TARGET")?])
+        .arg("--remap-path-prefix")
+        .arg(format!("{}=fmi-hazard", utf8(root)?))
+        .arg("-o")
+        .arg(&library)
+        .arg("fmus/src/lib.rs")
+        .current_dir(root);
+    if let Some(linker) = env::var_os("RUSTC_LINKER") {
+        let mut option = std::ffi::OsString::from("linker=");
+        option.push(linker);
+        command.arg("-C").arg(option);
+    }
+    let output = command.output()?;
+    if !output.status.success() {
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        return Err(format!("the library of the example FMUs does not compile:\n{message}").into());
+    }
+    Ok(library)
+}
+
+/// The cell files of a scenario by name; none if there is no `cell.toml`.
+fn cell_files(folder: &Path) -> Result<Vec<(String, PathBuf)>, Box<dyn Error>> {
+    let mut files = Vec::new();
+    if !folder.join("cell.toml").exists() {
+        return Ok(files);
+    }
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str()).ok_or("a file name is not UTF-8")?.to_owned();
+        if path.is_file() && path.extension().is_some_and(|extension| extension == "toml" || extension == "md") {
+            files.push((name, path));
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// The bytes of one FMU: entries sorted by name, all of one time and one permission.
+fn pack(model: &Interface, library: &[u8], cell_files: &[(String, PathBuf)]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (platform, extension) = platform()?;
+    let description = interface::description::xml(model, &env::var("CARGO_PKG_VERSION")?);
+    let mut entries: Vec<(String, Vec<u8>)> = vec![
+        ("modelDescription.xml".to_owned(), description.into_bytes()),
+        (format!("binaries/{platform}/{}.{extension}", model.identifier), library.to_vec()),
+        ("documentation/index.html".to_owned(), documentation(model)?.into_bytes()),
+    ];
+    for (name, path) in cell_files {
+        entries.push((format!("{EXTRA}/{name}"), fs::read(path)?));
+    }
+    entries.sort();
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default()
+        .compression_method(zip::CompressionMethod::Deflated)
+        .last_modified_time(zip::DateTime::default())
+        .unix_permissions(0o644);
+    for (name, bytes) in entries {
+        archive.start_file(name, options)?;
+        archive.write_all(&bytes)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// FMI 2.0's name of the target's folder, and how shared libraries end there.
+fn platform() -> Result<(&'static str, &'static str), Box<dyn Error>> {
+    let (system, processor) = (env::var("CARGO_CFG_TARGET_OS")?, env::var("CARGO_CFG_TARGET_ARCH")?);
+    match (system.as_str(), processor.as_str()) {
+        ("linux", "x86_64") => Ok(("linux64", "so")),
+        ("linux", "aarch64") => Ok(("aarch64-linux", "so")),
+        ("macos", "x86_64" | "aarch64") => Ok(("darwin64", "dylib")),
+        ("windows", "x86_64") => Ok(("win64", "dll")),
+        _ => Err(format!("FMI 2.0 has no folder name for {system} on {processor}").into()),
+    }
+}
+
+/// A short page with the table of variables.
+fn documentation(model: &Interface) -> Result<String, Box<dyn Error>> {
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}</title>\n<h1>{0}</h1>\n<p>{1}.</p>\n\
+         <table>\n<tr><th>variable<th>role<th>meaning\n",
+        model.name, model.description
+    );
+    for variable in &model.variables {
+        let role = format!("{:?}", variable.causality).to_lowercase();
+        writeln!(page, "<tr><td>{}<td>{role}<td>{}", variable.name, variable.description)?;
+    }
+    page.push_str("</table>\n</html>\n");
+    Ok(page)
+}
+
+fn utf8(path: &Path) -> Result<&str, Box<dyn Error>> {
+    Ok(path.to_str().ok_or_else(|| format!("the path {} is not UTF-8", path.display()))?)
+}

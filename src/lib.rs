@@ -2,6 +2,7 @@
 
 pub mod cell;
 pub mod cli;
+pub mod examples;
 pub mod fmi;
 pub mod geometry;
 pub mod hazard;

@@ -1,0 +1,177 @@
+//! Writes modelDescription.xml (FMI 2.0, co-simulation) from an interface table.
+
+use super::variables::{Causality, Interface, Kind, Variable};
+use std::fmt::Write as _;
+
+/// The units in use: name and exponents of the SI base units.
+pub const UNITS: [(&str, &str); 6] = [
+    ("1", ""),
+    ("kg", "kg=\"1\""),
+    ("m/s", "m=\"1\" s=\"-1\""),
+    ("rad", "rad=\"1\""),
+    ("rad/s", "rad=\"1\" s=\"-1\""),
+    ("s", "s=\"1\""),
+];
+
+/// Communication step the importer should take unless told otherwise, s.
+pub const DEFAULT_STEP: f64 = 0.02;
+
+/// Renders the whole file; `version` is the version of this project.
+pub fn xml(interface: &Interface, version: &str) -> String {
+    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let state = interface.saves_state;
+    let _ = write!(
+        text,
+        "<fmiModelDescription\n  fmiVersion=\"2.0\"\n  modelName=\"{name}\"\n  guid=\"{guid}\"\n  \
+         description=\"{description}\"\n  version=\"{version}\"\n  license=\"MIT OR Apache-2.0\"\n  \
+         generationTool=\"fmi-hazard {version}\"\n  variableNamingConvention=\"structured\">\n  \
+         <CoSimulation\n    modelIdentifier=\"{identifier}\"\n    canHandleVariableCommunicationStepSize=\"true\"\n    \
+         canGetAndSetFMUstate=\"{state}\"\n    canSerializeFMUstate=\"{state}\"/>\n",
+        name = escaped(interface.name),
+        guid = interface.guid(),
+        description = escaped(interface.description),
+        identifier = interface.identifier,
+    );
+    let used = |unit: &str| {
+        interface.variables.iter().any(|variable| matches!(variable.kind, Kind::Real { unit: of, .. } if of == unit))
+    };
+    text.push_str("  <UnitDefinitions>\n");
+    for (name, exponents) in UNITS.iter().filter(|(name, _)| used(name)) {
+        let space = if exponents.is_empty() { "" } else { " " };
+        let _ = writeln!(text, "    <Unit name=\"{name}\"><BaseUnit{space}{exponents}/></Unit>");
+    }
+    text.push_str("  </UnitDefinitions>\n  <LogCategories>\n");
+    for category in ["logStatusError", "logStatusDiscard", "logStatusFatal"] {
+        let _ = writeln!(text, "    <Category name=\"{category}\"/>");
+    }
+    let _ = write!(
+        text,
+        "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"2\" stepSize=\"{DEFAULT_STEP:?}\"/>\n  \
+         <ModelVariables>\n"
+    );
+    for (reference, variable) in interface.variables.iter().enumerate() {
+        write_variable(&mut text, reference, variable);
+    }
+    text.push_str("  </ModelVariables>\n  <ModelStructure>\n");
+    for list in ["Outputs", "InitialUnknowns"] {
+        let _ = writeln!(text, "    <{list}>");
+        for (reference, variable) in interface.variables.iter().enumerate() {
+            if variable.causality == Causality::Output {
+                let _ = writeln!(text, "      <Unknown index=\"{}\"/>", reference + 1);
+            }
+        }
+        let _ = writeln!(text, "    </{list}>");
+    }
+    text.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
+    text
+}
+
+fn write_variable(text: &mut String, reference: usize, variable: &Variable) {
+    let real = matches!(variable.kind, Kind::Real { .. });
+    let (causality, variability, initial) = match variable.causality {
+        Causality::Independent => ("independent", "continuous", None),
+        Causality::Parameter => ("parameter", "fixed", Some("exact")),
+        Causality::Input => ("input", if real { "continuous" } else { "discrete" }, None),
+        Causality::Output => ("output", if real { "continuous" } else { "discrete" }, Some("calculated")),
+    };
+    let _ = write!(
+        text,
+        "    <ScalarVariable name=\"{}\" valueReference=\"{reference}\" description=\"{}\" causality=\"{causality}\" \
+         variability=\"{variability}\"",
+        escaped(&variable.name),
+        escaped(&variable.description),
+    );
+    if let Some(initial) = initial {
+        let _ = write!(text, " initial=\"{initial}\"");
+    }
+    text.push_str(">\n      ");
+    let starts = matches!(variable.causality, Causality::Parameter | Causality::Input);
+    match variable.kind {
+        Kind::Real { unit, start, min, max } => {
+            let _ = write!(text, "<Real unit=\"{unit}\"");
+            attribute(text, "min", min.map(|x| format!("{x:?}")));
+            attribute(text, "max", max.map(|x| format!("{x:?}")));
+            attribute(text, "start", starts.then(|| format!("{start:?}")));
+        }
+        Kind::Integer { start, min, max } => {
+            text.push_str("<Integer");
+            attribute(text, "min", min.map(|n| n.to_string()));
+            attribute(text, "max", max.map(|n| n.to_string()));
+            attribute(text, "start", starts.then(|| start.to_string()));
+        }
+        Kind::Boolean { start } => {
+            text.push_str("<Boolean");
+            attribute(text, "start", starts.then(|| start.to_string()));
+        }
+    }
+    text.push_str("/>\n    </ScalarVariable>\n");
+}
+
+fn attribute(text: &mut String, name: &str, value: Option<String>) {
+    if let Some(value) = value {
+        let _ = write!(text, " {name}=\"{value}\"");
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{all, faulty, safety_fence};
+    use super::*;
+
+    #[test]
+    fn each_place_in_a_table_is_the_one_its_constant_names() {
+        let fence = safety_fence::interface();
+        for (place, name) in [
+            (safety_fence::vr::T_REACT, "plc.t_react"),
+            (safety_fence::vr::T_RAMP, "ctrl.t_ramp"),
+            (safety_fence::vr::SPEED_SCALE, "ctrl.speed_scale"),
+            (safety_fence::vr::PHASE0, "ctrl.phase0"),
+            (safety_fence::vr::GUARD_CLOSED, "plc.guard_closed"),
+            (safety_fence::vr::RESET, "plc.reset"),
+            (safety_fence::vr::Q, "robot.q[1]"),
+            (safety_fence::vr::QD, "robot.qd[1]"),
+            (safety_fence::vr::TCP_SPEED, "robot.tcp_speed"),
+            (safety_fence::vr::OVERRIDE, "ctrl.override"),
+            (safety_fence::vr::LEG, "ctrl.leg"),
+            (safety_fence::vr::STOP_STATE, "plc.stop_state"),
+            (safety_fence::vr::PAYLOAD, "gripper.payload"),
+        ] {
+            assert_eq!(fence.variables[place].name, name);
+        }
+        let faulty = faulty::interface();
+        for (place, name) in [
+            (faulty::vr::FAULT_KIND, "fault.kind"),
+            (faulty::vr::FAULT_STEP, "fault.step"),
+            (faulty::vr::STOP, "stop"),
+            (faulty::vr::PUSH, "push"),
+            (faulty::vr::Q, "q"),
+            (faulty::vr::QD, "qd"),
+        ] {
+            assert_eq!(faulty.variables[place].name, name);
+        }
+    }
+
+    #[test]
+    fn guids_differ_and_follow_the_table() {
+        let mut guids: Vec<_> = all().iter().map(Interface::guid).collect();
+        let mut changed = safety_fence::interface();
+        changed.variables[1].kind = Kind::real_in("s", 0.06, 0.0, 5.0);
+        guids.push(changed.guid());
+        guids.sort();
+        let count = guids.len();
+        guids.dedup();
+        assert_eq!(guids.len(), count);
+        assert_eq!(guids[0].len(), 38);
+    }
+
+    #[test]
+    fn names_and_texts_are_escaped() {
+        let mut interface = faulty::interface();
+        interface.variables[3].description = "a < b & \"c\"".to_owned();
+        assert!(xml(&interface, "0").contains("description=\"a &lt; b &amp; &quot;c&quot;\""));
+    }
+}

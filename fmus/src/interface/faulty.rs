@@ -1,0 +1,62 @@
+//! The variables of the model that misbehaves on demand, with and without working state functions.
+
+use super::variables::Causality::{Input, Output, Parameter};
+use super::variables::{Interface, Kind, Variable};
+
+/// Place (= value reference) of each variable in the table.
+#[allow(missing_docs, reason = "each is described in the table below; in the build script the lint is silent")]
+pub mod vr {
+    pub const FAULT_KIND: usize = 1;
+    pub const FAULT_STEP: usize = 2;
+    pub const STOP: usize = 3;
+    pub const PUSH: usize = 4;
+    pub const Q: usize = 5;
+    pub const QD: usize = 6;
+}
+
+fn variables() -> Vec<Variable> {
+    vec![
+        Variable::time(),
+        Variable::new(
+            "fault.kind",
+            "0 none; 1 q is NaN; 2 fmi2DoStep returns fmi2Error; 3 fmi2Discard; 4 fmi2Fatal; 5 q depends on how many \
+             instances the process has made; 6 a saved state forgets the hidden clock; 7 all saved states share one \
+             buffer; 8 fmi2Reset does nothing; 9 q is +infinity",
+            Parameter,
+            Kind::integer_in(0, 0, 9),
+        ),
+        Variable::new(
+            "fault.step",
+            "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4 in this step, the others \
+             from this step on",
+            Parameter,
+            Kind::integer_in(0, 0, i32::MAX),
+        ),
+        Variable::new("stop", "While true the drive slows down to a stop", Input, Kind::Boolean { start: false }),
+        Variable::new("push", "Speed added from outside", Input, Kind::real_in("rad/s", 0.0, -1.0, 1.0)),
+        Variable::new("q", "Angle of the joint", Output, Kind::real("rad")),
+        Variable::new("qd", "Speed of the joint over the last millisecond", Output, Kind::real("rad/s")),
+    ]
+}
+
+/// The model with state functions.
+pub fn interface() -> Interface {
+    Interface {
+        identifier: "faulty",
+        name: "faulty",
+        description: "One slowly turning joint that misbehaves on demand: for tests of importers",
+        saves_state: true,
+        variables: variables(),
+    }
+}
+
+/// The same model with state functions that only return fmi2Error.
+pub fn interface_without_state() -> Interface {
+    Interface {
+        identifier: "faulty_nostate",
+        name: "faulty-nostate",
+        description: "One slowly turning joint that misbehaves on demand and cannot save its state",
+        saves_state: false,
+        variables: variables(),
+    }
+}

@@ -1,0 +1,151 @@
+//! What an example FMU shows to the outside: its names, its variables and a GUID made from them.
+//!
+//! The library and the build script read the same tables, so the binary and its modelDescription.xml cannot disagree:
+//! any change of a table changes the GUID, and an FMU with the wrong GUID refuses to start.
+
+/// The outside of one model.
+#[derive(Debug)]
+pub struct Interface {
+    /// FMI `modelIdentifier`: a C identifier, also the file name of the binary.
+    pub identifier: &'static str,
+    /// FMI `modelName`, and the name of the .fmu file.
+    pub name: &'static str,
+    /// One sentence on what the model is.
+    pub description: &'static str,
+    /// Whether the six state functions work.
+    pub saves_state: bool,
+    /// All variables; the value reference of each is its place here.
+    pub variables: Vec<Variable>,
+}
+
+/// One scalar variable.
+#[derive(Debug)]
+pub struct Variable {
+    /// Name in the `structured` convention, e.g. `robot.q[1]`.
+    pub name: String,
+    /// One sentence, unit and frame included where it matters.
+    pub description: String,
+    /// Its role.
+    pub causality: Causality,
+    /// Type, unit and bounds.
+    pub kind: Kind,
+}
+
+/// The roles used here. Parameters are `fixed`, outputs are `calculated`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Causality {
+    /// The time of the simulation.
+    Independent,
+    /// Set before initialisation is left, then fixed.
+    Parameter,
+    /// Set at communication points, held over the step.
+    Input,
+    /// Computed.
+    Output,
+}
+
+/// The type of a variable with its unit, start value and bounds. Outputs have no start value: theirs is ignored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A real number.
+    Real {
+        /// Name of the unit, one of those in `description::UNITS`.
+        unit: &'static str,
+        /// Start value.
+        start: f64,
+        /// Smallest value.
+        min: Option<f64>,
+        /// Greatest value.
+        max: Option<f64>,
+    },
+    /// A whole number.
+    Integer {
+        /// Start value.
+        start: i32,
+        /// Smallest value.
+        min: Option<i32>,
+        /// Greatest value.
+        max: Option<i32>,
+    },
+    /// True or false.
+    Boolean {
+        /// Start value.
+        start: bool,
+    },
+}
+
+/// A value on its way in or out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Value {
+    /// Of a real variable.
+    Real(f64),
+    /// Of an integer variable.
+    Integer(i32),
+    /// Of a boolean variable.
+    Boolean(bool),
+}
+
+impl Variable {
+    /// The variable `time`, s.
+    pub fn time() -> Self {
+        let kind = Kind::Real { unit: "s", start: 0.0, min: None, max: None };
+        Self::new("time", "Simulation time", Causality::Independent, kind)
+    }
+
+    /// A variable from its four parts.
+    pub fn new(name: &str, description: &str, causality: Causality, kind: Kind) -> Self {
+        Self { name: name.to_owned(), description: description.to_owned(), causality, kind }
+    }
+}
+
+impl Kind {
+    /// A real number with neither bounds nor a start value other than 0.
+    pub fn real(unit: &'static str) -> Self {
+        Kind::Real { unit, start: 0.0, min: None, max: None }
+    }
+
+    /// A real number between `min` and `max`.
+    pub fn real_in(unit: &'static str, start: f64, min: f64, max: f64) -> Self {
+        Kind::Real { unit, start, min: Some(min), max: Some(max) }
+    }
+
+    /// A whole number between `min` and `max`.
+    pub fn integer_in(start: i32, min: i32, max: i32) -> Self {
+        Kind::Integer { start, min: Some(min), max: Some(max) }
+    }
+
+    /// The start value.
+    pub fn start(&self) -> Value {
+        match *self {
+            Kind::Real { start, .. } => Value::Real(start),
+            Kind::Integer { start, .. } => Value::Integer(start),
+            Kind::Boolean { start } => Value::Boolean(start),
+        }
+    }
+
+    /// Whether `value` has this type, is finite and lies within the bounds.
+    pub fn admits(&self, value: Value) -> bool {
+        match (*self, value) {
+            (Kind::Real { min, max, .. }, Value::Real(x)) => {
+                x.is_finite() && min.is_none_or(|min| x >= min) && max.is_none_or(|max| x <= max)
+            }
+            (Kind::Integer { min, max, .. }, Value::Integer(n)) => {
+                min.is_none_or(|min| n >= min) && max.is_none_or(|max| n <= max)
+            }
+            (Kind::Boolean { .. }, Value::Boolean(_)) => true,
+            _ => false,
+        }
+    }
+}
+
+impl Interface {
+    /// The FMI 2.0 `guid`: a fingerprint of everything in this interface (FNV-1a, 128 bit), in braces.
+    pub fn guid(&self) -> String {
+        let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+        for byte in format!("{self:?}").bytes() {
+            hash = (hash ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b);
+        }
+        let hex = format!("{hash:032x}");
+        format!("{{{}-{}-{}-{}-{}}}", &hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..])
+    }
+}

@@ -1,0 +1,116 @@
+//! What the FMI layer asks of a model, and the choice of the model that runs.
+
+use crate::bytes::{Reader, Writer};
+use crate::cells::faulty::Faulty;
+use crate::cells::safety_fence::SafetyFence;
+use crate::interface::variables::{Interface, Value};
+use crate::interface::{self};
+use std::sync::OnceLock;
+
+/// How a communication step ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Outcome {
+    /// The step was made.
+    Done,
+    /// Nothing was computed; the importer may try again.
+    Discarded(String),
+    /// The step failed.
+    Failed(String),
+    /// Nothing can be done with this FMU any more.
+    Fatal(String),
+}
+
+/// A model: a small value that holds parameters, inputs and state, and nothing else. Copying it saves the state.
+///
+/// Values that arrive have the type of their variable and lie within its bounds.
+pub trait Model {
+    /// Sets a parameter or an input by its place in the interface's table.
+    fn set(&mut self, variable: usize, value: Value);
+
+    /// Writes the values of all variables but `time` to their places in the table.
+    fn read_out(&self, values: &mut [Value]);
+
+    /// Lets `ticks` milliseconds pass with the inputs held.
+    fn step(&mut self, ticks: u64) -> Outcome;
+
+    /// Writes all fields.
+    fn write(&self, out: &mut Writer);
+}
+
+/// The running model. As an enum it stays a plain value, so that saving and restoring are copies.
+#[derive(Debug, Clone, Copy)]
+pub enum AnyModel {
+    /// The feed-opening cell.
+    SafetyFence(SafetyFence),
+    /// The model that misbehaves on demand.
+    Faulty(Faulty),
+}
+
+/// All interfaces, built once.
+fn interfaces() -> &'static [Interface] {
+    static ALL: OnceLock<Vec<Interface>> = OnceLock::new();
+    ALL.get_or_init(interface::all)
+}
+
+/// The interface with this GUID.
+pub fn interface_of(guid: &str) -> Option<&'static Interface> {
+    static GUIDS: OnceLock<Vec<String>> = OnceLock::new();
+    let guids = GUIDS.get_or_init(|| interfaces().iter().map(Interface::guid).collect());
+    guids.iter().position(|known| known == guid).map(|place| &interfaces()[place])
+}
+
+impl AnyModel {
+    /// A new instance with all start values; None if no model has this identifier.
+    pub fn new(identifier: &str) -> Option<Self> {
+        match identifier {
+            "safety_fence" => Some(AnyModel::SafetyFence(SafetyFence::new())),
+            "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
+            _ => None,
+        }
+    }
+
+    /// The model behind the trait.
+    pub fn get(&self) -> &dyn Model {
+        match self {
+            AnyModel::SafetyFence(model) => model,
+            AnyModel::Faulty(model) => model,
+        }
+    }
+
+    /// The model behind the trait.
+    pub fn get_mut(&mut self) -> &mut dyn Model {
+        match self {
+            AnyModel::SafetyFence(model) => model,
+            AnyModel::Faulty(model) => model,
+        }
+    }
+
+    /// Back to a saved state.
+    pub fn restore(&mut self, saved: &Self) {
+        match (self, saved) {
+            (AnyModel::Faulty(model), AnyModel::Faulty(saved)) => model.restore(saved),
+            (model, saved) => *model = *saved,
+        }
+    }
+
+    /// Back to the start values.
+    pub fn reset(&mut self) {
+        match self {
+            AnyModel::SafetyFence(model) => *model = SafetyFence::new(),
+            AnyModel::Faulty(model) => model.reset(),
+        }
+    }
+
+    /// Whether saved states are to share one buffer (a fault that importers must notice).
+    pub fn shares_saved_states(&self) -> bool {
+        matches!(self, AnyModel::Faulty(model) if model.shares_saved_states())
+    }
+
+    /// Reads a model of the same kind from bytes.
+    pub fn read(&self, input: &mut Reader) -> Option<Self> {
+        match self {
+            AnyModel::SafetyFence(_) => SafetyFence::read(input).map(AnyModel::SafetyFence),
+            AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The example cells that come with the program: their FMUs and cell files, embedded, and how to write them out.
+//!
+//! Knows nothing of what is in the files: the build script packs them.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// One example cell.
+#[derive(Debug, Clone, Copy)]
+pub struct Example {
+    /// Name of the cell, e.g. `safety-fence`; also the name of its folder and of its FMU.
+    pub name: &'static str,
+    /// One sentence on what the cell is.
+    pub summary: &'static str,
+    /// The FMU, a complete archive.
+    pub fmu: &'static [u8],
+    /// The cell files (`cell.toml`, `fixed.toml`, `README.md`): name and content.
+    pub files: &'static [(&'static str, &'static [u8])],
+}
+
+include!(concat!(env!("OUT_DIR"), "/examples.rs"));
+
+/// All example cells, in a fixed order.
+pub fn all() -> &'static [Example] {
+    EXAMPLES
+}
+
+/// The example of this name.
+pub fn by_name(name: &str) -> Option<&'static Example> {
+    EXAMPLES.iter().find(|example| example.name == name)
+}
+
+impl Example {
+    /// Writes `<dir>/<name>/<name>.fmu` and the cell files beside it, and returns the paths written. Folders are made
+    /// as needed, files that exist are replaced.
+    ///
+    /// # Errors
+    /// Whatever the file system says, with the path.
+    pub fn export(&self, dir: &Path) -> io::Result<Vec<PathBuf>> {
+        let folder = dir.join(self.name);
+        std::fs::create_dir_all(&folder).map_err(|error| naming(&folder, &error))?;
+        let fmu_name = format!("{}.fmu", self.name);
+        let mut written = Vec::with_capacity(self.files.len() + 1);
+        for (name, content) in std::iter::once((fmu_name.as_str(), self.fmu)).chain(self.files.iter().copied()) {
+            let path = folder.join(name);
+            std::fs::write(&path, content).map_err(|error| naming(&path, &error))?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+}
+
+/// Writes all examples as [`Example::export`] does.
+///
+/// # Errors
+/// Whatever the file system says, with the path.
+pub fn export(dir: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut written = Vec::new();
+    for example in all() {
+        written.extend(example.export(dir)?);
+    }
+    Ok(written)
+}
+
+fn naming(path: &Path, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{} cannot be written: {error}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exported_files_are_complete_fmus() {
+        let dir = tempfile::tempdir().unwrap();
+        let written = export(dir.path()).unwrap();
+        assert!(written.contains(&dir.path().join("safety-fence/safety-fence.fmu")));
+        for path in written.iter().filter(|path| path.extension().is_some_and(|extension| extension == "fmu")) {
+            let mut archive = zip::ZipArchive::new(std::fs::File::open(path).unwrap()).unwrap();
+            assert!(archive.by_name("modelDescription.xml").is_ok());
+        }
+        for example in all() {
+            let description = dir.path().join(example.name);
+            assert_eq!(std::fs::read_dir(description).unwrap().count(), example.files.len() + 1);
+        }
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_made_is_named() {
+        let dir = tempfile::tempdir().unwrap();
+        let file = dir.path().join("taken");
+        std::fs::write(&file, "").unwrap();
+        let error = export(&file).unwrap_err();
+        assert!(error.to_string().contains("taken"), "{error}");
+    }
+
+    #[test]
+    fn examples_are_found_by_name() {
+        assert_eq!(by_name("safety-fence").map(|example| example.name), Some("safety-fence"));
+        assert!(by_name("faulty").is_none(), "the faulty models are for tests only");
+    }
+}
