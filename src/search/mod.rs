@@ -1,1 +1,43 @@
-//! search
+//! Search over action sequences, knowing nothing of FMUs, humans or geometry.
+//!
+//! An [`Environment`] offers a finite set of actions, steps, saves and restores; a [`Strategy`] proposes episodes, one
+//! per iteration. So strategies are tested on small puzzles with known answers, and a new strategy is one file.
+//!
+//! - [`environment`]: the trait that `sim` implements
+//! - [`random`]: the paper's baseline, uniform actions from the start
+//! - [`mcts_dpw`]: Monte Carlo tree search with double progressive widening, in three profiles
+//! - [`rng`]: the one door for randomness
+//! - [`statistics`]: capped means, intervals and misses over many seeds
+
+pub mod environment;
+pub mod mcts_dpw;
+pub mod random;
+pub mod rng;
+pub mod statistics;
+
+pub use environment::{End, Environment, Step};
+pub use mcts_dpw::{MctsDpw, Profile};
+pub use random::Random;
+pub use rng::Rng;
+
+/// How one iteration (one episode from the start state) ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Iteration {
+    /// Why the episode stopped.
+    pub end: End,
+    /// Undiscounted sum of its rewards.
+    pub total_reward: f64,
+}
+
+/// A way of choosing which action sequences to try.
+pub trait Strategy<E: Environment> {
+    /// The name used on the command line and in results.
+    fn name(&self) -> &'static str;
+
+    /// Runs one episode from the start state.
+    ///
+    /// # Errors
+    /// Passes on what the environment reports as fatal to the whole search; an episode that merely could not be
+    /// evaluated ends with [`End::NotEvaluated`] instead.
+    fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error>;
+}

@@ -1,0 +1,134 @@
+//! Statistics over many seeds of one strategy: how many iterations until the first hazard, and how often none.
+//!
+//! The paper's `T` counts a miss as the whole budget (a capped, or restricted, mean); its figures fit that reading.
+
+use super::Rng;
+
+/// Iterations to the first hazard over many seeds; `None` is a miss within the budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runs {
+    /// One entry a seed.
+    pub first_hit: Vec<Option<u32>>,
+    /// The budget in iterations.
+    pub cap: u32,
+}
+
+/// A two-sided 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+}
+
+/// Number of bootstrap resamples behind each interval.
+pub const RESAMPLES: usize = 10_000;
+
+impl Runs {
+    /// Iterations with misses counted as the cap.
+    #[must_use]
+    pub fn capped(&self) -> Vec<f64> {
+        self.first_hit.iter().map(|h| f64::from(h.unwrap_or(self.cap))).collect()
+    }
+
+    /// Capped mean `T` and sample standard deviation `sigma`.
+    #[must_use]
+    pub fn mean_and_sigma(&self) -> (f64, f64) {
+        let x = self.capped();
+        let mean = mean(&x);
+        let n = x.len() as f64;
+        let var = x.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / (n - 1.0).max(1.0);
+        (mean, var.sqrt())
+    }
+
+    /// Number of seeds that found nothing.
+    #[must_use]
+    pub fn misses(&self) -> usize {
+        self.first_hit.iter().filter(|h| h.is_none()).count()
+    }
+
+    /// Percentile-bootstrap interval of the capped mean.
+    #[must_use]
+    pub fn mean_interval(&self, seed: u64) -> Interval {
+        let x = self.capped();
+        bootstrap(seed, |rng| resampled_mean(&x, rng))
+    }
+
+    /// Wilson interval of the probability that a run finds nothing (95 %).
+    #[must_use]
+    pub fn miss_interval(&self) -> Interval {
+        wilson(self.misses(), self.first_hit.len())
+    }
+}
+
+/// Percentile-bootstrap interval of the ratio of capped means `a / b` (independent samples).
+#[must_use]
+pub fn ratio_interval(a: &Runs, b: &Runs, seed: u64) -> Interval {
+    let (x, y) = (a.capped(), b.capped());
+    bootstrap(seed, |rng| resampled_mean(&x, rng) / resampled_mean(&y, rng))
+}
+
+/// Wilson score interval for `hits` of `n`, 95 %.
+#[must_use]
+pub fn wilson(hits: usize, n: usize) -> Interval {
+    let z = 1.959_963_984_540_054_f64;
+    let (k, n) = (hits as f64, n as f64);
+    if n == 0.0 {
+        return Interval { low: 0.0, high: 1.0 };
+    }
+    let p = k / n;
+    let centre = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
+    let half = z / (1.0 + z * z / n) * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt();
+    Interval { low: (centre - half).max(0.0), high: (centre + half).min(1.0) }
+}
+
+fn mean(x: &[f64]) -> f64 {
+    x.iter().sum::<f64>() / (x.len() as f64).max(1.0)
+}
+
+fn resampled_mean(x: &[f64], rng: &mut Rng) -> f64 {
+    (0..x.len()).map(|_| x[rng.below(x.len())]).sum::<f64>() / (x.len() as f64).max(1.0)
+}
+
+fn bootstrap(seed: u64, mut statistic: impl FnMut(&mut Rng) -> f64) -> Interval {
+    let mut rng = Rng::new(seed);
+    let mut values: Vec<f64> = (0..RESAMPLES).map(|_| statistic(&mut rng)).collect();
+    values.sort_by(f64::total_cmp);
+    let at = |per_mille: usize| values[(RESAMPLES * per_mille / 1000).min(RESAMPLES - 1)];
+    Interval { low: at(25), high: at(975) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn misses_count_as_the_cap() {
+        let runs = Runs { first_hit: vec![Some(10), None, Some(20)], cap: 320 };
+        let (t, sigma) = runs.mean_and_sigma();
+        assert!((t - 350.0 / 3.0).abs() < 1e-12);
+        // By hand: deviations -106.667, 203.333, -96.667; sum of squares 62 066.667; / 2; square root.
+        assert!((sigma - 176.163_f64).abs() < 1e-3, "{sigma}");
+        assert_eq!(runs.misses(), 1);
+    }
+
+    #[test]
+    fn wilson_agrees_with_published_values() {
+        // Newcombe (1998), Table I, method 3: 81 of 263 -> 0.2553..0.3662; 0 of 20 -> 0..0.1611.
+        let i = wilson(81, 263);
+        assert!((i.low - 0.2553).abs() < 5e-5 && (i.high - 0.3662).abs() < 5e-5, "{i:?}");
+        let i = wilson(0, 20);
+        assert!(i.low.abs() < 1e-12 && (i.high - 0.1611).abs() < 5e-5, "{i:?}");
+    }
+
+    #[test]
+    fn bootstrap_of_a_mean_matches_the_normal_approximation() {
+        let first_hit: Vec<Option<u32>> = (0..200).map(|i| Some(50 + i % 21)).collect();
+        let runs = Runs { first_hit, cap: 320 };
+        let (t, sigma) = runs.mean_and_sigma();
+        let half = 1.96 * sigma / 200_f64.sqrt();
+        let i = runs.mean_interval(1);
+        assert!((i.low - (t - half)).abs() < 0.1 && (i.high - (t + half)).abs() < 0.1, "{i:?} {t} {half}");
+    }
+}
