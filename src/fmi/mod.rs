@@ -1,1 +1,176 @@
-//! fmi
+//! Open an FMU safely, read its description, call it. FMI 2.0 co-simulation.
+//!
+//! This floor knows nothing of humans, robots or processes and could be a crate of its own. In order of use:
+//!
+//! 1. [`Fmu::open`] checks and unpacks the archive and reads modelDescription.xml; nothing of the FMU runs.
+//! 2. [`Fmu::load`] checks the binary's header and loads it: from here on the FMU's code may run.
+//! 3. [`Slave::instantiate`] makes an instance, whose life is a chain of types: [`Instance<Instantiated>`],
+//!    [`Instance<Initializing>`], [`Instance<Stepping>`].
+//! 4. [`Instance::save`] and [`Instance::restore`] keep states, owned by their instance.
+//!
+//! # Example
+//!
+//! ```
+//! # let dir = tempfile::tempdir()?;
+//! # fmi_hazard::examples::export(dir.path())?;
+//! # let path = dir.path().join("safety-fence/safety-fence.fmu");
+//! use fmi_hazard::fmi::Fmu;
+//!
+//! let fmu = Fmu::open(&path)?;
+//! let speed = fmu.description().variable("robot.tcp_speed").expect("an output").value_reference;
+//! let instance = fmu.load()?.instantiate("robot")?;
+//! let mut instance = instance.enter_initialization(0.0, None)?.exit_initialization()?;
+//! let start = instance.save()?;
+//! instance.do_step(0.0, 0.02)?;
+//! let mut value = [0.0];
+//! instance.get_real(&[speed], &mut value)?;
+//! assert!(value[0] > 0.0);
+//! instance.restore(&start)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod abi2;
+mod archive;
+mod description;
+mod error;
+mod instance;
+mod library;
+mod read_xml;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use tempfile::TempDir;
+
+pub use archive::ArchiveLimits;
+pub use description::{
+    Capabilities, Causality, CoSimulation, DefaultExperiment, ModelDescription, Variability, Variable, VariableType,
+};
+pub use error::{CallFailure, Error, Status};
+pub use instance::{Initializing, Instance, Instantiated, State, Stepping};
+pub use library::Slave;
+pub use read_xml::Warning;
+
+/// An FMU that was opened and read. Nothing of it is loaded or run.
+pub struct Fmu {
+    path: PathBuf,
+    sha256: String,
+    files: Arc<TempDir>,
+    description: ModelDescription,
+    warnings: Vec<Warning>,
+    platforms: Vec<String>,
+}
+
+impl Fmu {
+    /// Opens the FMU at `path` within the default [`ArchiveLimits`].
+    ///
+    /// # Errors
+    /// When the file is no FMU, or one that could do harm, or one of a kind that cannot be used.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        Self::open_with(path, &ArchiveLimits::default())
+    }
+
+    /// The same within other limits.
+    ///
+    /// # Errors
+    /// As [`Fmu::open`].
+    pub fn open_with(path: &Path, limits: &ArchiveLimits) -> Result<Self, Error> {
+        let unpacked = archive::unpack(path, limits)?;
+        let xml = unpacked.files.path().join("modelDescription.xml");
+        let bytes = std::fs::read(&xml).map_err(|error| Error::Read { path: path.to_owned(), error })?;
+        let at = |text: &str, offset: usize, message: String| {
+            let (line, column) = read_xml::line_and_column(text, offset);
+            Error::Description { path: path.to_owned(), line, column, message }
+        };
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let good = String::from_utf8_lossy(&e.as_bytes()[..e.utf8_error().valid_up_to()]).into_owned();
+            at(&good, good.len(), "this is not UTF-8, which FMI asks for. Save the file as UTF-8".to_owned())
+        })?;
+        let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+        let (description, warnings) = read_xml::read(text).map_err(|p| at(text, p.offset, p.message))?;
+        supported(&description)?;
+        let mut platforms: Vec<String> = unpacked
+            .names
+            .iter()
+            .filter_map(|n| Some(n.strip_prefix("binaries/")?.split_once('/')?.0.to_owned()))
+            .collect();
+        platforms.sort();
+        platforms.dedup();
+        let files = Arc::new(unpacked.files);
+        Ok(Self { path: path.to_owned(), sha256: unpacked.sha256, files, description, warnings, platforms })
+    }
+
+    /// Where it was opened from.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// SHA-256 of the file, lower-case hex.
+    #[must_use]
+    pub fn sha256(&self) -> &str {
+        &self.sha256
+    }
+
+    /// modelDescription.xml.
+    #[must_use]
+    pub const fn description(&self) -> &ModelDescription {
+        &self.description
+    }
+
+    /// What was odd in it.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// Folders below `binaries/`.
+    #[must_use]
+    pub fn platforms(&self) -> &[String] {
+        &self.platforms
+    }
+
+    /// The unpacked file with this path inside the FMU, if there is one.
+    #[must_use]
+    pub fn file(&self, name: &str) -> Option<PathBuf> {
+        let path = self.files.path().join(name);
+        path.is_file().then_some(path)
+    }
+
+    /// Loads the binary: its code runs from here on.
+    ///
+    /// # Errors
+    /// When there is none for this machine or it cannot be loaded.
+    pub fn load(&self) -> Result<Slave, Error> {
+        let Some(co_simulation) = &self.description.co_simulation else { return Err(no_co_simulation()) };
+        library::load(&self.files, &self.platforms, &self.description.guid, &co_simulation.capabilities)
+    }
+}
+
+fn no_co_simulation() -> Error {
+    Error::Unsupported(
+        "this FMU has no co-simulation interface, only model exchange. Export it as Co-Simulation".to_owned(),
+    )
+}
+
+/// The versions and interfaces that can be used.
+fn supported(description: &ModelDescription) -> Result<(), Error> {
+    let version = description.fmi_version.as_str();
+    match version.split('.').next() {
+        Some("2") => {}
+        Some("3") => {
+            return Err(Error::Unsupported(
+                "this is an FMI 3.0 FMU; this version reads FMI 2.0 co-simulation. Export it as FMI 2.0".to_owned(),
+            ));
+        }
+        _ => {
+            return Err(Error::Unsupported(format!(
+                "this is an FMI {version} FMU; FMI 2.0 co-simulation is needed. Export it as FMI 2.0"
+            )));
+        }
+    }
+    if description.co_simulation.is_none() {
+        return Err(no_co_simulation());
+    }
+    Ok(())
+}
