@@ -1,0 +1,149 @@
+//! The shape of a robot link placed in the world: a capsule (closed form) or a convex hull (parry).
+//!
+//! Everything that is asked of it is a distance from a line segment, because human limbs are segments with a radius.
+
+use std::sync::Arc;
+
+use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
+use parry3d_f64::shape::{ConvexPolyhedron, Segment};
+
+use super::distance::{perpendicular_to, point_segment, segment_segment};
+use super::{Capsule, Closest, Pose, Vec3};
+
+/// A convex polyhedron shared between placements, with where it is.
+#[derive(Clone, Debug)]
+pub struct Hull {
+    shape: Arc<ConvexPolyhedron>,
+    pose: Pose,
+    centre: Vec3,
+    radius: f64,
+}
+
+impl Hull {
+    /// The convex hull of points in the link's own frame, not yet moved; `None` when they do not span a volume.
+    #[must_use]
+    pub fn from_points(points: &[Vec3]) -> Option<Self> {
+        ConvexPolyhedron::from_convex_hull(points).map(|shape| Self::new(Arc::new(shape), Pose::IDENTITY))
+    }
+
+    /// A shared polyhedron placed by `world_from_local`.
+    #[must_use]
+    pub fn new(shape: Arc<ConvexPolyhedron>, world_from_local: Pose) -> Self {
+        let points = shape.points();
+        let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+        for point in points {
+            low = low.min(*point);
+            high = high.max(*point);
+        }
+        let centre = (low + high) * 0.5;
+        let radius = points.iter().map(|point| (*point - centre).length()).fold(0.0, f64::max);
+        Self { shape, pose: world_from_local, centre, radius }
+    }
+
+    /// The polyhedron in its own frame.
+    #[must_use]
+    pub fn shape(&self) -> &ConvexPolyhedron {
+        &self.shape
+    }
+
+    /// `world_from_local` of the polyhedron.
+    #[must_use]
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    fn point_distance(&self, point: Vec3) -> Closest {
+        let local = self.pose.inverse_transform_point(point);
+        let projection = self.shape.project_local_point(local, false);
+        let distance = (projection.point - local).length();
+        Closest {
+            distance: if projection.is_inside { -distance } else { distance },
+            on_first: point,
+            on_second: self.pose * projection.point,
+        }
+    }
+
+    fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
+        if (b - a).length_squared() < 1e-18 {
+            return self.point_distance(a);
+        }
+        let segment = Segment::new(a, b);
+        let nearest = query::closest_points(&Pose::IDENTITY, &segment, &self.pose, self.shape.as_ref(), f64::MAX);
+        if let Ok(ClosestPoints::WithinMargin(on_first, on_second)) = nearest {
+            return Closest { distance: (on_first - on_second).length(), on_first, on_second };
+        }
+        match query::contact(&Pose::IDENTITY, &segment, &self.pose, self.shape.as_ref(), 0.0) {
+            Ok(Some(contact)) => {
+                Closest { distance: contact.dist.min(0.0), on_first: contact.point1, on_second: contact.point2 }
+            }
+            // Two convex shapes are always supported; what is left is a touch so light that parry sees no contact.
+            _ => {
+                let middle = self.point_distance((a + b) * 0.5);
+                Closest { distance: middle.distance.min(0.0), ..middle }
+            }
+        }
+    }
+}
+
+/// A robot link where it stands.
+#[derive(Clone, Debug)]
+pub enum Solid {
+    /// A capsule in world coordinates.
+    Capsule(Capsule),
+    /// A placed convex polyhedron.
+    Hull(Hull),
+}
+
+impl Solid {
+    /// Signed distance from the segment between `a` and `b` (the first shape, without radius) to the link's surface.
+    ///
+    /// Negative when the segment enters the link: for a capsule the core distance less the radius, for a hull the
+    /// penetration depth. Changes by no more than the segment's points are moved.
+    #[must_use]
+    pub fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
+        match self {
+            Self::Capsule(link) => {
+                let core = segment_segment(a, b, link.a, link.b);
+                surface(core, link.radius, b - a, link.b - link.a)
+            }
+            Self::Hull(hull) => hull.segment_distance(a, b),
+        }
+    }
+
+    /// Signed distance from a point to the link's surface, negative inside.
+    #[must_use]
+    pub fn point_distance(&self, point: Vec3) -> Closest {
+        match self {
+            Self::Capsule(link) => {
+                let core = point_segment(point, link.a, link.b);
+                surface(core, link.radius, Vec3::ZERO, link.b - link.a)
+            }
+            Self::Hull(hull) => hull.point_distance(point),
+        }
+    }
+
+    /// Centre and radius of a sphere around the link.
+    #[must_use]
+    pub fn bounding_sphere(&self) -> (Vec3, f64) {
+        match self {
+            Self::Capsule(link) => ((link.a + link.b) * 0.5, 0.5 * (link.b - link.a).length() + link.radius),
+            Self::Hull(hull) => (hull.pose * hull.centre, hull.radius),
+        }
+    }
+
+    /// The link moved by `pose` (`pose * old placement`).
+    #[must_use]
+    pub fn placed(&self, pose: Pose) -> Self {
+        match self {
+            Self::Capsule(link) => Self::Capsule(Capsule { a: pose * link.a, b: pose * link.b, radius: link.radius }),
+            Self::Hull(hull) => Self::Hull(Hull { pose: pose * hull.pose, ..hull.clone() }),
+        }
+    }
+}
+
+/// From the core of a capsule link to its surface.
+fn surface(core: Closest, radius: f64, along_first: Vec3, along_second: Vec3) -> Closest {
+    let outward =
+        (core.on_first - core.on_second).try_normalize().unwrap_or_else(|| perpendicular_to(along_first, along_second));
+    Closest { distance: core.distance - radius, on_first: core.on_first, on_second: core.on_second + outward * radius }
+}
