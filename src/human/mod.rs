@@ -1,1 +1,26 @@
-//! human
+//! The virtual human: what it can do, where it stands, what space its body takes.
+//!
+//! The way through this floor, once for each 200 ms action: an [`Action`] is a [`Walk`] and a [`Posture`];
+//! [`walk::Walker`] turns the walk into ten exact [`Place`]s, stopping at obstacles; [`posture::cut_back`] says how far
+//! the bend gets at each of them; [`Body::placed`] gives the capsules there; [`shoulder::is_available`] says which arm
+//! may be searched for a contact.
+//!
+//! Knows obstacles as boxes, and nothing of robots, sensors or FMUs. World frame: z up, floor at z = 0. Frames of the
+//! body: x forward, y left, z up. Metres and radians inside.
+
+pub mod action;
+pub mod arm;
+pub mod body;
+mod obstacles;
+pub mod place;
+pub mod placed;
+pub mod posture;
+pub mod reach;
+pub mod shoulder;
+pub mod walk;
+
+pub use action::{Action, Posture, Walk};
+pub use body::{Anthropometry, Body, BodyPart, Side};
+pub use place::{Place, Start};
+pub use placed::PlacedBody;
+pub use posture::BendFraction;

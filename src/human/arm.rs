@@ -1,0 +1,185 @@
+//! The virtual human's arm: four joints, two capsules, and a sphere at the wrist that stands for every hand pose.
+//!
+//! Joint ranges with their couplings after Klopcar and Lenarcic (Meccanica 40, 2005), lengths after ISO 13857 as in
+//! Huck et al. 2021. The published text does not settle the order of the shoulder's axes; here, from the hanging arm
+//! outwards: elbow, rotation about the upper arm, flexion about the lateral axis, abduction about the forward axis.
+
+use super::Side;
+use crate::geometry::{Vec3, rotation_about};
+use crate::standards::iso_13857::{FOREARM_M, HAND_RADIUS_M, UPPER_ARM_M};
+
+/// Joint angles in radians: abduction, flexion, rotation of the upper arm (inwards positive), elbow flexion (0 is
+/// straight).
+pub type Config = [f64; 4];
+
+/// Lengths and radii of an arm, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmModel {
+    /// Shoulder joint to elbow.
+    pub upper_arm_m: f64,
+    /// Elbow to wrist.
+    pub forearm_m: f64,
+    /// Sphere around the wrist that every point of the hand stays in.
+    pub hand_radius_m: f64,
+    /// Capsule radius of the upper arm.
+    pub upper_arm_radius_m: f64,
+    /// Capsule radius of the forearm.
+    pub forearm_radius_m: f64,
+}
+
+impl Default for ArmModel {
+    /// 0.30 m, 0.32 m and 0.23 m (ISO 13857 Table 3); radii of a median man.
+    fn default() -> Self {
+        Self {
+            upper_arm_m: UPPER_ARM_M,
+            forearm_m: FOREARM_M,
+            hand_radius_m: HAND_RADIUS_M,
+            upper_arm_radius_m: 0.055,
+            forearm_radius_m: 0.045,
+        }
+    }
+}
+
+const DEG: f64 = std::f64::consts::PI / 180.0;
+
+/// Range of abduction, rad.
+pub const ABDUCTION: (f64, f64) = (-10.0 * DEG, 170.0 * DEG);
+/// Range of elbow flexion, rad: -90 to 60 degrees in the source, where 0 is the right angle.
+pub const ELBOW: (f64, f64) = (0.0, 150.0 * DEG);
+
+/// Range of flexion at an abduction; both bounds are linear in it.
+#[must_use]
+pub fn flexion_range(abduction: f64) -> (f64, f64) {
+    (-60.0 * DEG + abduction / 3.0, 170.0 * DEG - abduction / 6.0)
+}
+
+/// Range of the rotation of the upper arm at an abduction and a flexion; both bounds are bilinear in them.
+#[must_use]
+pub fn rotation_range(abduction: f64, flexion: f64) -> (f64, f64) {
+    let (a, f) = (abduction / DEG, flexion / DEG);
+    let low = -60.0 + 7.0 * a / 9.0 - f / 9.0 + 2.0 * a * f / 810.0;
+    let high = 90.0 + 4.0 * a / 9.0 - 5.0 * f / 9.0 + 5.0 * a * f / 810.0;
+    (low * DEG, high * DEG)
+}
+
+/// The configuration within the limits that is nearest joint by joint.
+#[must_use]
+pub fn clamped([abduction, flexion, rotation, elbow]: Config) -> Config {
+    let abduction = abduction.clamp(ABDUCTION.0, ABDUCTION.1);
+    let (low, high) = flexion_range(abduction);
+    let flexion = flexion.clamp(low, high);
+    let (low, high) = rotation_range(abduction, flexion);
+    [abduction, flexion, rotation.clamp(low, high), elbow.clamp(ELBOW.0, ELBOW.1)]
+}
+
+impl ArmModel {
+    /// Farthest distance of a hand point from the shoulder joint, m.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.upper_arm_m + self.forearm_m + self.hand_radius_m
+    }
+
+    /// Elbow and wrist in the shoulder frame, and how they move with each joint, m/rad: `[elbow, wrist]` by joint.
+    #[must_use]
+    pub fn forward_with_derivatives(&self, side: Side, config: Config) -> (Vec3, Vec3, [[Vec3; 2]; 4]) {
+        let [abduction, flexion, rotation, elbow] = config;
+        let mirror = side.sign();
+        let abducted = rotation_about(Vec3::X, mirror * abduction);
+        let upper = abducted * rotation_about(Vec3::Y, -flexion);
+        let rotated = upper * rotation_about(Vec3::Z, -mirror * rotation);
+        let fore = rotated * rotation_about(Vec3::Y, -elbow);
+        let at_elbow = upper * Vec3::new(0.0, 0.0, -self.upper_arm_m);
+        let forearm = fore * Vec3::new(0.0, 0.0, -self.forearm_m);
+        let at_wrist = at_elbow + forearm;
+        let (x, y) = (Vec3::X * mirror, abducted * -Vec3::Y);
+        let (z, bend) = (upper * (Vec3::Z * -mirror), rotated * -Vec3::Y);
+        let derivatives = [
+            [x.cross(at_elbow), x.cross(at_wrist)],
+            [y.cross(at_elbow), y.cross(at_wrist)],
+            [Vec3::ZERO, z.cross(forearm)],
+            [Vec3::ZERO, bend.cross(forearm)],
+        ];
+        (at_elbow, at_wrist, derivatives)
+    }
+
+    /// Elbow and wrist in the shoulder frame (x forward, y left, z up; the arm hangs along -z at zero).
+    #[must_use]
+    pub fn forward(&self, side: Side, [abduction, flexion, rotation, elbow]: Config) -> (Vec3, Vec3) {
+        // The right arm is the left one seen in a mirror: rotations about x and z change sign.
+        let mirror = side.sign();
+        let upper = rotation_about(Vec3::X, mirror * abduction) * rotation_about(Vec3::Y, -flexion);
+        let fore = upper * rotation_about(Vec3::Z, -mirror * rotation) * rotation_about(Vec3::Y, -elbow);
+        let at_elbow = upper * Vec3::new(0.0, 0.0, -self.upper_arm_m);
+        (at_elbow, at_elbow + fore * Vec3::new(0.0, 0.0, -self.forearm_m))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: Vec3, b: [f64; 3]) {
+        assert!((a - Vec3::from_array(b)).length() < 1e-12, "{a} {b:?}");
+    }
+
+    #[test]
+    fn poses_by_hand() {
+        let arm = ArmModel::default();
+        let quarter = 90.0 * DEG;
+        let (elbow, wrist) = arm.forward(Side::Left, [0.0; 4]);
+        near(elbow, [0.0, 0.0, -0.30]);
+        near(wrist, [0.0, 0.0, -0.62]);
+        // Elbow bent: the forearm points forward.
+        near(arm.forward(Side::Left, [0.0, 0.0, 0.0, quarter]).1, [0.32, 0.0, -0.30]);
+        // Raised forward, straight: both point forward.
+        near(arm.forward(Side::Right, [0.0, quarter, 0.0, 0.0]).1, [0.62, 0.0, 0.0]);
+        // Raised sideways: outwards on each side.
+        near(arm.forward(Side::Left, [quarter, 0.0, 0.0, 0.0]).1, [0.0, 0.62, 0.0]);
+        near(arm.forward(Side::Right, [quarter, 0.0, 0.0, 0.0]).1, [0.0, -0.62, 0.0]);
+        // Hanging, elbow bent, rotated inwards: the forearm lies across the belly.
+        near(arm.forward(Side::Left, [0.0, 0.0, quarter, quarter]).1, [0.0, -0.32, -0.30]);
+        near(arm.forward(Side::Right, [0.0, 0.0, quarter, quarter]).1, [0.0, 0.32, -0.30]);
+    }
+
+    #[test]
+    fn derivatives_agree_with_finite_differences() {
+        let arm = ArmModel::default();
+        for side in Side::BOTH {
+            let config = [0.4, 0.7, -0.3, 1.1];
+            let (elbow, wrist, derivatives) = arm.forward_with_derivatives(side, config);
+            assert_eq!((elbow, wrist), arm.forward(side, config));
+            for (joint, [d_elbow, d_wrist]) in derivatives.into_iter().enumerate() {
+                let at = |h: f64| {
+                    let mut moved = config;
+                    moved[joint] += h;
+                    arm.forward(side, moved)
+                };
+                let ((e1, w1), (e0, w0)) = (at(1e-6), at(-1e-6));
+                assert!(((e1 - e0) / 2e-6 - d_elbow).length() < 1e-9, "{side:?} {joint}");
+                assert!(((w1 - w0) / 2e-6 - d_wrist).length() < 1e-9, "{side:?} {joint}");
+            }
+        }
+    }
+
+    #[test]
+    fn published_rotation_ranges() {
+        for ((a, f), (low, high)) in [
+            ((0.0, 0.0), (-60.0, 90.0)),
+            ((90.0, 0.0), (10.0, 130.0)),
+            ((0.0, 90.0), (-70.0, 40.0)),
+            ((90.0, 90.0), (20.0, 130.0)),
+        ] {
+            let range = rotation_range(a * DEG, f * DEG);
+            assert!((range.0 / DEG - low).abs() < 1e-9 && (range.1 / DEG - high).abs() < 1e-9, "{a} {f}: {range:?}");
+        }
+    }
+
+    #[test]
+    fn wrist_distances_span_what_the_lengths_allow() {
+        // 150 degrees of flexion: sqrt(0.3^2 + 0.32^2 - 2 * 0.3 * 0.32 * cos 30) = 0.1616 m.
+        let arm = ArmModel::default();
+        let at = |e| arm.forward(Side::Left, [0.3, 0.4, 0.2, e]).1.length();
+        assert!((at(ELBOW.0) - 0.62).abs() < 1e-12);
+        assert!((at(ELBOW.1) - 0.161_6).abs() < 1e-4, "{}", at(ELBOW.1));
+    }
+}

@@ -1,0 +1,296 @@
+//! The body of the virtual human as ten capsules, scaled by stature, and where they are in a given pose.
+//!
+//! Everything above the hip pivot (abdomen, chest, neck, head, shoulders) is one rigid trunk that bends about it;
+//! pelvis and legs stay upright. Arms are not part of it: they are searched for, from [`PlacedBody::shoulder`].
+//! Body frames: x forward, y left, z up. The measures are those of a median man (ANSUR II, shaped as capsules; a
+//! modelling choice), and all of them scale with stature.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::placed::{SHOULDER_OUT, SHOULDER_UP, moved, shoulder_line};
+use super::{BendFraction, PlacedBody, Posture};
+use crate::geometry::{Capsule, Pose, Rotation, Vec3, rotation_about};
+use crate::standards::anthropometry::{Percentile, Sex, measures};
+
+/// Stature of the median man for whom the measures below are given, m.
+const REFERENCE_STATURE_M: f64 = 1.755;
+/// Height of the hip pivot.
+const HIP_PIVOT: f64 = 0.92;
+/// Centre of the head above the hip pivot.
+const HEAD_UP: f64 = 0.72;
+const HEAD_RADIUS: f64 = 0.105;
+/// Radius of the upright capsule that stands for the whole body when it walks into something.
+const BLOCKING_RADIUS: f64 = 0.14;
+/// Lowest point of that capsule: cables and door sills do not stop a walk.
+const BLOCKING_FROM: f64 = 0.05;
+
+/// Which side of the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// The human's own left.
+    Left,
+    /// The human's own right.
+    Right,
+}
+
+impl Side {
+    /// Both sides, left first.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// +1 to the left, -1 to the right: the sign along the body's y axis.
+    #[must_use]
+    pub const fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+}
+
+/// A part of the body that has a capsule of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyPart {
+    /// Head, a sphere.
+    Head,
+    /// Neck.
+    Neck,
+    /// Chest at the height of the armpits, with both shoulder caps.
+    UpperChest,
+    /// Chest at the height of the lower ribs.
+    LowerChest,
+    /// Abdomen.
+    Abdomen,
+    /// Pelvis.
+    Pelvis,
+    /// Left thigh and knee.
+    LeftThigh,
+    /// Right thigh and knee.
+    RightThigh,
+    /// Left lower leg and foot.
+    LeftShank,
+    /// Right lower leg and foot.
+    RightShank,
+}
+
+impl BodyPart {
+    /// Every part once, from the head down; the order of [`PlacedBody::parts`].
+    pub const ALL: [Self; 10] = [
+        Self::Head,
+        Self::Neck,
+        Self::UpperChest,
+        Self::LowerChest,
+        Self::Abdomen,
+        Self::Pelvis,
+        Self::LeftThigh,
+        Self::RightThigh,
+        Self::LeftShank,
+        Self::RightShank,
+    ];
+
+    /// Whether the part moves with the trunk when it bends.
+    #[must_use]
+    pub const fn is_trunk(self) -> bool {
+        matches!(self, Self::Head | Self::Neck | Self::UpperChest | Self::LowerChest | Self::Abdomen)
+    }
+
+    /// Capsule of the median man: in the trunk frame (origin at the hip pivot) for trunk parts, else in the frame of
+    /// the feet (origin on the floor).
+    fn reference_capsule(self) -> Capsule {
+        let upright = |out: f64, low: f64, high: f64, radius: f64| Capsule {
+            a: Vec3::new(0.0, out, low),
+            b: Vec3::new(0.0, out, high),
+            radius,
+        };
+        let level = |half_width: f64, up: f64, radius: f64| Capsule {
+            a: Vec3::new(0.0, half_width, up),
+            b: Vec3::new(0.0, -half_width, up),
+            radius,
+        };
+        match self {
+            Self::Head => level(0.0, HEAD_UP, HEAD_RADIUS),
+            Self::Neck => upright(0.0, 0.52, 0.62, 0.06),
+            Self::UpperChest => level(0.08, 0.40, 0.13),
+            Self::LowerChest => level(0.08, 0.25, 0.14),
+            Self::Abdomen => level(0.0, 0.12, 0.13),
+            Self::Pelvis => level(0.07, 0.95, 0.14),
+            Self::LeftThigh => upright(0.09, 0.49, 0.85, 0.08),
+            Self::RightThigh => upright(-0.09, 0.49, 0.85, 0.08),
+            // Down to the floor: the feet are counted as lower legs.
+            Self::LeftShank => upright(0.09, 0.055, 0.49, 0.055),
+            Self::RightShank => upright(-0.09, 0.055, 0.49, 0.055),
+        }
+    }
+}
+
+/// Whose body it is and how far it bends.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Anthropometry {
+    /// Population.
+    pub sex: Sex,
+    /// Percentile of stature within it.
+    pub percentile: Percentile,
+    /// Forward bend about the hip, degrees in 0..=90.
+    pub bend_forward_deg: f64,
+    /// Sideways bend about the hip, degrees in 0..=90.
+    pub bend_lateral_deg: f64,
+}
+
+impl Default for Anthropometry {
+    /// Median man, 45 degrees forward, 30 degrees sideways.
+    fn default() -> Self {
+        Self { sex: Sex::Male, percentile: Percentile::P50, bend_forward_deg: 45.0, bend_lateral_deg: 30.0 }
+    }
+}
+
+/// A body that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum BodyError {
+    /// A bend that no trunk makes, or no number.
+    #[error("the human's `{parameter}` is {degrees}: give an angle from 0 to 90 degrees")]
+    BendOutOfRange {
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Its value.
+        degrees: f64,
+    },
+}
+
+/// A body with its measures, not yet placed anywhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    stature_m: f64,
+    scale: f64,
+    /// In the order of `BodyPart::ALL`, scaled, in the frames of `BodyPart::reference_capsule`.
+    capsules: [Capsule; BodyPart::ALL.len()],
+    /// Rotation of the trunk against the feet, by posture and sixteenths of its bend.
+    bends: [[Rotation; BendFraction::STEPS]; Posture::ALL.len()],
+}
+
+impl Body {
+    /// Number of shapes that bends are tested with.
+    pub(super) const GUARDED: usize = 7;
+
+    /// A body with these measures.
+    ///
+    /// # Errors
+    /// When a bend angle is outside 0 to 90 degrees.
+    pub fn new(parameters: &Anthropometry) -> Result<Self, BodyError> {
+        let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg } = *parameters;
+        for (parameter, degrees) in [("bend_forward_deg", bend_forward_deg), ("bend_lateral_deg", bend_lateral_deg)] {
+            if !(0.0..=90.0).contains(&degrees) {
+                return Err(BodyError::BendOutOfRange { parameter, degrees });
+            }
+        }
+        let stature_m = measures(sex, percentile).stature_m;
+        let scale = stature_m / REFERENCE_STATURE_M;
+        let capsules = BodyPart::ALL.map(|part| {
+            let capsule = part.reference_capsule();
+            Capsule { a: scale * capsule.a, b: scale * capsule.b, radius: scale * capsule.radius }
+        });
+        let bends = Posture::ALL.map(|posture| {
+            BendFraction::ALL.map(|fraction| {
+                let forward = posture.forward_share() * fraction.share() * bend_forward_deg.to_radians();
+                let left = posture.left_share() * fraction.share() * bend_lateral_deg.to_radians();
+                // Forward first, then sideways about the pelvis' own forward axis: the diagonal reaches as far forward
+                // as the plain forward bend does.
+                rotation_about(Vec3::X, -left) * rotation_about(Vec3::Y, forward)
+            })
+        });
+        Ok(Self { stature_m, scale, capsules, bends })
+    }
+
+    /// Stature, m.
+    #[must_use]
+    pub const fn stature_m(&self) -> f64 {
+        self.stature_m
+    }
+
+    /// Stature over that of the median man, by which every measure is scaled.
+    #[must_use]
+    pub const fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The shape that stops the walk: an upright capsule around the middle of the body, from just above the floor to
+    /// the top of the head. It is the same for every heading and posture, so whether a walk is blocked does not depend
+    /// on them. `position` on the floor, world frame.
+    #[must_use]
+    pub fn blocking_capsule(&self, position: Vec3) -> Capsule {
+        let radius = self.scale * BLOCKING_RADIUS;
+        Capsule {
+            a: position + Vec3::new(0.0, 0.0, BLOCKING_FROM + radius),
+            b: position + Vec3::new(0.0, 0.0, self.stature_m - radius),
+            radius,
+        }
+    }
+
+    /// Where the feet stand: the floor points below both legs, left first, world frame.
+    #[must_use]
+    pub fn feet(&self, position: Vec3, heading_rad: f64) -> [Vec3; 2] {
+        let world_from_feet = Pose::from_parts(position, rotation_about(Vec3::Z, heading_rad));
+        [BodyPart::LeftShank, BodyPart::RightShank].map(|shank| {
+            let foot = world_from_feet * self.capsules[shank as usize].b;
+            Vec3::new(foot.x, foot.y, 0.0)
+        })
+    }
+
+    /// Radius of a sphere around the point 1 m above the feet that holds the body and every arm `arm_reach_m` long, in
+    /// every posture.
+    #[must_use]
+    pub fn reach_from_one_metre(&self, arm_reach_m: f64) -> f64 {
+        let hip = self.scale * HIP_PIVOT;
+        let head = self.scale * (HEAD_UP + HEAD_RADIUS);
+        let shoulder = self.scale * Vec3::new(0.0, SHOULDER_OUT, SHOULDER_UP).length();
+        (hip - 1.0).abs() + head.max(shoulder + arm_reach_m).max(hip + 0.1)
+    }
+
+    /// A sphere around the hip pivot that holds the trunk in every posture.
+    pub(super) fn trunk_reach(&self, position: Vec3) -> Capsule {
+        let hip = position + Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
+        // The head reaches farthest: the upper chest's corner is sqrt(0.40^2 + 0.08^2) + 0.13 = 0.54 away.
+        Capsule { a: hip, b: hip, radius: self.scale * (HEAD_UP + HEAD_RADIUS) }
+    }
+
+    /// What a bend must not push into an obstacle, in the trunk frame: head, neck, chest, and the lines of the shoulders
+    /// and the spine (capsules of radius 0).
+    pub(super) fn guarded(&self) -> [Capsule; Self::GUARDED] {
+        let [head, neck, upper_chest, lower_chest, ..] = self.capsules;
+        let spine = Capsule { a: Vec3::ZERO, b: head.a, radius: 0.0 };
+        let [left, right] = Side::BOTH.map(|side| shoulder_line(self.scale, side));
+        [head, neck, upper_chest, lower_chest, left, right, spine]
+    }
+
+    /// The body at `position` (on the floor, world frame), looking along `heading_rad` (anticlockwise from +x), with
+    /// that much of the posture's bend.
+    #[must_use]
+    pub fn placed(&self, position: Vec3, heading_rad: f64, posture: Posture, fraction: BendFraction) -> PlacedBody {
+        let world_from_feet = world_from_feet(position, heading_rad);
+        let world_from_trunk = self.world_from_trunk(&world_from_feet, posture, fraction);
+        let parts = std::array::from_fn(|index| {
+            let part = BodyPart::ALL[index];
+            let world_from_part = if part.is_trunk() { &world_from_trunk } else { &world_from_feet };
+            (part, moved(world_from_part, &self.capsules[index]))
+        });
+        PlacedBody::new(parts, world_from_trunk, self.scale)
+    }
+
+    /// Origin at the hip pivot, axes of the trunk.
+    pub(super) fn world_from_trunk(&self, world_from_feet: &Pose, posture: Posture, fraction: BendFraction) -> Pose {
+        let hip = Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
+        let bend = self.bends[posture as usize][usize::from(fraction.sixteenths())];
+        *world_from_feet * Pose::from_parts(hip, bend)
+    }
+}
+
+/// Origin on the floor between the feet, x along the heading, z up.
+pub(super) fn world_from_feet(position: Vec3, heading_rad: f64) -> Pose {
+    Pose::from_parts(position, rotation_about(Vec3::Z, heading_rad))
+}
+
+#[cfg(test)]
+#[path = "body_tests.rs"]
+mod tests;

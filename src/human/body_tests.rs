@@ -1,0 +1,157 @@
+//! Tests of the body: its heights against the survey, its bends by hand.
+
+use super::*;
+use crate::human::BendFraction as Fraction;
+use crate::standards::anthropometry;
+
+fn body(sex: Sex, percentile: Percentile) -> Body {
+    Body::new(&Anthropometry { sex, percentile, ..Anthropometry::default() }).unwrap()
+}
+
+fn upright(body: &Body) -> PlacedBody {
+    body.placed(Vec3::ZERO, 0.0, Posture::Upright, Fraction::FULL)
+}
+
+fn top(capsule: &Capsule) -> f64 {
+    capsule.a.z.max(capsule.b.z) + capsule.radius
+}
+
+fn bottom(capsule: &Capsule) -> f64 {
+    capsule.a.z.min(capsule.b.z) - capsule.radius
+}
+
+/// The capsules against the surveyed heights of six persons; each measure scales with stature here, and is the
+/// percentile of its own there.
+#[test]
+fn heights_agree_with_the_survey() {
+    for (sex, percentile) in anthropometry::ALL {
+        let surveyed = measures(sex, percentile);
+        let placed = upright(&body(sex, percentile));
+        let check = |what: &str, height: f64, expected: f64, tolerance: f64| {
+            assert!((height - expected).abs() < tolerance, "{sex:?} {percentile:?} {what}: {height}, {expected}");
+        };
+        // 1 cm, which is 0.6 % of stature, at every size.
+        check("head", top(placed.capsule(BodyPart::Head)), surveyed.stature_m, 0.0061 * surveyed.stature_m);
+        // A median man's joint is 40 mm below the acromion and 20 mm inside it.
+        let scale = surveyed.stature_m / 1.755;
+        let shoulder = placed.shoulder(Side::Left).translation;
+        check("shoulder", shoulder.z, surveyed.acromial_height_m - 0.04 * scale, 0.015);
+        check("shoulder", shoulder.y, 0.5 * surveyed.biacromial_breadth_m - 0.02 * scale, 0.016);
+        // Legs are the part that scales least with stature: exact for the man who was measured, else to 3 cm.
+        let tolerance = if (sex, percentile) == (Sex::Male, Percentile::P50) { 0.002 } else { 0.03 };
+        check("knee", placed.capsule(BodyPart::LeftShank).b.z, surveyed.knee_height_m, tolerance);
+        // The pivot of the bend lies between the surveyed trochanterion and the hip joint of Drillis and Contini
+        // (0.530 of stature); the two differ by up to 5 cm.
+        let hip = placed.world_from_trunk().translation.z;
+        assert!(
+            (surveyed.trochanterion_height_m - 0.01..0.530 * surveyed.stature_m).contains(&hip),
+            "{sex:?} {percentile:?} hip: {hip}"
+        );
+        let neck = placed.capsule(BodyPart::Neck);
+        assert!(bottom(neck) < surveyed.cervicale_height_m && surveyed.cervicale_height_m < top(neck));
+        for side in [BodyPart::LeftShank, BodyPart::RightShank] {
+            check("foot", bottom(placed.capsule(side)), 0.0, 1e-12);
+        }
+    }
+}
+
+/// No gap in the body: every part overlaps a neighbour, from head to foot.
+#[test]
+fn parts_hang_together() {
+    for (sex, percentile) in anthropometry::ALL {
+        let placed = upright(&body(sex, percentile));
+        let column = [
+            BodyPart::Head,
+            BodyPart::Neck,
+            BodyPart::UpperChest,
+            BodyPart::LowerChest,
+            BodyPart::Abdomen,
+            BodyPart::Pelvis,
+            BodyPart::RightThigh,
+            BodyPart::RightShank,
+        ];
+        for pair in column.windows(2) {
+            let (above, below) = (placed.capsule(pair[0]), placed.capsule(pair[1]));
+            assert!(bottom(above) < top(below), "{sex:?} {percentile:?}: gap between {pair:?}");
+        }
+    }
+}
+
+#[test]
+fn left_is_left() {
+    let body = body(Sex::Male, Percentile::P50);
+    let placed = upright(&body);
+    assert!(placed.shoulder(Side::Left).translation.y > 0.0);
+    assert!(placed.capsule(BodyPart::LeftThigh).a.y > 0.0);
+    // Looking along +y, the left is towards -x; bent to the left, the head goes there.
+    let turned = body.placed(Vec3::ZERO, std::f64::consts::FRAC_PI_2, Posture::Left, Fraction::FULL);
+    assert!(turned.shoulder(Side::Left).translation.x < turned.shoulder(Side::Right).translation.x);
+    let head = turned.capsule(BodyPart::Head).a;
+    assert!((head.x + 0.72 * 0.5).abs() < 1e-12 && head.y.abs() < 1e-12, "{head}");
+}
+
+/// By hand: 45 degrees forward moves the head centre by 0.72 sin 45 and leaves it 0.72 cos 45 above the pivot; the
+/// shoulders likewise with 0.48; legs and pelvis stay.
+#[test]
+fn forward_bend_by_hand() {
+    let body = body(Sex::Male, Percentile::P50);
+    let at = Vec3::new(2.0, -1.0, 0.0);
+    let placed = body.placed(at, 0.0, Posture::Forward, Fraction::FULL);
+    let half = 0.5_f64.sqrt();
+    let close = |a: Vec3, b: Vec3| assert!((a - b).length() < 1e-12, "{a} is not {b}");
+    close(placed.capsule(BodyPart::Head).a, at + Vec3::new(0.72 * half, 0.0, 0.92 + 0.72 * half));
+    let shoulder = placed.shoulder(Side::Right);
+    close(shoulder.translation, at + Vec3::new(0.48 * half, -0.19, 0.92 + 0.48 * half));
+    // Axes of the trunk: up tilts forward, forward tilts down, left stays.
+    close(shoulder.rotation * Vec3::Z, Vec3::new(half, 0.0, half));
+    close(shoulder.rotation * Vec3::X, Vec3::new(half, 0.0, -half));
+    close(shoulder.rotation * Vec3::Y, Vec3::Y);
+    let standing = body.placed(at, 0.0, Posture::Upright, Fraction::FULL);
+    for (bent, straight) in placed.parts().iter().zip(standing.parts()).filter(|(part, _)| !part.0.is_trunk()) {
+        assert_eq!(bent, straight);
+    }
+    // Half of the bend is 22.5 degrees.
+    let half_way = body.placed(at, 0.0, Posture::Forward, Fraction::new(8).unwrap());
+    let sine = 22.5_f64.to_radians();
+    close(
+        half_way.capsule(BodyPart::Head).a,
+        at + Vec3::new(0.72 * libm::sin(sine), 0.0, 0.92 + 0.72 * libm::cos(sine)),
+    );
+}
+
+/// Forward 45 and left 30: the lean reaches as far forward as the plain bend, its upward share is cos 45 cos 30,
+/// and the lowest point of a median man's head is 1.26 m above the floor (published with the cells).
+#[test]
+fn diagonal_bend_by_hand() {
+    let body = body(Sex::Male, Percentile::P50);
+    for (posture, sign) in [(Posture::ForwardLeft, 1.0), (Posture::ForwardRight, -1.0)] {
+        let placed = body.placed(Vec3::ZERO, 0.0, posture, Fraction::FULL);
+        let head = placed.capsule(BodyPart::Head);
+        let half = 0.5_f64.sqrt();
+        let expected = Vec3::new(half, sign * half * 0.5, half * 0.75_f64.sqrt());
+        assert!((head.a - Vec3::new(0.0, 0.0, 0.92) - 0.72 * expected).length() < 1e-12, "{}", head.a);
+        assert!((bottom(head) - 1.26).abs() < 0.005, "{}", bottom(head));
+    }
+}
+
+#[test]
+fn a_bend_that_is_no_angle_is_refused() {
+    for degrees in [-1.0, 90.1, f64::NAN, f64::INFINITY] {
+        let forward = Anthropometry { bend_forward_deg: degrees, ..Anthropometry::default() };
+        let lateral = Anthropometry { bend_lateral_deg: degrees, ..Anthropometry::default() };
+        for (parameters, named) in [(forward, "bend_forward_deg"), (lateral, "bend_lateral_deg")] {
+            let error = Body::new(&parameters).unwrap_err();
+            assert!(error.to_string().contains(named), "{error}");
+        }
+    }
+}
+
+#[test]
+fn parameters_are_read_with_defaults_and_without_typing_errors() {
+    let short: Anthropometry = serde_json::from_str(r#"{"sex": "female", "percentile": 5}"#).unwrap();
+    let expected =
+        Anthropometry { sex: Sex::Female, percentile: Percentile::P5, bend_forward_deg: 45.0, bend_lateral_deg: 30.0 };
+    assert_eq!(short, expected);
+    assert!(serde_json::from_str::<Anthropometry>(r#"{"bend_foward_deg": 30}"#).is_err());
+    assert!(serde_json::from_str::<Anthropometry>(r#"{"percentile": 99}"#).is_err());
+}

@@ -1,0 +1,123 @@
+//! How far a bend gets before an obstacle is in the way.
+//!
+//! Without this, a trunk would be pushed through guards, and a fence that conforms to the standards would look
+//! hazardous. The human bends from upright until head, neck, chest, shoulder line or spine line would enter an obstacle.
+
+use super::body::world_from_feet;
+use super::obstacles::capsule_hits;
+use super::placed::moved;
+use super::{Body, Posture};
+use crate::geometry::{Capsule, Cuboid, Vec3};
+
+/// Share of a posture's bend, in whole sixteenths from 0 (upright) to 16 (the full bend).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BendFraction(u8);
+
+impl BendFraction {
+    /// Number of fractions, upright and full included.
+    pub const STEPS: usize = 17;
+    /// No bend at all.
+    pub const UPRIGHT: Self = Self(0);
+    /// The bend that the posture asks for.
+    pub const FULL: Self = Self(16);
+    /// Every fraction once, from upright to full.
+    pub const ALL: [Self; Self::STEPS] = {
+        let mut all = [Self::UPRIGHT; Self::STEPS];
+        let mut sixteenths = 1;
+        while sixteenths <= Self::FULL.0 {
+            all[sixteenths as usize] = Self(sixteenths);
+            sixteenths += 1;
+        }
+        all
+    };
+
+    /// `sixteenths` / 16 of the bend, if that is no more than all of it.
+    #[must_use]
+    pub const fn new(sixteenths: u8) -> Option<Self> {
+        if sixteenths <= Self::FULL.0 { Some(Self(sixteenths)) } else { None }
+    }
+
+    /// Whole sixteenths, 0..=16.
+    #[must_use]
+    pub const fn sixteenths(self) -> u8 {
+        self.0
+    }
+
+    /// The fraction as a number from 0 to 1.
+    #[must_use]
+    pub fn share(self) -> f64 {
+        f64::from(self.0) / 16.0
+    }
+}
+
+/// How a guarded shape takes part in the test against one obstacle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Guard {
+    /// With its flesh.
+    Whole,
+    /// With its core line only: upright, its flesh is in the obstacle already.
+    Core,
+    /// Not at all: upright, even its core line is in the obstacle.
+    Ignored,
+}
+
+impl Guard {
+    fn of(upright: &Capsule, obstacle: &Cuboid) -> Self {
+        if !capsule_hits(upright, obstacle) {
+            Self::Whole
+        } else if !capsule_hits(&core(upright), obstacle) {
+            Self::Core
+        } else {
+            Self::Ignored
+        }
+    }
+
+    fn hits(self, capsule: &Capsule, obstacle: &Cuboid) -> bool {
+        match self {
+            Self::Whole => capsule_hits(capsule, obstacle),
+            Self::Core => capsule_hits(&core(capsule), obstacle),
+            Self::Ignored => false,
+        }
+    }
+}
+
+const fn core(capsule: &Capsule) -> Capsule {
+    Capsule { radius: 0.0, ..*capsule }
+}
+
+/// The largest share of the bend that the human reaches from upright, standing at `position` (on the floor, world
+/// frame) and looking along `heading_rad`; the full bend when nothing is in the way.
+///
+/// Head, neck, chest, shoulder line and spine line are swept in sixteenths of the bend, which move the head by at most
+/// 45 mm for the default angles, far less than it is thick. A person who stands right beside a wall has a shoulder in it even upright, because
+/// walking is blocked by the middle of the body only. Such a part does not forbid every bend: it is held to its core
+/// line instead, and if that is in the wall too, the other parts decide.
+#[must_use]
+pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture, obstacles: &[Cuboid]) -> BendFraction {
+    if posture == Posture::Upright {
+        return BendFraction::FULL;
+    }
+    let reach = body.trunk_reach(position);
+    let mut near = obstacles.iter().filter(|obstacle| capsule_hits(&reach, obstacle)).peekable();
+    if near.peek().is_none() {
+        return BendFraction::FULL;
+    }
+    let world_from_feet = world_from_feet(position, heading_rad);
+    let in_trunk = body.guarded();
+    let sweep = BendFraction::ALL.map(|fraction| {
+        let world_from_trunk = body.world_from_trunk(&world_from_feet, posture, fraction);
+        in_trunk.map(|capsule| moved(&world_from_trunk, &capsule))
+    });
+    let mut free = BendFraction::ALL.len();
+    for obstacle in near {
+        let guards = sweep[0].map(|upright| Guard::of(&upright, obstacle));
+        let is_hit = |shapes: &[Capsule]| guards.iter().zip(shapes).any(|(guard, shape)| guard.hits(shape, obstacle));
+        // Upright itself is free by the choice of the guards.
+        free = (1..free).find(|step| is_hit(&sweep[*step])).unwrap_or(free);
+    }
+    BendFraction::ALL[free - 1]
+}
+
+#[cfg(test)]
+#[path = "posture_tests.rs"]
+mod tests;

@@ -1,0 +1,537 @@
+//! Can an arm touch the robot, past the obstacles, and how badly? Branch and bound over the box of the four joint
+//! angles.
+//!
+//! A box is judged by its middle configuration and by how far any point of the arm can move within the box. It is
+//! dropped when no contact in it can score more than what is known, when the arm certainly crosses an obstacle, or
+//! when it is outside the joint limits; otherwise its middle is tried, and it is split until the movement is below the
+//! tolerance.
+//!
+//! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that is deeper than the
+//! tolerance and leaves as much clearance to obstacles and joint limits. The bounds hold because signed distances of
+//! convex shapes change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a
+//! thin panel is known to cross it for every configuration that differs by less than that.
+
+use super::Side;
+use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
+use crate::geometry::segment_cuboid::{segment_cuboid, segment_hits_cuboid};
+use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
+
+/// Part of the arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArmSegment {
+    /// Shoulder to elbow.
+    UpperArm,
+    /// Elbow to wrist.
+    Forearm,
+    /// Anything within the hand sphere around the wrist.
+    Hand,
+}
+
+/// How bad a contact is. Higher is worse; zero or less is never reported.
+pub trait ContactScore {
+    /// No contact of this segment with this link scores more.
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64;
+
+    /// No contact of this segment with a point of this link within `radius` metres of `point` (world) scores more.
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64;
+
+    /// Score of a contact at the link's surface point `on_link` (world), `elbow_distance` metres from the elbow joint.
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3, elbow_distance: f64) -> f64;
+}
+
+/// What is asked.
+pub struct ReachQuery<'a, S: ContactScore> {
+    /// The arm.
+    pub arm: &'a ArmModel,
+    /// Which arm.
+    pub side: Side,
+    /// Shoulder frame: x forward, y left, z up along the trunk.
+    pub world_from_shoulder: Pose,
+    /// Robot links, world.
+    pub links: &'a [Solid],
+    /// Obstacles, world.
+    pub obstacles: &'a [Cuboid],
+    /// Score of contacts.
+    pub score: &'a S,
+    /// Contacts that score no more than this do not matter.
+    pub threshold: f64,
+    /// Depth and clearance below which a contact may be missed, m.
+    pub tolerance_m: f64,
+    /// A contact that scores more than this ends the search: enough is known. Infinite to find the worst.
+    pub enough: f64,
+    /// Boxes after which the search gives up and says so.
+    pub work_limit: u32,
+}
+
+/// A configuration that touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmContact {
+    /// Joint angles, rad.
+    pub config: Config,
+    /// What touches: of overlapping segments the one with the smallest signed distance.
+    pub segment: ArmSegment,
+    /// Index of the link touched.
+    pub link: usize,
+    /// Point on the link's surface, world.
+    pub on_link: Vec3,
+    /// Point on the arm (for the hand, the point of the link itself, which the hand reaches), world.
+    pub on_arm: Vec3,
+    /// Elbow, world.
+    pub elbow: Vec3,
+    /// Wrist, world.
+    pub wrist: Vec3,
+    /// Signed distance, m; not positive.
+    pub signed_distance: f64,
+    /// Score.
+    pub score: f64,
+}
+
+/// The answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// The worst contact found, within 5 % of the worst there is.
+    pub best: Option<ArmContact>,
+    /// Whether the guarantee holds; false when the work limit ended the search.
+    pub complete: bool,
+    /// Boxes looked at.
+    pub boxes: u32,
+}
+
+/// A score this much above the best known is not looked for any more.
+const SLACK: f64 = 1.05;
+
+/// Length of the upper arm next to the shoulder whose thickness is ignored, beyond its radius: a shoulder may lean
+/// against a wall.
+const SHOULDER_CLEARANCE_M: f64 = 0.02;
+
+/// A box of joint angles: middle and half widths.
+#[derive(Clone, Copy)]
+struct JointBox {
+    middle: Config,
+    half: [f64; 4],
+}
+
+/// A part of a link: the score's bound is tighter for it than for the whole link.
+struct Piece {
+    link: usize,
+    solid: Solid,
+    bounds: [f64; 3],
+}
+
+/// Longest core of a piece, m.
+const PIECE_M: f64 = 0.08;
+
+/// The arm in one configuration, world.
+#[derive(Clone, Copy)]
+struct Placed {
+    shoulder: Vec3,
+    elbow: Vec3,
+    wrist: Vec3,
+    /// Movement of elbow and wrist with each joint, world, m/rad.
+    derivatives: [[Vec3; 2]; 4],
+}
+
+struct Search<'a, S: ContactScore> {
+    query: &'a ReachQuery<'a, S>,
+    shoulder: Vec3,
+    /// Links in reach that may score above the threshold.
+    links: Vec<usize>,
+    /// The same links cut into short pieces, with upper bounds of their scores by segment.
+    pieces: Vec<Piece>,
+    /// Obstacles in reach, with bounding radius.
+    obstacles: Vec<(Cuboid, f64)>,
+    best: Option<ArmContact>,
+}
+
+const SEGMENTS: [ArmSegment; 3] = [ArmSegment::UpperArm, ArmSegment::Forearm, ArmSegment::Hand];
+
+/// Searches all configurations of one arm.
+#[must_use]
+pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
+    let shoulder = query.world_from_shoulder.translation;
+    let far = query.arm.reach();
+    let in_reach = |link: &Solid| {
+        let (centre, radius) = link.bounding_sphere();
+        (centre - shoulder).length() - radius <= far && link.point_distance(shoulder).distance <= far
+    };
+    let matters = |i: usize| SEGMENTS.iter().any(|s| query.score.upper_bound(*s, i) > query.threshold);
+    let links: Vec<usize> = (0..query.links.len()).filter(|&i| matters(i) && in_reach(&query.links[i])).collect();
+    let pieces: Vec<Piece> = links
+        .iter()
+        .flat_map(|&link| cut(&query.links[link]).into_iter().map(move |solid| (link, solid)))
+        .filter(|(_, solid)| in_reach(solid))
+        .map(|(link, solid)| {
+            let (centre, radius) = solid.bounding_sphere();
+            let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, centre, radius));
+            Piece { link, solid, bounds }
+        })
+        .filter(|piece| piece.bounds.iter().any(|b| *b > query.threshold))
+        .collect();
+    if pieces.is_empty() {
+        return Reach { best: None, complete: true, boxes: 0 };
+    }
+    let obstacles = query
+        .obstacles
+        .iter()
+        .map(|o| (*o, o.half.length()))
+        .filter(|(o, radius)| (o.centre - shoulder).length() - radius <= far)
+        .collect();
+    let mut search = Search { query, shoulder, links, pieces, obstacles, best: None };
+    let (complete, boxes) = search.run();
+    Reach { best: search.best, complete, boxes }
+}
+
+/// A link as pieces whose union it is.
+fn cut(link: &Solid) -> Vec<Solid> {
+    let Solid::Capsule(capsule) = link else { return vec![link.clone()] };
+    let length = (capsule.b - capsule.a).length();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a robot link has a few pieces")]
+    let count = (length / PIECE_M).ceil().clamp(1.0, 32.0) as u32;
+    let at = |i: u32| capsule.a + (capsule.b - capsule.a) * (f64::from(i) / f64::from(count));
+    (0..count).map(|i| Solid::Capsule(Capsule { a: at(i), b: at(i + 1), radius: capsule.radius })).collect()
+}
+
+impl JointBox {
+    /// All configurations: the limits of flexion and rotation at their widest.
+    fn whole() -> Self {
+        let flexion = (flexion_range(ABDUCTION.0).0, flexion_range(ABDUCTION.0).1);
+        let corners = [ABDUCTION.0, ABDUCTION.1].into_iter().flat_map(|a| {
+            let (low, high) = flexion_range(a);
+            [rotation_range(a, low), rotation_range(a, high)]
+        });
+        let rotation = corners.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)));
+        let ranges = [ABDUCTION, flexion, rotation, ELBOW];
+        Self { middle: ranges.map(|(l, h)| 0.5 * (l + h)), half: ranges.map(|(l, h)| 0.5 * (h - l)) }
+    }
+
+    fn low(&self, joint: usize) -> f64 {
+        self.middle[joint] - self.half[joint]
+    }
+
+    fn high(&self, joint: usize) -> f64 {
+        self.middle[joint] + self.half[joint]
+    }
+
+    /// Whether no configuration of the box is within the joint limits. The bounds are linear or bilinear, so their
+    /// extremes over the box are at its corners.
+    fn outside_limits(&self) -> bool {
+        let abduction = [self.low(0), self.high(0)];
+        let (low, high) = widest(abduction.iter().map(|&a| flexion_range(a)));
+        if self.high(1) < low || self.low(1) > high {
+            return true;
+        }
+        let corners = abduction.iter().flat_map(|&a| [self.low(1), self.high(1)].map(|f| rotation_range(a, f)));
+        let (low, high) = widest(corners);
+        self.high(2) < low || self.low(2) > high
+    }
+
+    fn halves(&self, joint: usize) -> [Self; 2] {
+        let mut half = self.half;
+        half[joint] *= 0.5;
+        [-1.0, 1.0].map(|sign| {
+            let mut middle = self.middle;
+            middle[joint] += sign * half[joint];
+            Self { middle, half }
+        })
+    }
+}
+
+/// Whether a limb certainly passes through a flat box from one side to the other, for all ends that move no farther
+/// along a direction `n` than `along(n)` says.
+///
+/// The ends stay on opposite sides of the middle plane of the box's thinnest direction, so the limb crosses that
+/// plane, at a point that is no farther from the present line than the ends move: if the part of the present line near
+/// the plane is that much inside the face, the crossing is in the box. A limb of some radius may miss the face by a
+/// little and still touch (0.7 of the radius along both edges stays within the radius at the corner).
+fn crosses(o: &Cuboid, ends: [Vec3; 2], radius: f64, along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| o.rotation * axis);
+    let half = o.half.to_array();
+    let thin = (1..3).fold(0, |t, i| if half[i] < half[t] { i } else { t });
+    let local = ends.map(|p| axes.map(|axis| (p - o.centre).dot(axis)));
+    let (a, b) = (local[0][thin], local[1][thin]);
+    if a * b >= 0.0 {
+        return false;
+    }
+    let moves = along(axes[thin]);
+    if a.abs() <= moves[0] || b.abs() <= moves[1] {
+        return false;
+    }
+    // Parameters at which the present line is within the movement of the plane.
+    let margin = moves[0].max(moves[1]);
+    let at = |level: f64| ((level - a) / (b - a)).clamp(0.0, 1.0);
+    let part = [at(-margin), at(margin)];
+    (0..3).filter(|&i| i != thin).all(|i| {
+        let moves = along(axes[i]);
+        let room = half[i] + 0.7 * radius - moves[0].max(moves[1]);
+        part.iter().all(|t| (local[0][i] + t * (local[1][i] - local[0][i])).abs() < room)
+    })
+}
+
+fn widest(ranges: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
+    ranges.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)))
+}
+
+/// How far elbow and wrist can be from where they are in the middle of a box, joint by joint, m.
+struct Movement {
+    elbow: f64,
+    wrist_by_joint: [f64; 4],
+    wrist: f64,
+    half: [f64; 4],
+    /// What the first-order movement of elbow and wrist leaves out, at most, m.
+    elbow_rest: f64,
+    wrist_rest: f64,
+}
+
+impl Movement {
+    fn of(arm: &ArmModel, b: &JointBox) -> Self {
+        let (upper, fore) = (arm.upper_arm_m, arm.forearm_m);
+        // The wrist is farthest from the shoulder with the elbow as straight as the box allows, and farthest from the
+        // upper arm's axis with the elbow as near the right angle as it allows.
+        let straightest = b.low(3).max(0.0);
+        let from_shoulder = (upper * upper + fore * fore + 2.0 * upper * fore * libm::cos(straightest)).sqrt();
+        let right_angle = std::f64::consts::FRAC_PI_2.clamp(b.low(3), b.high(3));
+        let from_axis = fore * libm::sin(right_angle).abs();
+        // A point at distance r that turns by an angle h moves along an arc, by a chord of 2 r sin(h / 2).
+        let chord = |r: f64, h: f64| 2.0 * r * libm::sin(0.5 * h.min(std::f64::consts::PI));
+        let wrist_by_joint = [
+            chord(from_shoulder, b.half[0]),
+            chord(from_shoulder, b.half[1]),
+            chord(from_axis, b.half[2]),
+            chord(fore, b.half[3]),
+        ];
+        // Taylor: the second derivative by two joints is at most the lever of the inner one, because the inner joint
+        // moves the point and the outer only turns that movement.
+        let lever = [from_shoulder, from_shoulder, from_axis, fore];
+        let pairs = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
+        let wrist_rest = 0.5 * pairs.map(|(i, j)| b.half[i] * b.half[j] * lever[i.max(j)]).sum::<f64>();
+        let shoulder = b.half[0] + b.half[1];
+        Self {
+            elbow: chord(upper, b.half[0]) + chord(upper, b.half[1]),
+            wrist: wrist_by_joint.iter().sum(),
+            wrist_by_joint,
+            half: b.half,
+            elbow_rest: 0.5 * upper * shoulder * shoulder,
+            wrist_rest,
+        }
+    }
+
+    /// How far elbow and wrist can move along the unit vector `n`, m: first order plus the rest.
+    fn along(&self, placed: &Placed, n: Vec3) -> (f64, f64) {
+        let sum = |point: usize| (0..4).map(|j| placed.derivatives[j][point].dot(n).abs() * self.half[j]).sum::<f64>();
+        ((sum(0) + self.elbow_rest).min(self.elbow), (sum(1) + self.wrist_rest).min(self.wrist))
+    }
+
+    /// The joint whose halving shrinks the movement most.
+    fn widest_joint(&self) -> usize {
+        (1..4).fold(0, |best, j| if self.wrist_by_joint[j] > self.wrist_by_joint[best] { j } else { best })
+    }
+}
+
+impl<S: ContactScore> Search<'_, S> {
+    fn run(&mut self) -> (bool, u32) {
+        let mut stack = vec![JointBox::whole()];
+        let mut boxes = 0;
+        while let Some(next) = stack.pop() {
+            if boxes == self.query.work_limit {
+                return (false, boxes);
+            }
+            if self.best.is_some_and(|b| b.score > self.query.enough) {
+                return (true, boxes);
+            }
+            boxes += 1;
+            let Some(joint) = self.look_at(&next) else { continue };
+            let mut halves = next.halves(joint);
+            // The half whose wrist is nearer to the robot last: it is taken first.
+            let nearness = |b: &JointBox| self.wrist_to_links(&self.place(b.middle));
+            if nearness(&halves[0]) < nearness(&halves[1]) {
+                halves.swap(0, 1);
+            }
+            stack.extend(halves);
+        }
+        (true, boxes)
+    }
+
+    fn place(&self, config: Config) -> Placed {
+        let (elbow, wrist, derivatives) = self.query.arm.forward_with_derivatives(self.query.side, config);
+        let pose = &self.query.world_from_shoulder;
+        let derivatives = derivatives.map(|by_joint| by_joint.map(|d| pose.transform_vector(d)));
+        let (elbow, wrist) = (pose.transform_point(elbow), pose.transform_point(wrist));
+        Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
+    }
+
+    fn wrist_to_links(&self, placed: &Placed) -> f64 {
+        let cutoff = self.cutoff();
+        let useful = self.pieces.iter().filter(|p| p.bounds.iter().any(|b| *b > cutoff));
+        useful.map(|p| p.solid.point_distance(placed.wrist).distance).fold(f64::MAX, f64::min)
+    }
+
+    /// What a contact must score to matter.
+    fn cutoff(&self) -> f64 {
+        self.best.map_or(self.query.threshold, |b| (b.score * SLACK).max(self.query.threshold))
+    }
+
+    /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
+    fn look_at(&mut self, b: &JointBox) -> Option<usize> {
+        if b.outside_limits() {
+            return None;
+        }
+        let arm = self.query.arm;
+        let movement = Movement::of(arm, b);
+        let placed = self.place(b.middle);
+        if !self.may_matter(&placed, &movement) || self.certainly_blocked(&placed, &movement) {
+            return None;
+        }
+        let config = clamped(b.middle);
+        let candidate = if config == b.middle { placed } else { self.place(config) };
+        self.try_configuration(config, &candidate);
+        (movement.wrist > self.query.tolerance_m).then(|| movement.widest_joint())
+    }
+
+    /// Whether some contact within the box could score above the cutoff.
+    fn may_matter(&self, placed: &Placed, movement: &Movement) -> bool {
+        let cutoff = self.cutoff();
+        let arm = self.query.arm;
+        let at_most = movement.elbow.max(movement.wrist);
+        self.pieces.iter().any(|piece| {
+            let [upper, fore, hand] = piece.bounds;
+            let link = &piece.solid;
+            if hand > cutoff {
+                let near = link.point_distance(placed.wrist);
+                // The nearest point of a convex link moves no farther than the wrist; a wrist inside is its own point.
+                let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
+                let bound = || self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around);
+                let gap = near.distance - arm.hand_radius_m;
+                // A convex link stays behind the plane through its nearest point: only movement against it counts.
+                let touches = gap <= movement.wrist && {
+                    let n = (near.on_first - near.on_second).normalize_or_zero();
+                    near.distance <= 0.0 || gap <= movement.along(placed, n).1
+                };
+                if touches && bound() > cutoff {
+                    // The nearest point moves no farther than the wrist does: the whole line stays near this one. A
+                    // wrist that may be inside the link has no line to check.
+                    let line = near.distance > movement.wrist;
+                    if !(line && self.line_certainly_blocked(placed, near.on_second, movement)) {
+                        return true;
+                    }
+                }
+            }
+            let limb = |a: Vec3, b: Vec3, radius: f64, moves: f64, elbow_first: bool| {
+                let near = link.segment_distance(a, b);
+                if near.distance - radius > moves {
+                    return false;
+                }
+                let n = (near.on_first - near.on_second).normalize_or_zero();
+                if near.distance <= 0.0 || n == Vec3::ZERO {
+                    return true;
+                }
+                let (elbow, wrist) = movement.along(placed, n);
+                let moves = if elbow_first { (elbow, wrist) } else { (0.0, elbow) };
+                let behind = |p: Vec3, m: f64| (p - near.on_second).dot(n) - m;
+                behind(a, moves.0).min(behind(b, moves.1)) <= radius
+            };
+            (fore > cutoff && limb(placed.elbow, placed.wrist, arm.forearm_radius_m, at_most, true))
+                || (upper > cutoff
+                    && limb(placed.shoulder, placed.elbow, arm.upper_arm_radius_m, movement.elbow, false))
+        })
+    }
+
+    /// Whether the line from the wrist to the link's nearest point `to` passes through an obstacle in the whole box.
+    /// That point moves no farther than the wrist does.
+    fn line_certainly_blocked(&self, placed: &Placed, to: Vec3, movement: &Movement) -> bool {
+        self.obstacles_near(placed.wrist, to, 0.0).any(|o| {
+            segment_cuboid(placed.wrist, to, o).distance < -movement.wrist
+                || crosses(o, [placed.wrist, to], 0.0, |n| [movement.along(placed, n).1, movement.wrist])
+        })
+    }
+
+    /// Whether every configuration of the box has the upper arm or the forearm in an obstacle.
+    fn certainly_blocked(&self, placed: &Placed, movement: &Movement) -> bool {
+        let arm = self.query.arm;
+        let at_most = movement.elbow.max(movement.wrist);
+        let (r_fore, r_upper) = (arm.forearm_radius_m, arm.upper_arm_radius_m);
+        let from = self.clear_of_shoulder(placed);
+        self.obstacles_near(placed.elbow, placed.wrist, r_fore).any(|o| {
+            // The half next to the elbow moves less than the whole.
+            let middle = (placed.elbow + placed.wrist) * 0.5;
+            let halfway = movement.elbow.max(0.5 * (movement.elbow + movement.wrist));
+            segment_cuboid(placed.elbow, placed.wrist, o).distance - r_fore < -at_most
+                || segment_cuboid(placed.elbow, middle, o).distance - r_fore < -halfway
+                || crosses(o, [placed.elbow, placed.wrist], r_fore, |n| movement.along(placed, n).into())
+        }) || self.obstacles_near(placed.shoulder, placed.elbow, r_upper).any(|o| {
+            segment_cuboid(from, placed.elbow, o).distance - r_upper < -movement.elbow
+                || segment_cuboid(placed.shoulder, placed.elbow, o).distance < -movement.elbow
+                || crosses(o, [placed.shoulder, placed.elbow], 0.0, |n| [0.0, movement.along(placed, n).0])
+        })
+    }
+
+    /// Where along the upper arm its thickness begins to count.
+    fn clear_of_shoulder(&self, placed: &Placed) -> Vec3 {
+        let skipped = self.query.arm.upper_arm_radius_m + SHOULDER_CLEARANCE_M;
+        placed.shoulder + (placed.elbow - placed.shoulder) * (skipped / self.query.arm.upper_arm_m).min(1.0)
+    }
+
+    /// Obstacles whose bounding sphere is near a segment.
+    fn obstacles_near(&self, a: Vec3, b: Vec3, radius: f64) -> impl Iterator<Item = &Cuboid> {
+        let (middle, half) = ((a + b) * 0.5, (b - a).length() * 0.5 + radius);
+        self.obstacles.iter().filter(move |(o, r)| (o.centre - middle).length() <= half + r).map(|(o, _)| o)
+    }
+
+    /// Whether upper arm and forearm are clear of obstacles.
+    fn free(&self, placed: &Placed) -> bool {
+        let arm = self.query.arm;
+        let from = self.clear_of_shoulder(placed);
+        !self.obstacles_near(placed.shoulder, placed.elbow, arm.upper_arm_radius_m).any(|o| {
+            segment_hits_cuboid(placed.shoulder, placed.elbow, o)
+                || segment_cuboid(from, placed.elbow, o).distance < arm.upper_arm_radius_m
+        }) && !self
+            .obstacles_near(placed.elbow, placed.wrist, arm.forearm_radius_m)
+            .any(|o| segment_cuboid(placed.elbow, placed.wrist, o).distance < arm.forearm_radius_m)
+    }
+
+    /// Takes the configuration as the best if it touches, scores more, and is free.
+    fn try_configuration(&mut self, config: Config, placed: &Placed) {
+        let Some(contact) = self.first_touched(config, placed) else { return };
+        if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
+            self.best = Some(contact);
+        }
+    }
+
+    /// The contact of a configuration: the smallest signed distance over segments and links.
+    fn first_touched(&self, config: Config, placed: &Placed) -> Option<ArmContact> {
+        let arm = self.query.arm;
+        let mut touched: Option<(f64, ArmSegment, usize, Vec3, Vec3)> = None;
+        let mut consider = |distance: f64, segment, link, on_link: Vec3, on_arm: Vec3| {
+            if distance <= 0.0 && touched.is_none_or(|(d, ..)| distance < d) {
+                touched = Some((distance, segment, link, on_link, on_arm));
+            }
+        };
+        for &index in &self.links {
+            let link = &self.query.links[index];
+            let hand = link.point_distance(placed.wrist);
+            if hand.distance <= arm.hand_radius_m {
+                // A wrist inside the link touches it where it is.
+                let at = if hand.distance > 0.0 { hand.on_second } else { placed.wrist };
+                let blocked = hand.distance > 0.0
+                    && self.obstacles_near(placed.wrist, at, 0.0).any(|o| segment_hits_cuboid(placed.wrist, at, o));
+                if !blocked {
+                    consider(hand.distance - arm.hand_radius_m, ArmSegment::Hand, index, at, at);
+                }
+            }
+            for (segment, a, b, radius) in [
+                (ArmSegment::Forearm, placed.elbow, placed.wrist, arm.forearm_radius_m),
+                (ArmSegment::UpperArm, placed.shoulder, placed.elbow, arm.upper_arm_radius_m),
+            ] {
+                let near = link.segment_distance(a, b);
+                consider(near.distance - radius, segment, index, near.on_second, near.on_first);
+            }
+        }
+        let (signed_distance, segment, link, on_link, on_arm) = touched?;
+        let score = self.query.score.score(segment, link, on_link, (on_arm - placed.elbow).length());
+        let (elbow, wrist) = (placed.elbow, placed.wrist);
+        Some(ArmContact { config, segment, link, on_link, on_arm, elbow, wrist, signed_distance, score })
+    }
+}
+
+#[cfg(test)]
+#[path = "reach_tests.rs"]
+mod tests;

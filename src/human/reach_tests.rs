@@ -1,0 +1,273 @@
+//! The branch and bound against a plain grid sampler and against parry, in random scenes and at fences.
+
+use parry3d_f64::query;
+use parry3d_f64::shape;
+
+use super::*;
+use crate::geometry::{Rotation, rotation_about};
+use crate::human::arm::{flexion_range, rotation_range};
+use crate::search::Rng;
+
+const TOLERANCE: f64 = 0.02;
+
+/// Each link has one score; the hand counts less, as in the force limits.
+struct ByLink(Vec<f64>);
+
+impl ContactScore for ByLink {
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
+        self.0[link] * if segment == ArmSegment::Hand { 0.9 } else { 1.0 }
+    }
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, _point: Vec3, _radius: f64) -> f64 {
+        self.upper_bound(segment, link)
+    }
+    fn score(&self, segment: ArmSegment, link: usize, _on_link: Vec3, _elbow: f64) -> f64 {
+        self.upper_bound(segment, link)
+    }
+}
+
+struct Scene {
+    world_from_shoulder: Pose,
+    links: Vec<Solid>,
+    obstacles: Vec<Cuboid>,
+    score: ByLink,
+}
+
+impl Scene {
+    fn query<'a>(&'a self, arm: &'a ArmModel, side: Side) -> ReachQuery<'a, ByLink> {
+        ReachQuery {
+            arm,
+            side,
+            world_from_shoulder: self.world_from_shoulder,
+            links: &self.links,
+            obstacles: &self.obstacles,
+            score: &self.score,
+            threshold: 0.0,
+            tolerance_m: TOLERANCE,
+            enough: f64::INFINITY,
+            work_limit: 60_000,
+        }
+    }
+}
+
+fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "20 bits")]
+    let unit = rng.below(1 << 20) as f64 / f64::from(1 << 20);
+    low + (high - low) * unit
+}
+
+fn vector(rng: &mut Rng, size: f64) -> Vec3 {
+    Vec3::new(uniform(rng, -size, size), uniform(rng, -size, size), uniform(rng, -size, size))
+}
+
+/// A robot of seven capsules somewhere around the shoulder, and some boxes.
+fn random_scene(rng: &mut Rng, boxes: usize) -> Scene {
+    let turn = rotation_about(Vec3::Z, uniform(rng, -3.0, 3.0)) * rotation_about(Vec3::Y, uniform(rng, 0.0, 0.7));
+    let middle = vector(rng, 0.8);
+    let links = (0..7).map(|_| {
+        let a = middle + vector(rng, 0.4);
+        Solid::Capsule(Capsule { a, b: a + vector(rng, 0.3), radius: uniform(rng, 0.04, 0.10) })
+    });
+    let links = links.collect();
+    let obstacles = (0..boxes).map(|_| Cuboid {
+        centre: vector(rng, 0.9),
+        half: Vec3::new(uniform(rng, 0.02, 0.3), uniform(rng, 0.02, 0.3), uniform(rng, 0.02, 0.3)),
+        rotation: rotation_about(Vec3::Z, uniform(rng, 0.0, 3.0)),
+    });
+    let obstacles = obstacles.collect();
+    let score = ByLink((0..7).map(|_| uniform(rng, 0.5, 2.0)).collect());
+    Scene { world_from_shoulder: Pose::from_parts(Vec3::ZERO, turn), links, obstacles, score }
+}
+
+/// A person at a 20 mm panel with an opening (x -0.3..0.3, z 0.8..1.2), the robot behind it.
+fn fence_scene(rng: &mut Rng) -> Scene {
+    let panel = |x: (f64, f64), z: (f64, f64)| Cuboid {
+        centre: Vec3::new(0.5 * (x.0 + x.1), 0.0, 0.5 * (z.0 + z.1)),
+        half: Vec3::new(0.5 * (x.1 - x.0), 0.01, 0.5 * (z.1 - z.0)),
+        rotation: Rotation::IDENTITY,
+    };
+    let obstacles = vec![
+        panel((-1.5, -0.3), (0.0, 2.0)),
+        panel((0.3, 1.5), (0.0, 2.0)),
+        panel((-0.3, 0.3), (0.0, 0.8)),
+        panel((-0.3, 0.3), (1.2, 2.0)),
+    ];
+    let shoulder = Vec3::new(uniform(rng, -0.9, 0.9), uniform(rng, -0.5, -0.08), uniform(rng, 1.1, 1.4));
+    let heading = rotation_about(Vec3::Z, uniform(rng, 0.8, 2.4));
+    let tool = Vec3::new(uniform(rng, -0.3, 0.6), uniform(rng, 0.35, 0.9), uniform(rng, 0.9, 1.1));
+    let links = vec![
+        Solid::Capsule(Capsule { a: tool, b: tool, radius: 0.08 }),
+        Solid::Capsule(Capsule { a: tool, b: tool + Vec3::new(0.0, 0.4, 0.3), radius: 0.06 }),
+    ];
+    Scene { world_from_shoulder: Pose::from_parts(shoulder, heading), links, obstacles, score: ByLink(vec![1.5, 1.2]) }
+}
+
+fn parry_capsule(a: Vec3, b: Vec3, radius: f64) -> shape::Capsule {
+    shape::Capsule::new(a, b, radius)
+}
+
+/// Signed distance of a capsule and a box by parry; negative when they overlap.
+fn parry_clearance(a: Vec3, b: Vec3, radius: f64, o: &Cuboid) -> f64 {
+    let pose = Pose::from_parts(o.centre, o.rotation);
+    let contact =
+        query::contact(&Pose::IDENTITY, &parry_capsule(a, b, radius), &pose, &shape::Cuboid::new(o.half), 1.0);
+    contact.unwrap().map_or(1.0, |c| c.dist)
+}
+
+/// Whether points along the line are inside a box: slow, and independent of the slab test.
+fn line_meets(a: Vec3, b: Vec3, o: &Cuboid) -> bool {
+    (0..=400).any(|i| {
+        let p = o.rotation.inverse() * (a + (b - a) * (f64::from(i) / 400.0) - o.centre);
+        p.abs().cmplt(o.half - Vec3::splat(1e-6)).all()
+    })
+}
+
+/// The best score of a dense grid of configurations that touch deeper than the tolerance and leave it as clearance.
+fn grid_best(scene: &Scene, arm: &ArmModel, side: Side, n: [u32; 4]) -> f64 {
+    let at = |i: u32, n: u32, (low, high): (f64, f64)| low + (high - low) * (f64::from(i) + 0.5) / f64::from(n);
+    let mut best: f64 = 0.0;
+    for i in 0..n[0] {
+        let abduction = at(i, n[0], ABDUCTION);
+        for j in 0..n[1] {
+            let flexion = at(j, n[1], flexion_range(abduction));
+            for k in 0..n[2] {
+                let rotation = at(k, n[2], rotation_range(abduction, flexion));
+                for l in 0..n[3] {
+                    let config = [abduction, flexion, rotation, at(l, n[3], ELBOW)];
+                    best = best.max(grid_score(scene, arm, side, config));
+                }
+            }
+        }
+    }
+    best
+}
+
+fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 {
+    let pose = &scene.world_from_shoulder;
+    let (elbow, wrist) = arm.forward(side, config);
+    let (shoulder, elbow, wrist) = (pose.translation, pose.transform_point(elbow), pose.transform_point(wrist));
+    let mut touched = (f64::MAX, 0.0);
+    for (i, link) in scene.links.iter().enumerate() {
+        let Solid::Capsule(c) = link else { unreachable!("capsule scenes") };
+        let to = query::distance(
+            &Pose::IDENTITY,
+            &parry_capsule(elbow, wrist, arm.forearm_radius_m),
+            &Pose::IDENTITY,
+            &parry_capsule(c.a, c.b, c.radius),
+        );
+        // parry gives zero for overlaps; the depth that decides who was touched first comes from the cores.
+        let core = |a: Vec3, b: Vec3| crate::geometry::distance::segment_segment(a, b, c.a, c.b).distance - c.radius;
+        let fore = core(elbow, wrist) - arm.forearm_radius_m;
+        assert!((to.unwrap().distance - fore.max(0.0)).abs() < 1e-4, "kernel and parry disagree");
+        let near = link.point_distance(wrist);
+        let line_free = near.distance <= 0.0 || !scene.obstacles.iter().any(|o| line_meets(wrist, near.on_second, o));
+        let hand = if line_free { near.distance - arm.hand_radius_m } else { f64::MAX };
+        let upper = core(shoulder, elbow) - arm.upper_arm_radius_m;
+        for (distance, segment) in
+            [(hand, ArmSegment::Hand), (fore, ArmSegment::Forearm), (upper, ArmSegment::UpperArm)]
+        {
+            if distance < touched.0 {
+                touched = (distance, scene.score.score(segment, i, wrist, 1.0));
+            }
+        }
+    }
+    if touched.0 > -TOLERANCE {
+        return 0.0;
+    }
+    let from = shoulder + (elbow - shoulder) * ((arm.upper_arm_radius_m + SHOULDER_CLEARANCE_M) / arm.upper_arm_m);
+    let clear = scene.obstacles.iter().all(|o| {
+        parry_clearance(elbow, wrist, arm.forearm_radius_m, o) > TOLERANCE
+            && parry_clearance(from, elbow, arm.upper_arm_radius_m, o) > TOLERANCE
+            && parry_clearance(shoulder, elbow, 0.001, o) > TOLERANCE
+    });
+    if clear { touched.1 } else { 0.0 }
+}
+
+/// What was found really is a contact: within limits, touching, free, by parry.
+fn verify(scene: &Scene, arm: &ArmModel, side: Side, found: &ArmContact) {
+    assert_eq!(clamped(found.config), found.config, "outside the joint limits");
+    let pose = &scene.world_from_shoulder;
+    let (elbow, wrist) = arm.forward(side, found.config);
+    assert!((pose.transform_point(elbow) - found.elbow).length() < 1e-12);
+    assert!((pose.transform_point(wrist) - found.wrist).length() < 1e-12);
+    for o in &scene.obstacles {
+        assert!(parry_clearance(found.elbow, found.wrist, arm.forearm_radius_m, o) > -1e-4, "forearm in an obstacle");
+        assert!(!line_meets(pose.translation, found.elbow, o), "upper arm through an obstacle");
+        if found.segment == ArmSegment::Hand {
+            assert!(!line_meets(found.wrist, found.on_link, o), "a hand through a wall");
+        }
+    }
+    let Solid::Capsule(link) = &scene.links[found.link] else { unreachable!("capsule scenes") };
+    let link = parry_capsule(link.a, link.b, link.radius);
+    let limb = match found.segment {
+        ArmSegment::Hand => parry_capsule(found.wrist, found.wrist, arm.hand_radius_m),
+        ArmSegment::Forearm => parry_capsule(found.elbow, found.wrist, arm.forearm_radius_m),
+        ArmSegment::UpperArm => parry_capsule(pose.translation, found.elbow, arm.upper_arm_radius_m),
+    };
+    let distance = query::distance(&Pose::IDENTITY, &limb, &Pose::IDENTITY, &link).unwrap().distance;
+    assert!(distance < 1e-4, "no contact: {distance}");
+}
+
+/// Compares one scene; whether there was anything to find. A search that ended at its work limit promises nothing.
+fn compare(scene: &Scene, n: [u32; 4], name: &str) -> bool {
+    let arm = ArmModel::default();
+    let mut any = false;
+    for side in Side::BOTH {
+        let expected = grid_best(scene, &arm, side, n);
+        let outcome = reach(&scene.query(&arm, side));
+        if let Some(found) = &outcome.best {
+            verify(scene, &arm, side, found);
+        }
+        let found = outcome.best.map_or(0.0, |b| b.score);
+        assert!(
+            !outcome.complete || found * SLACK >= expected - 1e-12,
+            "{name} {side:?}: found {found}, the grid {expected}"
+        );
+        any |= expected > 0.0;
+    }
+    any
+}
+
+#[test]
+fn finds_whatever_a_grid_finds_in_random_scenes() {
+    let mut rng = Rng::new(11);
+    let hits = (0..60).filter(|i| compare(&random_scene(&mut rng, i % 8), [7, 7, 5, 5], &format!("scene {i}"))).count();
+    assert!((10..60).contains(&hits), "{hits} of 60 scenes with contacts: too easy or too hard to mean much");
+}
+
+#[test]
+fn finds_whatever_a_grid_finds_at_a_fence() {
+    let mut rng = Rng::new(5);
+    let hits = (0..30).filter(|i| compare(&fence_scene(&mut rng), [14, 14, 8, 8], &format!("fence {i}"))).count();
+    assert!((3..28).contains(&hits), "{hits} fences with contacts");
+}
+
+#[test]
+fn nothing_reaches_through_a_closed_wall() {
+    let mut rng = Rng::new(8);
+    let arm = ArmModel::default();
+    for _ in 0..40 {
+        let mut scene = fence_scene(&mut rng);
+        scene.obstacles = vec![Cuboid {
+            centre: Vec3::new(0.0, 0.0, 1.25),
+            half: Vec3::new(3.0, 0.01, 1.25),
+            rotation: Rotation::IDENTITY,
+        }];
+        for side in Side::BOTH {
+            let outcome = reach(&scene.query(&arm, side));
+            assert_eq!(outcome.best, None);
+        }
+    }
+}
+
+#[test]
+fn enough_is_enough_and_a_work_limit_is_told() {
+    let mut rng = Rng::new(2);
+    let arm = ArmModel::default();
+    let scene = (0..50).map(|_| random_scene(&mut rng, 4)).find(|s| reach(&s.query(&arm, Side::Left)).best.is_some());
+    let scene = scene.expect("a scene with a contact");
+    let all = reach(&scene.query(&arm, Side::Left));
+    let some = reach(&ReachQuery { enough: 0.0, ..scene.query(&arm, Side::Left) });
+    assert!(some.complete && some.best.is_some() && some.boxes <= all.boxes);
+    let cut = reach(&ReachQuery { work_limit: 1, ..scene.query(&arm, Side::Left) });
+    assert!(!cut.complete);
+}

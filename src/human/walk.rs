@@ -1,0 +1,194 @@
+//! The walking of one action: sub-step after sub-step from place to place, stopped by obstacles.
+
+use super::obstacles::capsule_hits;
+use super::{Body, Place, Start, Walk};
+use crate::geometry::Cuboid;
+
+/// Walks one body in one cell.
+#[derive(Clone, Copy, Debug)]
+pub struct Walker<'a> {
+    /// Who walks.
+    pub body: &'a Body,
+    /// Where the places are counted from.
+    pub start: &'a Start,
+    /// Length of a sub-step, m: walking speed times the duration of an action over the number of sub-steps.
+    pub sub_step_len_m: f64,
+    /// What the human cannot walk through, world frame.
+    pub obstacles: &'a [Cuboid],
+}
+
+/// Where one action leads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WalkTrace {
+    /// Place at the start, the turn already made.
+    pub start: Place,
+    /// Place at the end of each sub-step.
+    pub places: Vec<Place>,
+    /// Whether an obstacle has stopped the walk by the end of each sub-step.
+    pub blocked: Vec<bool>,
+}
+
+impl WalkTrace {
+    /// Place at the end of the action.
+    #[must_use]
+    pub fn end(&self) -> Place {
+        self.places.last().copied().unwrap_or(self.start)
+    }
+}
+
+impl Walker<'_> {
+    /// Whether the body stands clear of every obstacle at this place, or merely touches. To be asked of the start,
+    /// before anything else: who starts inside an obstacle can never walk.
+    #[must_use]
+    pub fn is_free(&self, place: Place) -> bool {
+        let capsule = self.body.blocking_capsule(place.position(self.start, self.sub_step_len_m));
+        !self.obstacles.iter().any(|obstacle| capsule_hits(&capsule, obstacle))
+    }
+
+    /// Walks one action of `sub_steps` sub-steps. The human stops at the last free place before an obstacle and stays there until the action
+    /// ends; it does not slide along. It may still turn.
+    #[must_use]
+    pub fn walk(&self, from: Place, walk: Walk, sub_steps: usize) -> WalkTrace {
+        let mut place = from.turned(walk.turn_eighths());
+        let mut stopped = false;
+        let mut trace = WalkTrace { start: place, places: vec![place; sub_steps], blocked: vec![false; sub_steps] };
+        if walk == Walk::Stop {
+            return trace;
+        }
+        for (reached, blocked) in trace.places.iter_mut().zip(&mut trace.blocked) {
+            let next = place.stepped();
+            if !stopped && self.is_free(next) {
+                place = next;
+            } else {
+                stopped = true;
+            }
+            (*reached, *blocked) = (place, stopped);
+        }
+        trace
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Rotation, Vec3, rotation_about};
+    use crate::human::Anthropometry;
+    use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+    const LEN: f64 = 0.032;
+    const SUB_STEPS: usize = 10;
+
+    fn walked(start: &Start, obstacles: &[Cuboid], walks: &[Walk]) -> Vec<WalkTrace> {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles };
+        assert!(walker.is_free(Place::START));
+        let mut place = Place::START;
+        let mut traces = Vec::new();
+        for walk in walks {
+            let trace = walker.walk(place, *walk, SUB_STEPS);
+            place = trace.end();
+            traces.push(trace);
+        }
+        traces
+    }
+
+    /// A panel along x at y = 0, 20 mm thick.
+    fn panel(height: f64, rotation: Rotation) -> Cuboid {
+        Cuboid { centre: Vec3::new(0.0, 0.0, 0.5 * height), half: Vec3::new(5.0, 0.01, 0.5 * height), rotation }
+    }
+
+    /// The step that ISO 13855's walking speed gives in one action of 0.2 s: 0.32 m, as the published cells assume.
+    #[test]
+    fn one_action_at_walking_speed_is_032_m() {
+        assert!((WALKING_SPEED_M_S * 0.02 - LEN).abs() < 1e-15);
+        assert!((10.0 * LEN - 0.32).abs() < 1e-15);
+    }
+
+    #[test]
+    fn free_walks_end_where_they_should() {
+        let start = Start::new(1.0, 2.0, 90.0);
+        let end = |walks: &[Walk]| walked(&start, &[], walks).last().unwrap().end().position(&start, LEN);
+        let diagonal = 0.32 * 0.5_f64.sqrt();
+        for (walk, x, y) in [
+            (Walk::Stop, 0.0, 0.0),
+            (Walk::Forward, 0.0, 0.32),
+            (Walk::Left45, -diagonal, diagonal),
+            (Walk::Left90, -0.32, 0.0),
+            (Walk::Right45, diagonal, diagonal),
+            (Walk::Right90, 0.32, 0.0),
+        ] {
+            let distance = (end(&[walk]) - Vec3::new(1.0 + x, 2.0 + y, 0.0)).length();
+            assert!(distance < 1e-12, "{walk:?} ends {distance} m off");
+        }
+        // Around a square, back to the start.
+        let square = walked(&start, &[], &[Walk::Left90; 4]);
+        assert_eq!(square[3].end(), Place::START);
+        assert!(square.iter().all(|trace| trace.blocked == [false; SUB_STEPS]));
+    }
+
+    /// By hand: the panel's face is at y = -0.01, the body 0.14 m thick before it: no farther than y = -0.15. From
+    /// -0.50, ten steps of 0.032 m lead to -0.18; the eleventh would end at -0.148.
+    #[test]
+    fn panel_stops_the_walk_at_the_last_free_sub_step() {
+        for height in [0.5, 2.0] {
+            let start = Start::new(0.0, -0.50, 90.0);
+            let walls = [panel(height, Rotation::IDENTITY)];
+            let traces = walked(&start, &walls, &[Walk::Forward, Walk::Forward, Walk::Stop, Walk::Left90]);
+            assert_eq!(traces[0].blocked, [false; SUB_STEPS]);
+            assert_eq!(traces[1].blocked, [true; SUB_STEPS]);
+            for trace in &traces[1..=2] {
+                let y = trace.end().position(&start, LEN).y;
+                assert!((y + 0.18).abs() < 1e-12, "{y}");
+            }
+            // Away along the panel the way is free.
+            assert_eq!(traces[3].blocked, [false; SUB_STEPS]);
+        }
+    }
+
+    /// Stopped in mid-action: from -0.26 the steps end at -0.228, -0.196, -0.164; the fourth would end at -0.132.
+    #[test]
+    fn blocked_means_until_the_action_ends() {
+        let start = Start::new(0.0, -0.26, 90.0);
+        let trace = &walked(&start, &[panel(2.0, Rotation::IDENTITY)], &[Walk::Forward])[0];
+        assert_eq!(trace.blocked.iter().position(|blocked| *blocked), Some(3));
+        assert!(trace.blocked[3..].iter().all(|blocked| *blocked));
+        assert!((trace.end().position(&start, LEN).y + 0.164).abs() < 1e-12);
+        // No sliding: obliquely against the panel, no motion along it either.
+        let oblique = &walked(&Start::new(0.0, -0.16, 45.0), &[panel(2.0, Rotation::IDENTITY)], &[Walk::Forward])[0];
+        assert_eq!(oblique.end(), Place::START);
+    }
+
+    #[test]
+    fn what_lies_on_the_floor_or_hangs_overhead_does_not_stop() {
+        let start = Start::new(0.0, -0.5, 90.0);
+        let sill = panel(0.04, Rotation::IDENTITY);
+        let lintel = Cuboid { centre: Vec3::new(0.0, 0.0, 1.87), ..panel(0.2, Rotation::IDENTITY) };
+        let ends = walked(&start, &[sill, lintel], &[Walk::Forward; 4]);
+        assert!((ends[3].end().position(&start, LEN).y - 0.78).abs() < 1e-12);
+        let low_lintel = Cuboid { centre: Vec3::new(0.0, 0.0, 1.80), ..lintel };
+        assert!(walked(&start, &[low_lintel], &[Walk::Forward; 4])[3].blocked[9]);
+    }
+
+    /// A panel turned by 45 degrees about z: the distance from the face decides, not the axes.
+    #[test]
+    fn turned_panels_block_too() {
+        let turned = panel(2.0, rotation_about(Vec3::Z, std::f64::consts::FRAC_PI_4));
+        let start = Start::new(0.0, -1.0, 90.0);
+        let traces = walked(&start, &[turned], &[Walk::Forward; 4]);
+        let end = traces[3].end().position(&start, LEN);
+        // Distance from the panel's middle plane is |y| cos 45, at least 0.15.
+        let distance = end.y.abs() * 0.5_f64.sqrt();
+        assert!((0.15..0.15 + LEN).contains(&distance), "{distance}");
+    }
+
+    #[test]
+    fn a_start_inside_an_obstacle_is_told() {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        for (y, free) in [(0.0, false), (-0.1, false), (-0.149, false), (-0.151, true), (0.2, true)] {
+            let walls = [panel(2.0, Rotation::IDENTITY)];
+            let walker =
+                Walker { body: &body, start: &Start::new(0.3, y, 90.0), sub_step_len_m: LEN, obstacles: &walls };
+            assert_eq!(walker.is_free(Place::START), free, "y = {y}");
+        }
+    }
+}
