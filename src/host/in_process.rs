@@ -1,0 +1,245 @@
+//! An FMI 2.0 FMU in this process, as a [`Plant`].
+
+use super::plant::{Plant, PlantError};
+use super::port::{Port, PortKind};
+use crate::fmi::{self, Initializing, Instance, Instantiated, Slave, State, Stepping};
+
+/// What to write to and read from an FMU, and at which steps.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Parameters and their values, set before initialisation.
+    pub parameters: Vec<(Port, f64)>,
+    /// Inputs, written before every step.
+    pub inputs: Vec<Port>,
+    /// Input values for initialisation.
+    pub initial_inputs: Vec<f64>,
+    /// Outputs, read after every step.
+    pub outputs: Vec<Port>,
+    /// Communication step, s.
+    pub step_s: f64,
+}
+
+/// Ports of one type, with where each stands in a row of values.
+#[derive(Clone, Debug, Default)]
+struct Group {
+    references: Vec<u32>,
+    columns: Vec<usize>,
+}
+
+/// Ports sorted by type, so that each type costs one call.
+#[derive(Clone, Debug, Default)]
+struct Groups {
+    real: Group,
+    integer: Group,
+    boolean: Group,
+}
+
+impl Groups {
+    fn new<'a>(ports: impl IntoIterator<Item = &'a Port>) -> Self {
+        let mut groups = Self::default();
+        for (column, port) in ports.into_iter().enumerate() {
+            let group = match port.kind {
+                PortKind::Real => &mut groups.real,
+                PortKind::Integer => &mut groups.integer,
+                PortKind::Boolean => &mut groups.boolean,
+            };
+            group.references.push(port.value_reference);
+            group.columns.push(column);
+        }
+        groups
+    }
+
+    fn set<S>(&self, instance: &mut Instance<S>, row: &[f64]) -> Result<(), fmi::Error> {
+        if !self.real.references.is_empty() {
+            let values: Vec<f64> = self.real.columns.iter().map(|&c| row[c]).collect();
+            instance.set_real(&self.real.references, &values)?;
+        }
+        if !self.integer.references.is_empty() {
+            #[expect(clippy::cast_possible_truncation, reason = "integer ports carry whole i32 values")]
+            let values: Vec<i32> = self.integer.columns.iter().map(|&c| row[c] as i32).collect();
+            instance.set_integer(&self.integer.references, &values)?;
+        }
+        if !self.boolean.references.is_empty() {
+            let values: Vec<bool> = self.boolean.columns.iter().map(|&c| row[c] != 0.0).collect();
+            instance.set_boolean(&self.boolean.references, &values)?;
+        }
+        Ok(())
+    }
+
+    fn get<S>(&self, instance: &mut Instance<S>, row: &mut [f64]) -> Result<(), fmi::Error> {
+        if !self.real.references.is_empty() {
+            let mut values = vec![0.0; self.real.references.len()];
+            instance.get_real(&self.real.references, &mut values)?;
+            self.real.columns.iter().zip(values).for_each(|(&c, v)| row[c] = v);
+        }
+        if !self.integer.references.is_empty() {
+            let mut values = vec![0; self.integer.references.len()];
+            instance.get_integer(&self.integer.references, &mut values)?;
+            self.integer.columns.iter().zip(values).for_each(|(&c, v)| row[c] = f64::from(v));
+        }
+        if !self.boolean.references.is_empty() {
+            let mut values = vec![false; self.boolean.references.len()];
+            instance.get_boolean(&self.boolean.references, &mut values)?;
+            self.boolean.columns.iter().zip(values).for_each(|(&c, v)| row[c] = f64::from(u8::from(v)));
+        }
+        Ok(())
+    }
+}
+
+/// A running FMU in this process.
+pub struct InProcess {
+    slave: Slave,
+    setup: Setup,
+    inputs: Groups,
+    outputs: Groups,
+    instance: Option<Instance<Stepping>>,
+    /// Communication steps taken since time zero; time is `step * step_s`, never accumulated.
+    step: u64,
+}
+
+/// A saved FMU state together with the master's own clock.
+pub struct Checkpoint {
+    state: State,
+    step: u64,
+}
+
+impl InProcess {
+    /// A plant for `slave`; nothing is instantiated yet.
+    #[must_use]
+    pub fn new(slave: Slave, setup: Setup) -> Self {
+        let (inputs, outputs) = (Groups::new(&setup.inputs), Groups::new(&setup.outputs));
+        Self { slave, setup, inputs, outputs, instance: None, step: 0 }
+    }
+
+    /// The FMU behind this plant.
+    #[must_use]
+    pub const fn slave(&self) -> &Slave {
+        &self.slave
+    }
+
+    /// Makes the instance ready to step: parameters, inputs, initialisation.
+    fn initialise(&self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, fmi::Error> {
+        let ports = self.setup.parameters.iter().map(|(port, _)| port);
+        let values: Vec<f64> = self.setup.parameters.iter().map(|(_, value)| *value).collect();
+        Groups::new(ports).set(&mut instance, &values)?;
+        self.inputs.set(&mut instance, &self.setup.initial_inputs)?;
+        let initializing: Instance<Initializing> = instance.enter_initialization(0.0, None)?;
+        initializing.exit_initialization()
+    }
+
+    fn read_row(&mut self) -> Result<Vec<f64>, PlantError> {
+        let time_s = self.time_s();
+        let mut row = vec![0.0; self.setup.outputs.len()];
+        let Some(instance) = self.instance.as_mut() else { return Err(not_started()) };
+        self.outputs.get(instance, &mut row).map_err(|e| failure(&e, time_s))?;
+        if let Some(bad) = row.iter().position(|v| !v.is_finite()) {
+            let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
+            let name = &self.setup.outputs[bad].name;
+            return Err(PlantError {
+                message: format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s"),
+                time_s: Some(time_s),
+                fatal: false,
+            });
+        }
+        Ok(row)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "step counts are far below 2^53")]
+    fn time_s(&self) -> f64 {
+        self.step as f64 * self.setup.step_s
+    }
+
+    /// Resets the running instance with `fmi2Reset` and initialises it again (only the self-test trusts this).
+    ///
+    /// # Errors
+    /// When the FMU refuses.
+    pub(super) fn reset(&mut self) -> Result<Vec<f64>, PlantError> {
+        let instance = self.instance.take().ok_or_else(not_started)?;
+        let instance = instance.reset().map_err(|e| failure(&e, 0.0))?;
+        self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
+        self.step = 0;
+        self.read_row()
+    }
+
+    /// Bytes of a serialised state.
+    ///
+    /// # Errors
+    /// When the FMU does not serialise.
+    pub(super) fn serialize(&mut self, checkpoint: &Checkpoint) -> Result<Vec<u8>, PlantError> {
+        let time_s = self.time_s();
+        let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        instance.serialize(&checkpoint.state).map_err(|e| failure(&e, time_s))
+    }
+
+    /// A checkpoint from serialised bytes taken after `step` steps.
+    ///
+    /// # Errors
+    /// When the FMU refuses.
+    pub(super) fn deserialize(&mut self, bytes: &[u8], step: u64) -> Result<Checkpoint, PlantError> {
+        let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        let state = instance.deserialize(bytes).map_err(|e| failure(&e, 0.0))?;
+        Ok(Checkpoint { state, step })
+    }
+}
+
+fn not_started() -> PlantError {
+    PlantError {
+        message: "the FMU is not running: it has to be restarted first".to_owned(),
+        time_s: None,
+        fatal: false,
+    }
+}
+
+fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
+    PlantError { message: error.to_string(), time_s: Some(time_s), fatal: error.is_fatal() }
+}
+
+impl Plant for InProcess {
+    type Checkpoint = Checkpoint;
+
+    fn input_count(&self) -> usize {
+        self.setup.inputs.len()
+    }
+
+    fn output_count(&self) -> usize {
+        self.setup.outputs.len()
+    }
+
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        // The old instance goes first: some FMUs cannot have two.
+        self.instance = None;
+        self.step = 0;
+        let instance = self.slave.instantiate("cell").map_err(|e| failure(&e, 0.0))?;
+        self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
+        self.read_row()
+    }
+
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        let width = self.setup.inputs.len();
+        let mut trace = Vec::with_capacity(steps * self.setup.outputs.len());
+        for i in 0..steps {
+            let time_s = self.time_s();
+            let instance = self.instance.as_mut().ok_or_else(not_started)?;
+            self.inputs.set(instance, &inputs[i * width..(i + 1) * width]).map_err(|e| failure(&e, time_s))?;
+            instance.do_step(time_s, self.setup.step_s).map_err(|e| failure(&e, time_s))?;
+            self.step += 1;
+            trace.extend(self.read_row()?);
+        }
+        Ok(trace)
+    }
+
+    fn save(&mut self) -> Result<Checkpoint, PlantError> {
+        let (time_s, step) = (self.time_s(), self.step);
+        let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        let state = instance.save().map_err(|e| failure(&e, time_s))?;
+        Ok(Checkpoint { state, step })
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        let time_s = self.time_s();
+        let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        instance.restore(&checkpoint.state).map_err(|e| failure(&e, time_s))?;
+        self.step = checkpoint.step;
+        Ok(())
+    }
+}

@@ -1,0 +1,63 @@
+//! The seam between a search and whatever runs the FMU: one action, one message.
+//!
+//! The human's motion during an action does not depend on the robot, so the whole trace of inputs is known before the
+//! action starts. [`Plant::advance`] takes it and gives back the trace of outputs.
+
+use std::fmt;
+
+/// A running workcell model, in this process or elsewhere.
+///
+/// Traces are row-major: one row per communication step, one column per bound variable (Booleans as 0 and 1).
+pub trait Plant {
+    /// A saved state.
+    type Checkpoint;
+
+    /// Number of bound inputs.
+    fn input_count(&self) -> usize;
+
+    /// Number of bound outputs.
+    fn output_count(&self) -> usize;
+
+    /// Begins again at time zero with a fresh instance; returns the outputs at that time.
+    ///
+    /// # Errors
+    /// When the FMU cannot be instantiated or initialised.
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError>;
+
+    /// Takes `inputs.len() / input_count()` communication steps (`steps` of them) and returns the outputs after each.
+    ///
+    /// # Errors
+    /// When the FMU refuses a step or an output is not finite. The plant must then be restarted or restored.
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError>;
+
+    /// Saves the present state.
+    ///
+    /// # Errors
+    /// When the FMU does not offer it or fails.
+    fn save(&mut self) -> Result<Self::Checkpoint, PlantError>;
+
+    /// Comes back to a state saved from this plant since its last restart.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    fn restore(&mut self, checkpoint: &Self::Checkpoint) -> Result<(), PlantError>;
+}
+
+/// What went wrong in a plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlantError {
+    /// What happened, in words, with the FMU's own last log lines.
+    pub message: String,
+    /// Simulation time, s, when known.
+    pub time_s: Option<f64>,
+    /// The FMU must not be called any more: the search has to end.
+    pub fatal: bool,
+}
+
+impl fmt::Display for PlantError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for PlantError {}

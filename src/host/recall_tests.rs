@@ -1,0 +1,105 @@
+//! Recall on a small integrator whose outputs are known, with and without saved states.
+
+use super::*;
+
+/// `x += u` per step; fails when `x` exceeds a limit; optionally forgets to restore.
+#[derive(Default)]
+struct Integrator {
+    x: f64,
+    limit: Option<f64>,
+    drifts: bool,
+    restarts: u32,
+}
+
+impl Plant for Integrator {
+    type Checkpoint = f64;
+    fn input_count(&self) -> usize {
+        1
+    }
+    fn output_count(&self) -> usize {
+        1
+    }
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        self.x = 0.0;
+        self.restarts += 1;
+        Ok(vec![0.0])
+    }
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        let mut out = Vec::new();
+        for u in inputs.iter().take(steps) {
+            self.x += u + if self.drifts { f64::from(self.restarts) } else { 0.0 };
+            if self.limit.is_some_and(|l| self.x > l) {
+                return Err(PlantError { message: "over the limit".into(), time_s: None, fatal: false });
+            }
+            out.push(self.x);
+        }
+        Ok(out)
+    }
+    fn save(&mut self) -> Result<f64, PlantError> {
+        Ok(self.x)
+    }
+    fn restore(&mut self, checkpoint: &f64) -> Result<(), PlantError> {
+        self.x = *checkpoint;
+        Ok(())
+    }
+}
+
+const STATES: Policy = Policy::States { max_checkpoints: 100 };
+
+fn to(advanced: Advanced) -> NodeId {
+    match advanced {
+        Advanced::To(node) => node,
+        Advanced::Fault(fault) => panic!("{fault}"),
+    }
+}
+
+#[test]
+fn branches_do_not_disturb_each_other_on_any_rung() {
+    for policy in [STATES, Policy::States { max_checkpoints: 1 }, Policy::States { max_checkpoints: 0 }, Policy::Replay]
+    {
+        let mut recall = Recall::new(Integrator::default(), policy).unwrap();
+        let a = to(recall.advance(NodeId::ROOT, 2, &[1.0, 2.0]).unwrap());
+        let b = to(recall.advance(NodeId::ROOT, 2, &[5.0, 5.0]).unwrap());
+        let ab = to(recall.advance(a, 1, &[10.0]).unwrap());
+        let again = to(recall.advance(a, 1, &[10.0]).unwrap());
+        assert_eq!(ab, again);
+        assert_eq!(&**recall.outputs(a), &[1.0, 3.0]);
+        assert_eq!(&**recall.outputs(b), &[5.0, 10.0]);
+        assert_eq!(&**recall.outputs(ab), &[13.0]);
+        assert_eq!(recall.states(), 4);
+    }
+}
+
+#[test]
+fn a_known_transition_costs_no_step_with_states_and_every_step_with_replay() {
+    let count = |policy| {
+        let mut recall = Recall::new(Integrator::default(), policy).unwrap();
+        for _ in 0..3 {
+            let a = to(recall.advance(NodeId::ROOT, 2, &[1.0, 2.0]).unwrap());
+            to(recall.advance(a, 2, &[1.0, 2.0]).unwrap());
+        }
+        recall.steps()
+    };
+    assert_eq!(count(STATES), 4);
+    assert_eq!(count(Policy::Replay), 12);
+}
+
+#[test]
+fn a_fault_is_remembered_and_the_search_can_go_on() {
+    for policy in [STATES, Policy::Replay] {
+        let mut recall = Recall::new(Integrator { limit: Some(3.0), ..Integrator::default() }, policy).unwrap();
+        for _ in 0..2 {
+            assert!(matches!(recall.advance(NodeId::ROOT, 1, &[4.0]).unwrap(), Advanced::Fault(_)));
+        }
+        let a = to(recall.advance(NodeId::ROOT, 1, &[3.0]).unwrap());
+        assert_eq!(&**recall.outputs(a), &[3.0]);
+    }
+}
+
+#[test]
+fn an_fmu_that_does_not_repeat_itself_is_caught_by_replay() {
+    let mut recall = Recall::new(Integrator { drifts: true, ..Integrator::default() }, Policy::Replay).unwrap();
+    to(recall.advance(NodeId::ROOT, 1, &[1.0]).unwrap());
+    let error = recall.advance(NodeId::ROOT, 1, &[1.0]).unwrap_err();
+    assert!(error.fatal && error.message.contains("different outputs"), "{error}");
+}

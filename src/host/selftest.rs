@@ -1,0 +1,289 @@
+//! The state self-test: what an FMU's promises about its state are worth, found by trying.
+//!
+//! The FMI texts do not promise that a restored FMU behaves like the uninterrupted one, and `fmi2Reset` is often wrong
+//! in practice. So before a search relies on either, the *future* after coming back is compared, over a whole episode
+//! with moving inputs, holding two states at once and returning to the first (a state that shares a buffer, or that
+//! forgets a hidden clock, passes simpler tests).
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::in_process::{InProcess, Setup};
+use super::plant::{Plant, PlantError};
+use super::port::{Port, PortKind};
+use super::recall::Policy;
+use crate::fmi::Slave;
+
+/// How two runs that should agree compare.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "result")]
+pub enum Agreement {
+    /// Every bit of every output.
+    Exact,
+    /// Different; the largest relative difference `|a - b| / max(1, |a|)`.
+    Differs {
+        /// Largest relative difference.
+        largest: f64,
+    },
+    /// The FMU returned an error.
+    Failed {
+        /// What it said.
+        reason: String,
+    },
+    /// The FMU does not offer this.
+    NotOffered,
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exact => f.write_str("exact"),
+            Self::Differs { largest } => write!(f, "WRONG, differs by up to {largest:.2e}"),
+            Self::Failed { reason } => write!(f, "FAILED: {reason}"),
+            Self::NotOffered => f.write_str("not offered"),
+        }
+    }
+}
+
+/// The outcome of the self-test.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SelfTest {
+    /// Steps of one run.
+    pub steps: usize,
+    /// Communication step, s.
+    pub step_s: f64,
+    /// Inputs moved and outputs compared.
+    pub inputs: usize,
+    /// Outputs compared.
+    pub outputs: usize,
+    /// Two fresh instances, one after the other, same inputs.
+    pub deterministic: Agreement,
+    /// A second instance beside a living first one.
+    pub second_instance: Agreement,
+    /// Restoring a state against the uninterrupted run: two states held, both returned to, the first one twice.
+    pub restore: Agreement,
+    /// `fmi2Reset` against a fresh instance.
+    pub reset: Agreement,
+    /// A serialised state brought back in another instance.
+    pub serialize: Agreement,
+    /// Bytes of a serialised state.
+    pub bytes_per_state: Option<usize>,
+    /// Largest change of any output over the run: zero means that nothing moves.
+    pub output_range: f64,
+}
+
+impl SelfTest {
+    /// Whether results can be replayed at all.
+    #[must_use]
+    pub fn repeatable(&self) -> bool {
+        self.deterministic == Agreement::Exact
+    }
+
+    /// The way of bringing states back that this FMU deserves, holding at most `budget_bytes` of states.
+    #[must_use]
+    pub fn policy(&self, budget_bytes: usize) -> Policy {
+        // Without serialisation the size is unknown; 64 KiB is above what small FMUs need.
+        let size = self.bytes_per_state.unwrap_or(64 * 1024).max(256);
+        match self.restore {
+            Agreement::Exact => Policy::States { max_checkpoints: (budget_bytes / size).max(16) },
+            _ => Policy::States { max_checkpoints: 0 },
+        }
+    }
+
+    /// One line that says how states will be brought back and why.
+    #[must_use]
+    pub fn choice(&self) -> String {
+        match &self.restore {
+            Agreement::Exact => "saved FMU states (restored exactly)".to_owned(),
+            Agreement::NotOffered => "fresh instance and replay (the FMU cannot save its state)".to_owned(),
+            Agreement::Differs { .. } | Agreement::Failed { .. } => {
+                "fresh instance and replay (the FMU says it can save its state, but does not do it exactly)".to_owned()
+            }
+        }
+    }
+}
+
+/// Runs the self-test for `steps` communication steps.
+///
+/// # Errors
+/// Only when a first plain run is not possible at all; everything after that is a finding in the result.
+pub fn selftest(slave: &Slave, setup: &Setup, steps: usize) -> Result<SelfTest, PlantError> {
+    let moving = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
+    let (main, other) = (moving(0), moving(1));
+    let fresh = || InProcess::new(slave.clone(), setup.clone());
+    let width = setup.inputs.len();
+
+    let mut plant = fresh();
+    let mut reference = plant.restart()?;
+    reference.extend(plant.advance(steps, &main)?);
+    drop(plant);
+    let rows = setup.outputs.len();
+    let compare = |run: Result<Vec<f64>, PlantError>| agreement(&reference, run);
+    let whole = |plant: &mut InProcess| {
+        let mut run = plant.restart()?;
+        run.extend(plant.advance(steps, &main)?);
+        Ok(run)
+    };
+
+    let deterministic = compare(whole(&mut fresh()));
+    let second_instance = {
+        // The first one lives, stands somewhere in the middle, and is driven on with other inputs in between.
+        let mut first = fresh();
+        let half = steps / 2;
+        compare((|| {
+            first.restart()?;
+            first.advance(half, &other[..half * width])?;
+            let mut second = fresh();
+            let mut run = second.restart()?;
+            run.extend(second.advance(half, &main[..half * width])?);
+            first.advance(steps - half, &other[half * width..])?;
+            run.extend(second.advance(steps - half, &main[half * width..])?);
+            Ok(run)
+        })())
+    };
+    let offers_states = slave.capabilities().can_get_and_set_state;
+    let restore = if offers_states {
+        restore_test(fresh(), &reference, &main, &other, steps, width, rows)
+    } else {
+        Agreement::NotOffered
+    };
+    let (serialize, bytes_per_state) = if offers_states && slave.capabilities().can_serialize_state {
+        serialize_test(&fresh, &reference, &main, steps, width, rows)
+    } else {
+        (Agreement::NotOffered, None)
+    };
+    let reset = compare((|| {
+        let mut plant = fresh();
+        plant.restart()?;
+        plant.advance(steps, &other)?;
+        let mut run = plant.reset()?;
+        run.extend(plant.advance(steps, &main)?);
+        Ok(run)
+    })());
+    let output_range = (0..rows)
+        .map(|c| {
+            let column = reference.iter().skip(c).step_by(rows);
+            let (low, high) = column.fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+            high - low
+        })
+        .fold(0.0, f64::max);
+    Ok(SelfTest {
+        steps,
+        step_s: setup.step_s,
+        inputs: width,
+        outputs: rows,
+        deterministic,
+        second_instance,
+        restore,
+        reset,
+        serialize,
+        bytes_per_state,
+        output_range,
+    })
+}
+
+/// Two states held at once; other branches in between; the first state returned to twice.
+fn restore_test(
+    mut plant: InProcess,
+    reference: &[f64],
+    main: &[f64],
+    other: &[f64],
+    steps: usize,
+    width: usize,
+    rows: usize,
+) -> Agreement {
+    let k = steps / 4;
+    let outcome = (|| {
+        let mut run = plant.restart()?;
+        let at_start = plant.save()?;
+        run.extend(plant.advance(k, &main[..k * width])?);
+        let at_k = plant.save()?;
+        run.extend(plant.advance(steps - k, &main[k * width..])?);
+        let mut all = vec![agreement(reference, Ok(run))];
+        let after = |n: usize| &reference[(1 + n) * rows..];
+        plant.restore(&at_k)?;
+        plant.advance(steps - k, &other[k * width..])?;
+        plant.restore(&at_k)?;
+        all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..])));
+        plant.restore(&at_start)?;
+        all.push(agreement(after(0), plant.advance(steps, main)));
+        plant.restore(&at_start)?;
+        plant.advance(steps, other)?;
+        plant.restore(&at_k)?;
+        all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..])));
+        plant.restore(&at_start)?;
+        all.push(agreement(after(0), plant.advance(steps, main)));
+        Ok::<_, PlantError>(all)
+    })();
+    match outcome {
+        Ok(all) => all.into_iter().find(|a| *a != Agreement::Exact).unwrap_or(Agreement::Exact),
+        Err(e) => Agreement::Failed { reason: e.message },
+    }
+}
+
+fn serialize_test(
+    fresh: &dyn Fn() -> InProcess,
+    reference: &[f64],
+    main: &[f64],
+    steps: usize,
+    width: usize,
+    rows: usize,
+) -> (Agreement, Option<usize>) {
+    let k = steps / 4;
+    let mut bytes_per_state = None;
+    let outcome = (|| {
+        let mut first = fresh();
+        first.restart()?;
+        first.advance(k, &main[..k * width])?;
+        let state = first.save()?;
+        let bytes = first.serialize(&state)?;
+        bytes_per_state = Some(bytes.len());
+        // The first instance is gone before the bytes are used: a pointer in them shows itself.
+        drop(state);
+        drop(first);
+        let mut second = fresh();
+        second.restart()?;
+        let state = second.deserialize(&bytes, k as u64)?;
+        second.restore(&state)?;
+        second.advance(steps - k, &main[k * width..])
+    })();
+    (agreement(&reference[(1 + k) * rows..], outcome), bytes_per_state)
+}
+
+fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement {
+    match run {
+        Err(e) => Agreement::Failed { reason: e.message },
+        Ok(run) if run.len() != reference.len() => Agreement::Failed { reason: "runs of different length".to_owned() },
+        Ok(run) => {
+            let same = run.iter().zip(reference).all(|(a, b)| a.to_bits() == b.to_bits());
+            let difference = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
+            match same {
+                true => Agreement::Exact,
+                false => Agreement::Differs { largest: run.iter().zip(reference).map(difference).fold(0.0, f64::max) },
+            }
+        }
+    }
+}
+
+/// Inputs that move: reals sway about their start, Booleans flip in a pattern without a short period.
+///
+/// In the main run (`seed` 0) Booleans stay at their start for the first three fifths, so that a cell which latches a
+/// protective stop still moves where states are saved; the other branch stops it early.
+fn input_row(setup: &Setup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
+    let quiet = seed == 0 && step * 5 < steps * 3;
+    let sway = |column: usize| {
+        // A triangle wave in -1..1 with a period that differs by column and seed.
+        let period = 11 + 3 * column + 5 * seed;
+        #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+        let phase = (step % period) as f64 / period as f64;
+        1.0 - 4.0 * (phase - 0.5).abs()
+    };
+    let value = |(column, (port, start)): (usize, (&Port, &f64))| match port.kind {
+        PortKind::Real => start + 0.1 * start.abs().max(1.0) * sway(column),
+        PortKind::Integer => *start,
+        PortKind::Boolean if !quiet && (step / (4 + seed) + column) % 3 == 1 => 1.0 - start,
+        PortKind::Boolean => *start,
+    };
+    setup.inputs.iter().zip(&setup.initial_inputs).enumerate().map(value).collect()
+}
