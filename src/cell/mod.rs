@@ -1,1 +1,24 @@
-//! cell
+//! The cell: what surrounds the FMU. Robot geometry, obstacles, sensors, the person's start, and which FMU variable is
+//! which.
+//!
+//! - [`mod@format`]: the TOML file as written
+//! - [`validate`]: from the file to a [`Workcell`] in SI units, every mistake with its line
+//! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
+//! - [`find`]: where the cell of an FMU is looked for
+//! - [`error`]: messages that point into the file
+
+pub mod binding;
+pub mod error;
+pub mod find;
+pub mod format;
+pub mod validate;
+
+pub use binding::Binding;
+pub use error::CellError;
+pub use validate::{Sensor, Workcell};
+
+/// The JSON Schema of the cell file (draft 2020-12), for editors.
+#[must_use]
+pub fn json_schema() -> serde_json::Value {
+    schemars::schema_for!(format::CellFile).to_value()
+}

@@ -1,0 +1,114 @@
+//! Errors of the cell file: what is wrong, where, and what to do. Shown once, with the line of the file.
+
+use std::ops::Range;
+use std::path::Path;
+
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
+
+/// A problem in a cell file, with its place.
+#[derive(Clone, Debug, Error, Diagnostic)]
+#[error("{message}")]
+pub struct CellError {
+    /// What is wrong.
+    pub message: String,
+    /// The file.
+    #[source_code]
+    source_code: NamedSource<String>,
+    /// Where in it.
+    #[label("{label}")]
+    span: Option<SourceSpan>,
+    label: String,
+    /// What to do.
+    #[help]
+    pub help: Option<String>,
+}
+
+impl CellError {
+    /// Line of the problem, counted from 1, when it has one.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        let offset = self.span?.offset();
+        Some(self.source_code.inner().get(..offset)?.matches('\n').count() + 1)
+    }
+}
+
+/// The text of a cell file, for making errors that point into it.
+#[derive(Clone, Debug)]
+pub struct Source {
+    name: String,
+    text: String,
+}
+
+impl Source {
+    /// A source shown as `name` in messages.
+    #[must_use]
+    pub fn new(name: &str, text: &str) -> Self {
+        Self { name: name.to_owned(), text: text.to_owned() }
+    }
+
+    /// The text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// An error at `span` (a byte range; empty at 0 means nowhere in particular).
+    #[must_use]
+    pub fn error(
+        &self,
+        span: Range<usize>,
+        label: &str,
+        message: impl Into<String>,
+        help: Option<String>,
+    ) -> Box<CellError> {
+        let span = (span.end > 0).then(|| SourceSpan::from((span.start, span.end - span.start)));
+        Box::new(CellError {
+            message: message.into(),
+            source_code: NamedSource::new(&self.name, self.text.clone()).with_language("TOML"),
+            span,
+            label: label.to_owned(),
+            help,
+        })
+    }
+
+    /// A parse error of the `toml` crate, with a suggestion where a key or value is nearly right.
+    #[must_use]
+    pub(super) fn parse_error(&self, error: &toml::de::Error) -> Box<CellError> {
+        let message = error.message().to_owned();
+        let help = did_you_mean(&message);
+        self.error(error.span().unwrap_or(0..0), "here", message, help)
+    }
+}
+
+/// Name of `path` for messages: the file name alone if there is one.
+#[must_use]
+pub(super) fn display_name(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// The nearest of `candidates` to `word`, if near enough to be a slip.
+#[must_use]
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let score = |c: &str| strsim::jaro_winkler(&word.to_lowercase(), &c.to_lowercase());
+    candidates
+        .into_iter()
+        .map(|c| (score(c), c))
+        .filter(|(s, _)| *s > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|x| x.1)
+}
+
+/// Reads serde's "unknown field `x`, expected one of `a`, `b`" and suggests the nearest.
+fn did_you_mean(message: &str) -> Option<String> {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    if !message.starts_with("unknown") {
+        return None;
+    }
+    let word = quoted.next()?;
+    let all: Vec<&str> = quoted.collect();
+    Some(match nearest(word, all.iter().copied()) {
+        Some(candidate) => format!("did you mean `{candidate}`?"),
+        None => "`fmi-hazard schema` prints every key with its meaning".to_owned(),
+    })
+}
