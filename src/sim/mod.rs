@@ -1,1 +1,20 @@
-//! sim
+//! The paper's transition function: plant, person, sensors and contacts joined into one [`Environment`].
+//!
+//! - [`robot`]: the robot at one instant, from the FMU's outputs
+//! - [`sensors`]: what the sensors report while the person walks
+//! - [`encounter`]: person against robot at one instant: contact, danger
+//! - [`simulation`]: one action after the other, with snapshots of *everything*
+//! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
+//! - [`replay`]: one sequence from a fresh instance, with no restore
+//!
+//! [`Environment`]: crate::search::Environment
+
+pub mod coverage;
+pub mod encounter;
+pub mod replay;
+pub mod robot;
+pub mod sensors;
+pub mod simulation;
+
+pub use coverage::Coverage;
+pub use simulation::{Options, Simulation, Snapshot};

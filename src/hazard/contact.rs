@@ -1,0 +1,202 @@
+//! The potential collision force of a contact and its limit (ISO/TS 15066 Annex A), and whether that is unsafe.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::Vec3;
+use crate::standards::BodyRegion;
+use crate::standards::iso_ts_15066::{collision_force_n, robot_effective_mass, safe_speed_m_s, transient_limit_n};
+
+/// Robot points slower than this count as standing still, m/s.
+pub const STANDSTILL_M_S: f64 = 1e-3;
+
+/// Why a contact is a finding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Class {
+    /// The potential collision force exceeds the limit of the body region.
+    Force,
+    /// The head is touched by a moving robot: not permissible whatever the force (ISO/TS 15066 A.3.2).
+    HeadContact,
+}
+
+/// How hard the robot strikes as a whole at one instant: its effective mass, and force ratio per speed by region.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strike {
+    /// Effective mass `m_R = M/2 + m_L` (A.4), kg.
+    pub effective_mass_kg: f64,
+    ratio_per_speed: [f64; BodyRegion::ALL.len()],
+}
+
+impl Strike {
+    /// For a robot of `moving_mass_kg` that carries `payload_kg`.
+    #[must_use]
+    pub fn new(moving_mass_kg: f64, payload_kg: f64) -> Self {
+        let effective_mass_kg = robot_effective_mass(moving_mass_kg, payload_kg);
+        let ratio = |region| 1.0 / safe_speed_m_s(region, effective_mass_kg);
+        Self { effective_mass_kg, ratio_per_speed: BodyRegion::ALL.map(ratio) }
+    }
+
+    /// `F_coll / F_max` for a contact of `region` with a robot point moving at `speed_m_s`; linear in the speed.
+    #[must_use]
+    pub fn ratio(&self, region: BodyRegion, speed_m_s: f64) -> f64 {
+        self.ratio_per_speed[region as usize] * speed_m_s
+    }
+
+    /// The largest ratio of any region at this speed.
+    #[must_use]
+    pub fn largest_ratio(&self, speed_m_s: f64) -> f64 {
+        self.ratio_per_speed.iter().fold(0.0_f64, |m, r| m.max(r * speed_m_s))
+    }
+}
+
+/// A contact between a body region and a robot link at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Body region touched (first touched, where several overlap).
+    pub region: BodyRegion,
+    /// Index of the robot link shape.
+    pub link: usize,
+    /// Contact point on the robot, world, m.
+    pub on_robot: Vec3,
+    /// Contact point on the body, world, m.
+    pub on_body: Vec3,
+    /// Signed distance, m; negative when the shapes overlap at the instant of the check.
+    pub distance_m: f64,
+    /// Absolute speed of the robot point, m/s (the paper's conservative choice).
+    pub speed_m_s: f64,
+    /// Speed of approach along the contact normal, human walking included, m/s; never negative.
+    pub approach_m_s: f64,
+    /// Effective mass of the robot, kg.
+    pub effective_mass_kg: f64,
+    /// Potential collision force `v sqrt(mu k)`, N.
+    pub force_n: f64,
+    /// The same with the approach speed (criterion `directed`), N.
+    pub directed_force_n: f64,
+    /// Limit for a transient contact, N.
+    pub limit_n: f64,
+}
+
+/// Where and how fast a contact is, before forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Body region.
+    pub region: BodyRegion,
+    /// Index of the robot link shape.
+    pub link: usize,
+    /// Point on the robot's surface, world, m.
+    pub on_robot: Vec3,
+    /// Point on the body's surface, world, m.
+    pub on_body: Vec3,
+    /// Signed distance, m.
+    pub distance_m: f64,
+    /// Velocity of the robot point, m/s.
+    pub robot_velocity: Vec3,
+    /// Walking velocity of the person, m/s.
+    pub human_velocity: Vec3,
+}
+
+impl Contact {
+    /// Force and limit for a touch.
+    #[must_use]
+    pub fn new(touch: &Touch, strike: &Strike) -> Self {
+        let speed = touch.robot_velocity.length();
+        let relative = touch.robot_velocity - touch.human_velocity;
+        // The normal points from the robot to the body; surface points swap sides when the shapes overlap.
+        let across = touch.on_body - touch.on_robot;
+        let normal = if touch.distance_m < 0.0 { -across } else { across };
+        let approach = match normal.try_normalize() {
+            Some(normal) => relative.dot(normal).max(0.0),
+            // Exactly touching: no direction is known, so none is excluded.
+            None => relative.length(),
+        };
+        let m_r = strike.effective_mass_kg;
+        Self {
+            region: touch.region,
+            link: touch.link,
+            on_robot: touch.on_robot,
+            on_body: touch.on_body,
+            distance_m: touch.distance_m,
+            speed_m_s: speed,
+            approach_m_s: approach,
+            effective_mass_kg: m_r,
+            force_n: collision_force_n(touch.region, m_r, speed),
+            directed_force_n: collision_force_n(touch.region, m_r, approach),
+            limit_n: transient_limit_n(touch.region),
+        }
+    }
+
+    /// `F_coll / F_max`.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.force_n / self.limit_n
+    }
+
+    /// Speed of the robot point at which the force would equal the limit, m/s.
+    #[must_use]
+    pub fn safe_speed_m_s(&self) -> f64 {
+        safe_speed_m_s(self.region, self.effective_mass_kg)
+    }
+
+    /// Whether this contact makes the state unsafe, and why.
+    #[must_use]
+    pub fn class(&self) -> Option<Class> {
+        if self.force_n > self.limit_n {
+            Some(Class::Force)
+        } else if self.region.is_head() && self.speed_m_s > STANDSTILL_M_S {
+            Some(Class::HeadContact)
+        } else {
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn touch(region: BodyRegion, robot_velocity: Vec3) -> Touch {
+        Touch {
+            region,
+            link: 0,
+            on_robot: Vec3::ZERO,
+            on_body: Vec3::new(0.0, -0.01, 0.0),
+            distance_m: 0.01,
+            robot_velocity,
+            human_velocity: Vec3::new(0.0, 1.6, 0.0),
+        }
+    }
+
+    #[test]
+    fn worked_values_of_the_data_sheet() {
+        // M 40.4 kg and 3 kg: m_R 23.2; hand at 2 m/s 418.9 N against 280 N, ratio 1.50.
+        let strike = Strike::new(40.4, 3.0);
+        let c = Contact::new(&touch(BodyRegion::Hand, Vec3::new(2.0, 0.0, 0.0)), &strike);
+        assert!((c.force_n - 418.9).abs() < 0.05 && (c.ratio() - 1.496).abs() < 5e-4, "{c:?}");
+        assert!((strike.ratio(BodyRegion::Hand, 2.0) - c.ratio()).abs() < 1e-12);
+        assert_eq!(c.class(), Some(Class::Force));
+        // M 29.1 kg and 12.5 kg: chest at 0.48 m/s 304.9 N, ratio 1.09.
+        let c = Contact::new(&touch(BodyRegion::Chest, Vec3::new(0.48, 0.0, 0.0)), &Strike::new(29.1, 12.5));
+        assert!((c.force_n - 304.9).abs() < 0.05 && (c.ratio() - 1.089).abs() < 1e-3, "{c:?}");
+    }
+
+    #[test]
+    fn the_directed_criterion_counts_only_what_approaches() {
+        let strike = Strike::new(40.4, 3.0);
+        // The body is at -y of the robot point; a robot moving sideways only closes through the person's own walking.
+        let c = Contact::new(&touch(BodyRegion::Hand, Vec3::new(2.0, 0.0, 0.0)), &strike);
+        assert!((c.approach_m_s - 1.6).abs() < 1e-12);
+        let away = Contact::new(&touch(BodyRegion::Hand, Vec3::new(0.0, 2.0, 0.0)), &strike);
+        assert!(away.approach_m_s.abs() < 1e-12 && away.directed_force_n.abs() < 1e-12);
+        assert!((away.speed_m_s - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_moving_robot_at_the_head_is_a_finding_and_a_standing_one_is_not() {
+        let strike = Strike::new(17.7, 3.0);
+        let slow = Contact::new(&touch(BodyRegion::Face, Vec3::new(0.02, 0.0, 0.0)), &strike);
+        assert_eq!(slow.class(), Some(Class::HeadContact));
+        assert_eq!(Contact::new(&touch(BodyRegion::Face, Vec3::ZERO), &strike).class(), None);
+        let chest = Contact::new(&touch(BodyRegion::Chest, Vec3::new(0.02, 0.0, 0.0)), &strike);
+        assert_eq!(chest.class(), None);
+    }
+}

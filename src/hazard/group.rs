@@ -1,0 +1,119 @@
+//! Findings of the same kind under one stable id.
+//!
+//! A hazard's identity is what the engineer would call the same problem: class, body region, robot link, sensor states,
+//! programme phase, and the 0.25 m square of floor the person stands on. Its id is a hash of exactly these, so the
+//! same hazard has the same id in every scan of the same cell.
+
+use std::collections::BTreeMap;
+
+use sha2::{Digest as _, Sha256};
+
+use super::contact::Class;
+use super::finding::Finding;
+use crate::standards::BodyRegion;
+
+/// Edge of a place cell, m.
+pub const PLACE_CELL_M: f64 = 0.25;
+
+/// What makes two findings the same hazard.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Identity {
+    class: Class,
+    region: BodyRegion,
+    link: String,
+    sensors: Vec<bool>,
+    phase: Option<i64>,
+    place: (i64, i64),
+}
+
+impl Identity {
+    /// The identity of `finding`; `link_names` names the robot link shapes.
+    #[must_use]
+    pub fn of(finding: &Finding, link_names: &[String]) -> Self {
+        #[expect(clippy::cast_possible_truncation, reason = "metres on a shop floor, divided by 0.25")]
+        let square = |v: f64| (v / PLACE_CELL_M).floor() as i64;
+        Self {
+            class: finding.class,
+            region: finding.contact.region,
+            link: link_names[finding.contact.link].clone(),
+            sensors: finding.sensors.clone(),
+            phase: finding.phase,
+            place: (square(finding.person.x), square(finding.person.y)),
+        }
+    }
+
+    /// The id shown to people, for instance `H-7f3a21`.
+    #[must_use]
+    pub fn id(&self) -> String {
+        let sensors: String = self.sensors.iter().map(|&s| if s { '1' } else { '0' }).collect();
+        let phase = self.phase.map_or_else(|| "-".to_owned(), |p| p.to_string());
+        let class = match self.class {
+            Class::Force => "force",
+            Class::HeadContact => "head_contact",
+        };
+        let text = format!("{class}|{}|{}|{sensors}|{phase}|{},{}", self.region, self.link, self.place.0, self.place.1);
+        let hash = Sha256::digest(text.as_bytes());
+        format!("H-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])
+    }
+}
+
+/// A hazard: its worst finding and how often it was met.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Stable id.
+    pub id: String,
+    /// The finding with the highest force ratio; the earlier found of equals.
+    pub worst: Finding,
+    /// Iteration (from 1) in which the hazard was first met.
+    pub first_iteration: u64,
+    /// Number of findings.
+    pub times_found: u64,
+    /// Earliest time of contact over all its findings, s.
+    pub earliest_s: f64,
+}
+
+/// All hazards of a scan.
+#[derive(Clone, Debug, Default)]
+pub struct Groups {
+    groups: BTreeMap<Identity, Group>,
+}
+
+impl Groups {
+    /// Takes in a finding of `iteration`; returns its group's id if the group is new.
+    pub fn add(&mut self, finding: Finding, iteration: u64, link_names: &[String]) -> Option<String> {
+        let identity = Identity::of(&finding, link_names);
+        if let Some(group) = self.groups.get_mut(&identity) {
+            group.times_found += 1;
+            group.earliest_s = group.earliest_s.min(finding.time_s);
+            if finding.contact.ratio() > group.worst.contact.ratio() {
+                group.worst = finding;
+            }
+            return None;
+        }
+        let id = identity.id();
+        let earliest_s = finding.time_s;
+        let group = Group { id: id.clone(), worst: finding, first_iteration: iteration, times_found: 1, earliest_s };
+        self.groups.insert(identity, group);
+        Some(id)
+    }
+
+    /// Hazards with the worst first.
+    #[must_use]
+    pub fn ranked(&self) -> Vec<&Group> {
+        let mut all: Vec<&Group> = self.groups.values().collect();
+        all.sort_by(|a, b| b.worst.contact.ratio().total_cmp(&a.worst.contact.ratio()).then(a.id.cmp(&b.id)));
+        all
+    }
+
+    /// Number of hazards.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.groups.is_empty()
+    }
+}

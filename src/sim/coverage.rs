@@ -1,0 +1,88 @@
+//! What a run has seen, so that "no hazard" never stands alone.
+
+use serde::Serialize;
+
+/// Figures beside a verdict.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Coverage {
+    /// Episodes begun.
+    pub episodes: u64,
+    /// Episodes the FMU could not finish: not evaluated, never counted as safe.
+    pub episodes_not_evaluated: u64,
+    /// Actions simulated.
+    pub actions: u64,
+    /// Instants at which person and robot were compared.
+    pub contact_checks: u64,
+    /// Arm searches run (an arm is searched only when the robot is in reach and fast enough to matter).
+    pub arm_checks: u64,
+    /// Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
+    pub arm_checks_incomplete: u64,
+    /// Smallest distance between trunk, head or legs and the robot, m; negative when they met.
+    pub closest_approach_m: f64,
+    /// Instants at which an arm could have bridged the distance to the robot, were nothing in between.
+    pub checks_with_robot_in_arm_reach: u64,
+    /// Contacts met that stay within the limits, at the ends of episodes or with the trunk.
+    pub contacts_within_limits: u64,
+    /// Highest force ratio of those.
+    pub highest_ratio_within_limits: f64,
+    /// Highest speed bound of any robot link, m/s; zero means that the robot never moved.
+    pub robot_top_speed_m_s: f64,
+    /// For each sensor, the number of actions in which it reported the person.
+    pub sensor_actions: Vec<u64>,
+    /// Actions in which an obstacle stopped the person's walk.
+    pub walks_blocked: u64,
+}
+
+impl Coverage {
+    /// Nothing seen yet, with `sensors` sensors.
+    #[must_use]
+    pub fn new(sensors: usize) -> Self {
+        Self {
+            episodes: 0,
+            episodes_not_evaluated: 0,
+            actions: 0,
+            contact_checks: 0,
+            arm_checks: 0,
+            arm_checks_incomplete: 0,
+            closest_approach_m: f64::MAX,
+            checks_with_robot_in_arm_reach: 0,
+            contacts_within_limits: 0,
+            highest_ratio_within_limits: 0.0,
+            robot_top_speed_m_s: 0.0,
+            sensor_actions: vec![0; sensors],
+            walks_blocked: 0,
+        }
+    }
+
+    /// Adds the figures of another run of the same cell.
+    pub fn merge(&mut self, other: &Self) {
+        self.episodes += other.episodes;
+        self.episodes_not_evaluated += other.episodes_not_evaluated;
+        self.actions += other.actions;
+        self.contact_checks += other.contact_checks;
+        self.arm_checks += other.arm_checks;
+        self.arm_checks_incomplete += other.arm_checks_incomplete;
+        self.closest_approach_m = self.closest_approach_m.min(other.closest_approach_m);
+        self.checks_with_robot_in_arm_reach += other.checks_with_robot_in_arm_reach;
+        self.contacts_within_limits += other.contacts_within_limits;
+        self.highest_ratio_within_limits = self.highest_ratio_within_limits.max(other.highest_ratio_within_limits);
+        self.robot_top_speed_m_s = self.robot_top_speed_m_s.max(other.robot_top_speed_m_s);
+        self.sensor_actions.iter_mut().zip(&other.sensor_actions).for_each(|(a, b)| *a += b);
+        self.walks_blocked += other.walks_blocked;
+    }
+
+    /// Why a run without hazards would say nothing, if that is so.
+    #[must_use]
+    pub fn vacuous(&self) -> Option<String> {
+        if self.robot_top_speed_m_s < crate::hazard::contact::STANDSTILL_M_S {
+            return Some("the robot never moved".to_owned());
+        }
+        if self.contact_checks == 0 {
+            return Some("no action could be evaluated".to_owned());
+        }
+        if !self.sensor_actions.is_empty() && self.sensor_actions.iter().all(|&n| n == 0) {
+            return Some("no sensor ever reported the person".to_owned());
+        }
+        None
+    }
+}

@@ -1,0 +1,285 @@
+//! Person against robot at one instant: is there a contact that harms, and if not, how near is one?
+//!
+//! Contact rules (method.md; scenarios.md, Rules): of overlapping body parts the first touched (smallest signed
+//! distance) counts; an arm whose shoulder is behind a wall is not available; a hand acts only along a free straight
+//! line from the wrist.
+
+use super::Coverage;
+use super::robot::RobotFrame;
+use crate::geometry::segment_cuboid::segment_hits_cuboid;
+use crate::geometry::{Cuboid, Pose, Vec3};
+use crate::hazard::Contact;
+use crate::hazard::contact::Touch;
+use crate::hazard::danger::Proximity;
+use crate::hazard::finding::ArmPose;
+use crate::human::arm::ArmModel;
+use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reach};
+use crate::human::{BodyPart, PlacedBody, Side};
+use crate::standards::BodyRegion;
+
+/// Length of forearm next to the elbow joint that counts as elbow (upper arm region, the lower limit), m.
+const ELBOW_ZONE_M: f64 = 0.06;
+
+/// What an arm check is for.
+struct Aim {
+    threshold: f64,
+    enough: f64,
+    work_limit: u32,
+    /// Whether an unfinished search may have missed a hazard.
+    must_complete: bool,
+}
+
+/// Is there a contact above the limit? The guarantee of the method.
+const ANY_HAZARD: Aim = Aim { threshold: 1.0, enough: 1.0, work_limit: 400_000, must_complete: true };
+
+/// The worst contact, for the record and for the reward; good enough when the work limit ends it, because what it
+/// found is a real contact and nothing is excluded by it.
+const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_000, must_complete: false };
+
+/// The person at one instant.
+#[derive(Clone, Debug)]
+pub struct Person {
+    /// Body in world coordinates.
+    pub body: PlacedBody,
+    /// Arms whose shoulder is not behind a wall.
+    pub arms: Vec<Side>,
+    /// Walking velocity, m/s.
+    pub velocity: Vec3,
+}
+
+/// What stays the same over a scan.
+#[derive(Clone, Debug)]
+pub struct Encounter {
+    /// Static obstacles.
+    pub obstacles: Vec<Cuboid>,
+    /// The person's arm.
+    pub arm: ArmModel,
+    /// Depth of contact that the arm check may miss, m.
+    pub reach_tolerance_m: f64,
+}
+
+/// A contact, and the arm pose if an arm makes it.
+pub type Encountered = (Contact, Option<ArmPose>);
+
+/// Trunk, head or legs against the robot.
+struct Nearest {
+    distance: f64,
+    part: BodyPart,
+    link: usize,
+    on_body: Vec3,
+    on_robot: Vec3,
+}
+
+/// Force ratio of arm contacts with the robot of one frame.
+struct ArmScore<'a>(&'a RobotFrame);
+
+impl ArmScore<'_> {
+    const fn regions(segment: ArmSegment) -> &'static [BodyRegion] {
+        match segment {
+            ArmSegment::UpperArm => &[BodyRegion::UpperArm],
+            ArmSegment::Forearm => &[BodyRegion::LowerArm, BodyRegion::UpperArm],
+            ArmSegment::Hand => &[BodyRegion::Hand],
+        }
+    }
+}
+
+impl ContactScore for ArmScore<'_> {
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
+        let speed = self.0.speed_bounds[link];
+        Self::regions(segment).iter().map(|&r| self.0.strike.ratio(r, speed)).fold(0.0, f64::max)
+    }
+
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
+        let speed = self.0.speed_bound_near(link, point, radius);
+        Self::regions(segment).iter().map(|&r| self.0.strike.ratio(r, speed)).fold(0.0, f64::max)
+    }
+
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3, elbow_distance: f64) -> f64 {
+        let region = arm_region(segment, elbow_distance);
+        self.0.strike.ratio(region, self.0.velocity(link, on_link).length())
+    }
+}
+
+fn arm_region(segment: ArmSegment, elbow_distance: f64) -> BodyRegion {
+    match segment {
+        ArmSegment::Hand => BodyRegion::Hand,
+        ArmSegment::UpperArm => BodyRegion::UpperArm,
+        ArmSegment::Forearm if elbow_distance < ELBOW_ZONE_M => BodyRegion::UpperArm,
+        ArmSegment::Forearm => BodyRegion::LowerArm,
+    }
+}
+
+impl Encounter {
+    /// The unsafe contact of this instant, if there is one: of the body first, else the worse of the two arms.
+    #[must_use]
+    pub fn unsafe_contact(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Encountered> {
+        if let Some(nearest) = nearest(&person.body, frame) {
+            coverage.closest_approach_m = coverage.closest_approach_m.min(nearest.distance);
+            if nearest.distance <= 0.0 {
+                let contact = body_contact(person, frame, &nearest);
+                if contact.class().is_some() {
+                    return Some((contact, None));
+                }
+                within_limits(&contact, coverage);
+            }
+        }
+        // Any arm contact above the limit makes the state unsafe; only then is the worst of them looked for.
+        let any = self.arm_contact(person, frame, &ANY_HAZARD, coverage)?;
+        let worst = self.arm_contact(person, frame, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
+        Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
+    }
+
+    /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
+    #[must_use]
+    pub fn proximity(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Proximity {
+        let nearest = nearest(&person.body, frame);
+        let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n).ratio());
+        let arm = self.arm_contact(person, frame, &WORST, coverage).map(|(contact, _)| {
+            within_limits(&contact, coverage);
+            contact.ratio()
+        });
+        if let Some(ratio) = touched.into_iter().chain(arm).reduce(f64::max) {
+            return Proximity::Contact { ratio };
+        }
+        let mut best = Proximity::Far;
+        let mut closest = f64::MAX;
+        let mut consider = |distance_m: f64, region: BodyRegion, link: usize, from: Vec3, to: Vec3| {
+            if distance_m < closest && !self.blocked(from, to) {
+                closest = distance_m;
+                let ratio = frame.strike.ratio(region, frame.velocity(link, to).length());
+                best = Proximity::Near { distance_m, ratio };
+            }
+        };
+        for (link, solid) in frame.links.iter().enumerate() {
+            for &(part, capsule) in person.body.parts() {
+                let near = solid.segment_distance(capsule.a, capsule.b);
+                let region = person.body.region_of(part, near.on_first);
+                consider(near.distance - capsule.radius, region, link, near.on_first, near.on_second);
+            }
+            for &side in &person.arms {
+                let shoulder = person.body.shoulder(side).translation;
+                let near = solid.segment_distance(shoulder, shoulder);
+                let distance = (near.distance - self.arm.reach()).max(0.0);
+                consider(distance, BodyRegion::Hand, link, shoulder, near.on_second);
+            }
+        }
+        best
+    }
+
+    /// A contact that either arm can make, as bad as `aim` asks for.
+    fn arm_contact(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        aim: &Aim,
+        coverage: &mut Coverage,
+    ) -> Option<Encountered> {
+        let arm_regions = [BodyRegion::Hand, BodyRegion::LowerArm, BodyRegion::UpperArm];
+        let shoulders: Vec<(Side, Pose)> = person.arms.iter().map(|&s| (s, person.body.shoulder(s))).collect();
+        let in_reach = |p: &Pose| {
+            frame.links.iter().any(|l| {
+                let (centre, radius) = l.bounding_sphere();
+                (centre - p.translation).length() - radius <= self.arm.reach()
+            })
+        };
+        if !shoulders.iter().any(|(_, p)| in_reach(p)) {
+            return None;
+        }
+        coverage.checks_with_robot_in_arm_reach += 1;
+        if arm_regions.iter().all(|&r| frame.strike.ratio(r, frame.fastest) <= aim.threshold) {
+            return None;
+        }
+        let score = ArmScore(frame);
+        let mut worst: Option<Encountered> = None;
+        for (side, world_from_shoulder) in shoulders {
+            coverage.arm_checks += 1;
+            let outcome = reach(&ReachQuery {
+                arm: &self.arm,
+                side,
+                world_from_shoulder,
+                links: &frame.links,
+                obstacles: &self.obstacles,
+                score: &score,
+                threshold: aim.threshold,
+                tolerance_m: self.reach_tolerance_m,
+                enough: aim.enough,
+                work_limit: aim.work_limit,
+            });
+            coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete);
+            let Some(found) = outcome.best else { continue };
+            let contact = arm_touch(person, frame, &found);
+            if worst.as_ref().is_none_or(|(w, _)| contact.ratio() > w.ratio()) {
+                let pose = ArmPose {
+                    left: side == Side::Left,
+                    shoulder: world_from_shoulder.translation,
+                    elbow: found.elbow,
+                    wrist: found.wrist,
+                };
+                worst = Some((contact, Some(pose)));
+            }
+        }
+        worst
+    }
+
+    fn blocked(&self, from: Vec3, to: Vec3) -> bool {
+        self.obstacles.iter().any(|o| segment_hits_cuboid(from, to, o))
+    }
+}
+
+fn within_limits(contact: &Contact, coverage: &mut Coverage) {
+    coverage.contacts_within_limits += 1;
+    coverage.highest_ratio_within_limits = coverage.highest_ratio_within_limits.max(contact.ratio());
+}
+
+/// The closest pair of body part and link by signed distance: where shapes overlap, the one touched first.
+fn nearest(body: &PlacedBody, frame: &RobotFrame) -> Option<Nearest> {
+    let mut best: Option<Nearest> = None;
+    for (link, solid) in frame.links.iter().enumerate() {
+        let (centre, radius) = solid.bounding_sphere();
+        for &(part, capsule) in body.parts() {
+            // A cheap lower bound first: most pairs are far from the closest.
+            let middle = (capsule.a + capsule.b) * 0.5;
+            let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
+            let bound = (centre - middle).length() - radius - half;
+            if best.as_ref().is_some_and(|b| bound >= b.distance) {
+                continue;
+            }
+            let near = solid.segment_distance(capsule.a, capsule.b);
+            let distance = near.distance - capsule.radius;
+            if best.as_ref().is_none_or(|b| distance < b.distance) {
+                let direction = (near.on_second - near.on_first).normalize_or_zero();
+                let outward = if near.distance < 0.0 { -direction } else { direction };
+                let on_body = near.on_first + outward * capsule.radius;
+                best = Some(Nearest { distance, part, link, on_body, on_robot: near.on_second });
+            }
+        }
+    }
+    best
+}
+
+fn body_contact(person: &Person, frame: &RobotFrame, nearest: &Nearest) -> Contact {
+    let touch = Touch {
+        region: person.body.region_of(nearest.part, nearest.on_body),
+        link: nearest.link,
+        on_robot: nearest.on_robot,
+        on_body: nearest.on_body,
+        distance_m: nearest.distance,
+        robot_velocity: frame.velocity(nearest.link, nearest.on_robot),
+        human_velocity: person.velocity,
+    };
+    Contact::new(&touch, &frame.strike)
+}
+
+/// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.
+fn arm_touch(person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact {
+    let touch = Touch {
+        region: arm_region(found.segment, (found.on_arm - found.elbow).length()),
+        link: found.link,
+        on_robot: found.on_link,
+        on_body: found.on_arm,
+        distance_m: found.signed_distance,
+        robot_velocity: frame.velocity(found.link, found.on_link),
+        human_velocity: person.velocity,
+    };
+    Contact::new(&touch, &frame.strike)
+}

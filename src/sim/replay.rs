@@ -1,0 +1,32 @@
+//! One action sequence from a fresh instance, with no saved state: what a finding must survive to count as confirmed.
+
+use std::sync::Arc;
+
+use super::{Options, Simulation};
+use crate::cell::{Binding, Workcell};
+use crate::hazard::Finding;
+use crate::host::{Plant, PlantError, Policy};
+use crate::human::action::Action;
+use crate::search::Environment as _;
+
+/// Runs `actions` and returns the unsafe contact they lead to, if any.
+///
+/// # Errors
+/// When the FMU cannot be started, or fails in a way that ends everything.
+pub fn replay<P: Plant>(
+    cell: Arc<Workcell>,
+    binding: Arc<Binding>,
+    plant: P,
+    actions: &[Action],
+) -> Result<Option<Finding>, PlantError> {
+    let options = Options { policy: Policy::Replay, posture_sweep: false };
+    let mut simulation = Simulation::new(cell, binding, plant, options)?;
+    simulation.reset()?;
+    for action in actions {
+        let step = simulation.step(action.index())?;
+        if step.end.is_some() {
+            break;
+        }
+    }
+    Ok(simulation.take_findings().pop())
+}
