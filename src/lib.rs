@@ -1,4 +1,63 @@
 //! Adversarial search for hazards in robot workcells that come as FMUs.
+//!
+//! One sentence: a black-box FMU and a virtual human share one simulation; a search over human actions drives it; every
+//! unsafe state it finds becomes a confirmed, replayable, explained hazard.
+//!
+//! # The method on one page
+//!
+//! After Huck, Ledermann and Kroeger, *Virtual Adversarial Humans finding Hazards in Robot Workplaces* (ICRA 2021).
+//! A person takes actions of 200 ms: one of six ways to walk (1.6 m/s, ISO 13855) times one of six ways to bend. Arms
+//! are not actions: at every instant all arm poses are searched for one that touches the robot and is free of
+//! obstacles. A state is unsafe when person and robot touch and the potential collision force
+//! `F = v sqrt(mu k)`, `mu = (1/m_H + 1/m_R)^-1`, exceeds the limit of the body region (ISO/TS 15066 Annex A), or when a
+//! moving robot touches the head. Monte Carlo tree search with double progressive widening looks for action
+//! sequences that reach such a state; states of the FMU are saved and restored, and every finding is confirmed by a
+//! fresh instance without any restore.
+//!
+//! # The house
+//!
+//! Each floor may use only the floors below it.
+//!
+//! | floor | what it is |
+//! |---|---|
+//! | [`cli`] | the commands, thin |
+//! | [`scan`] | a whole scan: open, bind, self-test, search, confirm |
+//! | [`report`] | what people and pipelines read |
+//! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
+//! | [`sim`] | plant + person + sensors + contact as one environment with snapshots |
+//! | [`hazard`] | what is unsafe, danger level, findings and their identity |
+//! | [`cell`] | the cell file and its binding to FMU variables |
+//! | [`human`] | actions, exact place, body, arms and their reach |
+//! | [`host`] | where an FMU runs, and how its state is brought back |
+//! | [`geometry`] | shapes, distances, kinematic chains |
+//! | [`fmi`] | open an FMU safely, read it, call it; useful alone |
+//! | [`standards`] | the numbers, with their sources |
+//!
+//! `sim` implements the trait of `search`, and nothing else of it is used below.
+//!
+//! # Example
+//!
+//! ```
+//! use std::ops::ControlFlow;
+//! use fmi_hazard::scan::{ScanOptions, StateChoice, StrategyName, prepare::prepare, scan};
+//!
+//! # let dir = tempfile::tempdir()?;
+//! fmi_hazard::examples::export(dir.path())?;
+//! let cell = prepare(&dir.path().join("safety-fence/cell.toml"), None)?;
+//! let options = ScanOptions {
+//!     strategy: StrategyName::MctsDpw,
+//!     seed: 1,
+//!     iterations: 320,
+//!     stop_at_first: true,
+//!     posture_sweep: true,
+//!     state: StateChoice::Auto,
+//! };
+//! let report = scan(&cell, options, &mut |_| ControlFlow::Continue(()))?.report;
+//! let hazard = &report.hazards[0];
+//! assert_eq!(hazard.confirmed, Some(true));
+//! assert!(hazard.force_n > hazard.limit_n);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod cell;
 pub mod cli;
@@ -9,6 +68,7 @@ pub mod hazard;
 pub mod host;
 pub mod human;
 pub mod report;
+pub mod scan;
 pub mod search;
 pub mod sim;
 pub mod standards;

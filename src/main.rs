@@ -1,2 +1,5 @@
 //! The `fmi-hazard` command: parse arguments, call [`fmi_hazard::cli`], set the exit code. Nothing else.
-fn main() {}
+
+fn main() -> std::process::ExitCode {
+    fmi_hazard::cli::main()
+}

@@ -1,1 +1,73 @@
-//! cli
+//! The command line: one file a subcommand, thin. Results go to stdout, everything else to stderr.
+
+mod bench;
+mod demo;
+mod examples;
+pub mod exit;
+mod inspect;
+mod output;
+mod replay;
+mod scan;
+mod schema;
+mod selftest;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Puts an adversarial virtual human into a robot workcell that comes as an FMU, and reports every way found to be hit
+/// harder than ISO/TS 15066 allows. Loading an FMU runs its code.
+#[derive(Debug, Parser)]
+#[command(name = "fmi-hazard", version, after_help = exit::HELP)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Search a cell for hazards
+    Scan(scan::Arguments),
+    /// Run the built-in example cell: export it, scan it, show what was found
+    Demo(demo::Arguments),
+    /// Simulate a recorded hazard again and say whether it reproduces
+    Replay(replay::Arguments),
+    /// Show what an FMU is, without loading it
+    Inspect(inspect::Arguments),
+    /// Try what an FMU's promises about its state are worth
+    Selftest(selftest::Arguments),
+    /// Run many seeds of several strategies, each to its first hazard, and compare them
+    Bench(bench::Arguments),
+    /// List or export the built-in example cells
+    Examples(examples::Arguments),
+    /// Print the JSON Schema of the cell file
+    Schema,
+}
+
+/// Parses the arguments, runs the command, reports an error once; never panics at the user.
+#[must_use]
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Printing help or version is no failure; a usage error is.
+            let code = if error.use_stderr() { exit::UNUSABLE } else { exit::NO_HAZARD };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    let outcome = match arguments.command {
+        Command::Scan(a) => scan::run(&a),
+        Command::Demo(a) => demo::run(&a),
+        Command::Replay(a) => replay::run(&a),
+        Command::Inspect(a) => inspect::run(&a),
+        Command::Selftest(a) => selftest::run(&a),
+        Command::Bench(a) => bench::run(&a),
+        Command::Examples(a) => examples::run(&a),
+        Command::Schema => schema::run(),
+    };
+    match outcome {
+        Ok(code) => ExitCode::from(code),
+        Err(failure) => ExitCode::from(failure.report()),
+    }
+}

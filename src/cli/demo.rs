@@ -1,0 +1,23 @@
+//! `fmi-hazard demo`: the first minute with the tool. Exports an example cell and scans it.
+
+use std::path::PathBuf;
+
+use super::exit::Failure;
+use super::{output, scan};
+use crate::examples;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Where the example and the results go
+    #[arg(long, default_value = "out/demo")]
+    out: PathBuf,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let cells = arguments.out.join("cells");
+    examples::export(&cells).map_err(|e| Failure::unusable(format!("cannot write to {}: {e}", cells.display())))?;
+    let fmu = cells.join("safety-fence/safety-fence.fmu");
+    output::note(&format!("  Exported the example cells to {}", cells.display()));
+    output::note(&format!("   Running fmi-hazard scan {}", fmu.display()));
+    scan::run(&scan::Arguments::for_demo(fmu, arguments.out.join("safety-fence")))
+}

@@ -1,0 +1,86 @@
+//! Exit codes, and how a failure becomes one.
+
+use miette::Diagnostic;
+
+use super::output;
+use crate::cell::CellError;
+use crate::cell::find::OpenError;
+use crate::scan::{PrepareError, ScanError};
+
+/// Nothing found, or the command did what it was asked.
+pub const NO_HAZARD: u8 = 0;
+/// At least one hazard was found.
+pub const HAZARDS: u8 = 1;
+/// The command line, the cell file or the FMU file cannot be used.
+pub const UNUSABLE: u8 = 2;
+/// The FMU failed while running.
+pub const FMU_FAILED: u8 = 3;
+/// Nothing was found, but nothing could have been.
+pub const INCONCLUSIVE: u8 = 4;
+/// Stopped by the user.
+pub const INTERRUPTED: u8 = 130;
+
+/// The same for `--help`.
+pub(super) const HELP: &str = "Exit codes: 0 no hazard found; 1 hazards found; 2 usage, cell file or FMU file error; \
+3 the FMU failed while running; 4 inconclusive (nothing moved, or no sensor could fire); 130 interrupted";
+
+/// A failure with its exit code.
+pub struct Failure {
+    code: u8,
+    report: miette::Report,
+}
+
+impl Failure {
+    /// A failure of the given class.
+    pub fn new(code: u8, error: impl Diagnostic + Send + Sync + 'static) -> Self {
+        Self { code, report: error.into() }
+    }
+
+    /// Something is wrong with what the user gave.
+    pub fn unusable(message: impl std::fmt::Display) -> Self {
+        Self { code: UNUSABLE, report: miette::miette!("{message}") }
+    }
+
+    /// The same, with what to do about it.
+    pub fn unusable_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }
+    }
+
+    /// Prints the failure to stderr and returns its code.
+    pub(super) fn report(self) -> u8 {
+        output::error(&format!("{:?}", self.report));
+        self.code
+    }
+}
+
+impl From<PrepareError> for Failure {
+    fn from(error: PrepareError) -> Self {
+        let code = if error.while_running() { FMU_FAILED } else { UNUSABLE };
+        Self::new(code, error)
+    }
+}
+
+impl From<OpenError> for Failure {
+    fn from(error: OpenError) -> Self {
+        Self::new(UNUSABLE, error)
+    }
+}
+
+impl From<Box<CellError>> for Failure {
+    fn from(error: Box<CellError>) -> Self {
+        Self::new(UNUSABLE, *error)
+    }
+}
+
+impl From<ScanError> for Failure {
+    fn from(error: ScanError) -> Self {
+        Self::new(FMU_FAILED, error)
+    }
+}
+
+impl From<crate::fmi::Error> for Failure {
+    fn from(error: crate::fmi::Error) -> Self {
+        let code = if error.while_running() { FMU_FAILED } else { UNUSABLE };
+        Self { code, report: miette::miette!("{error}") }
+    }
+}

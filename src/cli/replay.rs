@@ -1,0 +1,103 @@
+//! `fmi-hazard replay`: simulate a recorded hazard again and say whether it reproduces.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use serde::Deserialize;
+
+use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
+use super::output;
+use crate::cell::error::nearest;
+use crate::report::model::{Hazard, SCHEMA_VERSION};
+use crate::scan::prepare::prepare;
+use crate::sim::replay::replay;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A scan.json
+    scan: PathBuf,
+    /// Id of a hazard in it, or `all`
+    id: String,
+    /// The cell file or FMU, when it is no longer where it was
+    #[arg(long)]
+    cell: Option<PathBuf>,
+}
+
+/// The parts of scan.json that a replay needs.
+#[derive(Deserialize)]
+struct Recorded {
+    schema_version: u32,
+    subject: RecordedSubject,
+    hazards: Vec<Hazard>,
+}
+
+#[derive(Deserialize)]
+struct RecordedSubject {
+    path: PathBuf,
+    cell_sha256: String,
+    fmu_sha256: String,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let file = arguments.scan.display();
+    let text =
+        std::fs::read_to_string(&arguments.scan).map_err(|e| Failure::unusable(format!("cannot read {file}: {e}")))?;
+    let recorded: Recorded = serde_json::from_str(&text).map_err(|e| {
+        Failure::unusable_with_help(format!("{file} is not a scan result: {e}"), "give the scan.json of a scan")
+    })?;
+    if recorded.schema_version != SCHEMA_VERSION {
+        return Err(Failure::unusable_with_help(
+            format!("{file} has format {}, this version reads {SCHEMA_VERSION}", recorded.schema_version),
+            "scan again with this version",
+        ));
+    }
+    let wanted: Vec<&Hazard> =
+        recorded.hazards.iter().filter(|h| arguments.id == "all" || h.id == arguments.id).collect();
+    if wanted.is_empty() {
+        let help = match nearest(&arguments.id, recorded.hazards.iter().map(|h| h.id.as_str())) {
+            Some(id) => format!("did you mean {id}?"),
+            None => format!("it holds {} hazards; `all` replays every one", recorded.hazards.len()),
+        };
+        return Err(Failure::unusable_with_help(format!("there is no hazard {} in {file}", arguments.id), help));
+    }
+    let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
+    let prepared = prepare(path, None)?;
+    for (what, then, now) in [
+        ("cell file", &recorded.subject.cell_sha256, &prepared.subject.cell_sha256),
+        ("FMU", &recorded.subject.fmu_sha256, &prepared.subject.fmu_sha256),
+    ] {
+        if then != now {
+            output::note(&format!("   Warning the {what} has changed since the scan"));
+        }
+    }
+    let mut still_there = false;
+    for hazard in wanted {
+        let cell = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+        let again = match replay(cell.0, cell.1, prepared.plant(), &hazard.actions) {
+            Ok(again) => again,
+            Err(error) => {
+                output::note(&format!("   {} the FMU failed: {error}", hazard.id));
+                return Ok(FMU_FAILED);
+            }
+        };
+        still_there |= again.is_some();
+        let line = match &again {
+            Some(f)
+                if f.contact.force_n.to_bits() == hazard.force_n.to_bits()
+                    && f.time_s.to_bits() == hazard.time_s.to_bits() =>
+            {
+                format!(
+                    "{} reproduced: {:.3} N at {:.3} s, as recorded to the last bit ({} <- {})",
+                    hazard.id, f.contact.force_n, f.time_s, hazard.body_region, hazard.robot_link
+                )
+            }
+            Some(f) => format!(
+                "{} DIFFERS: {:.3} N at {:.3} s, recorded {:.3} N at {:.3} s",
+                hazard.id, f.contact.force_n, f.time_s, hazard.force_n, hazard.time_s
+            ),
+            None => format!("{} NOT reproduced: the sequence ends without an unsafe contact", hazard.id),
+        };
+        output::result(&(line + "\n"));
+    }
+    Ok(if still_there { HAZARDS } else { NO_HAZARD })
+}

@@ -1,0 +1,222 @@
+//! `fmi-hazard scan`: search a cell for hazards.
+
+use std::io::Write as _;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::ValueEnum;
+
+use super::exit::{self, Failure};
+use super::output::{self, Progress};
+use crate::report::model::{Hazard, ScanReport, Verdict};
+use crate::report::{terminal, topview};
+use crate::scan::prepare::prepare;
+use crate::scan::{self, Prepared, ScanOptions, StateChoice, StrategyName, picture};
+
+/// How the result is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people.
+    #[default]
+    Table,
+    /// What also stands in scan.json.
+    Json,
+}
+
+/// When a scan is over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum StopAt {
+    /// At the first hazard.
+    First,
+    /// When the budget is spent.
+    #[default]
+    Budget,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A cell file (.toml), or an FMU with a cell file beside it or inside it
+    path: PathBuf,
+    /// The cell file of an FMU that has none of its own
+    #[arg(long)]
+    cell: Option<PathBuf>,
+    /// How sequences are chosen
+    #[arg(long, value_enum, default_value_t)]
+    strategy: StrategyName,
+    /// Seed of the random generator (default: the cell's, else 1)
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Sequences to try (default: the cell's, else 320 as in the paper)
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    iterations: Option<u32>,
+    /// When to stop
+    #[arg(long, value_enum, default_value_t)]
+    stop_at: StopAt,
+    /// Folder for the results (default: out/<cell name>)
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Check only the posture of each sequence, so that iterations compare with the paper's
+    #[arg(long)]
+    paper_iterations: bool,
+    /// How FMU states are brought back; the results are the same
+    #[arg(long, value_enum, default_value_t)]
+    state: StateChoice,
+}
+
+impl Arguments {
+    /// What the demo runs.
+    pub(super) fn for_demo(path: PathBuf, out: PathBuf) -> Self {
+        Self {
+            path,
+            cell: None,
+            strategy: StrategyName::default(),
+            seed: None,
+            iterations: None,
+            stop_at: StopAt::default(),
+            out: Some(out),
+            format: Format::default(),
+            paper_iterations: false,
+            state: StateChoice::default(),
+        }
+    }
+}
+
+/// Most hazards for which a picture is drawn.
+const PICTURES: usize = 10;
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let prepared = prepare(&arguments.path, arguments.cell.as_deref())?;
+    introduce(&prepared, arguments.state);
+    let options = ScanOptions {
+        strategy: arguments.strategy,
+        seed: arguments.seed.unwrap_or(prepared.cell.search.seed),
+        iterations: arguments.iterations.unwrap_or(prepared.cell.search.iterations),
+        stop_at_first: arguments.stop_at == StopAt::First,
+        posture_sweep: !arguments.paper_iterations,
+        state: arguments.state,
+    };
+    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
+    let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
+    std::fs::create_dir_all(&out).map_err(cannot)?;
+    let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
+    let stop = stop_flag();
+    let mut progress = Progress::new(u64::from(options.iterations), "iterations");
+    let mut tell = |event: scan::Progress<'_>| {
+        match event {
+            scan::Progress::Iteration { done, hazards } => {
+                progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
+            }
+            scan::Progress::Found(hazard) => {
+                progress.line(&found(hazard));
+                // A full disk must not end the search: scan.json at the end reports the problem.
+                let line = serde_json::to_string(hazard).unwrap_or_default();
+                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+            }
+        }
+        if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let report = scan::scan(&prepared, options, &mut tell)?.report;
+    progress.finish();
+    let interrupted = stop.load(Ordering::Relaxed);
+    let json = serde_json::to_string_pretty(&report).map_err(Failure::unusable)? + "\n";
+    output::write_file(&out.join("scan.json"), &json)?;
+    // The log is rewritten with what confirmation added, in the order of scan.json.
+    let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
+    let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
+    output::write_file(&out.join("hazards.jsonl"), &lines)?;
+    for hazard in report.hazards.iter().take(PICTURES) {
+        let svg = topview::render(&picture::scene(&prepared, hazard)?);
+        output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
+    }
+    match arguments.format {
+        Format::Json => output::result(&json),
+        Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
+    }
+    conclude(&report, &out);
+    Ok(code(&report, interrupted))
+}
+
+fn code(report: &ScanReport, interrupted: bool) -> u8 {
+    match report.verdict {
+        _ if interrupted => exit::INTERRUPTED,
+        Verdict::HazardsFound => exit::HAZARDS,
+        Verdict::NoneFound => exit::NO_HAZARD,
+        Verdict::Inconclusive => exit::INCONCLUSIVE,
+        Verdict::FmuFailed => exit::FMU_FAILED,
+        Verdict::Interrupted => exit::INTERRUPTED,
+    }
+}
+
+fn introduce(prepared: &Prepared, state: StateChoice) {
+    let s = &prepared.subject;
+    output::note(&format!(
+        "   Loaded  {} (FMI {} co-simulation, {})",
+        s.model_name,
+        s.fmi_version,
+        if s.generation_tool.is_empty() { "tool unknown" } else { &s.generation_tool }
+    ));
+    output::note(&format!("   Cell    {} from {}", s.cell, s.cell_found));
+    let how = match state {
+        StateChoice::Auto => prepared.self_test.choice(),
+        StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
+        StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
+    };
+    let bytes = prepared.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
+    output::note(&format!("   States  {how}{bytes}"));
+    for warning in &prepared.binding.warnings {
+        output::note(&format!("   Warning {warning}"));
+    }
+    for warning in prepared.fmu.warnings() {
+        output::note(&format!("   Warning modelDescription.xml: {warning}"));
+    }
+}
+
+fn found(h: &Hazard) -> String {
+    format!(
+        "     Found {}  {} <- {}  {:.0} N / {:.0} N  {:.2}x  after {} actions ({:.2} s), iteration {}",
+        h.id,
+        h.body_region,
+        h.robot_link,
+        h.force_n,
+        h.limit_n,
+        h.ratio,
+        h.actions.len(),
+        h.time_s,
+        h.first_iteration
+    )
+}
+
+fn conclude(report: &ScanReport, out: &Path) {
+    output::note(&format!(
+        " Results in {}: scan.json, hazards.jsonl{}",
+        out.display(),
+        match report.hazards.first() {
+            Some(h) => format!(", {}.svg (seen from above)", h.id),
+            None => String::new(),
+        }
+    ));
+    if let Some(h) = report.hazards.first() {
+        output::note(&format!(" Next: fmi-hazard replay {} {}", out.join("scan.json").display(), h.id));
+    }
+}
+
+/// Set by Ctrl-C; the scan then ends after the iteration it is in.
+fn stop_flag() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let handler = Arc::clone(&flag);
+    // A second handler in one process cannot be set; the default (end at once) then stays.
+    let _ = ctrlc::set_handler(move || handler.store(true, Ordering::Relaxed));
+    flag
+}
+
+/// A folder name from a cell's name.
+fn file_name(name: &str) -> String {
+    let safe = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
+    let name: String = name.chars().map(safe).collect();
+    if name.trim_matches('.').is_empty() { "cell".to_owned() } else { name }
+}

@@ -1,0 +1,262 @@
+//! The result of a scan as it stands in `scan.json`: SI units in the names, no clock times, so that the same cell, seed
+//! and version give the same bytes.
+
+use serde::{Deserialize, Serialize};
+
+use crate::hazard::{Class, Group};
+use crate::host::selftest::SelfTest;
+use crate::human::action::Action;
+use crate::sim::Coverage;
+use crate::standards::BodyRegion;
+use crate::standards::provenance::Table;
+
+/// Version of the format of `scan.json`; grows when a reader of the old one would misread the new one.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The edition of the standard behind the limits, as printed.
+pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
+
+/// A whole scan.
+#[derive(Clone, Debug, Serialize)]
+pub struct ScanReport {
+    /// [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// Name and version of this tool.
+    pub tool: String,
+    /// Overall outcome.
+    pub verdict: Verdict,
+    /// What was scanned.
+    pub subject: Subject,
+    /// How it was searched.
+    pub settings: Settings,
+    /// Hazards, worst first.
+    pub hazards: Vec<Hazard>,
+    /// What was seen.
+    pub coverage: Coverage,
+    /// What it cost.
+    pub spent: Spent,
+    /// Actions that the FMU could not finish, with the sequences that lead there.
+    pub faults: Vec<FaultRecord>,
+    /// The state self-test.
+    pub self_test: SelfTest,
+    /// Edition of the limits.
+    pub standard_edition: &'static str,
+    /// Tables of figures used, each with source, confidence and whether a person has verified it.
+    pub tables: Vec<Table>,
+    /// Things the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Overall outcome; never a statement of safety.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// At least one hazard.
+    HazardsFound,
+    /// None found within the budget.
+    NoneFound,
+    /// None found, but the run shows little: see the warnings.
+    Inconclusive,
+    /// None found, and the FMU failed on the way.
+    FmuFailed,
+    /// Stopped by the user before the budget was spent, nothing found so far.
+    Interrupted,
+}
+
+/// What was scanned.
+#[derive(Clone, Debug, Serialize)]
+pub struct Subject {
+    /// Name of the cell.
+    pub cell: String,
+    /// Where the cell was found.
+    pub cell_found: String,
+    /// SHA-256 of the cell file.
+    pub cell_sha256: String,
+    /// Path that was scanned, as given.
+    pub path: String,
+    /// SHA-256 of the FMU file.
+    pub fmu_sha256: String,
+    /// FMI version.
+    pub fmi_version: String,
+    /// Model name.
+    pub model_name: String,
+    /// Exporting tool.
+    pub generation_tool: String,
+}
+
+/// How it was searched.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Settings {
+    /// Strategy name.
+    pub strategy: String,
+    /// Seed.
+    pub seed: u64,
+    /// Budget in iterations.
+    pub iterations: u32,
+    /// Stop at the first hazard instead of using the budget.
+    pub stop_at_first: bool,
+    /// All postures checked per walk.
+    pub posture_sweep: bool,
+    /// Actions in a sequence.
+    pub actions_per_sequence: u32,
+    /// Duration of an action, s.
+    pub action_s: f64,
+    /// Communication step and contact-check interval, s.
+    pub contact_check_interval_s: f64,
+    /// Depth of contact that the arm check may miss, m.
+    pub reach_tolerance_m: f64,
+    /// Speed that enters the force: the absolute speed of the robot point, as in the paper.
+    pub speed_criterion: &'static str,
+}
+
+/// What the search cost.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spent {
+    /// Iterations run.
+    pub iterations: u64,
+    /// 200 ms actions simulated.
+    pub actions: u64,
+    /// FMI communication steps.
+    pub fmu_steps: u64,
+    /// Different FMU states met.
+    pub fmu_states: usize,
+    /// Person-robot comparisons.
+    pub contact_checks: u64,
+    /// Arm searches.
+    pub arm_checks: u64,
+}
+
+/// An action the FMU could not finish.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FaultRecord {
+    /// What happened.
+    pub message: String,
+    /// The sequence.
+    pub actions: Vec<Action>,
+}
+
+/// A hazard: the worst sequence of its group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Hazard {
+    /// Stable id.
+    pub id: String,
+    /// Whether a fresh instance without any restore gave the same contact; `None` before that was tried.
+    pub confirmed: Option<bool>,
+    /// Why it is a finding.
+    pub class: Class,
+    /// Body region touched.
+    pub body_region: BodyRegion,
+    /// Robot link that touches.
+    pub robot_link: String,
+    /// Potential collision force, N.
+    pub force_n: f64,
+    /// Limit, N.
+    pub limit_n: f64,
+    /// `force_n / limit_n`.
+    pub ratio: f64,
+    /// Force with the approach speed instead of the absolute speed (criterion `directed`), N.
+    pub directed_force_n: f64,
+    /// Absolute speed of the robot point, m/s.
+    pub speed_m_s: f64,
+    /// Approach speed along the contact normal, m/s.
+    pub approach_m_s: f64,
+    /// Speed below which the force stays within the limit, m/s.
+    pub safe_below_m_s: f64,
+    /// Effective mass of the robot, kg.
+    pub effective_mass_kg: f64,
+    /// Time of the contact, s.
+    pub time_s: f64,
+    /// Contact point on the robot, m.
+    pub contact_point_m: [f64; 3],
+    /// Contact point on the body, m.
+    pub body_point_m: [f64; 3],
+    /// Signed distance of the shapes at that instant, m.
+    pub distance_m: f64,
+    /// Where the person stands, m.
+    pub person_xy_m: [f64; 2],
+    /// Where the person looks, degrees from +x towards +y.
+    pub person_heading_deg: f64,
+    /// Part of the bend that obstacles left possible, 0 to 1.
+    pub bend_fraction: f64,
+    /// Shoulder, elbow and wrist of the touching arm, m.
+    pub arm: Option<Arm>,
+    /// Sensors at the contact.
+    pub sensors: Vec<SensorState>,
+    /// Programme phase.
+    pub phase: Option<i64>,
+    /// The sequence of actions; the contact happens in the last.
+    pub actions: Vec<Action>,
+    /// Iteration in which the hazard was first met, from 1.
+    pub first_iteration: u64,
+    /// Sequences found that end in this hazard.
+    pub times_found: u64,
+    /// Earliest contact over these, s.
+    pub earliest_time_s: f64,
+}
+
+/// The touching arm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Arm {
+    /// `left` or `right`.
+    pub side: String,
+    /// Shoulder joint, m.
+    pub shoulder_m: [f64; 3],
+    /// Elbow, m.
+    pub elbow_m: [f64; 3],
+    /// Wrist, m.
+    pub wrist_m: [f64; 3],
+}
+
+/// A sensor's output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SensorState {
+    /// Sensor name.
+    pub name: String,
+    /// Whether it reports the person.
+    pub person_detected: bool,
+}
+
+impl Hazard {
+    /// The record of a group; names by index.
+    #[must_use]
+    pub fn new(group: &Group, link_names: &[String], sensor_names: &[String]) -> Self {
+        let f = &group.worst;
+        let c = &f.contact;
+        let arm = f.arm.map(|a| Arm {
+            side: if a.left { "left" } else { "right" }.to_owned(),
+            shoulder_m: a.shoulder.to_array(),
+            elbow_m: a.elbow.to_array(),
+            wrist_m: a.wrist.to_array(),
+        });
+        let sensor = |(name, &on): (&String, &bool)| SensorState { name: name.clone(), person_detected: on };
+        Self {
+            id: group.id.clone(),
+            confirmed: None,
+            class: f.class,
+            body_region: c.region,
+            robot_link: link_names[c.link].clone(),
+            force_n: c.force_n,
+            limit_n: c.limit_n,
+            ratio: c.ratio(),
+            directed_force_n: c.directed_force_n,
+            speed_m_s: c.speed_m_s,
+            approach_m_s: c.approach_m_s,
+            safe_below_m_s: c.safe_speed_m_s(),
+            effective_mass_kg: c.effective_mass_kg,
+            time_s: f.time_s,
+            contact_point_m: c.on_robot.to_array(),
+            body_point_m: c.on_body.to_array(),
+            distance_m: c.distance_m,
+            person_xy_m: [f.person.x, f.person.y],
+            person_heading_deg: f.heading_rad.to_degrees(),
+            bend_fraction: f64::from(f.bend_sixteenths) / 16.0,
+            arm,
+            sensors: sensor_names.iter().zip(&f.sensors).map(sensor).collect(),
+            phase: f.phase,
+            actions: f.actions.clone(),
+            first_iteration: group.first_iteration,
+            times_found: group.times_found,
+            earliest_time_s: group.earliest_s,
+        }
+    }
+}

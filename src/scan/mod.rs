@@ -1,0 +1,14 @@
+//! A whole scan: open, bind, self-test, search, confirm. What the commands call, and what a library user calls.
+//!
+//! - [`prepare`]: from a path to a cell that can be simulated
+//! - [`run`]: one search with its findings grouped and confirmed
+//! - [`campaign`]: many seeds in parallel, to the first hazard each
+//! - [`picture`]: the top view of one hazard
+
+pub mod campaign;
+pub mod picture;
+pub mod prepare;
+pub mod run;
+
+pub use prepare::{PrepareError, Prepared, StateChoice};
+pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan};

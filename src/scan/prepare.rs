@@ -1,0 +1,165 @@
+//! From a path to a cell that can be simulated: open, bind, load, self-test.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::cell::find::{OpenError, OpenedCell, open};
+use crate::cell::{Binding, CellError, Workcell, binding};
+use crate::fmi::{Fmu, Slave};
+use crate::host::in_process::{InProcess, Setup};
+use crate::host::selftest::{SelfTest, selftest};
+use crate::host::{PlantError, Policy};
+use crate::report::model::Subject;
+use crate::sim::simulation::initial_inputs;
+use crate::sim::{Options, Simulation};
+
+/// Memory for saved FMU states, bytes.
+const STATE_BUDGET: usize = 512 * 1024 * 1024;
+
+/// How FMU states are to be brought back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum StateChoice {
+    /// What the self-test recommends.
+    #[default]
+    Auto,
+    /// Saved FMU states.
+    Fmu,
+    /// A fresh instance and all inputs again, for every sequence.
+    Replay,
+}
+
+/// Why a cell cannot be simulated.
+#[derive(Debug, Error, miette::Diagnostic)]
+#[non_exhaustive]
+pub enum PrepareError {
+    /// The files are wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Open(#[from] OpenError),
+    /// The cell and the FMU do not fit.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Bind(#[from] Box<CellError>),
+    /// The FMU could not be loaded.
+    #[error(transparent)]
+    Load(#[from] crate::fmi::Error),
+    /// The FMU failed when it was first run.
+    #[error("the FMU failed in its first run: {0}")]
+    #[diagnostic(help("no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell"))]
+    FirstRun(PlantError),
+    /// The FMU does not repeat itself.
+    #[error("two fresh instances of the FMU gave different outputs for the same inputs ({0})")]
+    #[diagnostic(help(
+        "its results depend on something outside its inputs (a clock, a random generator, another instance), so \
+         findings could not be replayed. Ask its maker for a deterministic export"
+    ))]
+    NotDeterministic(String),
+    /// The person starts inside something.
+    #[error("the person's start ({x:.2}, {y:.2}) m is inside an obstacle or touches one")]
+    #[diagnostic(help("move human.start in the cell file; the body needs 0.14 m of room around it"))]
+    StartBlocked {
+        /// Start, m.
+        x: f64,
+        /// Start, m.
+        y: f64,
+    },
+}
+
+impl PrepareError {
+    /// Whether the FMU failed while running, as opposed to a file that is wrong.
+    #[must_use]
+    pub fn while_running(&self) -> bool {
+        match self {
+            Self::FirstRun(_) | Self::NotDeterministic(_) => true,
+            Self::Load(e) => e.while_running(),
+            _ => false,
+        }
+    }
+}
+
+/// A cell that can be simulated, any number of times.
+pub struct Prepared {
+    /// The cell.
+    pub cell: Arc<Workcell>,
+    /// Its variables.
+    pub binding: Arc<Binding>,
+    /// The loaded FMU.
+    pub slave: Slave,
+    /// The FMU's file.
+    pub fmu: Fmu,
+    /// What was scanned.
+    pub subject: Subject,
+    /// What the FMU's promises are worth.
+    pub self_test: SelfTest,
+    setup: Setup,
+}
+
+/// Opens, binds, loads and self-tests what `path` names: a cell file, or an FMU with its cell (`cell` if it is elsewhere).
+///
+/// # Errors
+/// [`PrepareError`].
+pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareError> {
+    let OpenedCell { cell, source, fmu, found } = open(path, cell)?;
+    let description = fmu.description();
+    let name = fmu.path().file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let binding = binding::bind(&cell, &source, description, &name)?;
+    let slave = fmu.load()?;
+    let setup = Setup {
+        parameters: binding.parameters.clone(),
+        inputs: binding.inputs.clone(),
+        initial_inputs: initial_inputs(&cell, &binding),
+        outputs: binding.outputs.clone(),
+        step_s: cell.step_s,
+    };
+    let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
+    let self_test = selftest(&slave, &setup, episode).map_err(PrepareError::FirstRun)?;
+    if !self_test.repeatable() {
+        return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
+    }
+    let subject = Subject {
+        cell: cell.name.clone(),
+        cell_found: found,
+        cell_sha256: cell.sha256.clone(),
+        path: path.display().to_string(),
+        fmu_sha256: fmu.sha256().to_owned(),
+        fmi_version: description.fmi_version.clone(),
+        model_name: description.model_name.clone(),
+        generation_tool: description.generation_tool.clone().unwrap_or_default(),
+    };
+    let prepared = Prepared { cell: Arc::new(cell), binding: Arc::new(binding), slave, fmu, subject, self_test, setup };
+    let simulation = prepared.simulation(StateChoice::Auto, false).map_err(PrepareError::FirstRun)?;
+    if !simulation.start_is_free() {
+        let start = simulation.position();
+        return Err(PrepareError::StartBlocked { x: start.x, y: start.y });
+    }
+    Ok(prepared)
+}
+
+impl Prepared {
+    /// A new instance of the FMU, not yet started.
+    #[must_use]
+    pub fn plant(&self) -> InProcess {
+        InProcess::new(self.slave.clone(), self.setup.clone())
+    }
+
+    /// How states are brought back for a choice.
+    #[must_use]
+    pub fn policy(&self, choice: StateChoice) -> Policy {
+        match choice {
+            StateChoice::Auto => self.self_test.policy(STATE_BUDGET),
+            StateChoice::Fmu => Policy::States { max_checkpoints: usize::MAX },
+            StateChoice::Replay => Policy::Replay,
+        }
+    }
+
+    /// A simulation of its own, with an FMU instance of its own.
+    ///
+    /// # Errors
+    /// When the FMU cannot be started.
+    pub fn simulation(&self, state: StateChoice, posture_sweep: bool) -> Result<Simulation<InProcess>, PlantError> {
+        let options = Options { policy: self.policy(state), posture_sweep };
+        Simulation::new(Arc::clone(&self.cell), Arc::clone(&self.binding), self.plant(), options)
+    }
+}

@@ -1,0 +1,219 @@
+//! One search, its findings grouped and confirmed, as a [`ScanReport`].
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use super::prepare::{Prepared, StateChoice};
+use crate::hazard::{Finding, Groups};
+use crate::host::PlantError;
+use crate::host::in_process::InProcess;
+use crate::human::action::ACTION_S;
+use crate::report::model::{
+    FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
+};
+use crate::search::{MctsDpw, Profile, Random, Rng, Strategy};
+use crate::sim::Simulation;
+use crate::sim::replay::replay;
+use crate::sim::simulation::Snapshot;
+use crate::standards::provenance::tables;
+
+/// Strategies by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum StrategyName {
+    /// Monte Carlo tree search with double progressive widening, the paper's method made to work.
+    #[default]
+    MctsDpw,
+    /// The same with the parameters of the cited algorithm (adaptive stress testing).
+    MctsDpwLee,
+    /// The paper to the letter.
+    MctsDpwLiteral,
+    /// Uniform random sequences, the paper's baseline.
+    Random,
+}
+
+impl StrategyName {
+    /// A fresh strategy.
+    #[must_use]
+    pub fn build(self) -> Box<dyn Strategy<Simulation<InProcess>>> {
+        let mcts = |profile| Box::new(MctsDpw::<Snapshot>::new(profile));
+        match self {
+            Self::MctsDpw => mcts(Profile::Paper),
+            Self::MctsDpwLee => mcts(Profile::Lee),
+            Self::MctsDpwLiteral => mcts(Profile::PaperLiteral),
+            Self::Random => Box::new(Random),
+        }
+    }
+}
+
+/// How to search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScanOptions {
+    /// Strategy.
+    pub strategy: StrategyName,
+    /// Seed.
+    pub seed: u64,
+    /// Budget.
+    pub iterations: u32,
+    /// Stop at the first hazard.
+    pub stop_at_first: bool,
+    /// Check all six postures per walk.
+    pub posture_sweep: bool,
+    /// How states are brought back.
+    pub state: StateChoice,
+}
+
+/// What is told while a scan runs.
+pub enum Progress<'a> {
+    /// An iteration has ended: how many so far, and how many hazards.
+    Iteration {
+        /// Iterations so far.
+        done: u32,
+        /// Hazards so far.
+        hazards: usize,
+    },
+    /// A hazard that was not met before; not confirmed yet.
+    Found(&'a Hazard),
+}
+
+/// The scan could not go on.
+#[derive(Debug, Error, miette::Diagnostic)]
+#[error("the FMU failed: {cause}")]
+#[diagnostic(help("run `fmi-hazard selftest` on the FMU; its maker can reproduce the failure from what it prints"))]
+pub struct ScanError {
+    /// What the FMU did.
+    pub cause: PlantError,
+}
+
+/// A finished scan.
+pub struct Scanned {
+    /// Its result.
+    pub report: ScanReport,
+}
+
+/// Searches, groups, confirms.
+///
+/// `tell` hears about the progress and may end the scan early; what was found until then is still confirmed.
+///
+/// # Errors
+/// Only when the FMU cannot be started at all; a failure later ends the search with what was found until then.
+pub fn scan(
+    prepared: &Prepared,
+    options: ScanOptions,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Scanned, ScanError> {
+    let mut simulation =
+        prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
+    let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
+    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
+    let mut strategy = options.strategy.build();
+    let mut rng = Rng::new(options.seed);
+    let mut groups = Groups::default();
+    let mut done = 0;
+    let mut interrupted = false;
+    let mut broken = None;
+    while done < options.iterations {
+        let outcome = strategy.iterate(&mut simulation, &mut rng);
+        done += 1;
+        for finding in simulation.take_findings() {
+            let Some(id) = groups.add(finding, u64::from(done), &links) else { continue };
+            if let Some(group) = groups.ranked().into_iter().find(|g| g.id == id) {
+                interrupted |= tell(Progress::Found(&Hazard::new(group, &links, &sensors))).is_break();
+            }
+        }
+        if let Err(error) = outcome {
+            broken = Some(error);
+            break;
+        }
+        interrupted |= tell(Progress::Iteration { done, hazards: groups.len() }).is_break();
+        if interrupted || (options.stop_at_first && !groups.is_empty()) {
+            break;
+        }
+    }
+    let mut warnings = prepared.binding.warnings.clone();
+    let hazards: Vec<Hazard> = groups
+        .ranked()
+        .into_iter()
+        .map(|group| {
+            let mut hazard = Hazard::new(group, &links, &sensors);
+            hazard.confirmed = Some(confirm(prepared, &group.worst));
+            hazard
+        })
+        .collect();
+    let coverage = simulation.coverage().clone();
+    let vacuous = coverage.vacuous();
+    let mut faults: Vec<FaultRecord> = simulation
+        .faults()
+        .iter()
+        .map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() })
+        .collect();
+    if let Some(error) = &broken {
+        faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
+    }
+    if coverage.arm_checks_incomplete > 0 {
+        warnings.push(format!(
+            "{} arm checks stopped at their work limit: an arm contact may be missed",
+            coverage.arm_checks_incomplete
+        ));
+    }
+    let verdict = if !hazards.is_empty() {
+        Verdict::HazardsFound
+    } else if broken.is_some() || coverage.episodes_not_evaluated > 0 {
+        Verdict::FmuFailed
+    } else if interrupted {
+        Verdict::Interrupted
+    } else if vacuous.is_some() {
+        Verdict::Inconclusive
+    } else {
+        Verdict::NoneFound
+    };
+    if let (Some(reason), true) = (vacuous, hazards.is_empty()) {
+        warnings.push(format!("{reason}: this result says nothing about the cell"));
+    }
+    let spent = Spent {
+        iterations: u64::from(done),
+        actions: coverage.actions,
+        fmu_steps: simulation.recall().steps(),
+        fmu_states: simulation.recall().states(),
+        contact_checks: coverage.contact_checks,
+        arm_checks: coverage.arm_checks,
+    };
+    let report = ScanReport {
+        schema_version: SCHEMA_VERSION,
+        tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
+        verdict,
+        subject: prepared.subject.clone(),
+        settings: settings(prepared, options, strategy.name()),
+        hazards,
+        coverage,
+        spent,
+        faults,
+        self_test: prepared.self_test.clone(),
+        standard_edition: STANDARD_EDITION,
+        tables: tables().collect(),
+        warnings,
+    };
+    Ok(Scanned { report })
+}
+
+/// Whether a fresh instance without any restore gives the same contact to the last bit.
+fn confirm(prepared: &Prepared, finding: &Finding) -> bool {
+    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), prepared.plant(), &finding.actions);
+    again.is_ok_and(|again| again.as_ref() == Some(finding))
+}
+
+fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {
+    Settings {
+        strategy: strategy.to_owned(),
+        seed: options.seed,
+        iterations: options.iterations,
+        stop_at_first: options.stop_at_first,
+        posture_sweep: options.posture_sweep,
+        actions_per_sequence: prepared.cell.search.actions,
+        action_s: ACTION_S,
+        contact_check_interval_s: prepared.cell.step_s,
+        reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
+        speed_criterion: "absolute speed of the robot point (conservative, as in the paper)",
+    }
+}

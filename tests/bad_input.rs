@@ -1,0 +1,121 @@
+//! Whatever a user gives by mistake: one clear message that says what to do, the right exit code, no panic.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::path::Path;
+
+use common::{examples, faulty_cell, fmi_hazard, scan_json, test_fmus, write};
+
+/// Runs `scan` on `path`, expects `code` and all of `words` on stderr; returns stderr.
+fn fails(dir: &Path, path: &str, code: i32, words: &[&str]) -> String {
+    let output = fmi_hazard(dir).args(["scan", path, "--out", "o"]).assert().code(code).get_output().clone();
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    // miette wraps lines: compare without line breaks and box drawing.
+    let flat = text.replace(['│', '\n'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    for word in words {
+        assert!(flat.contains(word), "`{word}` is not in:\n{text}");
+    }
+    assert!(!text.contains("panicked"), "{text}");
+    text
+}
+
+#[test]
+fn files_that_are_not_what_they_should_be() {
+    let dir = tempfile::TempDir::new().unwrap();
+    fails(dir.path(), "missing.fmu", 2, &["missing.fmu"]);
+    fails(dir.path(), "missing.toml", 2, &["missing.toml"]);
+    write(dir.path(), "text.fmu", "this is no zip");
+    fails(dir.path(), "text.fmu", 2, &["text.fmu", "not a"]);
+}
+
+#[test]
+fn an_fmu_without_a_cell_says_where_it_looked() {
+    let dir = tempfile::TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("x.fmu")).unwrap();
+    fails(dir.path(), "x.fmu", 2, &["without a cell file", "x.cell.toml", "cell.toml", "extra/", "examples export"]);
+}
+
+/// (what is replaced, by what, words of the message); each applied to the example's cell file.
+const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
+    ("moving_mass_kg", "moving_mas_kg", &["unknown field", "did you mean `moving_mass_kg`", "wrong.toml:13"]),
+    ("[human]", "[humann]", &["unknown field `humann`", "did you mean `human`"]),
+    ("schema = 1", "schema = 2", &["format 2", "schema = 1"]),
+    ("robot.q[3]", "robot.q[7]", &["`robot.q[7]` is not in safety-fence.fmu", "did you mean"]),
+    ("\"robot.q[1]\" }", "\"robot.q[1]\", unit = \"mm\" }", &["`mm` does not fit", "rad, deg"]),
+    ("\"robot.q[1]\" }", "\"robot.q[1]\", unit = \"deg\" }", &["in `rad`", "says `deg`"]),
+    ("\"robot.q[1]\" }", "\"ctrl.leg\" }", &["ctrl.leg"]),
+    ("\"robot.q[1]\" }", "\"gripper.payload\" }", &["`gripper.payload` is in `kg`, which does not fit"]),
+    ("\"plc.guard_closed\" = true", "\"plc.guard_closed\" = 1", &["needs true or false"]),
+    ("\"plc.reset\" = false", "\"robot.q[1]\" = 0", &["not an input"]),
+    ("axis = [0, 1, 0]", "axis = [0, 0, 0]", &["no direction"]),
+    ("joint = \"joint_4\"", "joint = \"joint_44\"", &["no joint `joint_44`", "did you mean `joint_4`"]),
+    ("step_s = 0.02", "step_s = 0.03", &["time.step_s", "0.02"]),
+    ("step_s = 0.02", "step_s = 0.015", &["does not divide", "0.02, 0.01"]),
+    ("moving_mass_kg = 40.4", "moving_mass_kg = -1", &["greater than zero"]),
+    ("heading_deg = 90", "heading_deg = \"north\"", &["invalid type"]),
+    ("xy_m = [1.05, -1.70]", "xy_m = [0.9, 0.0]", &["inside an obstacle", "human.start"]),
+    ("fmu = \"safety-fence.fmu\"", "fmu = \"other.fmu\"", &["does not exist", "relative to the cell file"]),
+    ("fmu = \"safety-fence.fmu\"\n", "", &["does not say which FMU", "fmu ="]),
+    ("size_m = [1.20, 0.02, 2.0]", "size_m = [1.20, 0, 2.0]", &["fence front left", "greater than zero"]),
+];
+
+#[test]
+fn mistakes_in_the_cell_file_are_named_with_their_line_and_a_way_out() {
+    let dir = examples();
+    let cell = std::fs::read_to_string(dir.path().join("safety-fence/cell.toml")).unwrap();
+    for (from, to, words) in CELL_MISTAKES {
+        assert!(cell.contains(from), "{from}");
+        write(dir.path(), "safety-fence/wrong.toml", &cell.replacen(from, to, 1));
+        fails(dir.path(), "safety-fence/wrong.toml", 2, words);
+    }
+}
+
+#[test]
+fn a_cell_without_robot_geometry_is_refused() {
+    let dir = examples();
+    let cell = std::fs::read_to_string(dir.path().join("safety-fence/cell.toml")).unwrap();
+    let lines: Vec<&str> = cell.split("[[robot.link]]").collect();
+    let rest = lines.last().unwrap().split_once("# The fence").unwrap().1;
+    write(dir.path(), "safety-fence/bare.toml", &format!("{}# The fence{rest}", lines[0]));
+    fails(dir.path(), "safety-fence/bare.toml", 2, &["no robot geometry", "[[robot.link]]"]);
+}
+
+/// A faulty FMU beside its cell, in a fresh folder.
+fn faulty(kind: i32, step: i32) -> tempfile::TempDir {
+    let dir = tempfile::TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    write(dir.path(), "cell.toml", &faulty_cell("faulty.fmu", kind, step));
+    dir
+}
+
+#[test]
+fn an_fmu_that_fails_from_the_start_is_exit_code_3() {
+    for (kind, words) in [(1, "NaN"), (2, "fmi2DoStep"), (3, "iscard"), (4, "atal"), (9, "infinite")] {
+        fails(faulty(kind, 5).path(), "cell.toml", 3, &[words, "selftest"]);
+    }
+}
+
+#[test]
+fn an_fmu_that_does_not_repeat_itself_is_refused() {
+    fails(faulty(5, 0).path(), "cell.toml", 3, &["different outputs for the same inputs", "deterministic"]);
+}
+
+#[test]
+fn a_state_that_lies_is_not_used_and_the_result_is_the_same() {
+    let results: Vec<_> = [0, 6, 7, 8]
+        .iter()
+        .map(|&kind| {
+            let dir = faulty(kind, 0);
+            let _ = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).output();
+            let scan = scan_json(&dir.path().join("o"));
+            let restore = scan["self_test"]["restore"]["result"].as_str().unwrap().to_owned();
+            assert_eq!(restore == "exact", kind == 0 || kind == 8, "fault {kind}: {restore}");
+            assert_eq!(scan["self_test"]["reset"]["result"] == "exact", kind != 8, "fault {kind}");
+            scan["coverage"].clone()
+        })
+        .collect();
+    assert_eq!(results[0], results[1]);
+    assert_eq!(results[0], results[2]);
+    assert_eq!(results[0], results[3]);
+}

@@ -1,0 +1,77 @@
+//! What the integration tests share: exported examples, variants of cell files, the command.
+
+#![allow(dead_code, reason = "each test binary uses its own part")]
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+/// The command under test, in `dir`.
+pub fn fmi_hazard(dir: &Path) -> Command {
+    let mut command = Command::cargo_bin("fmi-hazard").expect("the binary is built");
+    command.current_dir(dir).env("NO_COLOR", "1");
+    command
+}
+
+/// All examples in a fresh folder.
+pub fn examples() -> TempDir {
+    let dir = TempDir::new().expect("a temporary folder");
+    fmi_hazard::examples::export(dir.path()).expect("examples can be written");
+    dir
+}
+
+/// Folder with the FMUs built only for tests.
+pub fn test_fmus() -> PathBuf {
+    PathBuf::from(env!("FMI_HAZARD_TEST_FMUS"))
+}
+
+/// A cell for the `faulty` test FMU: one joint with a tool, a mat that stops it, and the given parameters.
+pub fn faulty_cell(fmu: &str, kind: i32, step: i32) -> String {
+    format!(
+        r#"schema = 1
+name = "faulty"
+fmu = "{fmu}"
+[robot]
+name = "turntable"
+base = {{ xyz_m = [0, 0, 0.9] }}
+moving_mass_kg = 40
+payload_kg = 3
+[[robot.joint]]
+name = "table"
+axis = [0, 0, 1]
+angle = {{ variable = "q", unit = "rad" }}
+speed = {{ variable = "qd", unit = "rad/s" }}
+[[robot.link]]
+name = "bar"
+joint = "table"
+capsule = {{ from_m = [0, 0, 0], to_m = [0.8, 0, 0], radius_m = 0.05 }}
+[[sensor]]
+name = "mat"
+kind = "mat"
+zone = {{ polygon_m = [[-3, -0.9], [3, -0.9], [3, -0.5], [-3, -0.5]] }}
+variable = "stop"
+active = true
+[parameters]
+"fault.kind" = {kind}
+"fault.step" = {step}
+[human]
+start = {{ xy_m = [0, -1.6], heading_deg = 90 }}
+[search]
+iterations = 12
+"#
+    )
+}
+
+/// Writes `text` to `dir/name` and returns the path.
+pub fn write(dir: &Path, name: &str, text: &str) -> PathBuf {
+    let path = dir.join(name);
+    std::fs::write(&path, text).expect("a file can be written");
+    path
+}
+
+/// `scan.json` of a results folder.
+pub fn scan_json(out: &Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(out.join("scan.json")).expect("scan.json exists");
+    serde_json::from_str(&text).expect("scan.json is JSON")
+}
