@@ -183,3 +183,46 @@ fn unpacked_files_are_removed_again() {
     drop(fmu);
     assert!(!folder.exists());
 }
+
+/// A binary with the functions that are needed and a body for `fmi2DoStep`, compiled here.
+fn binary_with_step(body: &str) -> Vec<u8> {
+    let dir = tempfile::TempDir::new().unwrap();
+    let source = format!(
+        "#include <stdlib.h>\n#include <unistd.h>\n\
+         void *fmi2Instantiate(void) {{ return malloc(1); }}\n\
+         void fmi2FreeInstance(void *c) {{ free(c); }}\n\
+         int fmi2SetupExperiment(void) {{ return 0; }}\n\
+         int fmi2EnterInitializationMode(void) {{ return 0; }}\n\
+         int fmi2ExitInitializationMode(void) {{ return 0; }}\n\
+         int fmi2SetReal(void) {{ return 0; }}\nint fmi2SetBoolean(void) {{ return 0; }}\n\
+         int fmi2GetReal(void *c, const unsigned *v, size_t n, double *x) {{ while (n--) x[n] = 1; return 0; }}\n\
+         int fmi2DoStep(void) {{ {body} }}\n"
+    );
+    std::fs::write(dir.path().join("f.c"), source).unwrap();
+    let status = std::process::Command::new("cc")
+        .args(["-shared", "-fPIC", "-o", "f.so", "f.c"])
+        .current_dir(dir.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    std::fs::read(dir.path().join("f.so")).unwrap()
+}
+
+#[test]
+fn an_fmu_that_kills_its_process_is_a_finding_and_not_a_crash_of_ours() {
+    for (body, words) in
+        [("*(volatile int *)0 = 1; return 0;", "SIGSEGV"), ("abort();", "SIGABRT"), ("exit(0);", "exit status: 0")]
+    {
+        let library = binary_with_step(body);
+        let dir = tempfile::TempDir::new().unwrap();
+        std::fs::write(dir.path().join("x.fmu"), with_binary(|_| library.clone())).unwrap();
+        let output = fmi_hazard(dir.path()).args(["selftest", "x.fmu"]).assert().code(3).get_output().clone();
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert!(text.contains(words) && text.contains("first plain run"), "{text}");
+    }
+    // The same binary without a fault passes what it offers.
+    let dir = tempfile::TempDir::new().unwrap();
+    let library = binary_with_step("return 0;");
+    std::fs::write(dir.path().join("x.fmu"), with_binary(|_| library.clone())).unwrap();
+    fmi_hazard(dir.path()).args(["selftest", "x.fmu"]).assert().code(0);
+}

@@ -41,6 +41,11 @@ impl Failure {
         Self { code: UNUSABLE, report: miette::miette!("{message}") }
     }
 
+    /// The FMU failed while it ran.
+    pub fn running(message: impl std::fmt::Display) -> Self {
+        Self { code: FMU_FAILED, report: miette::miette!("{message}") }
+    }
+
     /// The same, with what to do about it.
     pub fn unusable_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
         Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }

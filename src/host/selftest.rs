@@ -7,7 +7,7 @@
 
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::in_process::{InProcess, Setup};
 use super::plant::{Plant, PlantError};
@@ -16,7 +16,7 @@ use super::recall::Policy;
 use crate::fmi::Slave;
 
 /// How two runs that should agree compare.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "result")]
 pub enum Agreement {
     /// Every bit of every output.
@@ -46,8 +46,26 @@ impl fmt::Display for Agreement {
     }
 }
 
+/// A part of the self-test. Each may crash on an FMU that is badly made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// The first plain run.
+    FirstRun,
+    /// Two fresh instances, one after the other.
+    Deterministic,
+    /// A second instance beside the first.
+    SecondInstance,
+    /// Saved states on one instance.
+    Restore,
+    /// A serialised state in another instance.
+    Serialize,
+    /// `fmi2Reset`.
+    Reset,
+}
+
 /// The outcome of the self-test.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SelfTest {
     /// Steps of one run.
     pub steps: usize,
@@ -104,11 +122,26 @@ impl SelfTest {
     }
 }
 
-/// Runs the self-test for `steps` communication steps.
+/// Runs the self-test for `steps` communication steps, without the stages in `skip`; `announce` hears each stage before
+/// it begins, so that a crash can be told apart.
 ///
 /// # Errors
 /// Only when a first plain run is not possible at all; everything after that is a finding in the result.
-pub fn selftest(slave: &Slave, setup: &Setup, steps: usize) -> Result<SelfTest, PlantError> {
+pub fn selftest(
+    slave: &Slave,
+    setup: &Setup,
+    steps: usize,
+    skip: &[Stage],
+    announce: &mut dyn FnMut(Stage),
+) -> Result<SelfTest, PlantError> {
+    let mut wanted = |stage: Stage| {
+        let wanted = !skip.contains(&stage);
+        if wanted {
+            announce(stage);
+        }
+        wanted
+    };
+    wanted(Stage::FirstRun);
     let moving = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
     let (main, other) = (moving(0), moving(1));
     let fresh = || InProcess::new(slave.clone(), setup.clone());
@@ -126,8 +159,8 @@ pub fn selftest(slave: &Slave, setup: &Setup, steps: usize) -> Result<SelfTest, 
         Ok(run)
     };
 
-    let deterministic = compare(whole(&mut fresh()));
-    let second_instance = {
+    let deterministic = if wanted(Stage::Deterministic) { compare(whole(&mut fresh())) } else { Agreement::NotOffered };
+    let second_instance = if wanted(Stage::SecondInstance) {
         // The first one lives, stands somewhere in the middle, and is driven on with other inputs in between.
         let mut first = fresh();
         let half = steps / 2;
@@ -141,26 +174,34 @@ pub fn selftest(slave: &Slave, setup: &Setup, steps: usize) -> Result<SelfTest, 
             run.extend(second.advance(steps - half, &main[half * width..])?);
             Ok(run)
         })())
+    } else {
+        Agreement::NotOffered
     };
     let offers_states = slave.capabilities().can_get_and_set_state;
-    let restore = if offers_states {
+    let restore = if offers_states && wanted(Stage::Restore) {
         restore_test(fresh(), &reference, &main, &other, steps, width, rows)
     } else {
         Agreement::NotOffered
     };
-    let (serialize, bytes_per_state) = if offers_states && slave.capabilities().can_serialize_state {
+    let serialises = offers_states && slave.capabilities().can_serialize_state;
+    let bytes_per_state = if serialises { state_size(fresh()).ok() } else { None };
+    let serialize = if serialises && wanted(Stage::Serialize) {
         serialize_test(&fresh, &reference, &main, steps, width, rows)
     } else {
-        (Agreement::NotOffered, None)
+        Agreement::NotOffered
     };
-    let reset = compare((|| {
-        let mut plant = fresh();
-        plant.restart()?;
-        plant.advance(steps, &other)?;
-        let mut run = plant.reset()?;
-        run.extend(plant.advance(steps, &main)?);
-        Ok(run)
-    })());
+    let reset = if wanted(Stage::Reset) {
+        compare((|| {
+            let mut plant = fresh();
+            plant.restart()?;
+            plant.advance(steps, &other)?;
+            let mut run = plant.reset()?;
+            run.extend(plant.advance(steps, &main)?);
+            Ok(run)
+        })())
+    } else {
+        Agreement::NotOffered
+    };
     let output_range = (0..rows)
         .map(|c| {
             let column = reference.iter().skip(c).step_by(rows);
@@ -222,6 +263,13 @@ fn restore_test(
     }
 }
 
+/// Bytes of a serialised state.
+fn state_size(mut plant: InProcess) -> Result<usize, PlantError> {
+    plant.restart()?;
+    let state = plant.save()?;
+    Ok(plant.serialize(&state)?.len())
+}
+
 fn serialize_test(
     fresh: &dyn Fn() -> InProcess,
     reference: &[f64],
@@ -229,16 +277,14 @@ fn serialize_test(
     steps: usize,
     width: usize,
     rows: usize,
-) -> (Agreement, Option<usize>) {
+) -> Agreement {
     let k = steps / 4;
-    let mut bytes_per_state = None;
     let outcome = (|| {
         let mut first = fresh();
         first.restart()?;
         first.advance(k, &main[..k * width])?;
         let state = first.save()?;
         let bytes = first.serialize(&state)?;
-        bytes_per_state = Some(bytes.len());
         // The first instance is gone before the bytes are used: a pointer in them shows itself.
         drop(state);
         drop(first);
@@ -248,7 +294,7 @@ fn serialize_test(
         second.restore(&state)?;
         second.advance(steps - k, &main[k * width..])
     })();
-    (agreement(&reference[(1 + k) * rows..], outcome), bytes_per_state)
+    agreement(&reference[(1 + k) * rows..], outcome)
 }
 
 fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement {

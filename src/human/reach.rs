@@ -329,9 +329,10 @@ impl Movement {
 
 impl<S: ContactScore> Search<'_, S> {
     fn run(&mut self) -> (bool, u32) {
-        let mut stack = vec![JointBox::whole()];
+        let whole = JointBox::whole();
+        let mut stack = vec![(whole, self.place(whole.middle))];
         let mut boxes = 0;
-        while let Some(next) = stack.pop() {
+        while let Some((next, placed)) = stack.pop() {
             if boxes == self.query.work_limit {
                 return (false, boxes);
             }
@@ -339,11 +340,10 @@ impl<S: ContactScore> Search<'_, S> {
                 return (true, boxes);
             }
             boxes += 1;
-            let Some(joint) = self.look_at(&next) else { continue };
-            let mut halves = next.halves(joint);
+            let Some(joint) = self.look_at(&next, &placed) else { continue };
+            let mut halves = next.halves(joint).map(|b| (b, self.place(b.middle)));
             // The half whose wrist is nearer to the robot last: it is taken first.
-            let nearness = |b: &JointBox| self.wrist_to_links(&self.place(b.middle));
-            if nearness(&halves[0]) < nearness(&halves[1]) {
+            if self.wrist_to_links(&halves[0].1) < self.wrist_to_links(&halves[1].1) {
                 halves.swap(0, 1);
             }
             stack.extend(halves);
@@ -371,18 +371,17 @@ impl<S: ContactScore> Search<'_, S> {
     }
 
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
-    fn look_at(&mut self, b: &JointBox) -> Option<usize> {
+    fn look_at(&mut self, b: &JointBox, placed: &Placed) -> Option<usize> {
         if b.outside_limits() {
             return None;
         }
         let arm = self.query.arm;
         let movement = Movement::of(arm, b);
-        let placed = self.place(b.middle);
-        if !self.may_matter(&placed, &movement) || self.certainly_blocked(&placed, &movement) {
+        if !self.may_matter(placed, &movement) || self.certainly_blocked(placed, &movement) {
             return None;
         }
         let config = clamped(b.middle);
-        let candidate = if config == b.middle { placed } else { self.place(config) };
+        let candidate = if config == b.middle { *placed } else { self.place(config) };
         self.try_configuration(config, &candidate);
         (movement.wrist > self.query.tolerance_m).then(|| movement.widest_joint())
     }

@@ -9,7 +9,7 @@ use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::in_process::{InProcess, Setup};
-use crate::host::selftest::{SelfTest, selftest};
+use crate::host::selftest::{SelfTest, Stage, selftest};
 use crate::host::{PlantError, Policy};
 use crate::report::model::Subject;
 use crate::sim::simulation::initial_inputs;
@@ -114,7 +114,9 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
         step_s: cell.step_s,
     };
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
-    let self_test = selftest(&slave, &setup, episode).map_err(PrepareError::FirstRun)?;
+    // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
+    let self_test =
+        selftest(&slave, &setup, episode, &[Stage::Serialize], &mut |_| {}).map_err(PrepareError::FirstRun)?;
     if !self_test.repeatable() {
         return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
     }
