@@ -226,3 +226,19 @@ fn an_fmu_that_kills_its_process_is_a_finding_and_not_a_crash_of_ours() {
     std::fs::write(dir.path().join("x.fmu"), with_binary(|_| library.clone())).unwrap();
     fmi_hazard(dir.path()).args(["selftest", "x.fmu"]).assert().code(0);
 }
+
+#[test]
+fn an_fmu_that_fails_on_the_way_leaves_valid_results_and_unevaluated_sequences() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let library = binary_with_step("static int n; return ++n > 1500 ? 3 : 0;");
+    std::fs::write(dir.path().join("x.fmu"), with_binary(|_| library.clone())).unwrap();
+    let cell = common::faulty_cell("x.fmu", 0, 0).replace("[parameters]\n\"fault.kind\" = 0\n\"fault.step\" = 0\n", "");
+    common::write(dir.path(), "cell.toml", &cell.replace("iterations = 12", "iterations = 400"));
+    let output = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).output().unwrap();
+    let scan = common::scan_json(&dir.path().join("o"));
+    assert!(scan["coverage"]["episodes_not_evaluated"].as_u64().unwrap() > 0, "{}", scan["coverage"]);
+    assert!(scan["faults"][0]["message"].as_str().unwrap().contains("fmi2DoStep"), "{}", scan["faults"]);
+    assert!(!scan["faults"][0]["actions"].as_array().unwrap().is_empty());
+    let expected = if scan["hazards"].as_array().unwrap().is_empty() { 3 } else { 1 };
+    assert_eq!(output.status.code(), Some(expected), "{}", String::from_utf8_lossy(&output.stderr));
+}
