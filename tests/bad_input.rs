@@ -119,3 +119,16 @@ fn a_state_that_lies_is_not_used_and_the_result_is_the_same() {
     assert_eq!(results[0], results[2]);
     assert_eq!(results[0], results[3]);
 }
+
+#[test]
+fn a_cell_in_which_no_sensor_can_fire_is_inconclusive() {
+    let dir = tempfile::TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    // The person starts too far away to reach the mat, or the robot, within the horizon.
+    let cell = faulty_cell("faulty.fmu", 0, 0).replace("xy_m = [0, -1.6]", "xy_m = [0, -6]");
+    write(dir.path(), "cell.toml", &cell);
+    let output = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).assert().code(4).get_output().clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("no sensor ever reported the person") && text.contains("Inconclusive"), "{text}");
+    assert_eq!(scan_json(&dir.path().join("o"))["verdict"], "inconclusive");
+}
