@@ -6,7 +6,7 @@
 
 use std::error::Error;
 use std::fmt::Write as _;
-use std::io::Write as _;
+use std::io::{Cursor, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
@@ -34,21 +34,27 @@ fn main() -> Result<(), Box<dyn Error>> {
         cc::Build::new().file(logger).warnings(true).compile("fmi_hazard_logger");
     }
 
-    let library = fs::read(compile_library(&root, &out)?)?;
+    let binary = compressed(&fs::read(compile_library(&root, &out)?)?)?;
     let fmus = out.join("fmus");
     fs::create_dir_all(&fmus)?;
-    let mut examples = String::from("pub(crate) static EXAMPLES: &[Example] = &[\n");
+    let scenarios = root.join("scenarios");
     for model in interface::all() {
-        let cell_files = cell_files(&root.join("scenarios").join(model.name))?;
-        let path = fmus.join(format!("{}.fmu", model.name));
-        fs::write(&path, pack(&model, &library, &cell_files)?)?;
-        if model.identifier.starts_with("faulty") {
-            continue;
+        let cell_files = cell_files(&scenarios.join(&model.name))?;
+        fs::write(fmus.join(format!("{}.fmu", model.name)), pack(&model, &binary, &cell_files)?)?;
+    }
+    let mut examples = String::from("pub(crate) static EXAMPLES: &[Example] = &[\n");
+    for spec in interface::WORKCELLS {
+        let parts = interface::coupled::all().into_iter().map(|part| part.name);
+        let parts = parts.filter(|part| part.starts_with(spec.name));
+        let names = std::iter::once(spec.name.to_owned()).chain(parts);
+        writeln!(examples, "    Example {{\n        name: {:?},\n        summary: {:?},", spec.name, spec.description)?;
+        writeln!(examples, "        fmus: &[")?;
+        for name in names {
+            let file = format!("{name}.fmu");
+            writeln!(examples, "            ({file:?}, include_bytes!({:?})),", utf8(&fmus.join(&file))?)?;
         }
-        writeln!(examples, "    Example {{")?;
-        writeln!(examples, "        name: {:?},\n        summary: {:?},", model.name, model.description)?;
-        writeln!(examples, "        fmu: include_bytes!({:?}),\n        files: &[", utf8(&path)?)?;
-        for (name, file) in &cell_files {
+        writeln!(examples, "        ],\n        files: &[")?;
+        for (name, file) in &cell_files(&scenarios.join(spec.name))? {
             writeln!(examples, "            ({name:?}, include_bytes!({:?})),", utf8(file)?)?;
         }
         writeln!(examples, "        ],\n    }},")?;
@@ -103,27 +109,45 @@ fn cell_files(folder: &Path) -> Result<Vec<(String, PathBuf)>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// The bytes of one FMU: entries sorted by name, all of one time and one permission.
-fn pack(model: &Interface, library: &[u8], cell_files: &[(String, PathBuf)]) -> Result<Vec<u8>, Box<dyn Error>> {
-    let (platform, extension) = platform()?;
-    let description = interface::description::xml(model, &env::var("CARGO_PKG_VERSION")?);
-    let mut entries: Vec<(String, Vec<u8>)> = vec![
-        ("modelDescription.xml".to_owned(), description.into_bytes()),
-        (format!("binaries/{platform}/{}.{extension}", model.identifier), library.to_vec()),
-        ("documentation/index.html".to_owned(), documentation(model)?.into_bytes()),
-    ];
-    for (name, path) in cell_files {
-        entries.push((format!("{EXTRA}/{name}"), fs::read(path)?));
-    }
-    entries.sort();
-    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    let options = SimpleFileOptions::default()
+/// How every entry of every FMU is written: one time, one permission.
+fn options() -> SimpleFileOptions {
+    SimpleFileOptions::default()
         .compression_method(zip::CompressionMethod::Deflated)
         .last_modified_time(zip::DateTime::default())
-        .unix_permissions(0o644);
+        .unix_permissions(0o644)
+}
+
+/// The library as the only entry of an archive, from which it is copied without compressing it again.
+fn compressed(library: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    archive.start_file("library", options())?;
+    archive.write_all(library)?;
+    Ok(archive.finish()?.into_inner())
+}
+
+/// The bytes of one FMU: entries sorted by name.
+fn pack(model: &Interface, binary: &[u8], cell_files: &[(String, PathBuf)]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (platform, extension) = platform()?;
+    let description = interface::description::xml(model, &env::var("CARGO_PKG_VERSION")?);
+    let library = format!("binaries/{platform}/{}.{extension}", model.identifier);
+    let mut entries: Vec<(String, Option<Vec<u8>>)> = vec![
+        ("modelDescription.xml".to_owned(), Some(description.into_bytes())),
+        (library, None),
+        ("documentation/index.html".to_owned(), Some(documentation(model)?.into_bytes())),
+    ];
+    for (name, path) in cell_files {
+        entries.push((format!("{EXTRA}/{name}"), Some(fs::read(path)?)));
+    }
+    entries.sort();
+    let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in entries {
-        archive.start_file(name, options)?;
-        archive.write_all(&bytes)?;
+        match bytes {
+            Some(bytes) => {
+                archive.start_file(name, options())?;
+                archive.write_all(&bytes)?;
+            }
+            None => archive.raw_copy_file_rename(zip::ZipArchive::new(Cursor::new(binary))?.by_index(0)?, name)?,
+        }
     }
     Ok(archive.finish()?.into_inner())
 }

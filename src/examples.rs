@@ -12,8 +12,8 @@ pub struct Example {
     pub name: &'static str,
     /// One sentence on what the cell is.
     pub summary: &'static str,
-    /// The FMU, a complete archive.
-    pub fmu: &'static [u8],
+    /// Its FMUs, complete archives: name and content. The first is the whole cell in FMI 2.0.
+    pub fmus: &'static [(&'static str, &'static [u8])],
     /// The cell files (`cell.toml`, `fixed.toml`, `README.md`): name and content.
     pub files: &'static [(&'static str, &'static [u8])],
 }
@@ -31,7 +31,7 @@ pub fn by_name(name: &str) -> Option<&'static Example> {
 }
 
 impl Example {
-    /// Writes `<dir>/<name>/<name>.fmu` and the cell files beside it, and returns the paths written. Folders are made
+    /// Writes `<dir>/<name>/<name>.fmu`, further FMUs and the cell files beside it, and returns the paths written. Folders are made
     /// as needed, files that exist are replaced.
     ///
     /// # Errors
@@ -39,9 +39,8 @@ impl Example {
     pub fn export(&self, dir: &Path) -> io::Result<Vec<PathBuf>> {
         let folder = dir.join(self.name);
         std::fs::create_dir_all(&folder).map_err(|error| naming(&folder, &error))?;
-        let fmu_name = format!("{}.fmu", self.name);
-        let mut written = Vec::with_capacity(self.files.len() + 1);
-        for (name, content) in std::iter::once((fmu_name.as_str(), self.fmu)).chain(self.files.iter().copied()) {
+        let mut written = Vec::with_capacity(self.files.len() + self.fmus.len());
+        for (name, content) in self.fmus.iter().chain(self.files) {
             let path = folder.join(name);
             std::fs::write(&path, content).map_err(|error| naming(&path, &error))?;
             written.push(path);
@@ -81,7 +80,7 @@ mod tests {
         }
         for example in all() {
             let description = dir.path().join(example.name);
-            assert_eq!(std::fs::read_dir(description).unwrap().count(), example.files.len() + 1);
+            assert_eq!(std::fs::read_dir(description).unwrap().count(), example.files.len() + example.fmus.len());
         }
     }
 

@@ -4,8 +4,10 @@
 //! rounded to whole milliseconds from its absolute value, so any step size works and nothing drifts.
 
 use crate::bytes::{Reader, Writer};
-use crate::interface::variables::{Causality, Interface, Value};
+use crate::interface::variables::{Causality, Interface, Value, Variant};
 use crate::model::{AnyModel, Outcome, interface_of};
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
 
 /// FMI 2.0 status codes that go with a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +85,10 @@ impl Component {
                 "no model in this binary has the guid {guid}: modelDescription.xml is of another build"
             ));
         };
-        let Some(model) = AnyModel::new(interface.identifier) else {
+        if interface.variant == Variant::OncePerProcess && !first_use(&interface.identifier) {
+            return error(format!("{} allows one instance in a process only", interface.name));
+        }
+        let Some(model) = AnyModel::new(&interface.identifier) else {
             return error(format!("this binary has no model {}", interface.identifier));
         };
         let values = interface.variables.iter().map(|variable| variable.kind.start()).collect();
@@ -148,7 +153,7 @@ impl Component {
     /// `fmi2Reset`.
     pub fn reset(&mut self) -> Answer {
         self.expect_mode(&[Mode::Instantiated, Mode::Initializing, Mode::Stepping, Mode::Terminated, Mode::Failed])?;
-        self.model.reset();
+        self.model.reset(self.interface.variant);
         self.values_are_current = false;
         self.tick = 0;
         self.mode = Mode::Instantiated;
@@ -251,7 +256,7 @@ impl Component {
         }
         self.mode = source.mode;
         self.tick = source.tick;
-        self.model.restore(&source.model);
+        self.model.restore(&source.model, self.interface.variant);
         self.values_are_current = false;
         Ok(())
     }
@@ -301,7 +306,7 @@ impl Component {
 
     /// Refuses where modelDescription.xml says that states cannot be saved.
     pub fn expect_state_functions(&self) -> Answer {
-        if !self.interface.saves_state {
+        if !self.interface.variant.saves_state() {
             return error(format!(
                 "model {} cannot save its state (canGetAndSetFMUstate is false)",
                 self.interface.name
@@ -312,6 +317,12 @@ impl Component {
         }
         Ok(())
     }
+}
+
+/// Whether this is the first instance of the model in this process.
+fn first_use(identifier: &str) -> bool {
+    static USED: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    USED.lock().unwrap_or_else(PoisonError::into_inner).insert(identifier.to_owned())
 }
 
 /// A time of the master in whole milliseconds.
@@ -327,7 +338,18 @@ fn ticks_at(time: f64) -> Answer<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interface::{faulty, safety_fence};
+    use crate::interface::workcell::interface;
+    use crate::interface::{WORKCELLS, coupled, faulty, safety_fence};
+
+    fn fence() -> Interface {
+        interface(&safety_fence::SPEC, Variant::Faithful).0
+    }
+
+    /// All models that save their states.
+    fn models() -> Vec<Interface> {
+        let cells = WORKCELLS.into_iter().map(|spec| interface(spec, Variant::Faithful).0);
+        cells.chain(coupled::all().into_iter().take(2)).chain([faulty::interface(Variant::Faithful)]).collect()
+    }
 
     fn stepping(interface: &Interface, integers: &[(usize, i32)]) -> Component {
         let mut component = Component::new(&interface.guid()).unwrap();
@@ -368,7 +390,7 @@ mod tests {
 
     #[test]
     fn a_restored_state_has_the_same_future() {
-        for interface in [safety_fence::interface(), faulty::interface()] {
+        for interface in models() {
             let mut component = stepping(&interface, &[]);
             future(&mut component, 13);
             let early = component.save().unwrap();
@@ -384,7 +406,7 @@ mod tests {
 
     #[test]
     fn bytes_carry_a_state_to_another_instance() {
-        for interface in [safety_fence::interface(), faulty::interface()] {
+        for interface in models() {
             let mut component = stepping(&interface, &[]);
             future(&mut component, 17);
             let saved = component.save().unwrap();
@@ -402,7 +424,7 @@ mod tests {
 
     #[test]
     fn reset_brings_back_the_start_values() {
-        let mut component = stepping(&safety_fence::interface(), &[]);
+        let mut component = stepping(&fence(), &[]);
         let expected = future(&mut component, 60);
         component.reset().unwrap();
         start(&mut component);
@@ -411,10 +433,10 @@ mod tests {
 
     #[test]
     fn any_step_size_leads_to_the_same_place() {
-        let reference = u32::try_from(safety_fence::vr::Q).unwrap();
-        let mut whole = stepping(&safety_fence::interface(), &[]);
+        let reference = u32::try_from(fence().place("robot.q[1]").unwrap()).unwrap();
+        let mut whole = stepping(&fence(), &[]);
         whole.step(0.0, 1.234).unwrap();
-        let mut parts = stepping(&safety_fence::interface(), &[]);
+        let mut parts = stepping(&fence(), &[]);
         let mut time = 0.0;
         for size in [0.000_4, 0.01, 0.333_3, 0.2, 0.000_2, 0.690_1] {
             parts.step(time, size).unwrap();
@@ -425,7 +447,7 @@ mod tests {
 
     #[test]
     fn a_step_that_does_not_continue_is_an_error() {
-        let mut component = stepping(&safety_fence::interface(), &[]);
+        let mut component = stepping(&fence(), &[]);
         component.step(0.0, 0.02).unwrap();
         assert!(component.step(0.0, 0.02).is_err());
         assert!(component.step(0.02, f64::NAN).is_err());
@@ -436,7 +458,7 @@ mod tests {
     fn each_fault_does_what_it_says() {
         let fault = |kind: i32| {
             let settings = [(faulty::vr::FAULT_KIND, kind), (faulty::vr::FAULT_STEP, 2)];
-            let mut component = stepping(&faulty::interface(), &settings);
+            let mut component = stepping(&faulty::interface(Variant::Faithful), &settings);
             future(&mut component, 2);
             component
         };
@@ -486,27 +508,33 @@ mod tests {
 
     #[test]
     fn without_state_functions_every_one_of_them_refuses() {
-        let mut component = stepping(&faulty::interface_without_state(), &[]);
+        let mut component = stepping(&faulty::interface(Variant::NoState), &[]);
         assert!(component.save().is_err());
         assert!(component.deserialize(b"").is_err());
-        let saved = stepping(&faulty::interface(), &[]).save().unwrap();
+        let saved = stepping(&faulty::interface(Variant::Faithful), &[]).save().unwrap();
         assert!(component.restore(&saved).is_err());
         assert!(component.serialize(&saved).is_err());
     }
 
     #[test]
     fn what_may_not_be_set_is_refused() {
-        let mut component = stepping(&safety_fence::interface(), &[]);
+        let mut component = stepping(&fence(), &[]);
         let reference = |place: usize| u32::try_from(place).unwrap();
-        assert!(component.set(reference(safety_fence::vr::T_RAMP), Value::Real(0.4)).is_err(), "fixed by now");
-        component.set(reference(safety_fence::vr::T_RAMP), Value::Real(0.3)).unwrap();
-        assert!(component.set(reference(safety_fence::vr::Q), Value::Real(0.0)).is_err(), "an output");
-        assert!(component.set(reference(safety_fence::vr::RESET), Value::Real(1.0)).is_err(), "wrong type");
+        assert!(
+            component.set(reference(fence().place("ctrl.t_ramp").unwrap()), Value::Real(0.4)).is_err(),
+            "fixed by now"
+        );
+        component.set(reference(fence().place("ctrl.t_ramp").unwrap()), Value::Real(0.3)).unwrap();
+        assert!(component.set(reference(fence().place("robot.q[1]").unwrap()), Value::Real(0.0)).is_err(), "an output");
+        assert!(component.set(reference(fence().place("plc.reset").unwrap()), Value::Real(1.0)).is_err(), "wrong type");
         assert!(component.set(99, Value::Real(1.0)).is_err(), "unknown");
         assert!(component.get(99).is_err(), "unknown");
-        let mut early = Component::new(&safety_fence::interface().guid()).unwrap();
-        assert!(early.set(reference(safety_fence::vr::T_RAMP), Value::Real(f64::NAN)).is_err(), "not a number");
-        assert!(early.set(reference(safety_fence::vr::T_RAMP), Value::Real(9.0)).is_err(), "out of range");
+        let mut early = Component::new(&fence().guid()).unwrap();
+        assert!(
+            early.set(reference(fence().place("ctrl.t_ramp").unwrap()), Value::Real(f64::NAN)).is_err(),
+            "not a number"
+        );
+        assert!(early.set(reference(fence().place("ctrl.t_ramp").unwrap()), Value::Real(9.0)).is_err(), "out of range");
         assert!(Component::new("{other}").is_err());
     }
 }

@@ -5,16 +5,18 @@
 //! each model's name, with the modelDescription.xml made from the same tables.
 //!
 //! From the outside in: [`fmi2`] is the C interface and the only unsafe code; `component` keeps the rules of FMI;
-//! `model` is what they both ask of a cell; `cells` are the cells, made from `path` (the robot's programme), `stop`
-//! (the safety controller) and `kinematics`; [`interface`] holds the tables of variables. `trig` and `bytes` serve all.
+//! `model` is what they both ask of a cell; `cells` are the models, made from `path` (the robot's programme), `drive`
+//! (the safety controller) and `kinematics`; [`interface`] holds the cells as data and the tables of variables. `trig`
+//! and `bytes` serve all.
 
 mod bytes;
 mod cells;
 mod component;
+mod drive;
 pub mod fmi2;
 pub mod interface;
 mod kinematics;
 mod model;
 mod path;
-mod stop;
+
 mod trig;

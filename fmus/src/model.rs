@@ -1,9 +1,10 @@
 //! What the FMI layer asks of a model, and the choice of the model that runs.
 
 use crate::bytes::{Reader, Writer};
+use crate::cells::coupled::{Controller, Kinematics, Plc};
 use crate::cells::faulty::Faulty;
-use crate::cells::safety_fence::SafetyFence;
-use crate::interface::variables::{Interface, Value};
+use crate::cells::workcell::Workcell;
+use crate::interface::variables::{Interface, Value, Variant};
 use crate::interface::{self};
 use std::sync::OnceLock;
 
@@ -40,8 +41,14 @@ pub trait Model {
 /// The running model. As an enum it stays a plain value, so that saving and restoring are copies.
 #[derive(Debug, Clone, Copy)]
 pub enum AnyModel {
-    /// The feed-opening cell.
-    SafetyFence(SafetyFence),
+    /// A workcell.
+    Workcell(Workcell),
+    /// A safety controller to be coupled.
+    Plc(Plc),
+    /// A robot controller to be coupled.
+    Controller(Controller),
+    /// Kinematics to be coupled.
+    Kinematics(Kinematics),
     /// The model that misbehaves on demand.
     Faulty(Faulty),
 }
@@ -63,16 +70,21 @@ impl AnyModel {
     /// A new instance with all start values; None if no model has this identifier.
     pub fn new(identifier: &str) -> Option<Self> {
         match identifier {
-            "safety_fence" => Some(AnyModel::SafetyFence(SafetyFence::new())),
             "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
-            _ => None,
+            "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
+            "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
+            "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
+            _ => Workcell::new(identifier).map(AnyModel::Workcell),
         }
     }
 
     /// The model behind the trait.
     pub fn get(&self) -> &dyn Model {
         match self {
-            AnyModel::SafetyFence(model) => model,
+            AnyModel::Workcell(model) => model,
+            AnyModel::Plc(model) => model,
+            AnyModel::Controller(model) => model,
+            AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
         }
     }
@@ -80,23 +92,35 @@ impl AnyModel {
     /// The model behind the trait.
     pub fn get_mut(&mut self) -> &mut dyn Model {
         match self {
-            AnyModel::SafetyFence(model) => model,
+            AnyModel::Workcell(model) => model,
+            AnyModel::Plc(model) => model,
+            AnyModel::Controller(model) => model,
+            AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
         }
     }
 
-    /// Back to a saved state.
-    pub fn restore(&mut self, saved: &Self) {
+    /// Back to a saved state, as faithfully as the variant does it.
+    pub fn restore(&mut self, saved: &Self, variant: Variant) {
         match (self, saved) {
             (AnyModel::Faulty(model), AnyModel::Faulty(saved)) => model.restore(saved),
+            (AnyModel::Workcell(model), AnyModel::Workcell(saved)) if variant == Variant::ForgetsLatch => {
+                *model = saved.forgetting_latches(model);
+            }
             (model, saved) => *model = *saved,
         }
     }
 
-    /// Back to the start values.
-    pub fn reset(&mut self) {
+    /// Back to the start values, unless the variant does not.
+    pub fn reset(&mut self, variant: Variant) {
+        if variant == Variant::IdleReset {
+            return;
+        }
         match self {
-            AnyModel::SafetyFence(model) => *model = SafetyFence::new(),
+            AnyModel::Workcell(model) => *model = model.fresh(),
+            AnyModel::Plc(model) => *model = Plc::new(),
+            AnyModel::Controller(model) => *model = Controller::new(),
+            AnyModel::Kinematics(model) => *model = Kinematics::new(),
             AnyModel::Faulty(model) => model.reset(),
         }
     }
@@ -109,7 +133,10 @@ impl AnyModel {
     /// Reads a model of the same kind from bytes.
     pub fn read(&self, input: &mut Reader) -> Option<Self> {
         match self {
-            AnyModel::SafetyFence(_) => SafetyFence::read(input).map(AnyModel::SafetyFence),
+            AnyModel::Workcell(model) => model.read(input).map(AnyModel::Workcell),
+            AnyModel::Plc(_) => Plc::read(input).map(AnyModel::Plc),
+            AnyModel::Controller(_) => Controller::read(input).map(AnyModel::Controller),
+            AnyModel::Kinematics(_) => Kinematics::read(input).map(AnyModel::Kinematics),
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
         }
     }

@@ -3,12 +3,17 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use fmi_hazard_fmus::fmi2::*;
-use fmi_hazard_fmus::interface::{faulty, safety_fence};
+use fmi_hazard_fmus::interface::variables::{Interface, Variant};
+use fmi_hazard_fmus::interface::{faulty, safety_fence, workcell};
 use std::ffi::{CString, c_int};
 use std::ptr::{null, null_mut};
 
 const OK: Status = 0;
 const ERROR: Status = 3;
+
+fn fence() -> Interface {
+    workcell::interface(&safety_fence::SPEC, Variant::Faithful).0
+}
 
 fn silent() -> CallbackFunctions {
     CallbackFunctions {
@@ -48,7 +53,7 @@ fn real(slave: *mut Slave, place: usize) -> f64 {
 #[test]
 fn nonsense_instead_of_a_component_is_refused() {
     assert!(instantiate("{00000000-0000-0000-0000-000000000000}").is_null());
-    let guid = CString::new(safety_fence::interface().guid()).unwrap();
+    let guid = CString::new(fence().guid()).unwrap();
     // SAFETY: null is what is tested; all other pointers are valid.
     unsafe {
         assert!(fmi2Instantiate(null(), 1, guid.as_ptr(), null(), &silent(), 0, 0).is_null());
@@ -62,8 +67,11 @@ fn nonsense_instead_of_a_component_is_refused() {
 
 #[test]
 fn null_arrays_and_wrong_types_are_refused() {
-    let slave = stepping(&safety_fence::interface().guid());
-    let (q, leg) = (u32::try_from(safety_fence::vr::Q).unwrap(), u32::try_from(safety_fence::vr::LEG).unwrap());
+    let slave = stepping(&fence().guid());
+    let (q, leg) = (
+        u32::try_from(fence().place("robot.q[1]").unwrap()).unwrap(),
+        u32::try_from(fence().place("ctrl.leg").unwrap()).unwrap(),
+    );
     let (mut value, mut number): (f64, c_int) = (0.0, 0);
     // SAFETY: null is what is tested; all other pointers are valid.
     unsafe {
@@ -82,24 +90,24 @@ fn null_arrays_and_wrong_types_are_refused() {
 
 #[test]
 fn a_handle_is_reused_and_two_states_stay_apart() {
-    let slave = stepping(&safety_fence::interface().guid());
+    let slave = stepping(&fence().guid());
     let (mut first, mut second) = (null_mut(), null_mut());
     // SAFETY: handles come from this component and are freed once.
     unsafe {
         fmi2DoStep(slave, 0.0, 0.3, 0);
-        let early = real(slave, safety_fence::vr::Q);
+        let early = real(slave, fence().place("robot.q[1]").unwrap());
         assert_eq!(fmi2GetFMUstate(slave, &mut first), OK);
         fmi2DoStep(slave, 0.3, 0.1, 0);
-        let late = real(slave, safety_fence::vr::Q);
+        let late = real(slave, fence().place("robot.q[1]").unwrap());
         assert_eq!(fmi2GetFMUstate(slave, &mut second), OK);
         assert_ne!((early, first), (late, second));
         assert_eq!(fmi2SetFMUstate(slave, first), OK);
-        assert_eq!((real(slave, 0), real(slave, safety_fence::vr::Q)), (0.3, early));
+        assert_eq!((real(slave, 0), real(slave, fence().place("robot.q[1]").unwrap())), (0.3, early));
         let handle = second;
         assert_eq!(fmi2GetFMUstate(slave, &mut second), OK);
         assert_eq!(second, handle, "no new memory for a handle that exists");
         assert_eq!(fmi2SetFMUstate(slave, second), OK);
-        assert_eq!(real(slave, safety_fence::vr::Q), early);
+        assert_eq!(real(slave, fence().place("robot.q[1]").unwrap()), early);
         for state in [&mut first, &mut second] {
             assert_eq!(fmi2FreeFMUstate(slave, state), OK);
             assert!(state.is_null());
@@ -110,7 +118,7 @@ fn a_handle_is_reused_and_two_states_stay_apart() {
 
 #[test]
 fn bytes_that_do_not_fit_are_refused() {
-    let slave = stepping(&safety_fence::interface().guid());
+    let slave = stepping(&fence().guid());
     let (mut state, mut size) = (null_mut(), 0);
     // SAFETY: handles come from this component; the buffer has the stated size.
     unsafe {
@@ -128,7 +136,7 @@ fn bytes_that_do_not_fit_are_refused() {
 
 #[test]
 fn a_refused_step_tells_how_far_it_came() {
-    let slave = instantiate(&faulty::interface().guid());
+    let slave = instantiate(&faulty::interface(Variant::Faithful).guid());
     let references = [faulty::vr::FAULT_KIND, faulty::vr::FAULT_STEP].map(|place| u32::try_from(place).unwrap());
     let mut time = f64::NAN;
     // SAFETY: all pointers are valid.

@@ -1,12 +1,13 @@
 //! Writes modelDescription.xml (FMI 2.0, co-simulation) from an interface table.
 
-use super::variables::{Causality, Interface, Kind, Variable};
+use super::variables::{Causality, Interface, Kind, Variable, Variant};
 use std::fmt::Write as _;
 
 /// The units in use: name and exponents of the SI base units.
-pub const UNITS: [(&str, &str); 6] = [
+pub const UNITS: [(&str, &str); 7] = [
     ("1", ""),
     ("kg", "kg=\"1\""),
+    ("m", "m=\"1\""),
     ("m/s", "m=\"1\" s=\"-1\""),
     ("rad", "rad=\"1\""),
     ("rad/s", "rad=\"1\" s=\"-1\""),
@@ -19,15 +20,16 @@ pub const DEFAULT_STEP: f64 = 0.02;
 /// Renders the whole file; `version` is the version of this project.
 pub fn xml(interface: &Interface, version: &str) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    let state = interface.saves_state;
+    let state = interface.variant.saves_state();
+    let once = interface.variant == Variant::OncePerProcess;
     let _ = write!(
         text,
         "<fmiModelDescription\n  fmiVersion=\"2.0\"\n  modelName=\"{name}\"\n  guid=\"{guid}\"\n  \
          description=\"{description}\"\n  version=\"{version}\"\n  license=\"MIT OR Apache-2.0\"\n  \
          generationTool=\"fmi-hazard {version}\"\n  variableNamingConvention=\"structured\">\n  \
          <CoSimulation\n    modelIdentifier=\"{identifier}\"\n    canHandleVariableCommunicationStepSize=\"true\"\n    \
-         canGetAndSetFMUstate=\"{state}\"\n    canSerializeFMUstate=\"{state}\"/>\n",
-        name = escaped(interface.name),
+         canGetAndSetFMUstate=\"{state}\"\n    canSerializeFMUstate=\"{state}\"\n    canBeInstantiatedOnlyOncePerProcess=\"{once}\"/>\n",
+        name = escaped(&interface.name),
         guid = interface.guid(),
         description = escaped(interface.description),
         identifier = interface.identifier,
@@ -119,30 +121,12 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{all, faulty, safety_fence};
+    use super::super::{all, coupled, faulty, safety_fence, workcell};
     use super::*;
 
     #[test]
     fn each_place_in_a_table_is_the_one_its_constant_names() {
-        let fence = safety_fence::interface();
-        for (place, name) in [
-            (safety_fence::vr::T_REACT, "plc.t_react"),
-            (safety_fence::vr::T_RAMP, "ctrl.t_ramp"),
-            (safety_fence::vr::SPEED_SCALE, "ctrl.speed_scale"),
-            (safety_fence::vr::PHASE0, "ctrl.phase0"),
-            (safety_fence::vr::GUARD_CLOSED, "plc.guard_closed"),
-            (safety_fence::vr::RESET, "plc.reset"),
-            (safety_fence::vr::Q, "robot.q[1]"),
-            (safety_fence::vr::QD, "robot.qd[1]"),
-            (safety_fence::vr::TCP_SPEED, "robot.tcp_speed"),
-            (safety_fence::vr::OVERRIDE, "ctrl.override"),
-            (safety_fence::vr::LEG, "ctrl.leg"),
-            (safety_fence::vr::STOP_STATE, "plc.stop_state"),
-            (safety_fence::vr::PAYLOAD, "gripper.payload"),
-        ] {
-            assert_eq!(fence.variables[place].name, name);
-        }
-        let faulty = faulty::interface();
+        let faulty = faulty::interface(Variant::Faithful);
         for (place, name) in [
             (faulty::vr::FAULT_KIND, "fault.kind"),
             (faulty::vr::FAULT_STEP, "fault.step"),
@@ -153,12 +137,41 @@ mod tests {
         ] {
             assert_eq!(faulty.variables[place].name, name);
         }
+        let [plc, controller, kinematics] = coupled::all();
+        for (interface, place, name) in [
+            (&plc, coupled::plc::T_REACT, "t_react"),
+            (&plc, coupled::plc::MAT_CLEAR, "mat_clear"),
+            (&plc, coupled::plc::RESET, "reset"),
+            (&plc, coupled::plc::STOP, "stop"),
+            (&controller, coupled::controller::PHASE0, "phase0"),
+            (&controller, coupled::controller::STOP, "stop"),
+            (&controller, coupled::controller::POSITION, "tcp.position.x"),
+            (&controller, coupled::controller::VELOCITY, "tcp.velocity.x"),
+            (&controller, coupled::controller::LEG, "leg"),
+            (&kinematics, coupled::kinematics::POSITION, "tcp.position.x"),
+            (&kinematics, coupled::kinematics::VELOCITY, "tcp.velocity.x"),
+            (&kinematics, coupled::kinematics::Q, "q[1]"),
+            (&kinematics, coupled::kinematics::QD, "qd[1]"),
+            (&kinematics, coupled::kinematics::PAYLOAD, "payload"),
+        ] {
+            assert_eq!(interface.variables[place].name, name);
+        }
+    }
+
+    #[test]
+    fn names_are_unique_in_each_table() {
+        for interface in all() {
+            let mut names: Vec<_> = interface.variables.iter().map(|variable| &variable.name).collect();
+            names.sort();
+            names.dedup();
+            assert_eq!(names.len(), interface.variables.len(), "{}", interface.name);
+        }
     }
 
     #[test]
     fn guids_differ_and_follow_the_table() {
         let mut guids: Vec<_> = all().iter().map(Interface::guid).collect();
-        let mut changed = safety_fence::interface();
+        let mut changed = workcell::interface(&safety_fence::SPEC, Variant::Faithful).0;
         changed.variables[1].kind = Kind::real_in("s", 0.06, 0.0, 5.0);
         guids.push(changed.guid());
         guids.sort();
@@ -170,7 +183,7 @@ mod tests {
 
     #[test]
     fn names_and_texts_are_escaped() {
-        let mut interface = faulty::interface();
+        let mut interface = faulty::interface(Variant::Faithful);
         interface.variables[3].description = "a < b & \"c\"".to_owned();
         assert!(xml(&interface, "0").contains("description=\"a &lt; b &amp; &quot;c&quot;\""));
     }

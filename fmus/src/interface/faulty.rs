@@ -1,7 +1,7 @@
 //! The variables of the model that misbehaves on demand, with and without working state functions.
 
 use super::variables::Causality::{Input, Output, Parameter};
-use super::variables::{Interface, Kind, Variable};
+use super::variables::{Interface, Kind, Variable, Variant};
 
 /// Place (= value reference) of each variable in the table.
 #[allow(missing_docs, reason = "each is described in the table below; in the build script the lint is silent")]
@@ -39,24 +39,14 @@ fn variables() -> Vec<Variable> {
     ]
 }
 
-/// The model with state functions.
-pub fn interface() -> Interface {
+/// The model, faithful (but for its faults) or without state functions.
+pub fn interface(variant: Variant) -> Interface {
+    let (identifier, name) = variant.names("faulty", "faulty");
     Interface {
-        identifier: "faulty",
-        name: "faulty",
+        identifier,
+        name,
         description: "One slowly turning joint that misbehaves on demand: for tests of importers",
-        saves_state: true,
-        variables: variables(),
-    }
-}
-
-/// The same model with state functions that only return fmi2Error.
-pub fn interface_without_state() -> Interface {
-    Interface {
-        identifier: "faulty_nostate",
-        name: "faulty-nostate",
-        description: "One slowly turning joint that misbehaves on demand and cannot save its state",
-        saves_state: false,
+        variant,
         variables: variables(),
     }
 }

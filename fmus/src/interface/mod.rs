@@ -1,17 +1,38 @@
 //! The interfaces of all example FMUs as tables, and the modelDescription.xml made from them.
 //!
 //! This folder knows nothing of how a model behaves. The build script includes it as source, therefore paths within
-//! it are relative (`super::`).
+//! it are relative (`super::`). A workcell is one file of data: its robots, programmes and safeguard.
 
+pub mod coupled;
 pub mod description;
 pub mod faulty;
-pub mod irb1200;
+pub mod head_collision;
+pub mod heavy_workpiece;
+pub mod light_curtain;
+pub mod robots;
 pub mod safety_fence;
+pub mod sensor_mat;
+pub mod two_scanners;
 pub mod variables;
+pub mod workcell;
 
-use variables::Interface;
+use variables::{Interface, Variant};
+use workcell::Spec;
 
-/// Builds the interfaces of all models, in a fixed order.
+/// The six workcells, in the order of the paper's table.
+pub const WORKCELLS: [&Spec; 6] = [
+    &safety_fence::SPEC,
+    &sensor_mat::SPEC,
+    &head_collision::SPEC,
+    &light_curtain::SPEC,
+    &two_scanners::SPEC,
+    &heavy_workpiece::SPEC,
+];
+
+/// Builds the interfaces of all models and their variants, in a fixed order.
 pub fn all() -> Vec<Interface> {
-    vec![safety_fence::interface(), faulty::interface(), faulty::interface_without_state()]
+    let workcells =
+        WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
+    let faulty = [Variant::Faithful, Variant::NoState].map(faulty::interface);
+    workcells.chain(coupled::all()).chain(faulty).collect()
 }

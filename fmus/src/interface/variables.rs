@@ -7,15 +7,53 @@
 #[derive(Debug)]
 pub struct Interface {
     /// FMI `modelIdentifier`: a C identifier, also the file name of the binary.
-    pub identifier: &'static str,
+    pub identifier: String,
     /// FMI `modelName`, and the name of the .fmu file.
-    pub name: &'static str,
+    pub name: String,
     /// One sentence on what the model is.
     pub description: &'static str,
-    /// Whether the six state functions work.
-    pub saves_state: bool,
+    /// How faithfully the model keeps FMI's promises.
+    pub variant: Variant,
     /// All variables; the value reference of each is its place here.
     pub variables: Vec<Variable>,
+}
+
+/// How faithfully a model keeps FMI's promises. All but the first are for tests of importers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variant {
+    /// Keeps them all.
+    Faithful,
+    /// The state functions only return an error, and modelDescription.xml says so.
+    NoState,
+    /// A reset leaves the model as it is.
+    IdleReset,
+    /// A restored state forgets that a stop was demanded.
+    ForgetsLatch,
+    /// One instance in a process, once; modelDescription.xml says so.
+    OncePerProcess,
+}
+
+impl Variant {
+    /// All of them.
+    pub const ALL: [Variant; 5] =
+        [Variant::Faithful, Variant::NoState, Variant::IdleReset, Variant::ForgetsLatch, Variant::OncePerProcess];
+
+    /// Identifier and name of this variant of a model.
+    pub fn names(self, identifier: &str, name: &str) -> (String, String) {
+        let ending = match self {
+            Variant::Faithful => return (identifier.to_owned(), name.to_owned()),
+            Variant::NoState => "nostate",
+            Variant::IdleReset => "idlereset",
+            Variant::ForgetsLatch => "forgets",
+            Variant::OncePerProcess => "once",
+        };
+        (format!("{identifier}_{ending}"), format!("{name}-{ending}"))
+    }
+
+    /// Whether the state functions work at all.
+    pub fn saves_state(self) -> bool {
+        self != Variant::NoState
+    }
 }
 
 /// One scalar variable.
@@ -139,6 +177,11 @@ impl Kind {
 }
 
 impl Interface {
+    /// The place of the variable of this name.
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.variables.iter().position(|variable| variable.name == name)
+    }
+
     /// The FMI 2.0 `guid`: a fingerprint of everything in this interface (FNV-1a, 128 bit), in braces.
     pub fn guid(&self) -> String {
         let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
