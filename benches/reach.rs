@@ -29,7 +29,7 @@ impl ContactScore for Any {
     fn upper_bound_near(&self, _: ArmSegment, _: usize, _: Vec3, _: f64) -> f64 {
         1.0
     }
-    fn score(&self, _: ArmSegment, _: usize, _: Vec3, _: f64) -> f64 {
+    fn score(&self, _: ArmSegment, _: usize, _: Vec3) -> f64 {
         1.0
     }
 }

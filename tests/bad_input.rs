@@ -54,10 +54,20 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     ("step_s = 0.02", "step_s = 0.015", &["does not divide", "0.02, 0.01"]),
     ("moving_mass_kg = 40.4", "moving_mass_kg = -1", &["greater than zero"]),
     ("heading_deg = 90", "heading_deg = \"north\"", &["invalid type"]),
-    ("xy_m = [1.05, -1.70]", "xy_m = [0.9, 0.0]", &["inside an obstacle", "human.start"]),
+    ("xy_m = [1.05, -1.7]", "xy_m = [0.9, 0.0]", &["inside an obstacle", "human.start"]),
     ("fmu = \"safety-fence.fmu\"", "fmu = \"other.fmu\"", &["does not exist", "relative to the cell file"]),
     ("fmu = \"safety-fence.fmu\"\n", "", &["does not say which FMU", "fmu ="]),
-    ("size_m = [1.20, 0.02, 2.0]", "size_m = [1.20, 0, 2.0]", &["fence front left", "greater than zero"]),
+    (
+        "[[robot]]",
+        "[[unit]]\nname = \"a\"\nfmu = \"safety-fence.fmu\"\n[[robot]]",
+        &["names one FMU with `fmu` and others"],
+    ),
+    (
+        "fmu = \"safety-fence.fmu\"",
+        "[[unit]]\nname = \"a\"\nfmu = \"safety-fence.fmu\"",
+        &["which FMU", "write `unit:"],
+    ),
+    ("size_m = [1.2, 0.02, 2]", "size_m = [1.2, 0, 2]", &["fence front left", "greater than zero"]),
 ];
 
 #[test]
@@ -109,9 +119,13 @@ fn a_state_that_lies_is_not_used_and_the_result_is_the_same() {
             let dir = faulty(kind, 0);
             let _ = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).output();
             let scan = scan_json(&dir.path().join("o"));
-            let restore = scan["self_test"]["restore"]["result"].as_str().unwrap().to_owned();
+            let restore = scan["subject"]["fmus"][0]["self_test"]["restore"]["result"].as_str().unwrap().to_owned();
             assert_eq!(restore == "exact", kind == 0 || kind == 8, "fault {kind}: {restore}");
-            assert_eq!(scan["self_test"]["reset"]["result"] == "exact", kind != 8, "fault {kind}");
+            assert_eq!(
+                scan["subject"]["fmus"][0]["self_test"]["reset"]["result"] == "exact",
+                kind != 8,
+                "fault {kind}"
+            );
             scan["coverage"].clone()
         })
         .collect();

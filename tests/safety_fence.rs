@@ -98,7 +98,7 @@ fn starts_right_at_the_repaired_slot_find_nothing_either() {
     let dir = examples();
     let fixed = std::fs::read_to_string(dir.path().join("safety-fence/fixed.toml")).unwrap();
     for start in ["xy_m = [0.45, -0.70]", "xy_m = [0.0, -0.75]"] {
-        let text = fixed.replace("xy_m = [1.05, -1.70]", start);
+        let text = fixed.replace("xy_m = [1.05, -1.7]", start);
         assert_ne!(text, fixed);
         std::fs::write(dir.path().join("safety-fence/near.toml"), text).unwrap();
         for strategy in ["mcts-dpw", "random"] {

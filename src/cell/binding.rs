@@ -4,34 +4,80 @@
 use toml::Spanned;
 
 use super::error::{Source, nearest};
-use super::format::{Literal, VariableTable};
+use super::format::{ConnectionTable, FrameTable, Literal, RobotTable, SensorKind, VariableTable};
 use super::{CellError, Workcell};
 use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
 use crate::host::port::{Port, PortKind};
+use crate::host::system::{Connection, SystemSetup, UnitPort};
 
 /// Which FMU variables are written and read, and how.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Binding {
     /// Parameters set before initialisation.
-    pub parameters: Vec<(Port, f64)>,
-    /// Inputs written at every step: first one a distinct sensor variable, then the constants.
-    pub inputs: Vec<Port>,
-    /// For each sensor, the index of its input.
-    pub sensor_inputs: Vec<usize>,
-    /// Values of the constant inputs, following the sensor inputs.
+    pub parameters: Vec<(UnitPort, f64)>,
+    /// Inputs written at every step: first the distinct sensor variables, then the person's pose, then the constants.
+    pub inputs: Vec<UnitPort>,
+    /// For each sensor, the index of its input, or how to read it.
+    pub sensors: Vec<SensorBinding>,
+    /// Number of distinct inputs driven by sensors.
+    pub sensor_inputs: usize,
+    /// Values of the constant inputs, following the others.
     pub constants: Vec<f64>,
     /// Outputs read after every step.
-    pub outputs: Vec<Port>,
-    /// Joint angles, rad.
-    pub angles: Vec<Reader>,
-    /// Joint speeds, rad/s.
-    pub speeds: Vec<Reader>,
+    pub outputs: Vec<UnitPort>,
+    /// Connections between FMUs.
+    pub connections: Vec<Connection>,
+    /// Robots, in the order of the cell.
+    pub robots: Vec<RobotBinding>,
+    /// Things the user should know, for instance an assumed unit.
+    pub warnings: Vec<String>,
+}
+
+/// Where a sensor's reading goes to or comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SensorBinding {
+    /// Index of the input that it drives.
+    Input(usize),
+    /// The output that tells it.
+    Output(Reader),
+}
+
+/// How a robot's state is read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RobotBinding {
+    /// Its motion.
+    pub motion: MotionBinding,
     /// Payload, kg.
     pub payload: Reader,
     /// Programme phase, a whole number.
     pub phase: Option<Reader>,
-    /// Things the user should know, for instance an assumed unit.
-    pub warnings: Vec<String>,
+}
+
+/// How a robot's motion is read.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionBinding {
+    /// Joint angles, rad, and speeds, rad/s.
+    Joints {
+        /// Angle of each joint.
+        angles: Vec<Reader>,
+        /// Speed of each joint.
+        speeds: Vec<Reader>,
+    },
+    /// Pose and velocity of each part, base frame.
+    Frames(Vec<FrameBinding>),
+}
+
+/// How a moving part is read; SI, base frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameBinding {
+    /// Origin x, y, z.
+    pub position: [Reader; 3],
+    /// Quaternion w, x, y, z.
+    pub quaternion: [Reader; 4],
+    /// Velocity of the origin.
+    pub velocity: [Reader; 3],
+    /// Angular velocity.
+    pub angular_velocity: [Reader; 3],
 }
 
 /// A linear combination of bound outputs: `offset + sum(factor * output)`, SI.
@@ -55,6 +101,9 @@ enum Quantity {
     Angle,
     AngularSpeed,
     Mass,
+    Length,
+    Speed,
+    Number,
 }
 
 impl Quantity {
@@ -65,6 +114,9 @@ impl Quantity {
             Self::Angle => &[("rad", 1.0), ("deg", DEG), ("mrad", 1e-3)],
             Self::AngularSpeed => &[("rad/s", 1.0), ("deg/s", DEG), ("rpm", RPM), ("1/min", RPM)],
             Self::Mass => &[("kg", 1.0), ("g", 1e-3)],
+            Self::Length => &[("m", 1.0), ("mm", 1e-3)],
+            Self::Speed => &[("m/s", 1.0), ("mm/s", 1e-3)],
+            Self::Number => &[("1", 1.0)],
         }
     }
 }
@@ -74,144 +126,269 @@ fn named<T>(name: &str, value: &Spanned<T>) -> Spanned<String> {
     Spanned::new(value.span(), name.to_owned())
 }
 
+/// One of the FMUs as the binder sees it.
+pub struct BoundUnit<'a> {
+    /// Name in front of its variables; empty for the only one.
+    pub name: &'a str,
+    /// Its variables.
+    pub description: &'a ModelDescription,
+    /// Its file, for messages.
+    pub file: String,
+}
+
 struct Binder<'a> {
     source: &'a Source,
-    description: &'a ModelDescription,
-    fmu: String,
-    outputs: Vec<Port>,
+    units: &'a [BoundUnit<'a>],
+    outputs: Vec<UnitPort>,
     warnings: Vec<String>,
 }
 
-/// Binds `cell` to the FMU described by `description` (`fmu` is its name in messages).
+/// Binds `cell` to its FMUs.
 ///
 /// # Errors
 /// The first name, type or unit that does not fit, with its line in the cell file.
-pub fn bind(
-    cell: &Workcell,
-    source: &Source,
-    description: &ModelDescription,
-    fmu: &str,
-) -> Result<Binding, Box<CellError>> {
-    let mut b = Binder { source, description, fmu: fmu.to_owned(), outputs: Vec::new(), warnings: Vec::new() };
+pub fn bind(cell: &Workcell, source: &Source, units: &[BoundUnit<'_>]) -> Result<Binding, Box<CellError>> {
+    let mut b = Binder { source, units, outputs: Vec::new(), warnings: Vec::new() };
     let file = &cell.file;
-    let robot = file.robot.get_ref();
-    let mut angles = Vec::new();
-    let mut speeds = Vec::new();
-    for joint in &robot.joints {
-        angles.push(b.reader(&joint.angle, Quantity::Angle)?);
-        speeds.push(b.reader(&joint.speed, Quantity::AngularSpeed)?);
-    }
-    let payload = match (&robot.payload_kg, &robot.payload) {
-        (Some(kg), None) => Reader { terms: Vec::new(), offset: *kg.get_ref() },
-        (None, Some(table)) => b.reader(table, Quantity::Mass)?,
-        _ => {
-            let message = "the robot needs either `payload_kg` (a number) or `payload` (an FMU output)";
-            let help = Some("a robot that carries nothing has payload_kg = 0".to_owned());
-            return Err(source.error(file.robot.span(), "this robot", message, help));
+    let robots = file.robots.iter().map(|robot| b.robot(robot)).collect::<Result<Vec<_>, _>>()?;
+    let mut inputs: Vec<UnitPort> = Vec::new();
+    let mut sensors: Vec<SensorBinding> = Vec::new();
+    for (number, sensor) in file.sensors.iter().enumerate() {
+        if sensor.kind == SensorKind::Reported {
+            sensors.push(SensorBinding::Output(b.whole_number(&sensor.variable, "a reported sensor")?));
+            continue;
         }
-    };
-    let phase = robot.phase.as_ref().map(|name| b.whole_number(name)).transpose()?;
-    let mut inputs: Vec<Port> = Vec::new();
-    let mut sensor_inputs = Vec::new();
-    for sensor in &file.sensors {
-        let port = b.input(&sensor.variable, true)?;
+        let port = b.input(&sensor.variable, Some(PortKind::Boolean))?;
         let index = inputs.iter().position(|p| *p == port).unwrap_or(inputs.len());
         if index == inputs.len() {
             inputs.push(port);
-        } else if let Some(other) = sensor_inputs.iter().position(|&i| i == index) {
-            let differs = file.sensors[other].active != sensor.active;
-            if differs {
-                let message = format!(
-                    "sensors `{}` and `{}` drive one input with opposite polarity",
-                    file.sensors[other].name, sensor.name
-                );
-                return Err(source.error(sensor.variable.span(), "here", message, None));
-            }
         }
-        sensor_inputs.push(index);
+        let twin = (0..number).find(|&other| {
+            sensors[other] == SensorBinding::Input(index) && file.sensors[other].active != sensor.active
+        });
+        if let Some(other) = twin {
+            let message = format!(
+                "sensors `{}` and `{}` drive one input with opposite polarity",
+                file.sensors[other].name, sensor.name
+            );
+            return Err(source.error(sensor.variable.span(), "here", message, None));
+        }
+        sensors.push(SensorBinding::Input(index));
+    }
+    let sensor_inputs = inputs.len();
+    for name in file.pose.values() {
+        let port = b.input(name, Some(PortKind::Real))?;
+        b.driven_once(name, &port, &inputs)?;
+        inputs.push(port);
     }
     let mut constants = Vec::new();
     for (name, literal) in &file.inputs {
         let name = &named(name, literal);
         let literal = literal.get_ref();
-        let port = b.input(name, false)?;
-        if inputs.contains(&port) {
-            let message = format!("`{}` is driven by a sensor and held constant at once", name.get_ref());
-            return Err(source.error(name.span(), "here", message, Some("remove one of the two".to_owned())));
-        }
-        constants.push(b.literal(name, &port, *literal)?);
+        let port = b.input(name, None)?;
+        b.driven_once(name, &port, &inputs)?;
+        constants.push(b.literal(name, &port.port, *literal)?);
         inputs.push(port);
     }
     let mut parameters = Vec::new();
     for (name, literal) in &file.parameters {
         let name = &named(name, literal);
         let literal = literal.get_ref();
-        let variable = b.find(name)?;
+        let (unit, variable) = b.find(name)?;
         if variable.causality != Causality::Parameter {
-            let message = format!("`{}` is not a parameter of {fmu}", name.get_ref());
+            let message = format!("`{}` is not a parameter of {}", name.get_ref(), b.units[unit].file);
             return Err(source.error(name.span(), "here", message, Some("inputs belong under [inputs]".to_owned())));
         }
-        let port = b.port(name, variable)?;
-        let value = b.literal(name, &port, *literal)?;
+        let port = b.port(name, unit, variable)?;
+        let value = b.literal(name, &port.port, *literal)?;
         parameters.push((port, value));
+    }
+    let mut connections: Vec<Connection> = Vec::new();
+    for table in &file.connections {
+        let connection = b.connection(table)?;
+        let taken: Vec<UnitPort> = connections.iter().map(|c| c.to.clone()).chain(inputs.iter().cloned()).collect();
+        b.driven_once(&table.to, &connection.to, &taken)?;
+        connections.push(connection);
     }
     Ok(Binding {
         parameters,
         inputs,
+        sensors,
         sensor_inputs,
         constants,
         outputs: b.outputs,
-        angles,
-        speeds,
-        payload,
-        phase,
+        connections,
+        robots,
         warnings: b.warnings,
     })
 }
 
-impl<'a> Binder<'a> {
-    fn find(&self, name: &Spanned<String>) -> Result<&'a Variable, Box<CellError>> {
-        let wanted = name.get_ref().as_str();
-        if let Some(variable) = self.description.variable(wanted) {
-            return Ok(variable);
+impl Binding {
+    /// The setup of the FMUs for this binding.
+    #[must_use]
+    pub fn setup(&self, names: &[&str], initial_inputs: Vec<f64>, step_s: f64) -> SystemSetup {
+        SystemSetup {
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+            parameters: self.parameters.clone(),
+            inputs: self.inputs.clone(),
+            initial_inputs,
+            outputs: self.outputs.clone(),
+            connections: self.connections.clone(),
+            step_s,
         }
-        let all = self.description.variables.iter().map(|v| v.name.as_str());
-        let help = nearest(wanted, all).and_then(|n| self.description.variable(n)).map_or_else(
+    }
+}
+
+impl<'a> Binder<'a> {
+    fn robot(&mut self, table: &Spanned<RobotTable>) -> Result<RobotBinding, Box<CellError>> {
+        let robot = table.get_ref();
+        let motion = if robot.frames.is_empty() {
+            let mut angles = Vec::new();
+            let mut speeds = Vec::new();
+            for joint in &robot.joints {
+                angles.push(self.reader(&joint.angle, Quantity::Angle)?);
+                speeds.push(self.reader(&joint.speed, Quantity::AngularSpeed)?);
+            }
+            MotionBinding::Joints { angles, speeds }
+        } else {
+            MotionBinding::Frames(robot.frames.iter().map(|f| self.frame(f)).collect::<Result<_, _>>()?)
+        };
+        let payload = match (&robot.payload_kg, &robot.payload) {
+            (Some(kg), None) => Reader { terms: Vec::new(), offset: *kg.get_ref() },
+            (None, Some(table)) => self.reader(table, Quantity::Mass)?,
+            _ => {
+                let message = "the robot needs either `payload_kg` (a number) or `payload` (an FMU output)";
+                let help = Some("a robot that carries nothing has payload_kg = 0".to_owned());
+                return Err(self.source.error(table.span(), "this robot", message, help));
+            }
+        };
+        let phase = robot.phase.as_ref().map(|name| self.whole_number(name, "the programme phase")).transpose()?;
+        Ok(RobotBinding { motion, payload, phase })
+    }
+
+    fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {
+        Ok(FrameBinding {
+            position: self.readers(&frame.position, Quantity::Length)?,
+            quaternion: self.readers(&frame.quaternion, Quantity::Number)?,
+            velocity: self.readers(&frame.velocity, Quantity::Speed)?,
+            angular_velocity: self.readers(&frame.angular_velocity, Quantity::AngularSpeed)?,
+        })
+    }
+
+    fn readers<const N: usize>(
+        &mut self,
+        names: &[Spanned<String>; N],
+        quantity: Quantity,
+    ) -> Result<[Reader; N], Box<CellError>> {
+        let mut readers = std::array::from_fn(|_| Reader::default());
+        for (reader, name) in readers.iter_mut().zip(names) {
+            let factor = self.factor(name, None, quantity)?;
+            *reader = Reader { terms: vec![(self.real_output(name)?, factor)], offset: 0.0 };
+        }
+        Ok(readers)
+    }
+
+    fn connection(&self, table: &ConnectionTable) -> Result<Connection, Box<CellError>> {
+        let (unit, variable) = self.readable(&table.from)?;
+        let from = self.port(&table.from, unit, variable)?;
+        let to = self.input(&table.to, Some(from.port.kind))?;
+        let unit_of = |p: &UnitPort| match &self.find_exact(p).kind {
+            VariableType::Real { unit, .. } => unit.clone(),
+            _ => None,
+        };
+        if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to)) {
+            if a != b {
+                let message = format!("`{}` is in `{a}`, `{}` in `{b}`", table.from.get_ref(), table.to.get_ref());
+                let help = Some("connect variables of one unit".to_owned());
+                return Err(self.source.error(table.to.span(), "here", message, help));
+            }
+        }
+        Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps) })
+    }
+
+    fn find_exact(&self, port: &UnitPort) -> &'a Variable {
+        let variables = &self.units[port.unit].description.variables;
+        let found = variables.iter().find(|v| v.name == port.port.name);
+        found.unwrap_or(&variables[0])
+    }
+
+    /// Refuses an input that something else drives already.
+    fn driven_once(&self, name: &Spanned<String>, port: &UnitPort, taken: &[UnitPort]) -> Result<(), Box<CellError>> {
+        if !taken.contains(port) {
+            return Ok(());
+        }
+        let message = format!("`{}` is driven by two things at once", name.get_ref());
+        let help = Some("a sensor, the pose, a constant or a connection: remove one of the two".to_owned());
+        Err(self.source.error(name.span(), "here", message, help))
+    }
+
+    /// The FMU and variable that a name of the cell file means.
+    fn find(&self, name: &Spanned<String>) -> Result<(usize, &'a Variable), Box<CellError>> {
+        let written = name.get_ref().as_str();
+        let (unit, wanted) = if let [BoundUnit { name: "", .. }] = self.units {
+            (0, written)
+        } else {
+            let names = || self.units.iter().map(|u| u.name);
+            let Some((prefix, wanted)) = written.split_once(':') else {
+                let help = format!("write `unit:{written}`; the units are {}", names().collect::<Vec<_>>().join(", "));
+                let message = format!("`{written}` does not say which FMU it belongs to");
+                return Err(self.source.error(name.span(), "named here", message, Some(help)));
+            };
+            let Some(unit) = names().position(|n| n == prefix) else {
+                let help = nearest(prefix, names()).map_or_else(
+                    || format!("the units are {}", names().collect::<Vec<_>>().join(", ")),
+                    |n| format!("did you mean `{n}`?"),
+                );
+                let message = format!("there is no unit `{prefix}`");
+                return Err(self.source.error(name.span(), "named here", message, Some(help)));
+            };
+            (unit, wanted)
+        };
+        let description = self.units[unit].description;
+        if let Some(variable) = description.variable(wanted) {
+            return Ok((unit, variable));
+        }
+        let all = description.variables.iter().map(|v| v.name.as_str());
+        let help = nearest(wanted, all).and_then(|n| description.variable(n)).map_or_else(
             || "`fmi-hazard inspect` lists the FMU's variables".to_owned(),
             |v| format!("did you mean `{}`? ({}, {})", v.name, v.causality, type_name(v)),
         );
         Err(self.source.error(
             name.span(),
             "named here",
-            format!("variable `{wanted}` is not in {}", self.fmu),
+            format!("variable `{wanted}` is not in {}", self.units[unit].file),
             Some(help),
         ))
     }
 
-    fn port(&self, name: &Spanned<String>, variable: &Variable) -> Result<Port, Box<CellError>> {
-        let kind = match variable.kind {
-            VariableType::Real { .. } => PortKind::Real,
-            VariableType::Integer { .. } | VariableType::Enumeration { .. } => PortKind::Integer,
-            VariableType::Boolean { .. } => PortKind::Boolean,
+    fn port(&self, name: &Spanned<String>, unit: usize, variable: &Variable) -> Result<UnitPort, Box<CellError>> {
+        let (kind, start) = match variable.kind {
+            VariableType::Real { start, .. } => (PortKind::Real, start.unwrap_or(0.0)),
+            VariableType::Integer { start } | VariableType::Enumeration { start } => {
+                (PortKind::Integer, f64::from(start.unwrap_or(0)))
+            }
+            VariableType::Boolean { start } => (PortKind::Boolean, f64::from(u8::from(start.unwrap_or(false)))),
             _ => {
                 let message =
                     format!("`{}` is a {} variable, which cannot be used here", variable.name, type_name(variable));
                 return Err(self.source.error(name.span(), "named here", message, None));
             }
         };
-        Ok(Port { name: variable.name.clone(), value_reference: variable.value_reference, kind })
+        let port = Port { name: variable.name.clone(), value_reference: variable.value_reference, kind, start };
+        Ok(UnitPort { unit, port })
     }
 
-    fn input(&self, name: &Spanned<String>, boolean: bool) -> Result<Port, Box<CellError>> {
-        let variable = self.find(name)?;
+    /// An input of this type, if one is asked for.
+    fn input(&self, name: &Spanned<String>, wanted: Option<PortKind>) -> Result<UnitPort, Box<CellError>> {
+        let (unit, variable) = self.find(name)?;
         if variable.causality != Causality::Input {
-            let message = format!("`{}` is not an input of {}", variable.name, self.fmu);
+            let message = format!("`{}` is not an input of {}", variable.name, self.units[unit].file);
             return Err(self.source.error(name.span(), "named here", message, None));
         }
-        let port = self.port(name, variable)?;
-        if boolean && port.kind != PortKind::Boolean {
+        let port = self.port(name, unit, variable)?;
+        if let Some(wanted) = wanted.filter(|wanted| *wanted != port.port.kind) {
             let message =
-                format!("a sensor drives a Boolean input, but `{}` is {}", variable.name, type_name(variable));
+                format!("a {wanted:?} input is needed here, but `{}` is {}", variable.name, type_name(variable));
             return Err(self.source.error(name.span(), "named here", message, None));
         }
         Ok(port)
@@ -235,28 +412,28 @@ impl<'a> Binder<'a> {
     }
 
     /// Index of `port` among the bound outputs.
-    fn output(&mut self, port: Port) -> usize {
+    fn output(&mut self, port: UnitPort) -> usize {
         self.outputs.iter().position(|p| *p == port).unwrap_or_else(|| {
             self.outputs.push(port);
             self.outputs.len() - 1
         })
     }
 
-    fn readable(&self, name: &Spanned<String>) -> Result<&'a Variable, Box<CellError>> {
-        let variable = self.find(name)?;
+    fn readable(&self, name: &Spanned<String>) -> Result<(usize, &'a Variable), Box<CellError>> {
+        let (unit, variable) = self.find(name)?;
         if matches!(variable.causality, Causality::Output | Causality::Local | Causality::CalculatedParameter) {
-            return Ok(variable);
+            return Ok((unit, variable));
         }
-        let message = format!("`{}` cannot be read as a result: it is not an output of {}", variable.name, self.fmu);
+        let file = &self.units[unit].file;
+        let message = format!("`{}` cannot be read as a result: it is not an output of {file}", variable.name);
         Err(self.source.error(name.span(), "named here", message, None))
     }
 
-    fn whole_number(&mut self, name: &Spanned<String>) -> Result<Reader, Box<CellError>> {
-        let variable = self.readable(name)?;
-        let port = self.port(name, variable)?;
-        if port.kind == PortKind::Real {
-            let message =
-                format!("the programme phase must be an Integer or Boolean output, `{}` is Real", variable.name);
+    fn whole_number(&mut self, name: &Spanned<String>, what: &str) -> Result<Reader, Box<CellError>> {
+        let (unit, variable) = self.readable(name)?;
+        let port = self.port(name, unit, variable)?;
+        if port.port.kind == PortKind::Real {
+            let message = format!("{what} must be an Integer or Boolean output, `{}` is Real", variable.name);
             return Err(self.source.error(name.span(), "named here", message, None));
         }
         Ok(Reader { terms: vec![(self.output(port), 1.0)], offset: 0.0 })
@@ -277,15 +454,15 @@ impl<'a> Binder<'a> {
         }
         let offset = match quantity {
             Quantity::Angle => table.offset_deg.to_radians(),
-            Quantity::AngularSpeed | Quantity::Mass => 0.0,
+            _ => 0.0,
         };
         Ok(Reader { terms, offset })
     }
 
     fn real_output(&mut self, name: &Spanned<String>) -> Result<usize, Box<CellError>> {
-        let variable = self.readable(name)?;
-        let port = self.port(name, variable)?;
-        if port.kind != PortKind::Real {
+        let (unit, variable) = self.readable(name)?;
+        let port = self.port(name, unit, variable)?;
+        if port.port.kind != PortKind::Real {
             let message = format!("a Real output is needed here, `{}` is {}", variable.name, type_name(variable));
             return Err(self.source.error(name.span(), "named here", message, None));
         }
@@ -302,7 +479,7 @@ impl<'a> Binder<'a> {
         let units = quantity.units();
         let known = |u: &str| units.iter().find(|(n, _)| *n == u).map(|(_, f)| *f);
         let list = || units.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
-        let variable = self.find(name)?;
+        let (_, variable) = self.find(name)?;
         let declared = match &variable.kind {
             VariableType::Real { unit, .. } => unit.as_deref(),
             _ => None,
@@ -328,6 +505,7 @@ impl<'a> Binder<'a> {
                 let message = format!("`{}` is in `{declared}`, which does not fit here", variable.name);
                 self.source.error(name.span(), "named here", message, Some(format!("usable units: {}", list())))
             }),
+            None if matches!(quantity, Quantity::Number) => Ok(1.0),
             None => {
                 let si = units[0].0;
                 self.warnings.push(format!(

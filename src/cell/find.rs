@@ -20,8 +20,8 @@ pub struct OpenedCell {
     pub cell: Workcell,
     /// Its text, for messages about bindings.
     pub source: Source,
-    /// The FMU.
-    pub fmu: Fmu,
+    /// The FMUs with their names; one without a name, or several.
+    pub fmus: Vec<(String, Fmu)>,
     /// Where the cell was found, in words.
     pub found: String,
 }
@@ -102,7 +102,9 @@ fn names_this_fmu(cell: &Path, fmu: &Path) -> bool {
     let Ok(text) = std::fs::read_to_string(cell) else { return false };
     // A file that cannot be parsed is taken: its error message helps more than a silent skip.
     let Ok(file) = toml::from_str::<CellFile>(&text) else { return true };
-    file.fmu.is_none_or(|name| Path::new(name.get_ref()).file_name() == fmu.file_name())
+    // A FMI 3.0 export of the same model may lie beside it.
+    let stem = |path: &Path| path.file_stem().map(|stem| stem.to_string_lossy().trim_end_matches("-fmi3").to_owned());
+    file.units.is_empty() && file.fmu.is_none_or(|name| stem(Path::new(name.get_ref())) == stem(fmu))
 }
 
 fn read(path: &Path) -> Result<String, OpenError> {
@@ -112,22 +114,32 @@ fn read(path: &Path) -> Result<String, OpenError> {
 fn open_cell(path: &Path) -> Result<OpenedCell, OpenError> {
     let source = Source::new(&display_name(path), &read(path)?);
     let cell = validate(&source)?;
-    let Some(name) = &cell.fmu else { return Err(OpenError::NoFmu { cell: path.to_owned() }) };
-    let fmu_path = path.parent().unwrap_or(Path::new("")).join(name.get_ref());
-    if !fmu_path.is_file() {
-        return Err(OpenError::Cell(source.error(
-            name.span(),
-            "named here",
-            format!("the FMU {} does not exist", fmu_path.display()),
-            Some("the path is relative to the cell file".to_owned()),
-        )));
+    if cell.fmus.is_empty() {
+        return Err(OpenError::NoFmu { cell: path.to_owned() });
     }
-    let fmu = Fmu::open(&fmu_path)?;
-    Ok(OpenedCell { found: display_name(path), cell, source, fmu })
+    let mut fmus = Vec::with_capacity(cell.fmus.len());
+    for unit in &cell.fmus {
+        let fmu_path = path.parent().unwrap_or(Path::new("")).join(unit.path.get_ref());
+        if !fmu_path.is_file() {
+            return Err(OpenError::Cell(source.error(
+                unit.path.span(),
+                "named here",
+                format!("the FMU {} does not exist", fmu_path.display()),
+                Some("the path is relative to the cell file".to_owned()),
+            )));
+        }
+        fmus.push((unit.name.clone(), Fmu::open(&fmu_path)?));
+    }
+    Ok(OpenedCell { found: display_name(path), cell, source, fmus })
 }
 
 fn with_fmu(path: &Path, name: &str, fmu: Fmu) -> Result<OpenedCell, OpenError> {
     let source = Source::new(name, &read(path)?);
     let cell = validate(&source)?;
-    Ok(OpenedCell { found: name.to_owned(), cell, source, fmu })
+    if let Some(unit) = cell.fmus.iter().find(|unit| !unit.name.is_empty()) {
+        let message = "this cell couples several FMUs and cannot be used with one";
+        let help = Some("give the cell file instead of the FMU".to_owned());
+        return Err(OpenError::Cell(source.error(unit.path.span(), "one of them", message, help)));
+    }
+    Ok(OpenedCell { found: name.to_owned(), cell, source, fmus: vec![(String::new(), fmu)] })
 }

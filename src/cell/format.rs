@@ -17,16 +17,24 @@ pub struct CellFile {
     pub schema: Spanned<u32>,
     /// Name of the cell, used in results.
     pub name: String,
-    /// The FMU, relative to this file. Left out when the file travels inside the FMU.
+    /// The FMU, relative to this file. Left out when the file travels inside the FMU, or when there are `unit`s.
     #[serde(default)]
     #[schemars(with = "Option<String>")]
     pub fmu: Option<Spanned<String>>,
+    /// Several FMUs that are coupled; variables are then written `unit:variable`.
+    #[serde(default, rename = "unit")]
+    #[schemars(with = "Vec<UnitTable>")]
+    pub units: Vec<Spanned<UnitTable>>,
+    /// Outputs of units that drive inputs of units.
+    #[serde(default, rename = "connection")]
+    pub connections: Vec<ConnectionTable>,
     /// Time steps.
     #[serde(default)]
     pub time: TimeTable,
-    /// The robot: kinematic chain, link shapes, moving mass, and where its motion comes from.
-    #[schemars(with = "RobotTable")]
-    pub robot: Spanned<RobotTable>,
+    /// The robots: kinematic chain or link frames, link shapes, moving mass, and where the motion comes from.
+    #[serde(rename = "robot")]
+    #[schemars(with = "Vec<RobotTable>")]
+    pub robots: Vec<Spanned<RobotTable>>,
     /// Static boxes: fences, tables, machines.
     #[serde(default, rename = "obstacle")]
     pub obstacles: Vec<ObstacleTable>,
@@ -41,11 +49,62 @@ pub struct CellFile {
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Literal>")]
     pub inputs: BTreeMap<String, Spanned<Literal>>,
+    /// What of the person's pose is written to FMU inputs (Real) at every step.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<PoseQuantity, String>")]
+    pub pose: BTreeMap<PoseQuantity, Spanned<String>>,
     /// The person.
     pub human: HumanTable,
     /// Search budget.
     #[serde(default)]
     pub search: SearchTable,
+}
+
+/// One of several coupled FMUs.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UnitTable {
+    /// Name used in front of its variables.
+    pub name: String,
+    /// The FMU, relative to this file.
+    #[schemars(with = "String")]
+    pub fmu: Spanned<String>,
+}
+
+/// An output that drives an input.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ConnectionTable {
+    /// The output, `unit:variable`.
+    #[schemars(with = "String")]
+    pub from: Spanned<String>,
+    /// The input, `unit:variable`.
+    #[schemars(with = "String")]
+    pub to: Spanned<String>,
+    /// Whole communication steps by which the value is held back. 0: what the source gives at the end of a step counts
+    /// for that same step, so a change within it acts up to one step early; 1: it counts from the next step on.
+    #[serde(default)]
+    pub delay_steps: u8,
+}
+
+/// A part of the person's pose that an FMU may be told: m in the world frame, or rad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PoseQuantity {
+    /// Middle between the feet, x.
+    X,
+    /// Middle between the feet, y.
+    Y,
+    /// Heading from +x towards +y, rad, in 0 to 2 pi.
+    Heading,
+    /// Left foot, x.
+    LeftFootX,
+    /// Left foot, y.
+    LeftFootY,
+    /// Right foot, x.
+    RightFootX,
+    /// Right foot, y.
+    RightFootY,
 }
 
 /// A number or a truth value for an FMU variable.
@@ -102,9 +161,12 @@ pub struct RobotTable {
     /// The FMU output that gives the payload; or `payload_kg`.
     #[serde(default)]
     pub payload: Option<VariableTable>,
-    /// Revolute joints from the base to the tool.
-    #[serde(rename = "joint")]
+    /// Revolute joints from the base to the tool; or `frame`s.
+    #[serde(default, rename = "joint")]
     pub joints: Vec<JointTable>,
+    /// Moving parts whose poses the FMU gives; or `joint`s.
+    #[serde(default, rename = "frame")]
+    pub frames: Vec<FrameTable>,
     /// Collision shapes, each rigidly attached to a joint's moving side.
     #[serde(default, rename = "link")]
     pub links: Vec<LinkTable>,
@@ -131,6 +193,27 @@ pub struct JointTable {
     pub angle: VariableTable,
     /// FMU output with the joint speed.
     pub speed: VariableTable,
+}
+
+/// A moving part of the robot whose pose and velocity the FMU gives, in the robot's base frame.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FrameTable {
+    /// Name used by links.
+    #[schemars(with = "String")]
+    pub name: Spanned<String>,
+    /// FMU outputs x, y, z of its origin.
+    #[schemars(with = "[String; 3]")]
+    pub position: [Spanned<String>; 3],
+    /// FMU outputs w, x, y, z of the unit quaternion `base_from_frame`.
+    #[schemars(with = "[String; 4]")]
+    pub quaternion: [Spanned<String>; 4],
+    /// FMU outputs x, y, z of the velocity of its origin.
+    #[schemars(with = "[String; 3]")]
+    pub velocity: [Spanned<String>; 3],
+    /// FMU outputs x, y, z of its angular velocity.
+    #[schemars(with = "[String; 3]")]
+    pub angular_velocity: [Spanned<String>; 3],
 }
 
 /// An FMU output and what it takes to read it as SI: `value = sign * unit(variable) + offset + sum(plus)`.
@@ -166,7 +249,8 @@ const fn one() -> f64 {
 pub struct LinkTable {
     /// Name used in results.
     pub name: String,
-    /// The joint whose moving side carries the shape.
+    /// The joint whose moving side carries the shape, or the frame.
+    #[serde(alias = "frame")]
     #[schemars(with = "String")]
     pub joint: Spanned<String>,
     /// A capsule in the joint frame.
@@ -210,10 +294,15 @@ pub struct ObstacleTable {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SensorKind {
-    /// A pressure-sensitive mat: fires when a foot stands on the zone.
+    /// A pressure-sensitive mat: fires when a foot stands on the zone (ISO 13856-1).
     Mat,
-    /// A scanner field: fires when a part of the body is in the zone at the field's height.
+    /// A scanner field: fires when a leg is in the zone (IEC 61496-3).
     ScannerField,
+    /// A light curtain: fires when a part of the body or an arm passes through an upright plane (IEC 61496-2). An arm
+    /// that reaches through it does so at 2.0 m/s (ISO 13855).
+    LightCurtain,
+    /// A sensor inside the FMU, which reports it with a Boolean output.
+    Reported,
 }
 
 /// A sensor.
@@ -224,12 +313,14 @@ pub struct SensorTable {
     pub name: String,
     /// Kind.
     pub kind: SensorKind,
-    /// Where it sees.
-    pub zone: ZoneTable,
-    /// FMU input it drives (Boolean).
+    /// Where it sees; not for `reported`.
+    #[serde(default)]
+    #[schemars(with = "Option<ZoneTable>")]
+    pub zone: Option<Spanned<ZoneTable>>,
+    /// FMU input it drives, or for `reported` the output that tells it (Boolean).
     #[schemars(with = "String")]
     pub variable: Spanned<String>,
-    /// Value of the input while a person is detected; `false` is the usual fail-safe polarity of safety signals.
+    /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals.
     pub active: bool,
     /// Response time before the input changes, ms; rounded up to whole steps.
     #[serde(default)]
@@ -237,16 +328,22 @@ pub struct SensorTable {
     pub delay_ms: Option<Spanned<f64>>,
 }
 
-/// A zone on the floor plan.
+/// Where a sensor sees.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ZoneTable {
-    /// Corners of a convex or concave polygon in the floor plane, m, in order.
-    #[schemars(with = "Vec<[f64; 2]>")]
-    pub polygon_m: Spanned<Vec<[f64; 2]>>,
-    /// Height of a scanner field above the floor, m.
+    /// Mat and scanner field: corners of a convex or concave polygon in the floor plane, m, in order.
+    #[serde(default)]
+    pub polygon_m: Option<Vec<[f64; 2]>>,
+    /// Light curtain: the two ends of the plane on the floor, m.
+    #[serde(default)]
+    pub line_m: Option<[[f64; 2]; 2]>,
+    /// Scanner field: height above the floor, m; 0.2 unless told otherwise.
     #[serde(default)]
     pub height_m: Option<f64>,
+    /// Light curtain: from and to above the floor, m.
+    #[serde(default)]
+    pub heights_m: Option<[f64; 2]>,
 }
 
 /// Sex of the ANSUR II figures.

@@ -11,11 +11,13 @@ pub mod binding;
 pub mod error;
 pub mod find;
 pub mod format;
+mod robots;
+mod sensors;
 pub mod validate;
 
 pub use binding::Binding;
 pub use error::CellError;
-pub use validate::{Sensor, Workcell};
+pub use validate::{Sensor, Workcell, Zone};
 
 /// The JSON Schema of the cell file (draft 2020-12), for editors.
 #[must_use]

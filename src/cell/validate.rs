@@ -6,10 +6,10 @@ use sha2::{Digest as _, Sha256};
 use toml::Spanned;
 
 use super::CellError;
-use super::error::{Source, nearest};
-use super::format::{CapsuleTable, CellFile, LinkTable, PoseTable, SearchTable, SensorKind, SensorTable, Sex};
-use crate::geometry::chain::{Joint, KinematicChain};
-use crate::geometry::{Capsule, Cuboid, Hull, Pose, Rotation, Solid, Vec3, rotation_about};
+use super::error::Source;
+use super::format::{CellFile, PoseQuantity, PoseTable, SearchTable, Sex};
+use crate::geometry::chain::KinematicChain;
+use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
 use crate::human::{Anthropometry, Body, Start};
 use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
@@ -21,24 +21,23 @@ pub struct Workcell {
     pub name: String,
     /// SHA-256 of the cell file's text, lower-case hex.
     pub sha256: String,
-    /// The FMU's file name as written, relative to the cell file.
-    pub fmu: Option<Spanned<String>>,
+    /// The FMUs as written, relative to the cell file: one without a name, or several with names; none if the file
+    /// travels inside its FMU.
+    pub fmus: Vec<UnitFile>,
     /// Communication step and contact-check interval, s.
     pub step_s: f64,
     /// Communication steps in one action.
     pub steps_per_action: usize,
-    /// Robot name.
-    pub robot_name: String,
-    /// Robot kinematics.
-    pub chain: KinematicChain,
-    /// Robot collision shapes.
+    /// Robots.
+    pub robots: Vec<Robot>,
+    /// Robot collision shapes, robot after robot.
     pub links: Vec<Link>,
-    /// Mass of the moving parts `M`, kg.
-    pub moving_mass_kg: f64,
     /// Static boxes by name.
     pub obstacles: Vec<(String, Cuboid)>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
+    /// What of the person's pose goes to the FMU.
+    pub pose: Vec<PoseQuantity>,
     /// The person's start.
     pub start: Start,
     /// The person's body.
@@ -49,36 +48,66 @@ pub struct Workcell {
     pub(super) file: CellFile,
 }
 
-/// A collision shape of the robot.
+/// An FMU of the cell.
+#[derive(Clone, Debug)]
+pub struct UnitFile {
+    /// Name in front of its variables; empty for the only FMU.
+    pub name: String,
+    /// Path relative to the cell file.
+    pub path: Spanned<String>,
+}
+
+/// A robot.
+#[derive(Clone, Debug)]
+pub struct Robot {
+    /// Name.
+    pub name: String,
+    /// `world_from_base`.
+    pub world_from_base: Pose,
+    /// Kinematics, unless the FMU gives the poses of its parts.
+    pub chain: Option<KinematicChain>,
+    /// Mass of the moving parts `M`, kg.
+    pub moving_mass_kg: f64,
+}
+
+/// A collision shape of a robot.
 #[derive(Clone, Debug)]
 pub struct Link {
-    /// Name used in results.
+    /// Name used in results; with several robots, the robot's name stands in front.
     pub name: String,
-    /// Index of the joint whose moving side carries it.
+    /// Index of the robot.
+    pub robot: usize,
+    /// Index of the joint whose moving side carries it, or of the frame.
     pub joint: usize,
     /// Shape in the joint frame.
     pub shape: Solid,
 }
 
-/// A sensor on the floor plan.
+/// A sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
     /// Name used in results.
     pub name: String,
-    /// Kind.
-    pub kind: SensorKind,
-    /// Polygon on the floor, m.
-    pub polygon: Vec<[f64; 2]>,
-    /// Height of a scanner field, m.
-    pub height_m: f64,
-    /// Value written while a person is detected.
+    /// Where it sees.
+    pub zone: Zone,
+    /// Value of the FMU variable while a person is detected.
     pub active: bool,
     /// Response time in whole steps.
     pub delay_steps: usize,
 }
 
-/// Longest sensor response in steps: the delay line is one 64-bit word.
-const MAX_DELAY_STEPS: usize = 63;
+/// Where a sensor sees.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Zone {
+    /// A polygon on the floor, m, that feet stand on.
+    Mat(Vec<[f64; 2]>),
+    /// A polygon on the floor, m, above which legs stand.
+    Field(Vec<[f64; 2]>),
+    /// An upright plane, as a box without thickness.
+    Curtain(Cuboid),
+    /// Inside the FMU.
+    Reported,
+}
 
 /// Reads and checks a cell file.
 ///
@@ -94,18 +123,10 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
         )
     })?;
     let (step_s, steps_per_action) = check.step(&file)?;
-    let chain = check.chain(&file)?;
-    let links = check.links(&file)?;
+    let fmus = check.fmus(&file)?;
+    let (robots, links) = check.robots(&file)?;
     let sensors = check.sensors(&file, step_s)?;
     let obstacles = check.obstacles(&file)?;
-    let mass = &file.robot.get_ref().moving_mass_kg;
-    check.positive(*mass.get_ref(), &mass.span(), "the moving mass of the robot")?;
-    if let Some(payload) = &file.robot.get_ref().payload_kg {
-        let kg = *payload.get_ref();
-        check.that(kg.is_finite() && kg >= 0.0, payload.span(), || {
-            (format!("payload_kg is {kg}"), "use zero or more kilograms".to_owned())
-        })?;
-    }
     let start = file.human.start.get_ref();
     check.finite(&[start.xy_m[0], start.xy_m[1], start.heading_deg], &file.human.start.span(), "the start pose")?;
     let body = check.body(&file)?;
@@ -113,15 +134,14 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
     Ok(Workcell {
         name: file.name.clone(),
         sha256: Sha256::digest(source.text().as_bytes()).iter().map(|b| format!("{b:02x}")).collect(),
-        fmu: file.fmu.clone(),
+        fmus,
         step_s,
         steps_per_action,
-        robot_name: file.robot.get_ref().name.clone(),
-        chain,
+        robots,
         links,
-        moving_mass_kg: *mass.get_ref(),
         obstacles,
         sensors,
+        pose: file.pose.keys().copied().collect(),
         start: Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg),
         body,
         search: file.search,
@@ -129,7 +149,7 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
     })
 }
 
-fn pose(table: &PoseTable) -> Pose {
+pub(super) fn pose(table: &PoseTable) -> Pose {
     Pose::from_parts(Vec3::from_array(table.xyz_m), roll_pitch_yaw(table.rpy_deg))
 }
 
@@ -139,10 +159,16 @@ fn roll_pitch_yaw(deg: [f64; 3]) -> Rotation {
     rotation_about(Vec3::Z, y) * rotation_about(Vec3::Y, p) * rotation_about(Vec3::X, r)
 }
 
-struct Checker<'a>(&'a Source);
+/// Checks with the file at hand, so that each mistake can be shown where it stands.
+pub(super) struct Checker<'a>(pub(super) &'a Source);
 
 impl Checker<'_> {
-    fn that(&self, ok: bool, span: Range<usize>, say: impl FnOnce() -> (String, String)) -> Result<(), Box<CellError>> {
+    pub(super) fn that(
+        &self,
+        ok: bool,
+        span: Range<usize>,
+        say: impl FnOnce() -> (String, String),
+    ) -> Result<(), Box<CellError>> {
         if ok {
             return Ok(());
         }
@@ -150,13 +176,13 @@ impl Checker<'_> {
         Err(self.0.error(span, "here", message, Some(help)))
     }
 
-    fn positive(&self, value: f64, span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
+    pub(super) fn positive(&self, value: f64, span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
         self.that(value.is_finite() && value > 0.0, span.clone(), || {
             (format!("{what} must be greater than zero, not {value}"), "check the number and its unit".to_owned())
         })
     }
 
-    fn finite(&self, values: &[f64], span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
+    pub(super) fn finite(&self, values: &[f64], span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
         self.that(values.iter().all(|v| v.is_finite()), span.clone(), || {
             (format!("{what} is not finite"), "write plain numbers".to_owned())
         })
@@ -176,74 +202,25 @@ impl Checker<'_> {
         Ok((step, count as usize))
     }
 
-    fn chain(&self, file: &CellFile) -> Result<KinematicChain, Box<CellError>> {
-        let robot = file.robot.get_ref();
-        self.that(!robot.joints.is_empty(), file.robot.span(), || {
-            ("the robot has no joints".to_owned(), "add [[robot.joint]] tables, base to tool".to_owned())
-        })?;
-        let mut joints = Vec::with_capacity(robot.joints.len());
-        for (i, joint) in robot.joints.iter().enumerate() {
-            let name = joint.name.get_ref();
-            self.that(robot.joints[..i].iter().all(|j| j.name.get_ref() != name), joint.name.span(), || {
-                (format!("two joints are called `{name}`"), "give each joint its own name".to_owned())
-            })?;
-            let axis = Vec3::from_array(*joint.axis.get_ref());
-            self.that(axis.is_finite() && axis.length() > 1e-9, joint.axis.span(), || {
-                (format!("the axis of joint `{name}` has no direction"), "for instance axis = [0, 0, 1]".to_owned())
-            })?;
-            joints.push(Joint { parent_from_joint: pose(&joint.origin), axis: axis / axis.length() });
+    /// The FMUs that the file names.
+    fn fmus(&self, file: &CellFile) -> Result<Vec<UnitFile>, Box<CellError>> {
+        if let (Some(fmu), Some(unit)) = (&file.fmu, file.units.first()) {
+            let message = "the cell names one FMU with `fmu` and others with `unit`";
+            let help = Some(format!("make `{}` a unit as well, or remove it", fmu.get_ref()));
+            return Err(self.0.error(unit.span(), "here", message, help));
         }
-        Ok(KinematicChain { world_from_base: pose(&robot.base), joints })
-    }
-
-    fn links(&self, file: &CellFile) -> Result<Vec<Link>, Box<CellError>> {
-        let robot = file.robot.get_ref();
-        self.that(!robot.links.is_empty(), file.robot.span(), || {
-            (
-                "the cell has no robot geometry: without link shapes nothing can be hit".to_owned(),
-                "add [[robot.link]] tables with a `capsule` or `hull_m` each".to_owned(),
-            )
-        })?;
-        robot.links.iter().map(|link| self.link(link, file)).collect()
-    }
-
-    fn link(&self, link: &LinkTable, file: &CellFile) -> Result<Link, Box<CellError>> {
-        let joints = &file.robot.get_ref().joints;
-        let wanted = link.joint.get_ref();
-        let Some(joint) = joints.iter().position(|j| j.name.get_ref() == wanted) else {
-            let names: Vec<&str> = joints.iter().map(|j| j.name.get_ref().as_str()).collect();
-            let help = match nearest(wanted, names.iter().copied()) {
-                Some(name) => format!("did you mean `{name}`?"),
-                None => format!("the joints are {}", names.join(", ")),
-            };
-            return Err(self.0.error(link.joint.span(), "here", format!("there is no joint `{wanted}`"), Some(help)));
-        };
-        let span = link.joint.span();
-        let shape = match (&link.capsule, &link.hull_m) {
-            (Some(capsule), None) => Solid::Capsule(self.capsule(capsule, &span)?),
-            (None, Some(points)) => {
-                let list: Vec<Vec3> = points.get_ref().iter().map(|p| Vec3::from_array(*p)).collect();
-                let hull = Hull::from_points(&list).ok_or_else(|| {
-                    let help = "give at least four corner points that are not in one plane".to_owned();
-                    self.0.error(points.span(), "here", "these points have no convex hull with volume", Some(help))
-                })?;
-                Solid::Hull(hull)
-            }
-            _ => {
-                let message = format!("link `{}` needs one shape: either `capsule` or `hull_m`", link.name);
-                return Err(self.0.error(span, "in this link", message, None));
-            }
-        };
-        Ok(Link { name: link.name.clone(), joint, shape })
-    }
-
-    fn capsule(&self, table: &CapsuleTable, span: &Range<usize>) -> Result<Capsule, Box<CellError>> {
-        self.positive(table.radius_m, span, "the radius of a link")?;
-        let (a, b) = (Vec3::from_array(table.from_m), Vec3::from_array(table.to_m));
-        self.that(a.is_finite() && b.is_finite(), span.clone(), || {
-            ("a capsule end is not finite".to_owned(), "write plain numbers".to_owned())
-        })?;
-        Ok(Capsule { a, b, radius: table.radius_m })
+        for (i, unit) in file.units.iter().enumerate() {
+            let name = &unit.get_ref().name;
+            self.that(!name.is_empty() && !name.contains(':'), unit.span(), || {
+                (format!("a unit is called `{name}`"), "give each unit a name without a colon".to_owned())
+            })?;
+            self.that(file.units[..i].iter().all(|u| u.get_ref().name != *name), unit.span(), || {
+                (format!("two units are called `{name}`"), "give each unit its own name".to_owned())
+            })?;
+        }
+        let only = file.fmu.iter().map(|path| UnitFile { name: String::new(), path: path.clone() });
+        let units = file.units.iter().map(|u| u.get_ref());
+        Ok(only.chain(units.map(|u| UnitFile { name: u.name.clone(), path: u.fmu.clone() })).collect())
     }
 
     fn obstacles(&self, file: &CellFile) -> Result<Vec<(String, Cuboid)>, Box<CellError>> {
@@ -258,44 +235,6 @@ impl Checker<'_> {
             all.push((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg) }));
         }
         Ok(all)
-    }
-
-    fn sensors(&self, file: &CellFile, step_s: f64) -> Result<Vec<Sensor>, Box<CellError>> {
-        file.sensors.iter().map(|s| self.sensor(s, step_s)).collect()
-    }
-
-    fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
-        let polygon = s.zone.polygon_m.get_ref();
-        let span = s.zone.polygon_m.span();
-        self.that(polygon.len() >= 3, span.clone(), || {
-            (format!("the zone of sensor `{}` needs at least three corners", s.name), "[[x, y], ...] in m".to_owned())
-        })?;
-        self.finite(&polygon.concat(), &span, &format!("the zone of sensor `{}`", s.name))?;
-        let height_m = match (s.kind, s.zone.height_m) {
-            (SensorKind::ScannerField, None) => 0.2,
-            (_, h) => h.unwrap_or(0.0),
-        };
-        self.that((0.0..=1.0).contains(&height_m), span.clone(), || {
-            (format!("the height of sensor `{}` is {height_m} m", s.name), "ISO 13855 allows 0 to 1 m".to_owned())
-        })?;
-        let delay_ms = s.delay_ms.as_ref().map_or(0.0, |d| *d.get_ref());
-        let steps = (delay_ms / 1000.0 / step_s - 1e-9).ceil();
-        let delay_span = s.delay_ms.as_ref().map_or(span, Spanned::span);
-        #[expect(clippy::cast_precision_loss, reason = "63")]
-        self.that(delay_ms >= 0.0 && steps <= MAX_DELAY_STEPS as f64, delay_span, || {
-            let most = MAX_DELAY_STEPS as f64 * step_s * 1000.0;
-            (format!("delay_ms of sensor `{}` is {delay_ms}", s.name), format!("use 0 to {most:.0} ms"))
-        })?;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
-        let delay_steps = steps.max(0.0) as usize;
-        Ok(Sensor {
-            name: s.name.clone(),
-            kind: s.kind,
-            polygon: polygon.clone(),
-            height_m,
-            active: s.active,
-            delay_steps,
-        })
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {

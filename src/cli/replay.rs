@@ -8,7 +8,7 @@ use serde::Deserialize;
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::output;
 use crate::cell::error::nearest;
-use crate::report::model::{Hazard, SCHEMA_VERSION};
+use crate::report::model::{FmuSubject, Hazard, SCHEMA_VERSION};
 use crate::scan::prepare::prepare;
 use crate::sim::replay::replay;
 
@@ -35,7 +35,7 @@ struct Recorded {
 struct RecordedSubject {
     path: PathBuf,
     cell_sha256: String,
-    fmu_sha256: String,
+    fmus: Vec<FmuSubject>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
@@ -62,13 +62,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
     let prepared = prepare(path, None)?;
-    for (what, then, now) in [
-        ("cell file", &recorded.subject.cell_sha256, &prepared.subject.cell_sha256),
-        ("FMU", &recorded.subject.fmu_sha256, &prepared.subject.fmu_sha256),
-    ] {
-        if then != now {
-            output::note(&format!("   Warning the {what} has changed since the scan"));
-        }
+    if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
+        output::note("   Warning the cell file has changed since the scan");
+    }
+    let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
+    if hashes(&recorded.subject.fmus) != hashes(&prepared.subject.fmus) {
+        output::note("   Warning the FMU has changed since the scan");
     }
     let mut still_there = false;
     for hazard in wanted {

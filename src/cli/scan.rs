@@ -154,24 +154,32 @@ fn code(report: &ScanReport, interrupted: bool) -> u8 {
 
 fn introduce(prepared: &Prepared, state: StateChoice) {
     let s = &prepared.subject;
-    output::note(&format!(
-        "   Loaded  {} (FMI {} co-simulation, {})",
-        s.model_name,
-        s.fmi_version,
-        if s.generation_tool.is_empty() { "tool unknown" } else { &s.generation_tool }
-    ));
+    for fmu in &s.fmus {
+        let unit = if fmu.unit.is_empty() { String::new() } else { format!("{} = ", fmu.unit) };
+        let tool = if fmu.generation_tool.is_empty() { "tool unknown" } else { &fmu.generation_tool };
+        output::note(&format!("   Loaded  {unit}{} (FMI {} co-simulation, {tool})", fmu.model_name, fmu.fmi_version));
+    }
     output::note(&format!("   Cell    {} from {}", s.cell, s.cell_found));
-    let how = match state {
-        StateChoice::Auto => prepared.self_test.choice(),
-        StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
-        StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
-    };
-    let bytes = prepared.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
-    output::note(&format!("   States  {how}{bytes}"));
+    if s.fmus.len() > 1 {
+        let order: Vec<&str> = s.fmus.iter().map(|fmu| fmu.unit.as_str()).collect();
+        output::note(&format!("   Coupled {}, stepped in this order", order.join(", then ")));
+    }
+    for coupling in &s.couplings {
+        output::note(&format!("           {coupling}"));
+    }
+    for fmu in &s.fmus {
+        let how = match state {
+            StateChoice::Auto => fmu.self_test.choice(),
+            StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
+            StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
+        };
+        let bytes = fmu.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
+        output::note(&format!("   States  {how}{bytes}"));
+    }
     for warning in &prepared.binding.warnings {
         output::note(&format!("   Warning {warning}"));
     }
-    for warning in prepared.fmu.warnings() {
+    for warning in prepared.fmus.iter().flat_map(crate::fmi::Fmu::warnings) {
         output::note(&format!("   Warning modelDescription.xml: {warning}"));
     }
 }

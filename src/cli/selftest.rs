@@ -208,7 +208,7 @@ fn kind(variable: &Variable) -> Option<PortKind> {
 
 fn port(variable: &Variable) -> Option<Port> {
     let kind = kind(variable)?;
-    Some(Port { name: variable.name.clone(), value_reference: variable.value_reference, kind })
+    Some(Port { name: variable.name.clone(), value_reference: variable.value_reference, kind, start: start(variable) })
 }
 
 /// Inputs that can be moved, with their start values.

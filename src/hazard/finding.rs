@@ -27,8 +27,10 @@ pub struct Finding {
     pub arm: Option<ArmPose>,
     /// Each sensor's output at the contact: `true` while it reports a person.
     pub sensors: Vec<bool>,
-    /// Programme phase, where the cell names one.
+    /// Programme phase of the robot, where the cell names one.
     pub phase: Option<i64>,
+    /// For an arm that reaches through a light curtain: how long before the contact it broke the plane, s.
+    pub through_curtain_s: Option<f64>,
 }
 
 /// Where the touching arm is.

@@ -111,6 +111,11 @@ impl InProcess {
         Self { slave, setup, inputs, outputs, instance: None, step: 0 }
     }
 
+    /// Replaces the input values for initialisation.
+    pub(super) fn set_initial_inputs(&mut self, values: Vec<f64>) {
+        self.setup.initial_inputs = values;
+    }
+
     /// The FMU behind this plant.
     #[must_use]
     pub const fn slave(&self) -> &Slave {

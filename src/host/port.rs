@@ -12,7 +12,7 @@ pub enum PortKind {
 }
 
 /// A bound FMU variable.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Port {
     /// Name, for messages.
     pub name: String,
@@ -20,4 +20,6 @@ pub struct Port {
     pub value_reference: u32,
     /// Type.
     pub kind: PortKind,
+    /// Start value, where modelDescription.xml has one, else 0.
+    pub start: f64,
 }

@@ -113,6 +113,18 @@ impl<P: Plant> Recall<P> {
         &self.nodes[node.0].outputs
     }
 
+    /// The state before the transition into `node`; the root's is the root.
+    #[must_use]
+    pub fn parent(&self, node: NodeId) -> NodeId {
+        self.nodes[node.0].parent
+    }
+
+    /// Inputs of the transition into `node`, row-major.
+    #[must_use]
+    pub fn inputs(&self, node: NodeId) -> &[f64] {
+        &self.nodes[node.0].inputs
+    }
+
     /// Communication steps the FMU really took so far.
     #[must_use]
     pub const fn steps(&self) -> u64 {

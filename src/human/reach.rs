@@ -21,11 +21,16 @@ use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 pub enum ArmSegment {
     /// Shoulder to elbow.
     UpperArm,
-    /// Elbow to wrist.
+    /// The first part of the forearm, [`ELBOW_ZONE_M`] long: body regions count it with the elbow joint.
+    Elbow,
+    /// The rest of the forearm, up to the wrist.
     Forearm,
     /// Anything within the hand sphere around the wrist.
     Hand,
 }
+
+/// Length of forearm next to the elbow joint that counts as elbow, m.
+pub const ELBOW_ZONE_M: f64 = 0.06;
 
 /// How bad a contact is. Higher is worse; zero or less is never reported.
 pub trait ContactScore {
@@ -35,8 +40,8 @@ pub trait ContactScore {
     /// No contact of this segment with a point of this link within `radius` metres of `point` (world) scores more.
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64;
 
-    /// Score of a contact at the link's surface point `on_link` (world), `elbow_distance` metres from the elbow joint.
-    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3, elbow_distance: f64) -> f64;
+    /// Score of a contact at the link's surface point `on_link` (world).
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64;
 }
 
 /// What is asked.
@@ -115,7 +120,7 @@ struct JointBox {
 struct Piece {
     link: usize,
     solid: Solid,
-    bounds: [f64; 3],
+    bounds: [f64; 4],
 }
 
 /// Longest core of a piece, m.
@@ -143,7 +148,7 @@ struct Search<'a, S: ContactScore> {
     best: Option<ArmContact>,
 }
 
-const SEGMENTS: [ArmSegment; 3] = [ArmSegment::UpperArm, ArmSegment::Forearm, ArmSegment::Hand];
+const SEGMENTS: [ArmSegment; 4] = [ArmSegment::UpperArm, ArmSegment::Elbow, ArmSegment::Forearm, ArmSegment::Hand];
 
 /// Searches all configurations of one arm.
 #[must_use]
@@ -234,6 +239,19 @@ impl JointBox {
             Self { middle, half }
         })
     }
+}
+
+/// Whether a limb of this radius that ends at `end` certainly has that end in a box, or within its radius of a face,
+/// for all ends that move no farther along a direction `n` than `along(n)` says.
+fn ends_inside(o: &Cuboid, end: Vec3, radius: f64, along: impl Fn(Vec3) -> f64) -> bool {
+    let local = o.rotation.inverse() * (end - o.centre);
+    let outside = (local.abs() - o.half).to_array();
+    if outside.iter().any(|d| *d > radius) {
+        return false;
+    }
+    let face = (1..3).fold(0, |f, i| if outside[i] > outside[f] { i } else { f });
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+    (0..3).all(|i| outside[i] + along(o.rotation * axes[i]) <= if i == face { radius } else { 0.0 })
 }
 
 /// Whether a limb certainly passes through a flat box from one side to the other, for all ends that move no farther
@@ -327,6 +345,22 @@ impl Movement {
     }
 }
 
+/// Whether a limb may touch a solid when its ends move no farther than `at_most`, and along a direction `n` no farther
+/// than `along(n)` says.
+fn limb_may_touch(link: &Solid, ends: [Vec3; 2], radius: f64, at_most: f64, along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+    let near = link.segment_distance(ends[0], ends[1]);
+    if near.distance - radius > at_most {
+        return false;
+    }
+    let n = (near.on_first - near.on_second).normalize_or_zero();
+    if near.distance <= 0.0 || n == Vec3::ZERO {
+        return true;
+    }
+    let moves = along(n);
+    let behind = |p: Vec3, m: f64| (p - near.on_second).dot(n) - m;
+    behind(ends[0], moves[0]).min(behind(ends[1], moves[1])) <= radius
+}
+
 impl<S: ContactScore> Search<'_, S> {
     fn run(&mut self) -> (bool, u32) {
         let whole = JointBox::whole();
@@ -377,61 +411,109 @@ impl<S: ContactScore> Search<'_, S> {
         }
         let arm = self.query.arm;
         let movement = Movement::of(arm, b);
-        if !self.may_matter(placed, &movement) || self.certainly_blocked(placed, &movement) {
+        let beyond_elbow = self.pieces.iter().any(|p| self.hand_or_forearm_may_matter(p, placed, &movement));
+        if !beyond_elbow && !self.pieces.iter().any(|p| self.elbow_or_upper_arm_may_matter(p, placed, &movement)) {
+            return None;
+        }
+        if self.certainly_blocked(placed, &movement) {
             return None;
         }
         let config = clamped(b.middle);
         let candidate = if config == b.middle { *placed } else { self.place(config) };
         self.try_configuration(config, &candidate);
+        if !beyond_elbow && movement.elbow > 0.5 * self.query.tolerance_m {
+            // Where only the upper arm counts, the joints that move it settle the matter sooner.
+            return Some(usize::from(b.half[1] > b.half[0]));
+        }
         (movement.wrist > self.query.tolerance_m).then(|| movement.widest_joint())
     }
 
-    /// Whether some contact within the box could score above the cutoff.
-    fn may_matter(&self, placed: &Placed, movement: &Movement) -> bool {
-        let cutoff = self.cutoff();
-        let arm = self.query.arm;
-        let at_most = movement.elbow.max(movement.wrist);
-        self.pieces.iter().any(|piece| {
-            let [upper, fore, hand] = piece.bounds;
-            let link = &piece.solid;
-            if hand > cutoff {
-                let near = link.point_distance(placed.wrist);
-                // The nearest point of a convex link moves no farther than the wrist; a wrist inside is its own point.
-                let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
-                let bound = || self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around);
-                let gap = near.distance - arm.hand_radius_m;
-                // A convex link stays behind the plane through its nearest point: only movement against it counts.
-                let touches = gap <= movement.wrist && {
-                    let n = (near.on_first - near.on_second).normalize_or_zero();
-                    near.distance <= 0.0 || gap <= movement.along(placed, n).1
-                };
-                if touches && bound() > cutoff {
-                    // The nearest point moves no farther than the wrist does: the whole line stays near this one. A
-                    // wrist that may be inside the link has no line to check.
-                    let line = near.distance > movement.wrist;
-                    if !(line && self.line_certainly_blocked(placed, near.on_second, movement)) {
-                        return true;
-                    }
-                }
-            }
-            let limb = |a: Vec3, b: Vec3, radius: f64, moves: f64, elbow_first: bool| {
-                let near = link.segment_distance(a, b);
-                if near.distance - radius > moves {
-                    return false;
-                }
+    /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.
+    fn hand_or_forearm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
+        let (cutoff, arm, link) = (self.cutoff(), self.query.arm, &piece.solid);
+        let [_, _, fore, hand] = piece.bounds;
+        if hand > cutoff {
+            let near = link.point_distance(placed.wrist);
+            // The nearest point of a convex link moves no farther than the wrist; a wrist inside is its own point.
+            let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
+            let bound = || self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around);
+            let gap = near.distance - arm.hand_radius_m;
+            // A convex link stays behind the plane through its nearest point: only movement against it counts.
+            let touches = gap <= movement.wrist && {
                 let n = (near.on_first - near.on_second).normalize_or_zero();
-                if near.distance <= 0.0 || n == Vec3::ZERO {
+                near.distance <= 0.0 || gap <= movement.along(placed, n).1
+            };
+            if touches && bound() > cutoff {
+                // The nearest point moves no farther than the wrist does: the whole line stays near this one. A
+                // wrist that may be inside the link has no line to check.
+                let line = near.distance > movement.wrist;
+                if !(line && self.line_certainly_blocked(placed, near.on_second, movement)) {
                     return true;
                 }
-                let (elbow, wrist) = movement.along(placed, n);
-                let moves = if elbow_first { (elbow, wrist) } else { (0.0, elbow) };
-                let behind = |p: Vec3, m: f64| (p - near.on_second).dot(n) - m;
-                behind(a, moves.0).min(behind(b, moves.1)) <= radius
-            };
-            (fore > cutoff && limb(placed.elbow, placed.wrist, arm.forearm_radius_m, at_most, true))
-                || (upper > cutoff
-                    && limb(placed.shoulder, placed.elbow, arm.upper_arm_radius_m, movement.elbow, false))
-        })
+            }
+        }
+        // Beyond the part that counts as elbow, as far as a forearm can be touched before its hand.
+        let forearm = |end: f64| {
+            let part = self.elbow_part();
+            end > part && self.forearm_may_touch(link, placed, movement, [part, end])
+        };
+        fore > cutoff
+            && forearm(1.0)
+            && (forearm(self.never_first_from()) || !self.hand_certainly_free(placed, piece.link, movement))
+    }
+
+    /// The same of the upper arm and of what counts as elbow.
+    fn elbow_or_upper_arm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
+        let (cutoff, link) = (self.cutoff(), &piece.solid);
+        let [upper, elbow, _, _] = piece.bounds;
+        let upper_arm = || {
+            let moves = |n: Vec3| [0.0, movement.along(placed, n).0];
+            let radius = self.query.arm.upper_arm_radius_m;
+            limb_may_touch(link, [placed.shoulder, placed.elbow], radius, movement.elbow, moves)
+        };
+        (elbow > cutoff && self.forearm_may_touch(link, placed, movement, [0.0, self.elbow_part()]))
+            || (upper > cutoff && upper_arm())
+    }
+
+    /// Whether a part of the forearm, given as fractions from elbow to wrist, may touch a solid within the box.
+    fn forearm_may_touch(&self, link: &Solid, placed: &Placed, movement: &Movement, part: [f64; 2]) -> bool {
+        let ends = part.map(|p| placed.elbow + (placed.wrist - placed.elbow) * p);
+        // A point between elbow and wrist moves with both, in parts.
+        let between = |elbow: f64, wrist: f64| part.map(|p| (1.0 - p) * elbow + p * wrist);
+        let [near, far] = between(movement.elbow, movement.wrist);
+        let moves = |n: Vec3| {
+            let (elbow, wrist) = movement.along(placed, n);
+            between(elbow, wrist)
+        };
+        limb_may_touch(link, ends, self.query.arm.forearm_radius_m, near.max(far), moves)
+    }
+
+    /// From which part of the forearm on the hand is always touched before it, unless an obstacle keeps the hand away: a
+    /// contact at a point `t` from the wrist that is `d` from the forearm's axis is at most `d + t` from the wrist, so
+    /// the hand is the deeper one where `d + t - hand radius < d - forearm radius`.
+    fn never_first_from(&self) -> f64 {
+        let arm = self.query.arm;
+        1.0 - (arm.hand_radius_m - arm.forearm_radius_m).max(0.0) / arm.forearm_m
+    }
+
+    /// Whether the line from the wrist to the nearest point of a link is free in the whole box. That point moves no
+    /// farther than the wrist does.
+    fn hand_certainly_free(&self, placed: &Placed, link: usize, movement: &Movement) -> bool {
+        let near = self.query.links[link].point_distance(placed.wrist);
+        let to = if near.distance > 0.0 { near.on_second } else { placed.wrist };
+        // A wrist that may be inside the link in a part of the box needs no line there.
+        self.obstacles_near(placed.wrist, to, movement.wrist)
+            .all(|o| segment_cuboid(placed.wrist, to, o).distance > movement.wrist)
+    }
+
+    /// The part of the forearm that counts as elbow.
+    fn elbow_part(&self) -> f64 {
+        (ELBOW_ZONE_M / self.query.arm.forearm_m).min(1.0)
+    }
+
+    /// Where that part ends.
+    fn end_of_elbow(&self, placed: &Placed) -> Vec3 {
+        placed.elbow + (placed.wrist - placed.elbow) * self.elbow_part()
     }
 
     /// Whether the line from the wrist to the link's nearest point `to` passes through an obstacle in the whole box.
@@ -456,6 +538,8 @@ impl<S: ContactScore> Search<'_, S> {
             segment_cuboid(placed.elbow, placed.wrist, o).distance - r_fore < -at_most
                 || segment_cuboid(placed.elbow, middle, o).distance - r_fore < -halfway
                 || crosses(o, [placed.elbow, placed.wrist], r_fore, |n| movement.along(placed, n).into())
+                || ends_inside(o, placed.wrist, r_fore, |n| movement.along(placed, n).1)
+                || ends_inside(o, placed.elbow, r_fore, |n| movement.along(placed, n).0)
         }) || self.obstacles_near(placed.shoulder, placed.elbow, r_upper).any(|o| {
             segment_cuboid(from, placed.elbow, o).distance - r_upper < -movement.elbow
                 || segment_cuboid(placed.shoulder, placed.elbow, o).distance < -movement.elbow
@@ -498,6 +582,7 @@ impl<S: ContactScore> Search<'_, S> {
     /// The contact of a configuration: the smallest signed distance over segments and links.
     fn first_touched(&self, config: Config, placed: &Placed) -> Option<ArmContact> {
         let arm = self.query.arm;
+        let zone = self.end_of_elbow(placed);
         let mut touched: Option<(f64, ArmSegment, usize, Vec3, Vec3)> = None;
         let mut consider = |distance: f64, segment, link, on_link: Vec3, on_arm: Vec3| {
             if distance <= 0.0 && touched.is_none_or(|(d, ..)| distance < d) {
@@ -517,7 +602,8 @@ impl<S: ContactScore> Search<'_, S> {
                 }
             }
             for (segment, a, b, radius) in [
-                (ArmSegment::Forearm, placed.elbow, placed.wrist, arm.forearm_radius_m),
+                (ArmSegment::Elbow, placed.elbow, zone, arm.forearm_radius_m),
+                (ArmSegment::Forearm, zone, placed.wrist, arm.forearm_radius_m),
                 (ArmSegment::UpperArm, placed.shoulder, placed.elbow, arm.upper_arm_radius_m),
             ] {
                 let near = link.segment_distance(a, b);
@@ -525,7 +611,7 @@ impl<S: ContactScore> Search<'_, S> {
             }
         }
         let (signed_distance, segment, link, on_link, on_arm) = touched?;
-        let score = self.query.score.score(segment, link, on_link, (on_arm - placed.elbow).length());
+        let score = self.query.score.score(segment, link, on_link);
         let (elbow, wrist) = (placed.elbow, placed.wrist);
         Some(ArmContact { config, segment, link, on_link, on_arm, elbow, wrist, signed_distance, score })
     }

@@ -20,7 +20,7 @@ impl ContactScore for ByLink {
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, _point: Vec3, _radius: f64) -> f64 {
         self.upper_bound(segment, link)
     }
-    fn score(&self, segment: ArmSegment, link: usize, _on_link: Vec3, _elbow: f64) -> f64 {
+    fn score(&self, segment: ArmSegment, link: usize, _on_link: Vec3) -> f64 {
         self.upper_bound(segment, link)
     }
 }
@@ -166,7 +166,7 @@ fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 
             [(hand, ArmSegment::Hand), (fore, ArmSegment::Forearm), (upper, ArmSegment::UpperArm)]
         {
             if distance < touched.0 {
-                touched = (distance, scene.score.score(segment, i, wrist, 1.0));
+                touched = (distance, scene.score.score(segment, i, wrist));
             }
         }
     }
@@ -200,7 +200,7 @@ fn verify(scene: &Scene, arm: &ArmModel, side: Side, found: &ArmContact) {
     let link = parry_capsule(link.a, link.b, link.radius);
     let limb = match found.segment {
         ArmSegment::Hand => parry_capsule(found.wrist, found.wrist, arm.hand_radius_m),
-        ArmSegment::Forearm => parry_capsule(found.elbow, found.wrist, arm.forearm_radius_m),
+        ArmSegment::Elbow | ArmSegment::Forearm => parry_capsule(found.elbow, found.wrist, arm.forearm_radius_m),
         ArmSegment::UpperArm => parry_capsule(pose.translation, found.elbow, arm.upper_arm_radius_m),
     };
     let distance = query::distance(&Pose::IDENTITY, &limb, &Pose::IDENTITY, &link).unwrap().distance;

@@ -11,7 +11,7 @@ use crate::standards::BodyRegion;
 use crate::standards::provenance::Table;
 
 /// Version of the format of `scan.json`; grows when a reader of the old one would misread the new one.
-pub const SCHEMA_VERSION: u32 = 1;
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// The edition of the standard behind the limits, as printed.
 pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
@@ -37,8 +37,6 @@ pub struct ScanReport {
     pub spent: Spent,
     /// Actions that the FMU could not finish, with the sequences that lead there.
     pub faults: Vec<FaultRecord>,
-    /// The state self-test.
-    pub self_test: SelfTest,
     /// Edition of the limits.
     pub standard_edition: &'static str,
     /// Tables of figures used, each with source, confidence and whether a person has verified it.
@@ -74,14 +72,27 @@ pub struct Subject {
     pub cell_sha256: String,
     /// Path that was scanned, as given.
     pub path: String,
+    /// The FMUs, in the order in which they are stepped.
+    pub fmus: Vec<FmuSubject>,
+    /// What the connections between them do.
+    pub couplings: Vec<String>,
+}
+
+/// An FMU that was scanned.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct FmuSubject {
+    /// Name of the unit; empty for the only one.
+    pub unit: String,
     /// SHA-256 of the FMU file.
-    pub fmu_sha256: String,
+    pub sha256: String,
     /// FMI version.
     pub fmi_version: String,
     /// Model name.
     pub model_name: String,
     /// Exporting tool.
     pub generation_tool: String,
+    /// The state self-test.
+    pub self_test: SelfTest,
 }
 
 /// How it was searched.
@@ -184,6 +195,9 @@ pub struct Hazard {
     pub sensors: Vec<SensorState>,
     /// Programme phase.
     pub phase: Option<i64>,
+    /// For an arm through a light curtain: how long before the contact it broke the plane, s; the robot is where it is
+    /// when the curtain is broken then.
+    pub through_curtain_s: Option<f64>,
     /// The sequence of actions; the contact happens in the last.
     pub actions: Vec<Action>,
     /// Iteration in which the hazard was first met, from 1.
@@ -253,6 +267,7 @@ impl Hazard {
             arm,
             sensors: sensor_names.iter().zip(&f.sensors).map(sensor).collect(),
             phase: f.phase,
+            through_curtain_s: f.through_curtain_s,
             actions: f.actions.clone(),
             first_iteration: group.first_iteration,
             times_found: group.times_found,

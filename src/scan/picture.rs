@@ -2,6 +2,7 @@
 
 use super::prepare::{Prepared, StateChoice};
 use super::run::ScanError;
+use crate::cell::Zone;
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::report::model::Hazard;
 use crate::report::topview::{Point, Scene};
@@ -53,13 +54,22 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard) -> Result<Scene, ScanError> {
             hazard.limit_n
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
-        zones: cell.sensors.iter().map(|s| (s.name.clone(), s.polygon.clone())).collect(),
+        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
         robot,
         path: path.into_iter().map(flat).collect(),
         body: body.into_iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
     })
+}
+
+/// Where a sensor sees, from above; the plane of a light curtain as a thin strip.
+fn zone(zone: &Zone) -> Option<Vec<Point>> {
+    match zone {
+        Zone::Mat(polygon) | Zone::Field(polygon) => Some(polygon.clone()),
+        Zone::Curtain(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
+        Zone::Reported => None,
+    }
 }
 
 fn segment(link: &Solid) -> (Point, Point, f64) {

@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
+use crate::cell::binding::BoundUnit;
 use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
-use crate::host::in_process::{InProcess, Setup};
-use crate::host::selftest::{SelfTest, Stage, selftest};
-use crate::host::{PlantError, Policy};
-use crate::report::model::Subject;
+use crate::host::selftest::{Stage, selftest};
+use crate::host::system::AlgebraicLoop;
+use crate::host::{PlantError, Policy, System, SystemSetup};
+use crate::report::model::{FmuSubject, Subject};
 use crate::sim::simulation::initial_inputs;
 use crate::sim::{Options, Simulation};
 
@@ -42,6 +43,10 @@ pub enum PrepareError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Bind(#[from] Box<CellError>),
+    /// The FMUs cannot be stepped one after the other.
+    #[error(transparent)]
+    #[diagnostic(help("give one of its connections delay_steps = 1: its value then counts from the next step on"))]
+    Coupling(#[from] AlgebraicLoop),
     /// The FMU could not be loaded.
     #[error(transparent)]
     Load(#[from] crate::fmi::Error),
@@ -85,15 +90,12 @@ pub struct Prepared {
     pub cell: Arc<Workcell>,
     /// Its variables.
     pub binding: Arc<Binding>,
-    /// The loaded FMU.
-    pub slave: Slave,
-    /// The FMU's file.
-    pub fmu: Fmu,
+    /// The FMUs' files.
+    pub fmus: Vec<Fmu>,
     /// What was scanned.
     pub subject: Subject,
-    /// What the FMU's promises are worth.
-    pub self_test: SelfTest,
-    setup: Setup,
+    slaves: Vec<Slave>,
+    setup: SystemSetup,
 }
 
 /// Opens, binds, loads and self-tests what `path` names: a cell file, or an FMU with its cell (`cell` if it is elsewhere).
@@ -101,36 +103,51 @@ pub struct Prepared {
 /// # Errors
 /// [`PrepareError`].
 pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareError> {
-    let OpenedCell { cell, source, fmu, found } = open(path, cell)?;
-    let description = fmu.description();
-    let name = fmu.path().file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let binding = binding::bind(&cell, &source, description, &name)?;
-    let slave = fmu.load()?;
-    let setup = Setup {
-        parameters: binding.parameters.clone(),
-        inputs: binding.inputs.clone(),
-        initial_inputs: initial_inputs(&cell, &binding),
-        outputs: binding.outputs.clone(),
-        step_s: cell.step_s,
-    };
+    let OpenedCell { cell, source, fmus, found } = open(path, cell)?;
+    let file_name = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let bound = |(name, fmu): &(String, Fmu)| (name.clone(), file_name(fmu));
+    let names: Vec<(String, String)> = fmus.iter().map(bound).collect();
+    let units: Vec<BoundUnit<'_>> = fmus
+        .iter()
+        .zip(&names)
+        .map(|((_, fmu), (name, file))| BoundUnit { name, description: fmu.description(), file: file.clone() })
+        .collect();
+    let binding = binding::bind(&cell, &source, &units)?;
+    let unit_names: Vec<&str> = names.iter().map(|(name, _)| name.as_str()).collect();
+    let setup = binding.setup(&unit_names, initial_inputs(&cell, &binding), cell.step_s);
+    let order = setup.order()?;
+    let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
+    let couplings = System::new(&slaves, setup.clone())?.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
-    // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
-    let self_test =
-        selftest(&slave, &setup, episode, &[Stage::Serialize], &mut |_| {}).map_err(PrepareError::FirstRun)?;
-    if !self_test.repeatable() {
-        return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
+    let mut subjects = Vec::with_capacity(fmus.len());
+    for unit in order {
+        // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
+        let self_test = selftest(&slaves[unit], &setup.unit(unit), episode, &[Stage::Serialize], &mut |_| {})
+            .map_err(PrepareError::FirstRun)?;
+        if !self_test.repeatable() {
+            return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
+        }
+        let (name, fmu) = &fmus[unit];
+        let description = fmu.description();
+        subjects.push(FmuSubject {
+            unit: name.clone(),
+            sha256: fmu.sha256().to_owned(),
+            fmi_version: description.fmi_version.clone(),
+            model_name: description.model_name.clone(),
+            generation_tool: description.generation_tool.clone().unwrap_or_default(),
+            self_test,
+        });
     }
     let subject = Subject {
         cell: cell.name.clone(),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
         path: path.display().to_string(),
-        fmu_sha256: fmu.sha256().to_owned(),
-        fmi_version: description.fmi_version.clone(),
-        model_name: description.model_name.clone(),
-        generation_tool: description.generation_tool.clone().unwrap_or_default(),
+        fmus: subjects,
+        couplings,
     };
-    let prepared = Prepared { cell: Arc::new(cell), binding: Arc::new(binding), slave, fmu, subject, self_test, setup };
+    let fmus = fmus.into_iter().map(|(_, fmu)| fmu).collect();
+    let prepared = Prepared { cell: Arc::new(cell), binding: Arc::new(binding), fmus, subject, slaves, setup };
     let simulation = prepared.simulation(StateChoice::Auto, false).map_err(PrepareError::FirstRun)?;
     if !simulation.start_is_free() {
         let start = simulation.position();
@@ -140,27 +157,44 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 }
 
 impl Prepared {
-    /// A new instance of the FMU, not yet started.
+    /// The FMUs with new instances, not yet started.
+    ///
+    /// # Panics
+    /// Never: preparing has shown that the connections form no loop.
     #[must_use]
-    pub fn plant(&self) -> InProcess {
-        InProcess::new(self.slave.clone(), self.setup.clone())
+    #[expect(clippy::expect_used, reason = "the same setup was built when preparing")]
+    pub fn plant(&self) -> System {
+        System::new(&self.slaves, self.setup.clone()).expect("the connections form no loop")
     }
 
-    /// How states are brought back for a choice.
+    /// How states are brought back for a choice: as the least faithful of the FMUs deserves.
     #[must_use]
     pub fn policy(&self, choice: StateChoice) -> Policy {
+        let budget = STATE_BUDGET / self.subject.fmus.len().max(1);
+        let checkpoints = |policy: Policy| match policy {
+            Policy::States { max_checkpoints } => max_checkpoints,
+            Policy::Replay => 0,
+        };
         match choice {
-            StateChoice::Auto => self.self_test.policy(STATE_BUDGET),
+            StateChoice::Auto => Policy::States {
+                max_checkpoints: self
+                    .subject
+                    .fmus
+                    .iter()
+                    .map(|fmu| checkpoints(fmu.self_test.policy(budget)))
+                    .min()
+                    .unwrap_or(0),
+            },
             StateChoice::Fmu => Policy::States { max_checkpoints: usize::MAX },
             StateChoice::Replay => Policy::Replay,
         }
     }
 
-    /// A simulation of its own, with an FMU instance of its own.
+    /// A simulation of its own, with FMU instances of its own.
     ///
     /// # Errors
-    /// When the FMU cannot be started.
-    pub fn simulation(&self, state: StateChoice, posture_sweep: bool) -> Result<Simulation<InProcess>, PlantError> {
+    /// When an FMU cannot be started.
+    pub fn simulation(&self, state: StateChoice, posture_sweep: bool) -> Result<Simulation<System>, PlantError> {
         let options = Options { policy: self.policy(state), posture_sweep };
         Simulation::new(Arc::clone(&self.cell), Arc::clone(&self.binding), self.plant(), options)
     }

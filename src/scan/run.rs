@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::prepare::{Prepared, StateChoice};
 use crate::hazard::{Finding, Groups};
 use crate::host::PlantError;
-use crate::host::in_process::InProcess;
+use crate::host::System;
 use crate::human::action::ACTION_S;
 use crate::report::model::{
     FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
@@ -36,7 +36,7 @@ pub enum StrategyName {
 impl StrategyName {
     /// A fresh strategy.
     #[must_use]
-    pub fn build(self) -> Box<dyn Strategy<Simulation<InProcess>>> {
+    pub fn build(self) -> Box<dyn Strategy<Simulation<System>>> {
         let mcts = |profile| Box::new(MctsDpw::<Snapshot>::new(profile));
         match self {
             Self::MctsDpw => mcts(Profile::Paper),
@@ -189,7 +189,6 @@ pub fn scan(
         coverage,
         spent,
         faults,
-        self_test: prepared.self_test.clone(),
         standard_edition: STANDARD_EDITION,
         tables: tables().collect(),
         warnings,

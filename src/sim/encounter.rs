@@ -17,9 +17,6 @@ use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reac
 use crate::human::{BodyPart, PlacedBody, Side};
 use crate::standards::BodyRegion;
 
-/// Length of forearm next to the elbow joint that counts as elbow (upper arm region, the lower limit), m.
-const ELBOW_ZONE_M: f64 = 0.06;
-
 /// What an arm check is for.
 struct Aim {
     threshold: f64,
@@ -70,71 +67,93 @@ struct Nearest {
     on_robot: Vec3,
 }
 
-/// Force ratio of arm contacts with the robot of one frame.
-struct ArmScore<'a>(&'a RobotFrame);
-
-impl ArmScore<'_> {
-    const fn regions(segment: ArmSegment) -> &'static [BodyRegion] {
-        match segment {
-            ArmSegment::UpperArm => &[BodyRegion::UpperArm],
-            ArmSegment::Forearm => &[BodyRegion::LowerArm, BodyRegion::UpperArm],
-            ArmSegment::Hand => &[BodyRegion::Hand],
-        }
-    }
+/// What an arm may touch.
+pub struct ArmSpace<'a> {
+    /// Walls that block arms, besides the obstacles.
+    pub walls: &'a [Cuboid],
+    /// For each link whether any of it is in the space the walls leave; others are not looked at.
+    pub links: Option<&'a [bool]>,
 }
+
+impl ArmSpace<'static> {
+    /// All there is.
+    pub const OPEN: Self = Self { walls: &[], links: None };
+}
+
+/// Force ratio of arm contacts with the robot of one frame, and which of its links count.
+struct ArmScore<'a>(&'a RobotFrame, Option<&'a [bool]>);
 
 impl ContactScore for ArmScore<'_> {
     fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
-        let speed = self.0.speed_bounds[link];
-        Self::regions(segment).iter().map(|&r| self.0.strike.ratio(r, speed)).fold(0.0, f64::max)
+        if self.1.is_some_and(|links| !links[link]) {
+            return 0.0;
+        }
+        self.0.ratio(arm_region(segment), link, self.0.speed_bounds[link])
     }
 
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
-        let speed = self.0.speed_bound_near(link, point, radius);
-        Self::regions(segment).iter().map(|&r| self.0.strike.ratio(r, speed)).fold(0.0, f64::max)
+        self.0.ratio(arm_region(segment), link, self.0.speed_bound_near(link, point, radius))
     }
 
-    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3, elbow_distance: f64) -> f64 {
-        let region = arm_region(segment, elbow_distance);
-        self.0.strike.ratio(region, self.0.velocity(link, on_link).length())
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
+        self.0.ratio(arm_region(segment), link, self.0.velocity(link, on_link).length())
     }
 }
 
-fn arm_region(segment: ArmSegment, elbow_distance: f64) -> BodyRegion {
+const fn arm_region(segment: ArmSegment) -> BodyRegion {
     match segment {
         ArmSegment::Hand => BodyRegion::Hand,
-        ArmSegment::UpperArm => BodyRegion::UpperArm,
-        ArmSegment::Forearm if elbow_distance < ELBOW_ZONE_M => BodyRegion::UpperArm,
+        ArmSegment::UpperArm | ArmSegment::Elbow => BodyRegion::UpperArm,
         ArmSegment::Forearm => BodyRegion::LowerArm,
     }
 }
 
 impl Encounter {
-    /// The unsafe contact of this instant, if there is one: of the body first, else the worse of the two arms.
+    /// The unsafe contact of trunk, head or legs with the robot, if there is one.
     #[must_use]
-    pub fn unsafe_contact(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Encountered> {
-        if let Some(nearest) = nearest(&person.body, frame) {
-            coverage.closest_approach_m = coverage.closest_approach_m.min(nearest.distance);
-            if nearest.distance <= 0.0 {
-                let contact = body_contact(person, frame, &nearest);
-                if contact.class().is_some() {
-                    return Some((contact, None));
-                }
-                within_limits(&contact, coverage);
-            }
+    pub fn unsafe_body_contact(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Contact> {
+        let nearest = nearest(&person.body, frame)?;
+        coverage.closest_approach_m = coverage.closest_approach_m.min(nearest.distance);
+        if nearest.distance > 0.0 {
+            return None;
         }
-        // Any arm contact above the limit makes the state unsafe; only then is the worst of them looked for.
-        let any = self.arm_contact(person, frame, &ANY_HAZARD, coverage)?;
-        let worst = self.arm_contact(person, frame, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
+        let contact = body_contact(person, frame, &nearest);
+        if contact.class().is_none() {
+            within_limits(&contact, coverage);
+        }
+        contact.class().map(|_| contact)
+    }
+
+    /// The unsafe contact of an arm with the robot, if there is one: the worse of the two arms, in the space that is
+    /// open to them.
+    ///
+    /// Any arm contact above the limit makes the state unsafe; only then is the worst of them looked for.
+    #[must_use]
+    pub fn unsafe_arm_contact(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        space: &ArmSpace<'_>,
+        coverage: &mut Coverage,
+    ) -> Option<Encountered> {
+        let any = self.arm_contact(person, frame, space, &ANY_HAZARD, coverage)?;
+        let worst =
+            self.arm_contact(person, frame, space, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
     #[must_use]
-    pub fn proximity(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Proximity {
+    pub fn proximity(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        space: &ArmSpace<'_>,
+        coverage: &mut Coverage,
+    ) -> Proximity {
         let nearest = nearest(&person.body, frame);
         let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n).ratio());
-        let arm = self.arm_contact(person, frame, &WORST, coverage).map(|(contact, _)| {
+        let arm = self.arm_contact(person, frame, space, &WORST, coverage).map(|(contact, _)| {
             within_limits(&contact, coverage);
             contact.ratio()
         });
@@ -146,7 +165,7 @@ impl Encounter {
         let mut consider = |distance_m: f64, region: BodyRegion, link: usize, from: Vec3, to: Vec3| {
             if distance_m < closest && !self.blocked(from, to) {
                 closest = distance_m;
-                let ratio = frame.strike.ratio(region, frame.velocity(link, to).length());
+                let ratio = frame.ratio(region, link, frame.velocity(link, to).length());
                 best = Proximity::Near { distance_m, ratio };
             }
         };
@@ -171,6 +190,7 @@ impl Encounter {
         &self,
         person: &Person,
         frame: &RobotFrame,
+        space: &ArmSpace<'_>,
         aim: &Aim,
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
@@ -186,10 +206,20 @@ impl Encounter {
             return None;
         }
         coverage.checks_with_robot_in_arm_reach += 1;
-        if arm_regions.iter().all(|&r| frame.strike.ratio(r, frame.fastest) <= aim.threshold) {
+        let may_matter = |link: usize, &r: &BodyRegion| frame.ratio(r, link, frame.speed_bounds[link]) > aim.threshold;
+        let counts = |link: &usize| space.links.is_none_or(|links| links[*link]);
+        if !(0..frame.links.len()).filter(counts).any(|link| arm_regions.iter().any(|r| may_matter(link, r))) {
             return None;
         }
-        let score = ArmScore(frame);
+        let mut obstacles = Vec::new();
+        let obstacles = if space.walls.is_empty() {
+            &self.obstacles
+        } else {
+            obstacles.extend_from_slice(&self.obstacles);
+            obstacles.extend_from_slice(space.walls);
+            &obstacles
+        };
+        let score = ArmScore(frame, space.links);
         let mut worst: Option<Encountered> = None;
         for (side, world_from_shoulder) in shoulders {
             coverage.arm_checks += 1;
@@ -198,7 +228,7 @@ impl Encounter {
                 side,
                 world_from_shoulder,
                 links: &frame.links,
-                obstacles: &self.obstacles,
+                obstacles,
                 score: &score,
                 threshold: aim.threshold,
                 tolerance_m: self.reach_tolerance_m,
@@ -267,13 +297,13 @@ fn body_contact(person: &Person, frame: &RobotFrame, nearest: &Nearest) -> Conta
         robot_velocity: frame.velocity(nearest.link, nearest.on_robot),
         human_velocity: person.velocity,
     };
-    Contact::new(&touch, &frame.strike)
+    Contact::new(&touch, frame.strike(touch.link))
 }
 
 /// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.
 fn arm_touch(person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact {
     let touch = Touch {
-        region: arm_region(found.segment, (found.on_arm - found.elbow).length()),
+        region: arm_region(found.segment),
         link: found.link,
         on_robot: found.on_link,
         on_body: found.on_arm,
@@ -281,5 +311,5 @@ fn arm_touch(person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact
         robot_velocity: frame.velocity(found.link, found.on_link),
         human_velocity: person.velocity,
     };
-    Contact::new(&touch, &frame.strike)
+    Contact::new(&touch, frame.strike(touch.link))
 }

@@ -3,6 +3,7 @@
 //! - [`robot`]: the robot at one instant, from the FMU's outputs
 //! - [`sensors`]: what the sensors report while the person walks
 //! - [`encounter`]: person against robot at one instant: contact, danger
+//! - [`curtain`]: reaching through a light curtain, and when
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
 //! - [`replay`]: one sequence from a fresh instance, with no restore
@@ -10,6 +11,7 @@
 //! [`Environment`]: crate::search::Environment
 
 pub mod coverage;
+pub mod curtain;
 pub mod encounter;
 pub mod replay;
 pub mod robot;

@@ -1,11 +1,14 @@
-//! The robot at one instant: placed link shapes, their velocities, and how hard it would strike.
+//! The robots at one instant: placed link shapes, their velocities, and how hard they would strike.
 
+use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
+use crate::cell::validate::{Link, Robot};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::chain::Twist;
-use crate::geometry::{Solid, Vec3};
+use crate::geometry::{Pose, Rotation, Solid, Vec3};
 use crate::hazard::Strike;
+use crate::standards::BodyRegion;
 
-/// The robot after one communication step.
+/// The robots after one communication step.
 #[derive(Clone, Debug)]
 pub struct RobotFrame {
     /// Link shapes in world coordinates, in the order of [`Workcell::links`].
@@ -16,28 +19,40 @@ pub struct RobotFrame {
     pub speed_bounds: Vec<f64>,
     /// Largest entry of `speed_bounds`, m/s.
     pub fastest: f64,
-    /// Effective mass and force ratios.
-    pub strike: Strike,
-    /// Programme phase, where the cell names one.
-    pub phase: Option<i64>,
+    /// Index of each shape's robot.
+    robot_of: Vec<usize>,
+    /// Effective mass and force ratios of each robot.
+    strikes: Vec<Strike>,
+    /// Programme phase of each robot, where the cell names one.
+    phases: Vec<Option<i64>>,
+    /// The FMU's outputs behind all this.
+    outputs: Vec<f64>,
 }
 
 impl RobotFrame {
-    /// The robot for one row of FMU outputs.
+    /// The robots for one row of FMU outputs.
     #[must_use]
     pub fn new(cell: &Workcell, binding: &Binding, outputs: &[f64]) -> Self {
-        let angles: Vec<f64> = binding.angles.iter().map(|r| r.read(outputs)).collect();
-        let speeds: Vec<f64> = binding.speeds.iter().map(|r| r.read(outputs)).collect();
-        let placed = cell.chain.place(&angles);
-        let joint_twists = placed.twists(&speeds);
-        let links: Vec<Solid> = cell.links.iter().map(|l| l.shape.placed(placed.world_from_link[l.joint])).collect();
-        let twists: Vec<Twist> = cell.links.iter().map(|l| joint_twists[l.joint]).collect();
+        let placed: Vec<Vec<(Pose, Twist)>> =
+            cell.robots.iter().zip(&binding.robots).map(|(r, b)| place(r, b, outputs)).collect();
+        let of = |l: &Link| placed[l.robot][l.joint];
+        let links: Vec<Solid> = cell.links.iter().map(|l| l.shape.placed(of(l).0)).collect();
+        let twists: Vec<Twist> = cell.links.iter().map(|l| of(l).1).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
-        let strike = Strike::new(cell.moving_mass_kg, binding.payload.read(outputs));
+        let strike = |(robot, b): (&Robot, &RobotBinding)| Strike::new(robot.moving_mass_kg, b.payload.read(outputs));
         #[expect(clippy::cast_possible_truncation, reason = "an FMI integer")]
-        let phase = binding.phase.as_ref().map(|r| r.read(outputs) as i64);
-        Self { links, twists, speed_bounds, fastest, strike, phase }
+        let phase = |b: &RobotBinding| b.phase.as_ref().map(|r| r.read(outputs) as i64);
+        Self {
+            links,
+            twists,
+            speed_bounds,
+            fastest,
+            robot_of: cell.links.iter().map(|l| l.robot).collect(),
+            strikes: cell.robots.iter().zip(&binding.robots).map(strike).collect(),
+            phases: binding.robots.iter().map(phase).collect(),
+            outputs: outputs.to_vec(),
+        }
     }
 
     /// Velocity of the point of shape `link` at world position `point`, m/s.
@@ -52,6 +67,64 @@ impl RobotFrame {
         let near = self.velocity(link, point).length() + self.twists[link].angular.length() * radius;
         near.min(self.speed_bounds[link])
     }
+
+    /// How hard the robot of shape `link` strikes.
+    #[must_use]
+    pub fn strike(&self, link: usize) -> &Strike {
+        &self.strikes[self.robot_of[link]]
+    }
+
+    /// `F_coll / F_max` for a contact of `region` with a point of shape `link` that moves at `speed_m_s`.
+    #[must_use]
+    pub fn ratio(&self, region: BodyRegion, link: usize, speed_m_s: f64) -> f64 {
+        self.strike(link).ratio(region, speed_m_s)
+    }
+
+    /// Programme phase of the robot of shape `link`.
+    #[must_use]
+    pub fn phase(&self, link: usize) -> Option<i64> {
+        self.phases[self.robot_of[link]]
+    }
+
+    /// The FMU's outputs, in the order of the binding.
+    #[must_use]
+    pub fn outputs(&self) -> &[f64] {
+        &self.outputs
+    }
+
+    /// Whether the FMU's outputs are the same to the last bit.
+    #[must_use]
+    pub fn same_outputs(&self, other: &Self) -> bool {
+        self.outputs.iter().zip(&other.outputs).all(|(a, b)| a.to_bits() == b.to_bits())
+    }
+}
+
+/// Pose and velocity of each moving part of a robot, world.
+fn place(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Vec<(Pose, Twist)> {
+    match (&binding.motion, &robot.chain) {
+        (MotionBinding::Joints { angles, speeds }, Some(chain)) => {
+            let read = |readers: &[Reader]| -> Vec<f64> { readers.iter().map(|r| r.read(outputs)).collect() };
+            let placed = chain.place(&read(angles));
+            let twists = placed.twists(&read(speeds));
+            placed.world_from_link.into_iter().zip(twists).collect()
+        }
+        (MotionBinding::Frames(frames), _) => frames.iter().map(|f| frame(robot.world_from_base, f, outputs)).collect(),
+        (MotionBinding::Joints { .. }, None) => Vec::new(),
+    }
+}
+
+/// One part from what the FMU says of it in the robot's base frame.
+fn frame(world_from_base: Pose, binding: &FrameBinding, outputs: &[f64]) -> (Pose, Twist) {
+    let vector = |readers: &[Reader; 3]| {
+        let [x, y, z] = readers.each_ref().map(|r| r.read(outputs));
+        Vec3::new(x, y, z)
+    };
+    let [w, x, y, z] = binding.quaternion.each_ref().map(|r| r.read(outputs));
+    let turned = Rotation::from_xyzw(x, y, z, w).normalize();
+    let pose = world_from_base * Pose::from_parts(vector(&binding.position), turned);
+    let angular = world_from_base.rotation * vector(&binding.angular_velocity);
+    let velocity = world_from_base.rotation * vector(&binding.velocity);
+    (pose, Twist { angular, linear_at_origin: velocity - angular.cross(pose.translation) })
 }
 
 /// Speed is a convex function of the point, so over a capsule its core ends bound the core, and the radius adds

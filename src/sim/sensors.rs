@@ -1,11 +1,16 @@
-//! What the sensors report while the person walks, including their response time.
+//! What the sensors report while the person walks, including their response time, and what of the person's pose the
+//! FMU is told.
 //!
 //! A sensor is sampled at the *start* of each communication step, from where the person stands then; its FMU input
-//! changes `delay_steps` later. Feet and legs do not move with the bends, so the readings depend on the walk alone.
+//! changes `delay_steps` later. Feet and legs do not move with the bends, so all readings but those of light curtains
+//! depend on the walk alone.
 
-use crate::cell::format::SensorKind;
-use crate::cell::{Binding, Sensor};
-use crate::geometry::Vec3;
+use crate::cell::binding::SensorBinding;
+use crate::cell::format::PoseQuantity;
+use crate::cell::{Binding, Sensor, Zone};
+use crate::geometry::segment_cuboid::segment_cuboid;
+use crate::geometry::{Cuboid, Vec3};
+use crate::human::PlacedBody;
 
 /// The delay line of one sensor: bit `i` is the raw reading `i` steps ago.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,6 +29,13 @@ impl DelayLine {
         (self.0 >> delay_steps) & 1 == 1
     }
 
+    /// How many samples ago the sensor first saw the person, as far back as is remembered: 0 for never, 1 for the last
+    /// sample only.
+    #[must_use]
+    pub const fn first_seen(self) -> usize {
+        64 - self.0.leading_zeros() as usize
+    }
+
     /// The reading in effect.
     #[must_use]
     pub const fn output(self, delay_steps: usize) -> bool {
@@ -31,15 +43,35 @@ impl DelayLine {
     }
 }
 
-/// Whether `sensor` sees a person whose feet are at `feet` (floor points below the ankles, m).
+/// The person as sensors see it.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Floor points below the ankles, left and right, m.
+    pub feet: [Vec3; 2],
+    /// The body, if the cell has a light curtain.
+    pub body: Option<PlacedBody>,
+    /// Middle between the feet on the floor, m.
+    pub position: Vec3,
+    /// Heading from +x towards +y, rad.
+    pub heading_rad: f64,
+}
+
+/// Whether `sensor` sees the person. One inside the FMU is not asked here.
 ///
 /// A mat fires when the middle of a foot's support is on it, a scanner field when the axis of a leg is in it: half of
-/// the leg, about 55 mm, is then inside, near the 70 mm that person-detecting scanners resolve.
+/// the leg, about 55 mm, is then inside, near the 70 mm that person-detecting scanners resolve. A light curtain fires
+/// when any part of head, trunk or legs passes through its plane; arms are a matter of the contact check.
 #[must_use]
-pub fn sees(sensor: &Sensor, feet: &[Vec3; 2]) -> bool {
-    match sensor.kind {
-        SensorKind::Mat | SensorKind::ScannerField => feet.iter().any(|f| inside(&sensor.polygon, f.x, f.y)),
+pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
+    match &sensor.zone {
+        Zone::Mat(polygon) | Zone::Field(polygon) => seen.feet.iter().any(|f| inside(polygon, f.x, f.y)),
+        Zone::Curtain(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
+        Zone::Reported => false,
     }
+}
+
+fn breaks(body: &PlacedBody, plane: &Cuboid) -> bool {
+    body.parts().iter().any(|(_, c)| segment_cuboid(c.a, c.b, plane).distance < c.radius)
 }
 
 /// Even-odd rule; points exactly on the left or lower edge count as inside.
@@ -56,17 +88,32 @@ fn inside(polygon: &[[f64; 2]], x: f64, y: f64) -> bool {
     odd
 }
 
-/// One row of FMU inputs for the readings in effect.
-pub fn input_row(sensors: &[Sensor], binding: &Binding, readings: &[bool], row: &mut Vec<f64>) {
+/// One row of FMU inputs for the readings in effect: sensors, pose, constants.
+pub fn input_row(
+    sensors: &[Sensor],
+    pose: &[PoseQuantity],
+    binding: &Binding,
+    readings: &[bool],
+    seen: &Seen,
+    row: &mut Vec<f64>,
+) {
     let start = row.len();
-    let distinct = binding.inputs.len() - binding.constants.len();
     // An input is active when any of its sensors is.
-    row.resize(start + distinct, 0.0);
-    for ((sensor, &input), &reading) in sensors.iter().zip(&binding.sensor_inputs).zip(readings) {
-        let others = sensors.iter().zip(&binding.sensor_inputs).zip(readings);
-        let any = reading || others.filter(|((_, i), _)| **i == input).any(|(_, r)| *r);
+    row.resize(start + binding.sensor_inputs, 0.0);
+    for (sensor, bound) in sensors.iter().zip(&binding.sensors) {
+        let SensorBinding::Input(input) = bound else { continue };
+        let any = binding.sensors.iter().zip(readings).any(|(other, &reading)| other == bound && reading);
         row[start + input] = f64::from(u8::from(any == sensor.active));
     }
+    row.extend(pose.iter().map(|quantity| match quantity {
+        PoseQuantity::X => seen.position.x,
+        PoseQuantity::Y => seen.position.y,
+        PoseQuantity::Heading => seen.heading_rad,
+        PoseQuantity::LeftFootX => seen.feet[0].x,
+        PoseQuantity::LeftFootY => seen.feet[0].y,
+        PoseQuantity::RightFootX => seen.feet[1].x,
+        PoseQuantity::RightFootY => seen.feet[1].y,
+    }));
     row.extend_from_slice(&binding.constants);
 }
 

@@ -1,18 +1,24 @@
 //! One human action after the other against the running FMU, as a search [`Environment`].
 //!
 //! A [`Snapshot`] holds everything: the FMU's state (as a node of [`Recall`]), the person's exact place, the sensors'
-//! delay lines and the step index. So restoring gives what the uninterrupted run would give.
+//! delay lines and the step index. So restoring gives what the uninterrupted run would give. What an action does depends
+//! on nothing else, so it is worked out once for each snapshot and remembered, unless everything is to be re-simulated.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Coverage;
-use super::encounter::{Encounter, Person};
+use super::curtain;
+use super::encounter::{ArmSpace, Encounter, Person};
 use super::robot::RobotFrame;
-use super::sensors::{DelayLine, input_row, sees};
-use crate::cell::{Binding, Workcell};
-use crate::geometry::{Capsule, Cuboid, Vec3};
+use super::sensors::{DelayLine, Seen, input_row, sees};
+use crate::cell::binding::SensorBinding;
+use crate::cell::{Binding, Workcell, Zone};
+use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
+use crate::hazard::Contact;
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
+use crate::hazard::finding::ArmPose;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
@@ -50,6 +56,40 @@ pub struct Fault {
 /// Different faults kept with their sequences; further ones are only counted.
 const FAULTS_KEPT: usize = 20;
 
+/// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
+const COMPARED_WITHIN_M: f64 = 1.0;
+
+/// What one action does from one snapshot.
+#[derive(Clone, Debug)]
+struct Outcome {
+    /// Where it leads; `None` if the FMU could not finish it.
+    to: Option<(NodeId, Place, Vec<DelayLine>)>,
+    reward: f64,
+    end: Option<End>,
+    /// Findings with the last action only; the sequence that led here goes in front.
+    findings: Vec<Finding>,
+    fault: Option<String>,
+    /// What was seen on the way.
+    coverage: Coverage,
+    /// The person's places after each step.
+    places: Vec<Place>,
+}
+
+/// Everything an [`Outcome`] depends on. The number of actions so far follows from the node.
+type Question = (NodeId, Place, Vec<DelayLine>, usize);
+
+/// Sensors and inputs over one action.
+struct Sensed {
+    /// FMU inputs, one row a step.
+    inputs: Vec<f64>,
+    /// The delay lines afterwards.
+    delays: Vec<DelayLine>,
+    /// Readings in effect at the start of each step.
+    readings: Vec<Vec<bool>>,
+    /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
+    broken: Vec<Vec<usize>>,
+}
+
 /// A cell being simulated.
 pub struct Simulation<P: Plant> {
     cell: Arc<Workcell>,
@@ -59,8 +99,13 @@ pub struct Simulation<P: Plant> {
     encounter: Encounter,
     body: Body,
     boxes: Vec<Cuboid>,
+    /// Light curtains: index of the sensor, its plane.
+    curtains: Vec<(usize, Cuboid)>,
+    /// What each of them closes with the guarding beside it.
+    closed: Vec<curtain::Closed>,
     /// Robot frames of each FMU state's last action, by node index.
     frames: Vec<Option<Arc<[RobotFrame]>>>,
+    outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
     /// The person's places after each step of the last action.
@@ -73,17 +118,28 @@ pub struct Simulation<P: Plant> {
 /// The input values an FMU gets at initialisation: sensors as they read at the person's start.
 #[must_use]
 pub fn initial_inputs(cell: &Workcell, binding: &Binding) -> Vec<f64> {
-    let body = &cell.body;
-    let place = Place::default();
-    let feet = body.feet(place.position(&cell.start, sub_step_m(cell)), place.heading_rad(&cell.start));
-    let readings: Vec<bool> = cell.sensors.iter().map(|s| sees(s, &feet)).collect();
+    let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
+    let seen = seen(cell, &boxes, &Place::default(), Posture::Upright);
+    let readings: Vec<bool> = cell.sensors.iter().map(|s| sees(s, &seen)).collect();
     let mut row = Vec::new();
-    input_row(&cell.sensors, binding, &readings, &mut row);
+    input_row(&cell.sensors, &cell.pose, binding, &readings, &seen, &mut row);
     row
 }
 
 fn sub_step_m(cell: &Workcell) -> f64 {
     WALKING_SPEED_M_S * cell.step_s
+}
+
+/// The person at `place` as sensors see it.
+fn seen(cell: &Workcell, boxes: &[Cuboid], place: &Place, bent: Posture) -> Seen {
+    let position = place.position(&cell.start, sub_step_m(cell));
+    let heading_rad = place.heading_rad(&cell.start);
+    let has_curtain = cell.sensors.iter().any(|s| matches!(s.zone, Zone::Curtain(_)));
+    let body = has_curtain.then(|| {
+        let bend = posture::cut_back(&cell.body, position, heading_rad, bent, boxes);
+        cell.body.placed(position, heading_rad, bent, bend)
+    });
+    Seen { feet: cell.body.feet(position, heading_rad), body, position, heading_rad }
 }
 
 impl<P: Plant> Simulation<P> {
@@ -96,16 +152,23 @@ impl<P: Plant> Simulation<P> {
         let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
         let body = cell.body.clone();
         let place = Place::default();
-        let feet = body.feet(place.position(&cell.start, sub_step_m(&cell)), place.heading_rad(&cell.start));
-        let delays = cell.sensors.iter().map(|s| DelayLine::settled(sees(s, &feet))).collect();
+        let at_start = seen(&cell, &boxes, &place, Posture::Upright);
+        let delays = cell.sensors.iter().map(|s| DelayLine::settled(sees(s, &at_start))).collect();
         let root = Snapshot { node: NodeId::ROOT, place, delays, actions: Vec::new() };
         let encounter = Encounter {
             obstacles: boxes.clone(),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
         };
-        let coverage = Coverage::new(cell.sensors.len());
+        let curtains = cell.sensors.iter().enumerate().filter_map(|(i, s)| match &s.zone {
+            Zone::Curtain(plane) => Some((i, *plane)),
+            _ => None,
+        });
+        let curtains: Vec<(usize, Cuboid)> = curtains.collect();
         Ok(Self {
+            closed: curtains.iter().map(|(_, plane)| curtain::Closed::new(plane, &boxes)).collect(),
+            curtains,
+            coverage: Coverage::new(cell.sensors.len()),
             cell,
             binding,
             options,
@@ -114,13 +177,21 @@ impl<P: Plant> Simulation<P> {
             body,
             boxes,
             frames: Vec::new(),
+            outcomes: BTreeMap::new(),
             state: root.clone(),
             root,
             last_places: Vec::new(),
-            coverage,
             findings: Vec::new(),
             faults: Vec::new(),
         })
+    }
+
+    /// Begins a new run: what was seen and found is forgotten, what is known of the cell stays.
+    pub fn begin_run(&mut self) {
+        self.coverage = Coverage::new(self.cell.sensors.len());
+        self.findings.clear();
+        self.faults.clear();
+        self.state = self.root.clone();
     }
 
     /// Findings since the last call.
@@ -177,67 +248,120 @@ impl<P: Plant> Simulation<P> {
         self.body.placed(position, heading, bent, bend).parts().iter().map(|(_, c)| *c).collect()
     }
 
-    /// Walks, runs the sensors and the FMU, and compares person and robot at every step.
+    /// Takes an action from the present state.
     fn act(&mut self, action: Action) -> Result<Step, PlantError> {
-        let depth = self.state.actions.len();
-        self.coverage.actions += 1;
-        let walked = self.walker().walk(self.state.place, action.walk(), self.cell.steps_per_action);
-        self.coverage.walks_blocked += u64::from(walked.blocked.contains(&true));
-        let (inputs, delays, readings) = self.sense(&walked);
+        let outcome = self.outcome(action)?;
+        self.coverage.merge(&outcome.coverage);
         let mut actions = self.state.actions.clone();
+        for finding in &outcome.findings {
+            let mut finding = finding.clone();
+            finding.actions.splice(0..0, actions.iter().copied());
+            self.findings.push(finding);
+        }
         actions.push(action);
-        let node = match self.recall.advance(self.state.node, self.cell.steps_per_action, &inputs)? {
+        if let Some(message) = &outcome.fault {
+            if self.faults.len() < FAULTS_KEPT && self.faults.iter().all(|f| f.message != *message) {
+                self.faults.push(Fault { actions, message: message.clone() });
+            }
+        } else if let Some((node, place, delays)) = &outcome.to {
+            self.last_places.clone_from(&outcome.places);
+            self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
+        }
+        Ok(Step { reward: outcome.reward, end: outcome.end })
+    }
+
+    /// What an action does from the present state, remembered or worked out.
+    fn outcome(&mut self, action: Action) -> Result<Arc<Outcome>, PlantError> {
+        if self.options.policy == Policy::Replay {
+            return Ok(Arc::new(self.work_out(action)?));
+        }
+        let question = (self.state.node, self.state.place, self.state.delays.clone(), action.index());
+        if let Some(known) = self.outcomes.get(&question) {
+            return Ok(Arc::clone(known));
+        }
+        let outcome = Arc::new(self.work_out(action)?);
+        self.outcomes.insert(question, Arc::clone(&outcome));
+        Ok(outcome)
+    }
+
+    /// Walks, runs the sensors and the FMU, and compares person and robot at every step.
+    fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
+        let mut coverage = Coverage::new(self.cell.sensors.len());
+        coverage.actions = 1;
+        let walked = self.walker().walk(self.state.place, action.walk(), self.cell.steps_per_action);
+        coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
+        let sensed = self.sense(&walked, action.posture());
+        let node = match self.recall.advance(self.state.node, self.cell.steps_per_action, &sensed.inputs)? {
             Advanced::To(node) => node,
             Advanced::Fault(fault) => {
-                let fault = Fault { actions, message: fault.message.clone() };
-                if self.faults.len() < FAULTS_KEPT && self.faults.iter().all(|f| f.message != fault.message) {
-                    self.faults.push(fault);
-                }
-                self.coverage.episodes_not_evaluated += 1;
-                return Ok(Step { reward: Proximity::Far.reward(), end: Some(End::NotEvaluated) });
+                coverage.episodes_not_evaluated = 1;
+                return Ok(Outcome {
+                    to: None,
+                    reward: Proximity::Far.reward(),
+                    end: Some(End::NotEvaluated),
+                    findings: Vec::new(),
+                    fault: Some(fault.message.clone()),
+                    coverage,
+                    places: walked.places,
+                });
             }
         };
         let frames = self.frames(node);
-        self.findings_of_siblings(&walked, &frames, &readings, &actions);
-        let hit = self.first_unsafe(&walked, &frames, &readings, &actions);
+        coverage.robot_top_speed_m_s = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
+        for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {
+            let any = (0..frames.len()).any(|i| self.reading(sensor, &sensed.readings[i], &frames[i]));
+            *fired = u64::from(any);
+        }
+        let mut findings = Vec::new();
+        if self.options.posture_sweep {
+            self.sweep(&walked, action, &sensed, &frames, &mut findings, &mut coverage)?;
+        }
+        let hit = self.first_unsafe(&walked, action, &sensed, &frames, &mut coverage)?;
         let last = walked.places.len() - 1;
-        self.last_places.clone_from(&walked.places);
-        self.state = Snapshot { node, place: walked.places[last], delays, actions };
-        if let Some(finding) = hit {
-            self.findings.push(finding);
-            return Ok(Step { reward: UNSAFE_REWARD, end: Some(End::Unsafe) });
-        }
-        if depth + 1 < self.horizon() {
-            return Ok(Step { reward: 0.0, end: None });
-        }
-        let frame = &frames[last];
-        let person = self.person(&walked, last, action.posture());
-        let proximity = self.encounter.proximity(&person, frame, &mut self.coverage);
-        Ok(Step { reward: proximity.reward(), end: Some(End::Horizon) })
+        let (reward, end) = if let Some(finding) = hit {
+            findings.push(finding);
+            (UNSAFE_REWARD, Some(End::Unsafe))
+        } else if self.state.actions.len() + 1 < self.horizon() {
+            (0.0, None)
+        } else {
+            let person = self.person(&walked, last, action.posture());
+            let walls: Vec<Cuboid> = self.curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect();
+            let space = ArmSpace { walls: &walls, links: None };
+            let proximity = self.encounter.proximity(&person, &frames[last], &space, &mut coverage);
+            (proximity.reward(), Some(End::Horizon))
+        };
+        let to = Some((node, walked.places[last], sensed.delays));
+        Ok(Outcome { to, reward, end, findings, fault: None, coverage, places: walked.places })
     }
 
-    /// Sensor readings at the start of each step, as FMU inputs; the delay lines after the action.
-    fn sense(&mut self, walked: &WalkTrace) -> (Vec<f64>, Vec<DelayLine>, Vec<Vec<bool>>) {
-        let mut delays = self.state.delays.clone();
-        let mut inputs = Vec::with_capacity(walked.places.len() * self.binding.inputs.len());
-        let mut all = Vec::with_capacity(walked.places.len());
-        let mut fired = vec![false; self.cell.sensors.len()];
-        for before in std::iter::once(&walked.start).chain(&walked.places).take(walked.places.len()) {
-            let position = before.position(&self.cell.start, sub_step_m(&self.cell));
-            let feet = self.body.feet(position, before.heading_rad(&self.cell.start));
-            let readings: Vec<bool> = self
-                .cell
-                .sensors
-                .iter()
-                .zip(&mut delays)
-                .map(|(sensor, line)| line.push(sees(sensor, &feet), sensor.delay_steps))
-                .collect();
-            fired.iter_mut().zip(&readings).for_each(|(f, r)| *f |= r);
-            input_row(&self.cell.sensors, &self.binding, &readings, &mut inputs);
-            all.push(readings);
+    /// Sensor readings at the start of each step, and the FMU inputs that follow.
+    fn sense(&self, walked: &WalkTrace, bent: Posture) -> Sensed {
+        let steps = walked.places.len();
+        let mut sensed = Sensed {
+            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
+            delays: self.state.delays.clone(),
+            readings: Vec::with_capacity(steps),
+            broken: Vec::new(),
+        };
+        for before in std::iter::once(&walked.start).chain(&walked.places).take(steps) {
+            let seen = seen(&self.cell, &self.boxes, before, bent);
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays);
+            let readings: Vec<bool> =
+                sensors.map(|(sensor, line)| line.push(sees(sensor, &seen), sensor.delay_steps)).collect();
+            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut sensed.inputs);
+            sensed.readings.push(readings);
+            sensed.broken.push(self.curtains.iter().map(|(s, _)| sensed.delays[*s].first_seen()).collect());
         }
-        self.coverage.sensor_actions.iter_mut().zip(fired).for_each(|(n, f)| *n += u64::from(f));
-        (inputs, delays, all)
+        sensed
+    }
+
+    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
+    /// own one at the step's end.
+    fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
+        match &self.binding.sensors[sensor] {
+            SensorBinding::Input(_) => readings[sensor],
+            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
+        }
     }
 
     /// The robot after each step of the action into `node`.
@@ -250,80 +374,123 @@ impl<P: Plant> Simulation<P> {
         }
         let rows = self.recall.outputs(node).chunks(self.binding.outputs.len());
         let frames: Arc<[RobotFrame]> = rows.map(|row| RobotFrame::new(&self.cell, &self.binding, row)).collect();
-        let fastest = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
-        self.coverage.robot_top_speed_m_s = self.coverage.robot_top_speed_m_s.max(fastest);
         self.frames[node.index()] = Some(Arc::clone(&frames));
         frames
     }
 
-    /// The other postures with the same walk: they give the FMU the same inputs, since every sensor looks at feet and
-    /// legs, so the FMU's outputs hold for them too.
-    fn findings_of_siblings(
+    /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
+    /// inputs, so its outputs hold for them too.
+    fn sweep(
         &mut self,
         walked: &WalkTrace,
-        frames: &[RobotFrame],
-        readings: &[Vec<bool>],
-        actions: &[Action],
-    ) {
-        let Some((&action, prefix)) = actions.split_last().filter(|_| self.options.posture_sweep) else { return };
+        action: Action,
+        sensed: &Sensed,
+        frames: &Arc<[RobotFrame]>,
+        findings: &mut Vec<Finding>,
+        coverage: &mut Coverage,
+    ) -> Result<(), PlantError> {
         for posture in Posture::ALL.into_iter().filter(|p| *p != action.posture()) {
-            let mut sibling = prefix.to_vec();
-            sibling.push(Action::new(action.walk(), posture));
-            if let Some(finding) = self.first_unsafe(walked, frames, readings, &sibling) {
-                self.findings.push(finding);
-            }
+            let sibling = Action::new(action.walk(), posture);
+            let found = if self.curtains.is_empty() {
+                self.first_unsafe(walked, sibling, sensed, frames, coverage)?
+            } else {
+                let own = self.sense(walked, posture);
+                let advanced = self.recall.advance(self.state.node, self.cell.steps_per_action, &own.inputs)?;
+                let Advanced::To(node) = advanced else { continue };
+                let frames = self.frames(node);
+                self.first_unsafe(walked, sibling, &own, &frames, coverage)?
+            };
+            findings.extend(found);
         }
+        Ok(())
     }
 
-    /// The first instant of the last of `actions` with an unsafe contact.
+    /// The first instant of an action with an unsafe contact.
     fn first_unsafe(
         &mut self,
         walked: &WalkTrace,
-        frames: &[RobotFrame],
-        readings: &[Vec<bool>],
-        actions: &[Action],
-    ) -> Option<Finding> {
-        let posture = actions.last()?.posture();
-        for (i, frame) in frames.iter().enumerate() {
-            self.coverage.contact_checks += 1;
-            if !self.near(walked, i, frame) {
+        action: Action,
+        sensed: &Sensed,
+        frames: &Arc<[RobotFrame]>,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Finding>, PlantError> {
+        for i in 0..frames.len() {
+            coverage.contact_checks += 1;
+            if !self.near(walked, i, &frames[i]) {
                 continue;
             }
-            let person = self.person(walked, i, posture);
-            let Some((contact, arm)) = self.encounter.unsafe_contact(&person, frame, &mut self.coverage) else {
-                continue;
-            };
-            let step = (actions.len() - 1) * self.cell.steps_per_action + i + 1;
+            let person = self.person(walked, i, action.posture());
+            let mut readings = sensed.readings[i].clone();
+            let mut found = None;
+            let body_contact = self.encounter.unsafe_body_contact(&person, &frames[i], coverage);
+            let in_time = |contact: &Contact| self.in_time(contact.on_robot, walked, i, &sensed.broken);
+            if let Some(contact) = body_contact.filter(in_time) {
+                found = Some((contact, None, frames[i].phase(contact.link), None));
+            } else if self.curtains.is_empty() {
+                let hit = self.encounter.unsafe_arm_contact(&person, &frames[i], &ArmSpace::OPEN, coverage);
+                found = hit.map(|(contact, arm)| (contact, arm, frames[i].phase(contact.link), None));
+            } else if let Some(reached) = self.reach_through(&person, walked, i, sensed, frames, coverage)? {
+                if let Some(curtain) = reached.broke {
+                    readings[curtain] = true;
+                }
+                found = Some((reached.contact, reached.arm, reached.phase, reached.since_s));
+            }
+            let Some((contact, arm, phase, since_s)) = found else { continue };
+            let Some(class) = contact.class() else { continue };
+            let step = self.state.actions.len() * self.cell.steps_per_action + i + 1;
             let place = &walked.places[i];
+            let sensors = (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, &frames[i])).collect();
             #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]
             let time_s = step as f64 * self.cell.step_s;
-            return Some(Finding {
-                class: contact.class()?,
+            return Ok(Some(Finding {
+                class,
                 contact,
-                actions: actions.to_vec(),
+                actions: vec![action],
                 step,
                 time_s,
                 person: place.position(&self.cell.start, sub_step_m(&self.cell)),
                 heading_rad: place.heading_rad(&self.cell.start),
-                bend_sixteenths: self.bend(place, posture).sixteenths(),
+                bend_sixteenths: self.bend(place, action.posture()).sixteenths(),
                 arm,
-                sensors: readings[i].clone(),
-                phase: frame.phase,
-            });
+                sensors,
+                phase,
+                through_curtain_s: since_s,
+            }));
         }
-        None
+        Ok(None)
     }
 
-    /// Whether any part of the person could touch the robot, or come closer to it than ever before in this run. Only
-    /// the coverage depends on the run: without a touch there is nothing to find.
-    fn near(&mut self, walked: &WalkTrace, i: usize, frame: &RobotFrame) -> bool {
+    /// Whether a bend could have come as far as `point` behind each light curtain since it broke its plane.
+    fn in_time(&self, point: Vec3, walked: &WalkTrace, i: usize, broken: &[Vec<usize>]) -> bool {
+        let from = self.start();
+        self.curtains.iter().enumerate().all(|(c, (_, plane))| {
+            let steps = broken.get(i).map_or(0, |b| b[c]);
+            self.is_inside(plane, walked, i, steps)
+                || curtain::depth(plane, from, point) <= curtain::depth_m(steps + 1, self.cell.step_s)
+        })
+    }
+
+    /// Whether the person has walked through a curtain's plane so long ago that this is no longer remembered.
+    fn is_inside(&self, plane: &Cuboid, walked: &WalkTrace, i: usize, steps: usize) -> bool {
+        let stands = walked.places[i].position(&self.cell.start, sub_step_m(&self.cell));
+        steps == 0 && curtain::depth(plane, self.start(), stands) > 0.0
+    }
+
+    /// The person's start, floor plan, m: the side from which light curtains are passed.
+    fn start(&self) -> Vec3 {
+        self.root.place.position(&self.cell.start, sub_step_m(&self.cell))
+    }
+
+    /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
+    fn near(&self, walked: &WalkTrace, i: usize, frame: &RobotFrame) -> bool {
         let centre = walked.places[i].position(&self.cell.start, sub_step_m(&self.cell)) + Vec3::Z;
-        let gap = frame.links.iter().map(|l| {
+        let reach = self.body.reach_from_one_metre(self.encounter.arm.reach());
+        let near = frame.links.iter().any(|l| {
             let (c, r) = l.bounding_sphere();
-            (c - centre).length() - r
+            (c - centre).length() - r - reach <= COMPARED_WITHIN_M
         });
-        let gap = gap.fold(f64::MAX, f64::min) - self.body.reach_from_one_metre(self.encounter.arm.reach());
-        gap <= self.coverage.closest_approach_m.max(0.0)
+        // A robot that a curtain would have stopped elsewhere is within a step's way of where it is now.
+        near || !self.curtains.is_empty()
     }
 
     fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
@@ -348,6 +515,159 @@ impl<P: Plant> Simulation<P> {
         let body = self.body.placed(at(place), heading, bent, self.bend(place, bent));
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
         Person { body, arms, velocity: (at(place) - at(before)) / self.cell.step_s }
+    }
+}
+
+/// An arm contact in a cell with light curtains.
+struct Reached {
+    contact: Contact,
+    arm: Option<ArmPose>,
+    phase: Option<i64>,
+    /// The curtain that the arm breaks.
+    broke: Option<usize>,
+    /// How long before the contact it did, s.
+    since_s: Option<f64>,
+}
+
+impl<P: Plant> Simulation<P> {
+    /// An unsafe arm contact after step `i` of an action: without breaking a curtain, or through one, with the robot as
+    /// it is when the curtain was broken as long before as the hand needs (see [`curtain`]).
+    fn reach_through(
+        &mut self,
+        person: &Person,
+        walked: &WalkTrace,
+        i: usize,
+        sensed: &Sensed,
+        frames: &Arc<[RobotFrame]>,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Reached>, PlantError> {
+        let (curtains, from, step_s) = (self.curtains.clone(), self.start(), self.cell.step_s);
+        let walls: Vec<Cuboid> = curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect();
+        let shoulder = |side: Side| person.body.shoulder(side).translation;
+        // Arms that are not through any plane yet, and do not go through one.
+        let outside =
+            |side: &Side| curtains.iter().all(|(_, plane)| curtain::depth(plane, from, shoulder(*side)) <= 0.0);
+        let mut before = person.clone();
+        before.arms.retain(outside);
+        let around = |link: &Solid| {
+            let reach = self.encounter.arm.reach();
+            let arms = || before.arms.iter().map(|&side| shoulder(side));
+            let passes = |closed: &curtain::Closed| arms().any(|s| !closed.out_of_reach(s, reach, link));
+            curtains
+                .iter()
+                .zip(&self.closed)
+                .all(|((_, plane), closed)| curtain::within(plane, from, 0.0, link) || passes(closed))
+        };
+        let links: Vec<bool> = frames[i].links.iter().map(around).collect();
+        let space = ArmSpace { walls: &walls, links: Some(&links) };
+        if let Some((contact, arm)) = self.encounter.unsafe_arm_contact(&before, &frames[i], &space, coverage) {
+            let phase = frames[i].phase(contact.link);
+            return Ok(Some(Reached { contact, arm, phase, broke: None, since_s: None }));
+        }
+        for (c, (sensor, plane)) in curtains.iter().enumerate() {
+            if self.is_inside(plane, walked, i, sensed.broken[i][c]) {
+                let hit = self.encounter.unsafe_arm_contact(person, &frames[i], &ArmSpace::OPEN, coverage);
+                return Ok(hit.map(|(contact, arm)| {
+                    let phase = frames[i].phase(contact.link);
+                    Reached { contact, arm, phase, broke: None, since_s: None }
+                }));
+            }
+            let depths = person.arms.iter().map(|&side| curtain::depth(plane, from, shoulder(side)));
+            let deepest = depths.fold(f64::MIN, f64::max) + self.encounter.arm.reach();
+            if deepest <= 0.0 {
+                continue;
+            }
+            let mut steps = 0;
+            let mut now = self.broken_for(steps, i, *sensor, sensed, frames)?;
+            while let Some(frame) = now {
+                // Of instants at which the robot is the same, the last leaves the hand the most time.
+                let depth = curtain::depth_m(steps + 1, step_s);
+                let later =
+                    if depth < deepest { self.broken_for(steps + 1, i, *sensor, sensed, frames)? } else { None };
+                if later.as_ref().is_none_or(|later| !later.same_outputs(&frame)) {
+                    let mut walls = walls.clone();
+                    walls[c] = curtain::beyond(plane, from, depth);
+                    let links: Vec<bool> = frame.links.iter().map(|l| curtain::within(plane, from, depth, l)).collect();
+                    let space = ArmSpace { walls: &walls, links: Some(&links) };
+                    if let Some((contact, arm)) = self.encounter.unsafe_arm_contact(person, &frame, &space, coverage) {
+                        let phase = frame.phase(contact.link);
+                        #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+                        let since_s = Some((steps + 1) as f64 * step_s);
+                        return Ok(Some(Reached { contact, arm, phase, broke: Some(*sensor), since_s }));
+                    }
+                }
+                steps += 1;
+                now = later;
+            }
+        }
+        Ok(None)
+    }
+
+    /// The robot after step `i` of the action if a curtain has been seen broken in the last `samples` samples; `None`
+    /// before the start of time, or if the FMU could not do that.
+    fn broken_for(
+        &mut self,
+        samples: usize,
+        i: usize,
+        sensor: usize,
+        sensed: &Sensed,
+        frames: &Arc<[RobotFrame]>,
+    ) -> Result<Option<RobotFrame>, PlantError> {
+        let per_action = self.cell.steps_per_action;
+        // First step whose inputs change, counted from the start of the present action.
+        let delay = self.cell.sensors[sensor].delay_steps;
+        let Some(back) = samples.checked_sub(i + 1 + delay) else {
+            // Within the present action, or not yet.
+            let first = i + 1 + delay - samples;
+            if first > i {
+                return Ok(Some(frames[i].clone()));
+            }
+            return self.rerun(self.state.node, &[], first, sensor, sensed, i);
+        };
+        // The actions to run again, oldest first.
+        let again = back.div_ceil(per_action);
+        let mut nodes = Vec::with_capacity(again);
+        let mut node = self.state.node;
+        for _ in 0..again {
+            if node == NodeId::ROOT {
+                return Ok(None);
+            }
+            nodes.push(node);
+            node = self.recall.parent(node);
+        }
+        nodes.reverse();
+        self.rerun(node, &nodes, again * per_action - back, sensor, sensed, i)
+    }
+
+    /// Runs the transitions into `nodes` and the present action again from `from`, with the input of `sensor` active
+    /// from step `first` on.
+    fn rerun(
+        &mut self,
+        from: NodeId,
+        nodes: &[NodeId],
+        first: usize,
+        sensor: usize,
+        sensed: &Sensed,
+        i: usize,
+    ) -> Result<Option<RobotFrame>, PlantError> {
+        let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return Ok(None) };
+        let active = f64::from(u8::from(self.cell.sensors[sensor].active));
+        let (width, per_action) = (self.binding.inputs.len(), self.cell.steps_per_action);
+        let mut at = from;
+        for place in 0..=nodes.len() {
+            let original = nodes.get(place).map_or(&sensed.inputs[..], |&node| self.recall.inputs(node));
+            let mut inputs = original.to_vec();
+            for (row, values) in inputs.chunks_mut(width).enumerate() {
+                if place * per_action + row >= first {
+                    values[column] = active;
+                }
+            }
+            match self.recall.advance(at, per_action, &inputs)? {
+                Advanced::To(node) => at = node,
+                Advanced::Fault(_) => return Ok(None),
+            }
+        }
+        Ok(Some(self.frames(at)[i].clone()))
     }
 }
 

@@ -32,7 +32,7 @@ pub fn faulty_cell(fmu: &str, kind: i32, step: i32) -> String {
         r#"schema = 1
 name = "faulty"
 fmu = "{fmu}"
-[robot]
+[[robot]]
 name = "turntable"
 base = {{ xyz_m = [0, 0, 0.9] }}
 moving_mass_kg = 40

@@ -1,0 +1,91 @@
+//! Checks of the sensors in a cell file: zones and response times.
+
+use toml::Spanned;
+
+use super::CellError;
+use super::format::{CellFile, SensorKind, SensorTable, ZoneTable};
+use super::validate::{Checker, Sensor, Zone};
+use crate::geometry::{Cuboid, Vec3, rotation_about};
+
+/// Longest sensor response in steps: the delay line is one 64-bit word.
+const MAX_DELAY_STEPS: usize = 63;
+
+impl Checker<'_> {
+    /// All sensors.
+    pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Result<Vec<Sensor>, Box<CellError>> {
+        file.sensors.iter().map(|s| self.sensor(s, step_s)).collect()
+    }
+
+    fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
+        let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
+        let zone = match (s.kind, &s.zone) {
+            (SensorKind::Reported, None) => Zone::Reported,
+            (SensorKind::Reported, Some(zone)) => {
+                let message = format!("sensor `{}` is inside the FMU and has no zone here", s.name);
+                return Err(self.0.error(zone.span(), "here", message, Some("remove the zone".to_owned())));
+            }
+            (_, None) => {
+                let message = format!("sensor `{}` has no zone", s.name);
+                let help = Some("add zone = { polygon_m = [[x, y], ...] }, or line_m for a light curtain".to_owned());
+                return Err(self.0.error(span, "for this sensor", message, help));
+            }
+            (SensorKind::Mat, Some(zone)) => Zone::Mat(self.polygon(s, zone)?),
+            (SensorKind::ScannerField, Some(zone)) => {
+                let height_m = zone.get_ref().height_m.unwrap_or(0.2);
+                self.that((0.0..=1.0).contains(&height_m), span.clone(), || {
+                    (
+                        format!("the height of sensor `{}` is {height_m} m", s.name),
+                        "ISO 13855 allows 0 to 1 m".to_owned(),
+                    )
+                })?;
+                Zone::Field(self.polygon(s, zone)?)
+            }
+            (SensorKind::LightCurtain, Some(zone)) => Zone::Curtain(self.curtain(s, zone)?),
+        };
+        let delay_ms = s.delay_ms.as_ref().map_or(0.0, |d| *d.get_ref());
+        self.that(delay_ms == 0.0 || zone != Zone::Reported, span.clone(), || {
+            (
+                format!("sensor `{}` is inside the FMU, which knows its response time", s.name),
+                "remove delay_ms".to_owned(),
+            )
+        })?;
+        let steps = (delay_ms / 1000.0 / step_s - 1e-9).ceil();
+        let delay_span = s.delay_ms.as_ref().map_or(span, Spanned::span);
+        #[expect(clippy::cast_precision_loss, reason = "63")]
+        self.that(delay_ms >= 0.0 && steps <= MAX_DELAY_STEPS as f64, delay_span, || {
+            let most = MAX_DELAY_STEPS as f64 * step_s * 1000.0;
+            (format!("delay_ms of sensor `{}` is {delay_ms}", s.name), format!("use 0 to {most:.0} ms"))
+        })?;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
+        let delay_steps = steps.max(0.0) as usize;
+        Ok(Sensor { name: s.name.clone(), zone, active: s.active, delay_steps })
+    }
+
+    fn polygon(&self, s: &SensorTable, zone: &Spanned<ZoneTable>) -> Result<Vec<[f64; 2]>, Box<CellError>> {
+        let polygon = zone.get_ref().polygon_m.clone().unwrap_or_default();
+        self.that(polygon.len() >= 3, zone.span(), || {
+            (format!("the zone of sensor `{}` needs at least three corners", s.name), "[[x, y], ...] in m".to_owned())
+        })?;
+        self.finite(&polygon.concat(), &zone.span(), &format!("the zone of sensor `{}`", s.name))?;
+        Ok(polygon)
+    }
+
+    fn curtain(&self, s: &SensorTable, zone: &Spanned<ZoneTable>) -> Result<Cuboid, Box<CellError>> {
+        let (Some([from, to]), Some([low, high])) = (zone.get_ref().line_m, zone.get_ref().heights_m) else {
+            let message = format!("light curtain `{}` needs `line_m` and `heights_m`", s.name);
+            let help = Some("zone = { line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }".to_owned());
+            return Err(self.0.error(zone.span(), "here", message, help));
+        };
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = libm::hypot(dx, dy);
+        let sound = length.is_finite() && length > 0.0 && low >= 0.0 && high > low && high < 10.0;
+        self.that(sound, zone.span(), || {
+            (format!("the plane of light curtain `{}` has no extent", s.name), "two ends, two heights, in m".to_owned())
+        })?;
+        Ok(Cuboid {
+            centre: Vec3::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (low + high)),
+            half: Vec3::new(0.5 * length, 0.0, 0.5 * (high - low)),
+            rotation: rotation_about(Vec3::Z, libm::atan2(dy, dx)),
+        })
+    }
+}

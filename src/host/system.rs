@@ -1,0 +1,300 @@
+//! One FMU, or several coupled ones, as one [`Plant`].
+//!
+//! The FMUs are stepped one after the other in data-flow order: what one gives at the end of a communication step is
+//! what the next one gets for that same step. A signal that changes within a step so acts downstream from the step's
+//! beginning, up to one step early; a connection with `delay_steps` holds values back by whole steps, which a loop needs
+//! somewhere. [`System::couplings`] says what each connection does.
+
+use std::collections::VecDeque;
+use std::fmt;
+
+use super::in_process::{self, InProcess, Setup};
+use super::plant::{Plant, PlantError};
+use super::port::Port;
+use crate::fmi::Slave;
+
+/// A variable of one of the FMUs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnitPort {
+    /// Which FMU.
+    pub unit: usize,
+    /// The variable.
+    pub port: Port,
+}
+
+/// An output that drives an input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Connection {
+    /// The output.
+    pub from: UnitPort,
+    /// The input.
+    pub to: UnitPort,
+    /// Whole communication steps by which the value is held back.
+    pub delay_steps: usize,
+}
+
+/// What to write to and read from the FMUs, and at which steps.
+#[derive(Clone, Debug, Default)]
+pub struct SystemSetup {
+    /// Names of the FMUs, for messages.
+    pub names: Vec<String>,
+    /// Parameters and their values, set before initialisation.
+    pub parameters: Vec<(UnitPort, f64)>,
+    /// Inputs, written before every step.
+    pub inputs: Vec<UnitPort>,
+    /// Input values for initialisation.
+    pub initial_inputs: Vec<f64>,
+    /// Outputs, read after every step.
+    pub outputs: Vec<UnitPort>,
+    /// Connections between the FMUs.
+    pub connections: Vec<Connection>,
+    /// Communication step, s.
+    pub step_s: f64,
+}
+
+/// Connections without delay that lead back to where they come from: nothing can be stepped first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AlgebraicLoop {
+    /// The FMUs in the loop.
+    pub units: Vec<String>,
+}
+
+impl fmt::Display for AlgebraicLoop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the connections between {} form a loop without delay", self.units.join(", "))
+    }
+}
+
+impl std::error::Error for AlgebraicLoop {}
+
+impl SystemSetup {
+    /// The order in which the FMUs are stepped: sources first, else as listed.
+    ///
+    /// # Errors
+    /// A loop of connections without delay.
+    pub fn order(&self) -> Result<Vec<usize>, AlgebraicLoop> {
+        let count = self.names.len();
+        let mut order: Vec<usize> = Vec::with_capacity(count);
+        while order.len() < count {
+            let waits = |unit: usize| {
+                let direct = self.connections.iter().filter(|c| c.delay_steps == 0 && c.to.unit == unit);
+                direct.into_iter().any(|c| !order.contains(&c.from.unit))
+            };
+            match (0..count).find(|unit| !order.contains(unit) && !waits(*unit)) {
+                Some(next) => order.push(next),
+                None => {
+                    let left = (0..count).filter(|unit| !order.contains(unit));
+                    return Err(AlgebraicLoop { units: left.map(|unit| self.names[unit].clone()).collect() });
+                }
+            }
+        }
+        Ok(order)
+    }
+
+    /// The part of one FMU: its external inputs, then its connected inputs; its bound outputs, then what it passes on.
+    #[must_use]
+    pub fn unit(&self, unit: usize) -> Setup {
+        let own = |p: &UnitPort| p.unit == unit;
+        let ports = |all: &[UnitPort]| all.iter().filter(|p| own(p)).map(|p| p.port.clone()).collect::<Vec<_>>();
+        let mut inputs = ports(&self.inputs);
+        inputs.extend(self.connections.iter().filter(|c| own(&c.to)).map(|c| c.to.port.clone()));
+        let mut outputs = ports(&self.outputs);
+        outputs.extend(self.connections.iter().filter(|c| own(&c.from)).map(|c| c.from.port.clone()));
+        let external = self.inputs.iter().zip(&self.initial_inputs).filter(|(p, _)| own(p)).map(|(_, v)| *v);
+        let connected = self.connections.iter().filter(|c| own(&c.to)).map(|c| c.to.port.start);
+        Setup {
+            parameters: self.parameters.iter().filter(|(p, _)| own(p)).map(|(p, v)| (p.port.clone(), *v)).collect(),
+            initial_inputs: external.chain(connected).collect(),
+            inputs,
+            outputs,
+            step_s: self.step_s,
+        }
+    }
+}
+
+/// Where the columns of one FMU's rows come from and go to.
+#[derive(Clone, Debug)]
+struct Wiring {
+    /// For each of its inputs.
+    inputs: Vec<Source>,
+    /// Columns of the system's outputs, in the order of its bound outputs.
+    outputs: Vec<usize>,
+    /// Connections that it feeds, in the order of its further outputs.
+    feeds: Vec<usize>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    /// A column of the system's inputs.
+    External(usize),
+    /// A connection.
+    Connection(usize),
+}
+
+/// The FMUs of a cell.
+pub struct System {
+    setup: SystemSetup,
+    order: Vec<usize>,
+    units: Vec<InProcess>,
+    wiring: Vec<Wiring>,
+    /// For each connection its last values, the newest at the back.
+    lines: Vec<VecDeque<f64>>,
+}
+
+/// Saved states of all FMUs, and the values under way between them.
+pub struct Checkpoint {
+    units: Vec<in_process::Checkpoint>,
+    lines: Vec<VecDeque<f64>>,
+}
+
+impl System {
+    /// A plant of `slaves`, one for each of the setup's names; nothing is instantiated yet.
+    ///
+    /// # Errors
+    /// A loop of connections without delay.
+    pub fn new(slaves: &[Slave], setup: SystemSetup) -> Result<Self, AlgebraicLoop> {
+        let order = setup.order()?;
+        let units = slaves.iter().enumerate().map(|(i, slave)| InProcess::new(slave.clone(), setup.unit(i))).collect();
+        let columns = |all: &[UnitPort], unit: usize| {
+            all.iter().enumerate().filter(|(_, p)| p.unit == unit).map(|(column, _)| column).collect::<Vec<_>>()
+        };
+        let wires = |unit: usize| {
+            let at = |end: fn(&Connection) -> usize| {
+                let found = setup.connections.iter().enumerate().filter(move |(_, c)| end(c) == unit);
+                found.map(|(i, _)| i).collect::<Vec<_>>()
+            };
+            let external = columns(&setup.inputs, unit).into_iter().map(Source::External);
+            let connected = at(|c| c.to.unit).into_iter().map(Source::Connection);
+            Wiring {
+                inputs: external.chain(connected).collect(),
+                outputs: columns(&setup.outputs, unit),
+                feeds: at(|c| c.from.unit),
+            }
+        };
+        let wiring = (0..slaves.len()).map(wires).collect();
+        Ok(Self { order, units, wiring, lines: vec![VecDeque::new(); setup.connections.len()], setup })
+    }
+
+    /// One line for each connection: what drives what, and what the coupling adds.
+    #[must_use]
+    pub fn couplings(&self) -> Vec<String> {
+        let step_ms = self.setup.step_s * 1000.0;
+        let name = |p: &UnitPort| format!("{}:{}", self.setup.names[p.unit], p.port.name);
+        let delay = |c: &Connection| match c.delay_steps {
+            0 => format!("within the step (a change inside a step acts up to {step_ms:.0} ms early, never late)"),
+            #[expect(clippy::cast_precision_loss, reason = "a few steps")]
+            n => format!("{:.0} ms later", n as f64 * step_ms),
+        };
+        self.setup.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
+    }
+
+    /// Names of the FMUs in the order in which they are stepped.
+    #[must_use]
+    pub fn order(&self) -> Vec<&str> {
+        self.order.iter().map(|&unit| self.setup.names[unit].as_str()).collect()
+    }
+
+    /// What a connection's input gets in the present step: the output `delay_steps` before the end of this step.
+    fn arriving(&self, connection: usize) -> f64 {
+        let Connection { from, to, delay_steps } = &self.setup.connections[connection];
+        let place = |unit: usize| self.order.iter().position(|&u| u == unit);
+        // A source that comes later in the order has not given its value of this step yet.
+        let behind = if place(from.unit) < place(to.unit) { *delay_steps } else { delay_steps.saturating_sub(1) };
+        let line = &self.lines[connection];
+        let at = line.len().saturating_sub(1 + behind);
+        line.get(at).copied().unwrap_or(to.port.start)
+    }
+
+    /// The row of one FMU: columns of the system's row, and what its connections hold.
+    fn unit_row(&self, unit: usize, row: &[f64]) -> Vec<f64> {
+        let value = |source: &Source| match *source {
+            Source::External(column) => row[column],
+            Source::Connection(connection) => self.arriving(connection),
+        };
+        self.wiring[unit].inputs.iter().map(value).collect()
+    }
+
+    /// Takes in what one FMU gave: bound outputs go to `row`, passed on ones into their lines.
+    fn collect(&mut self, unit: usize, given: &[f64], row: &mut [f64]) {
+        let wiring = &self.wiring[unit];
+        for (&column, &value) in wiring.outputs.iter().zip(given) {
+            row[column] = value;
+        }
+        for (&connection, &value) in wiring.feeds.iter().zip(&given[wiring.outputs.len()..]) {
+            let (line, delay) = (&mut self.lines[connection], self.setup.connections[connection].delay_steps);
+            line.push_back(value);
+            while line.len() > delay + 1 {
+                line.pop_front();
+            }
+        }
+    }
+
+    /// An error that names the FMU, where there are several.
+    fn blame(&self, unit: usize, error: PlantError) -> PlantError {
+        match self.units.len() {
+            1 => error,
+            _ => PlantError { message: format!("{}: {}", self.setup.names[unit], error.message), ..error },
+        }
+    }
+}
+
+impl Plant for System {
+    type Checkpoint = Checkpoint;
+
+    fn input_count(&self) -> usize {
+        self.setup.inputs.len()
+    }
+
+    fn output_count(&self) -> usize {
+        self.setup.outputs.len()
+    }
+
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        let mut row = vec![0.0; self.setup.outputs.len()];
+        self.lines.iter_mut().for_each(VecDeque::clear);
+        let initial = self.setup.initial_inputs.clone();
+        for place in 0..self.order.len() {
+            let unit = self.order[place];
+            let values = self.unit_row(unit, &initial);
+            self.units[unit].set_initial_inputs(values);
+            let given = self.units[unit].restart().map_err(|e| self.blame(unit, e))?;
+            self.collect(unit, &given, &mut row);
+        }
+        Ok(row)
+    }
+
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        if self.setup.connections.is_empty() && self.units.len() == 1 {
+            return self.units[0].advance(steps, inputs);
+        }
+        let (width, rows) = (self.setup.inputs.len(), self.setup.outputs.len());
+        let mut trace = Vec::with_capacity(steps * rows);
+        for step in 0..steps {
+            let mut row = vec![0.0; rows];
+            for place in 0..self.order.len() {
+                let unit = self.order[place];
+                let values = self.unit_row(unit, &inputs[step * width..(step + 1) * width]);
+                let given = self.units[unit].advance(1, &values).map_err(|e| self.blame(unit, e))?;
+                self.collect(unit, &given, &mut row);
+            }
+            trace.extend(row);
+        }
+        Ok(trace)
+    }
+
+    fn save(&mut self) -> Result<Checkpoint, PlantError> {
+        let units = (0..self.units.len()).map(|unit| {
+            let saved = self.units[unit].save();
+            saved.map_err(|e| self.blame(unit, e))
+        });
+        Ok(Checkpoint { units: units.collect::<Result<_, _>>()?, lines: self.lines.clone() })
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        for (unit, saved) in checkpoint.units.iter().enumerate() {
+            self.units[unit].restore(saved).map_err(|e| self.blame(unit, e))?;
+        }
+        self.lines.clone_from(&checkpoint.lines);
+        Ok(())
+    }
+}

@@ -1,0 +1,197 @@
+//! Reaching through a light curtain: where a hand can be, given when it broke the plane.
+//!
+//! Arms are posed at once, so an arm behind a light curtain must have broken its plane some time before: a contact at
+//! depth p counts only if the plane was broken at least p / 2.0 s earlier (ISO 13855, K = 2000 mm/s for upper limbs).
+//! Time being counted in communication steps, a plane first reported broken `k` samples before the instant may have been
+//! passed up to `k + 1` steps before, so the hand may be up to `2.0 (k + 1) h` deep: nothing possible is excluded.
+
+use crate::geometry::distance::point_segment;
+use crate::geometry::{Cuboid, Solid, Vec3};
+use crate::standards::iso_13855::HAND_SPEED_M_S;
+
+/// Half the thickness of a plane that arms must not pass, m.
+const HALF_THICKNESS_M: f64 = 0.005;
+
+/// Half the width, height and depth of the space behind a plane that is out of a hand's reach in time, m: more than any
+/// arm is long.
+const BEYOND_M: f64 = 3.0;
+
+/// The plane as a wall: for arms that do not break it.
+#[must_use]
+pub fn unbroken(plane: &Cuboid) -> Cuboid {
+    Cuboid { half: plane.half.with_y(HALF_THICKNESS_M), ..*plane }
+}
+
+/// Signed distance of a point from the plane; positive on the side of its normal.
+fn side(plane: &Cuboid, point: Vec3) -> f64 {
+    (plane.rotation * Vec3::Y).dot(point - plane.centre)
+}
+
+/// How deep `point` is behind the plane, as seen from a person who comes from `from`, m; negative before it.
+#[must_use]
+pub fn depth(plane: &Cuboid, from: Vec3, point: Vec3) -> f64 {
+    if side(plane, from) > 0.0 { -side(plane, point) } else { side(plane, point) }
+}
+
+/// How deep a hand can be after `steps` whole steps of `step_s`, m.
+#[must_use]
+pub fn depth_m(steps: usize, step_s: f64) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+    let time = steps as f64 * step_s;
+    HAND_SPEED_M_S * time
+}
+
+/// A rectangle in a light curtain's plane that no arm passes unseen: the curtain and the guarding that adjoins it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closed {
+    plane: Cuboid,
+    /// From and to along the plane, from the curtain's centre, m.
+    along: [f64; 2],
+    /// Its top above the floor, m.
+    top: f64,
+}
+
+/// Guarding that begins no farther than this from a curtain's end closes it: an arm does not fit through, m.
+const GAP_M: f64 = 0.05;
+
+impl Closed {
+    /// The curtain with the upright obstacles in its plane that lengthen it without a gap; others are not counted.
+    #[must_use]
+    pub fn new(plane: &Cuboid, obstacles: &[Cuboid]) -> Self {
+        let mut along = [-plane.half.x, plane.half.x];
+        let (low, top) = (plane.centre.z - plane.half.z, plane.centre.z + plane.half.z);
+        let spans: Vec<[f64; 2]> = obstacles.iter().filter_map(|o| span(plane, o, low, top)).collect();
+        // Each pass may join one more piece at either end.
+        for _ in 0..=spans.len() {
+            for [from, to] in &spans {
+                if *from <= along[1] + GAP_M && *to > along[1] {
+                    along[1] = *to;
+                }
+                if *to >= along[0] - GAP_M && *from < along[0] {
+                    along[0] = *from;
+                }
+            }
+        }
+        Self { plane: *plane, along, top }
+    }
+
+    /// Whether an arm of this reach is too short to lead from `shoulder` around the rectangle's ends or over its top to
+    /// `shape`: by the lengths from the shoulder to each edge and on from there, which no arm undercuts. Below, the
+    /// curtain is taken to leave no room; a shoulder behind the plane is not answered.
+    #[must_use]
+    pub fn out_of_reach(&self, shoulder: Vec3, reach: f64, shape: &Solid) -> bool {
+        let (axis, up) = (self.plane.rotation * Vec3::X, Vec3::Z);
+        let floor = self.plane.centre.with_z(0.0);
+        let corner = |end: f64, z: f64| floor + axis * end + up * z;
+        let [left, right] = self.along;
+        // Edges are lines; both ends go up as far as any arm.
+        let edges = [
+            (corner(left, self.top), corner(right, self.top)),
+            (corner(left, 0.0), corner(left, 2.0 * BEYOND_M)),
+            (corner(right, 0.0), corner(right, 2.0 * BEYOND_M)),
+        ];
+        edges.iter().all(|&(a, b)| {
+            let to_edge = point_segment(shoulder, a, b).distance;
+            to_edge + shape.segment_distance(a, b).distance.max(0.0) > reach
+        })
+    }
+}
+
+/// The part of a curtain's plane, along it, that an obstacle closes from `low` to `top`; only for boxes that stand
+/// square to the plane.
+fn span(plane: &Cuboid, obstacle: &Cuboid, low: f64, top: f64) -> Option<[f64; 2]> {
+    let turned = plane.rotation.inverse() * obstacle.rotation;
+    let extent = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
+        let parts = (turned.inverse() * axis).abs();
+        (parts.max_element() > 1.0 - 1e-9).then(|| parts.dot(obstacle.half))
+    });
+    let [Some(x), Some(y), Some(z)] = extent else { return None };
+    let at = plane.rotation.inverse() * (obstacle.centre - plane.centre);
+    let closes = at.y.abs() <= y && obstacle.centre.z - z <= low + GAP_M && obstacle.centre.z + z >= top;
+    closes.then_some([at.x - x, at.x + x])
+}
+
+/// What lies deeper than `depth` behind the plane, as seen from a person who comes from `from`: out of reach in time.
+#[must_use]
+pub fn beyond(plane: &Cuboid, from: Vec3, depth: f64) -> Cuboid {
+    let away = if side(plane, from) > 0.0 { -1.0 } else { 1.0 };
+    let normal = plane.rotation * (Vec3::Y * away);
+    Cuboid {
+        centre: plane.centre + normal * (depth + BEYOND_M),
+        half: plane.half + Vec3::splat(BEYOND_M),
+        rotation: plane.rotation,
+    }
+}
+
+/// Whether some part of `shape` is no deeper than `depth` behind the plane, as seen from a person who comes from `from`.
+#[must_use]
+pub fn within(plane: &Cuboid, from: Vec3, depth: f64, shape: &Solid) -> bool {
+    let nearest = match shape {
+        Solid::Capsule(c) => self::depth(plane, from, c.a).min(self::depth(plane, from, c.b)) - c.radius,
+        Solid::Hull(_) => {
+            let (centre, radius) = shape.bounding_sphere();
+            self::depth(plane, from, centre) - radius
+        }
+    };
+    nearest <= depth
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Rotation, rotation_about};
+
+    #[test]
+    fn half_a_metre_takes_a_quarter_of_a_second() {
+        // 13 samples of 20 ms have passed for the 12th: 2.0 m/s * 0.26 s.
+        assert!((depth_m(13, 0.02) - 0.52).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_beyond_begins_at_the_depth_on_the_far_side() {
+        for yaw in [0.0, 0.7, 3.0] {
+            let rotation: Rotation = rotation_about(Vec3::Z, yaw);
+            let centre = Vec3::new(1.0, -2.0, 0.9);
+            let plane = Cuboid { centre, half: Vec3::new(0.5, 0.0, 0.9), rotation };
+            let normal = rotation * Vec3::Y;
+            for sign in [-1.0, 1.0] {
+                let wall = beyond(&plane, centre - normal * sign, 0.3);
+                let inside = |p: Vec3| {
+                    let local = rotation.inverse() * (p - wall.centre);
+                    local.abs().cmple(wall.half + 1e-12).all()
+                };
+                assert!(inside(centre + normal * (sign * 0.301)));
+                assert!(!inside(centre + normal * (sign * 0.299)));
+                assert!(!inside(centre - normal * (sign * 0.1)));
+            }
+        }
+    }
+
+    #[test]
+    fn guarding_beside_a_curtain_lengthens_what_is_closed() {
+        let upright = |x0: f64, x1: f64, height: f64| Cuboid {
+            centre: Vec3::new(0.5 * (x0 + x1), 0.0, 0.5 * height),
+            half: Vec3::new(0.5 * (x1 - x0), 0.01, 0.5 * height),
+            rotation: Rotation::IDENTITY,
+        };
+        let plane = Cuboid { half: Vec3::new(0.5, 0.0, 0.9), ..upright(-0.5, 0.5, 1.8) };
+        let low = upright(0.5, 2.0, 1.2);
+        let apart = upright(0.6, 2.0, 2.0);
+        let (left, next) = (upright(-1.0, -0.52, 2.0), upright(-2.0, -1.0, 1.8));
+        assert_eq!(Closed::new(&plane, &[low, apart]).along, [-0.5, 0.5]);
+        let closed = Closed::new(&plane, &[next, left, upright(0.5, 1.5, 2.0)]);
+        assert_eq!(closed.along, [-2.0, 1.5]);
+        // From (0, -0.3, 1.4) over the top at 1.8: 0.5 m, then 0.5 m on to a ball 0.4 m behind at 1.4, less 0.1 m.
+        let ball = Solid::Capsule(crate::geometry::Capsule {
+            a: Vec3::new(0.0, 0.3, 1.4),
+            b: Vec3::new(0.0, 0.3, 1.4),
+            radius: 0.1,
+        });
+        let shoulder = Vec3::new(0.0, -0.3, 1.4);
+        assert!(closed.out_of_reach(shoulder, 0.899, &ball));
+        assert!(!closed.out_of_reach(shoulder, 0.901, &ball));
+        // With open ends, round the corner at (0.5, 0): 0.583 + 0.483.
+        let open = Closed::new(&Cuboid { half: plane.half.with_z(3.0), ..plane }, &[]);
+        assert!(open.out_of_reach(shoulder, 1.06, &ball) && !open.out_of_reach(shoulder, 1.07, &ball));
+    }
+}
