@@ -20,14 +20,20 @@ impl Writer {
     pub fn bool(&mut self, value: bool) {
         self.0.push(u8::from(value));
     }
+
+    /// Bytes with their number before them.
+    pub fn bytes(&mut self, value: &[u8]) {
+        self.u64(value.len() as u64);
+        self.0.extend_from_slice(value);
+    }
 }
 
 /// Hands fields out in the order they were written; None when the bytes end or do not fit.
 #[derive(Debug)]
 pub struct Reader<'a>(pub &'a [u8]);
 
-impl Reader<'_> {
-    fn take<const N: usize>(&mut self) -> Option<[u8; N]> {
+impl<'a> Reader<'a> {
+    pub fn take<const N: usize>(&mut self) -> Option<[u8; N]> {
         let (head, tail) = self.0.split_first_chunk::<N>()?;
         self.0 = tail;
         Some(*head)
@@ -51,5 +57,12 @@ impl Reader<'_> {
             [1] => Some(true),
             _ => None,
         }
+    }
+
+    pub fn bytes(&mut self) -> Option<&'a [u8]> {
+        let count = usize::try_from(self.u64()?).ok()?;
+        let (head, tail) = self.0.split_at_checked(count)?;
+        self.0 = tail;
+        Some(head)
     }
 }

@@ -1,15 +1,15 @@
-//! One FMU instance: the rules of FMI 2.0 co-simulation around a model, without any pointer.
+//! One FMU instance: the rules of FMI co-simulation, 2.0 and 3.0, around a model, without any pointer.
 //!
 //! It keeps the mode, the clock of communication points and the bookkeeping of saved states. The time of the master is
 //! rounded to whole milliseconds from its absolute value, so any step size works and nothing drifts.
 
 use crate::bytes::{Reader, Writer};
 use crate::interface::variables::{Causality, Interface, Value, Variant};
-use crate::model::{AnyModel, Outcome, interface_of};
+use crate::model::{AnyModel, Outcome, Special, interface_of};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// FMI 2.0 status codes that go with a message.
+/// The status codes that go with a message; each has the same meaning in FMI 3.0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Severity {
     /// `fmi2Discard`
@@ -37,21 +37,49 @@ pub fn error<T>(message: impl Into<String>) -> Answer<T> {
     Err(Refusal { severity: Severity::Error, message: message.into() })
 }
 
-/// Where the instance is in the state machine of FMI 2.0, section 4.2.4.
+/// Where the instance is in the state machine of FMI 2.0, section 4.2.4, or of FMI 3.0, section 4.2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// After instantiation or reset.
     Instantiated,
+    /// Where FMI 3.0 allows structural parameters to be set.
+    Configuring,
     /// Between Enter- and ExitInitializationMode.
     Initializing,
     /// At a communication point.
     Stepping,
+    /// At a communication point of FMI 3.0 where discrete states may change.
+    Event,
+    /// After a step with which the model ended the simulation.
+    Ended,
     /// After terminate.
     Terminated,
     /// After a step that failed: only a restore or a reset helps.
     Failed,
     /// Nothing helps.
     Dead,
+}
+
+/// What the importer of FMI 3.0 says of itself; FMI 2.0 has neither.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Importer {
+    /// `eventModeUsed`
+    pub uses_events: bool,
+    /// `earlyReturnAllowed`
+    pub allows_early_return: bool,
+}
+
+/// How a step that was made ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepEnd {
+    /// Whether the importer has to enter event mode.
+    pub event: bool,
+    /// Whether the model ends the simulation here.
+    pub terminate: bool,
+    /// Whether the step ended before its time.
+    pub early: bool,
+    /// The time the FMU says it has come to, s.
+    pub time: f64,
 }
 
 /// What `fmi2GetFMUstate` hands out.
@@ -66,6 +94,7 @@ pub struct Saved {
 #[derive(Debug)]
 pub struct Component {
     interface: &'static Interface,
+    importer: Importer,
     mode: Mode,
     /// The communication point, ms.
     tick: u64,
@@ -94,6 +123,7 @@ impl Component {
         let values = interface.variables.iter().map(|variable| variable.kind.start()).collect();
         Ok(Self {
             interface,
+            importer: Importer::default(),
             mode: Mode::Instantiated,
             tick: 0,
             model,
@@ -101,6 +131,15 @@ impl Component {
             values,
             values_are_current: false,
         })
+    }
+
+    /// Tells what the importer can do; to be called before anything else.
+    pub fn serve(&mut self, importer: Importer) -> Answer {
+        if importer.uses_events && !self.interface.has_event_mode() {
+            return error(format!("model {} has no event mode (hasEventMode is false)", self.interface.name));
+        }
+        self.importer = importer;
+        Ok(())
     }
 
     /// The mode.
@@ -122,6 +161,28 @@ impl Component {
         }
     }
 
+    /// Refuses where no variable can be read.
+    pub fn expect_readable(&self) -> Answer {
+        self.expect_mode(&[
+            Mode::Initializing,
+            Mode::Stepping,
+            Mode::Event,
+            Mode::Ended,
+            Mode::Terminated,
+            Mode::Failed,
+        ])
+    }
+
+    /// Refuses where no input can be set.
+    pub fn expect_settable(&self) -> Answer {
+        self.expect_mode(&[Mode::Instantiated, Mode::Initializing, Mode::Stepping, Mode::Event])
+    }
+
+    /// Whether parameters can still change.
+    pub fn takes_parameters(&self) -> bool {
+        matches!(self.mode, Mode::Instantiated | Mode::Initializing)
+    }
+
     /// `fmi2SetupExperiment`.
     pub fn setup(&mut self, start_time: f64) -> Answer {
         self.expect_mode(&[Mode::Instantiated])?;
@@ -139,20 +200,61 @@ impl Component {
     /// `fmi2ExitInitializationMode`.
     pub fn exit_initialization(&mut self) -> Answer {
         self.expect_mode(&[Mode::Initializing])?;
+        self.mode = if self.importer.uses_events { Mode::Event } else { Mode::Stepping };
+        Ok(())
+    }
+
+    /// `fmi3EnterConfigurationMode`.
+    pub fn enter_configuration(&mut self) -> Answer {
+        self.expect_mode(&[Mode::Instantiated])?;
+        self.mode = Mode::Configuring;
+        Ok(())
+    }
+
+    /// `fmi3ExitConfigurationMode`.
+    pub fn exit_configuration(&mut self) -> Answer {
+        self.expect_mode(&[Mode::Configuring])?;
+        self.mode = Mode::Instantiated;
+        Ok(())
+    }
+
+    /// `fmi3EnterEventMode`.
+    pub fn enter_event(&mut self) -> Answer {
+        self.expect_mode(&[Mode::Stepping])?;
+        if !self.importer.uses_events {
+            return error("the instance was made without event mode (eventModeUsed was false)");
+        }
+        self.mode = Mode::Event;
+        Ok(())
+    }
+
+    /// `fmi3EnterStepMode`.
+    pub fn enter_step(&mut self) -> Answer {
+        self.expect_mode(&[Mode::Event])?;
         self.mode = Mode::Stepping;
+        Ok(())
+    }
+
+    /// `fmi3UpdateDiscreteStates`: once is enough for every model.
+    pub fn update_discrete(&mut self) -> Answer {
+        self.expect_mode(&[Mode::Event])?;
+        self.values_are_current = false;
+        self.model.handle_event();
         Ok(())
     }
 
     /// `fmi2Terminate`.
     pub fn terminate(&mut self) -> Answer {
-        self.expect_mode(&[Mode::Stepping, Mode::Failed])?;
+        self.expect_mode(&[Mode::Stepping, Mode::Event, Mode::Ended, Mode::Failed])?;
         self.mode = Mode::Terminated;
         Ok(())
     }
 
     /// `fmi2Reset`.
     pub fn reset(&mut self) -> Answer {
-        self.expect_mode(&[Mode::Instantiated, Mode::Initializing, Mode::Stepping, Mode::Terminated, Mode::Failed])?;
+        if self.mode == Mode::Dead {
+            return error("not allowed after a fatal error");
+        }
         self.model.reset(self.interface.variant);
         self.values_are_current = false;
         self.tick = 0;
@@ -162,7 +264,7 @@ impl Component {
 
     /// The value of a variable.
     pub fn get(&mut self, reference: u32) -> Answer<Value> {
-        self.expect_mode(&[Mode::Initializing, Mode::Stepping, Mode::Terminated, Mode::Failed])?;
+        self.expect_readable()?;
         let place = self.place(reference)?;
         if self.interface.variables[place].causality == Causality::Independent {
             return Ok(Value::Real(self.time()));
@@ -180,7 +282,7 @@ impl Component {
 
     /// Sets an input or a parameter.
     pub fn set(&mut self, reference: u32, value: Value) -> Answer {
-        self.expect_mode(&[Mode::Instantiated, Mode::Initializing, Mode::Stepping])?;
+        self.expect_settable()?;
         let place = self.place(reference)?;
         let variable = &self.interface.variables[place];
         if !variable.kind.admits(value) {
@@ -188,7 +290,7 @@ impl Component {
         }
         match variable.causality {
             Causality::Input => {}
-            Causality::Parameter if self.mode != Mode::Stepping => {}
+            Causality::Parameter if self.takes_parameters() => {}
             // Importers write all parameters again after a restore; the same value changes nothing.
             Causality::Parameter if self.current(place) == value => {}
             Causality::Parameter => {
@@ -210,8 +312,8 @@ impl Component {
         }
     }
 
-    /// `fmi2DoStep` from `time` over `step` (s).
-    pub fn step(&mut self, time: f64, step: f64) -> Answer {
+    /// `fmi2DoStep` from `time` over `step` (s). A step that is discarded changes nothing.
+    pub fn step(&mut self, time: f64, step: f64) -> Answer<StepEnd> {
         self.expect_mode(&[Mode::Stepping])?;
         if ticks_at(time)? != self.tick {
             return error(format!("the step starts at {time:?} s, but the FMU is at {:?} s", self.time()));
@@ -219,12 +321,25 @@ impl Component {
         if !(step.is_finite() && step >= 0.0) {
             return error(format!("the step size is {step:?} s"));
         }
-        let end = ticks_at(time + step)?;
+        let special = self.model.special();
+        let early = special == Special::EarlyReturn && self.importer.allows_early_return;
+        let half = time + step / 2.0;
+        let reached = if early { half } else { time + step };
+        let end = ticks_at(reached)?;
         self.values_are_current = false;
         let (severity, message) = match self.model.get_mut().step(end - self.tick) {
             Outcome::Done => {
                 self.tick = end;
-                return Ok(());
+                let event = special == Special::Event && self.importer.uses_events;
+                if special == Special::Event && !event {
+                    self.model.handle_event();
+                }
+                let terminate = special == Special::Terminate;
+                if terminate {
+                    self.mode = Mode::Ended;
+                }
+                let time = if special == Special::WrongTime { half } else { reached };
+                return Ok(StepEnd { event, terminate, early, time });
             }
             Outcome::Discarded(message) => (Severity::Discard, message),
             Outcome::Failed(message) => {
@@ -273,6 +388,9 @@ impl Component {
             Mode::Terminated => 3,
             Mode::Failed => 4,
             Mode::Dead => 5,
+            Mode::Configuring => 6,
+            Mode::Event => 7,
+            Mode::Ended => 8,
         });
         out.u64(saved.tick);
         saved.model.get().write(&mut out);
@@ -299,6 +417,9 @@ impl Component {
             2 => Mode::Stepping,
             3 => Mode::Terminated,
             4 => Mode::Failed,
+            6 => Mode::Configuring,
+            7 => Mode::Event,
+            8 => Mode::Ended,
             _ => return None,
         };
         Some(Saved { mode, tick: input.u64()?, model: self.model.read(input)? })
@@ -313,7 +434,7 @@ impl Component {
             ));
         }
         if self.mode == Mode::Dead {
-            return error("not allowed after fmi2Fatal");
+            return error("not allowed after a fatal error");
         }
         Ok(())
     }
@@ -504,6 +625,96 @@ mod tests {
         honest.reset().unwrap();
         start(&mut honest);
         assert_eq!(q(&mut honest), 0.0);
+    }
+
+    /// An instance with a fault in its third step, which starts at 0.04 s; the importer can do what FMI 3.0 allows.
+    fn fault3(kind: i32, importer: Importer) -> Component {
+        let mut component = Component::new(&faulty::interface(Variant::Faithful).guid()).unwrap();
+        component.serve(importer).unwrap();
+        for (place, value) in [(faulty::vr::FAULT_KIND, kind), (faulty::vr::FAULT_STEP, 2)] {
+            component.set(u32::try_from(place).unwrap(), Value::Integer(value)).unwrap();
+        }
+        start(&mut component);
+        if importer.uses_events {
+            component.update_discrete().unwrap();
+            component.enter_step().unwrap();
+        }
+        future(&mut component, 2);
+        component
+    }
+
+    const ABLE: Importer = Importer { uses_events: true, allows_early_return: true };
+
+    #[test]
+    fn an_early_return_stops_halfway_and_the_rest_follows() {
+        let plain = StepEnd { event: false, terminate: false, early: false, time: 0.06 };
+        let mut honest = fault3(0, ABLE);
+        assert_eq!(honest.step(0.04, 0.02), Ok(plain));
+        let mut early = fault3(10, ABLE);
+        assert_eq!(early.step(0.04, 0.02), Ok(StepEnd { early: true, time: 0.05, ..plain }));
+        assert_eq!(early.tick, 50);
+        assert!(early.step(0.06, 0.02).is_err(), "not there yet");
+        assert_eq!(early.step(0.05, 0.06 - 0.05), Ok(plain));
+        assert_eq!(future(&mut early, 5)[..], future(&mut honest, 5)[..]);
+        assert_eq!(fault3(10, Importer::default()).step(0.04, 0.02), Ok(plain), "not allowed, so not done");
+    }
+
+    #[test]
+    fn a_model_that_ends_the_simulation_takes_no_further_step() {
+        let mut component = fault3(11, ABLE);
+        let before = component.save().unwrap();
+        let end = component.step(0.04, 0.02).unwrap();
+        assert!(end.terminate && !end.early);
+        assert_eq!((end.time, component.mode()), (0.06, Mode::Ended));
+        assert!(component.step(0.06, 0.02).is_err());
+        component.get(0).unwrap();
+        component.restore(&before).unwrap();
+        assert_eq!(component.mode(), Mode::Stepping);
+        component.step(0.04, 0.02).unwrap();
+        component.terminate().unwrap();
+    }
+
+    #[test]
+    fn an_event_has_the_same_effect_in_event_mode_and_without() {
+        let mut without = fault3(12, Importer::default());
+        assert!(!without.step(0.04, 0.02).unwrap().event);
+        let mut with = fault3(12, ABLE);
+        assert!(with.step(0.04, 0.02).unwrap().event);
+        let mut forgetful = fault3(12, ABLE);
+        forgetful.step(0.04, 0.02).unwrap();
+        with.enter_event().unwrap();
+        assert!(with.step(0.06, 0.02).is_err(), "not in event mode");
+        let waiting = with.save().unwrap();
+        with.update_discrete().unwrap();
+        with.restore(&waiting).unwrap();
+        with.update_discrete().unwrap();
+        with.enter_step().unwrap();
+        let expected = future(&mut without, 30);
+        assert_eq!(future(&mut with, 30), expected);
+        assert_ne!(future(&mut forgetful, 30), expected, "only an event that was handled has an effect");
+        assert!(without.enter_event().is_err(), "this importer has no event mode");
+    }
+
+    #[test]
+    fn a_lying_step_is_made_in_full() {
+        let mut component = fault3(13, ABLE);
+        let end = component.step(0.04, 0.02).unwrap();
+        assert_eq!((end.early, end.time, component.tick), (false, 0.05, 60));
+    }
+
+    #[test]
+    fn modes_of_fmi_3_are_kept_apart_and_saved() {
+        let mut cell = Component::new(&fence().guid()).unwrap();
+        assert!(cell.serve(ABLE).is_err(), "the cells have no event mode");
+        let mut component = Component::new(&faulty::interface(Variant::Faithful).guid()).unwrap();
+        component.enter_configuration().unwrap();
+        assert!(component.enter_initialization().is_err());
+        assert!(component.set(4, Value::Real(0.5)).is_err());
+        let saved = component.save().unwrap();
+        component.exit_configuration().unwrap();
+        let read = component.deserialize(&component.serialize(&saved).unwrap()).unwrap();
+        component.restore(&read).unwrap();
+        assert_eq!(component.mode(), Mode::Configuring);
     }
 
     #[test]

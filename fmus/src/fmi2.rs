@@ -13,15 +13,10 @@
 
 use crate::component::{Answer, Component, Mode, Refusal, Saved, Severity, error};
 use crate::interface::variables::Value;
-use std::ffi::{CStr, CString, c_char, c_int, c_uint, c_void};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// `fmi2Status`.
-pub type Status = c_int;
-const OK: Status = 0;
-const DISCARD: Status = 2;
-const ERROR: Status = 3;
-const FATAL: Status = 4;
+pub use crate::pointers::Status;
+use crate::pointers::{self, ERROR, array, array_mut};
+use std::ffi::{CString, c_char, c_int, c_uint, c_void};
+use std::panic::catch_unwind;
 
 const CO_SIMULATION: c_int = 1;
 /// Values of `fmi2StatusKind`.
@@ -64,12 +59,7 @@ struct Log {
 impl Log {
     fn write(&self, status: Status, message: &str) {
         let Some(logger) = self.logger else { return };
-        let category = match status {
-            FATAL => c"logStatusFatal",
-            DISCARD => c"logStatusDiscard",
-            _ => c"logStatusError",
-        };
-        let text = CString::new(message.replace('\0', " ")).unwrap_or_default();
+        let (category, text) = (pointers::category(status), pointers::line(message));
         // SAFETY: the importer gave this function and its environment for this use and keeps both valid until the
         // instance is freed; all strings end with zero and outlive the call; the format "%s" takes one string.
         unsafe {
@@ -85,59 +75,23 @@ impl Log {
     }
 }
 
+impl pointers::Instance for Slave {
+    fn mode(&self) -> Mode {
+        self.component.mode()
+    }
+
+    fn log(&self, status: Status, message: &str) {
+        self.log.write(status, message);
+    }
+}
+
 /// Runs one call on a component: catches panics, logs refusals, returns the status.
 ///
 /// # Safety
 /// See the head of this file.
 unsafe fn call(slave: *mut Slave, function: &str, body: impl FnOnce(&mut Component) -> Answer) -> Status {
-    // SAFETY: null is handled; otherwise the pointer comes from `fmi2Instantiate` and no other thread uses it.
-    let Some(slave) = (unsafe { slave.as_mut() }) else { return ERROR };
-    if slave.component.mode() == Mode::Dead {
-        return FATAL;
-    }
-    let answer = catch_unwind(AssertUnwindSafe(|| body(&mut slave.component)));
-    let Refusal { severity, message } = match answer {
-        Ok(Ok(())) => return OK,
-        Ok(Err(refusal)) => refusal,
-        Err(_) => Refusal { severity: Severity::Fatal, message: "a defect of this FMU: it panicked".to_owned() },
-    };
-    let status = match severity {
-        Severity::Discard => DISCARD,
-        Severity::Error => ERROR,
-        Severity::Fatal => FATAL,
-    };
-    slave.log.write(status, &format!("{function}: {message}"));
-    status
-}
-
-/// The array behind a pointer and a length.
-///
-/// # Safety
-/// A pointer that is not null leads to `length` valid elements.
-unsafe fn array<'a, T>(pointer: *const T, length: usize) -> Answer<&'a [T]> {
-    if length == 0 {
-        return Ok(&[]);
-    }
-    if pointer.is_null() {
-        return error("a null pointer was given for an array");
-    }
-    // SAFETY: not null; the caller vouches for the elements.
-    Ok(unsafe { std::slice::from_raw_parts(pointer, length) })
-}
-
-/// The array behind a pointer and a length, to be written.
-///
-/// # Safety
-/// A pointer that is not null leads to `length` valid elements that nobody else uses.
-unsafe fn array_mut<'a, T>(pointer: *mut T, length: usize) -> Answer<&'a mut [T]> {
-    if length == 0 {
-        return Ok(&mut []);
-    }
-    if pointer.is_null() {
-        return error("a null pointer was given for an array");
-    }
-    // SAFETY: not null; the caller vouches for the elements.
-    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, length) })
+    // SAFETY: see the head of this file.
+    unsafe { pointers::call(slave, function, |slave| body(&mut slave.component)) }
 }
 
 /// `fmi2GetTypesPlatform`
@@ -178,21 +132,19 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let made = catch_unwind(|| {
         // SAFETY: null is handled; otherwise the importer gives a valid structure.
         let functions = unsafe { functions.as_ref() };
-        let text = |pointer: *const c_char| {
-            // SAFETY: null is handled; otherwise the importer gives a string that ends with zero.
-            (!pointer.is_null()).then(|| unsafe { CStr::from_ptr(pointer) }.to_owned())
-        };
+        // SAFETY: the importer gives strings that end with zero.
+        let (name, guid) = unsafe { (pointers::text(instance_name), pointers::text(guid)) };
         let log = Log {
             logger: functions.and_then(|functions| functions.logger),
             environment: functions.map_or(std::ptr::null_mut(), |functions| functions.environment),
-            instance_name: text(instance_name).unwrap_or_else(|| c"(no name)".to_owned()),
+            instance_name: name.unwrap_or_else(|| c"(no name)".to_owned()),
         };
         let component = if functions.is_none() || instance_name.is_null() {
             error("the callback functions and an instance name are required")
         } else if fmu_type != CO_SIMULATION {
             error("this FMU is for co-simulation only")
         } else {
-            match text(guid) {
+            match guid {
                 Some(guid) => Component::new(&guid.to_string_lossy()),
                 None => error("a guid is required"),
             }
@@ -393,29 +345,14 @@ pub unsafe extern "C" fn fmi2SetString(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(c: *mut Slave, state: *mut *mut Saved) -> Status {
     // SAFETY: null is handled; a handle that is not null comes from an earlier call.
-    unsafe {
-        call(c, "fmi2GetFMUstate", |component| {
-            let Some(handle) = state.as_mut() else { return error("no place for the state was given") };
-            let saved = component.save()?;
-            match handle.as_mut() {
-                Some(old) => *old = saved,
-                None => *handle = Box::into_raw(Box::new(saved)),
-            }
-            Ok(())
-        })
-    }
+    unsafe { call(c, "fmi2GetFMUstate", |component| pointers::hand_out(state, || component.save())) }
 }
 
 /// `fmi2SetFMUstate`
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(c: *mut Slave, state: *const Saved) -> Status {
     // SAFETY: null is handled; otherwise the state comes from `fmi2GetFMUstate` and is not freed yet.
-    unsafe {
-        call(c, "fmi2SetFMUstate", |component| match state.as_ref() {
-            Some(saved) => component.restore(saved),
-            None => error("the state is a null pointer"),
-        })
-    }
+    unsafe { call(c, "fmi2SetFMUstate", |component| component.restore(pointers::state(state)?)) }
 }
 
 /// `fmi2FreeFMUstate`
@@ -425,12 +362,7 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(c: *mut Slave, state: *mut *mut Saved)
     unsafe {
         call(c, "fmi2FreeFMUstate", |component| {
             component.expect_state_functions()?;
-            if let Some(handle) = state.as_mut()
-                && !handle.is_null()
-            {
-                drop(Box::from_raw(*handle));
-                *handle = std::ptr::null_mut();
-            }
+            pointers::release(state);
             Ok(())
         })
     }
@@ -462,13 +394,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     // SAFETY: null is handled; see the head of this file.
     unsafe {
         call(c, "fmi2SerializeFMUstate", |component| {
-            let Some(saved) = state.as_ref() else { return error("the state is a null pointer") };
-            let serialized = component.serialize(saved)?;
-            match array_mut(bytes, size)?.get_mut(..serialized.len()) {
-                Some(room) => room.copy_from_slice(&serialized),
-                None => return error(format!("{} bytes are needed, {size} were given", serialized.len())),
-            }
-            Ok(())
+            pointers::copy_out(&component.serialize(pointers::state(state)?)?, bytes, size)
         })
     }
 }
@@ -484,13 +410,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     // SAFETY: null is handled; a handle that is not null comes from an earlier call.
     unsafe {
         call(c, "fmi2DeSerializeFMUstate", |component| {
-            let Some(handle) = state.as_mut() else { return error("no place for the state was given") };
-            let saved = component.deserialize(array(bytes, size)?)?;
-            match handle.as_mut() {
-                Some(old) => *old = saved,
-                None => *handle = Box::into_raw(Box::new(saved)),
-            }
-            Ok(())
+            pointers::hand_out(state, || component.deserialize(array(bytes, size)?))
         })
     }
 }
@@ -540,7 +460,15 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DoStep(c: *mut Slave, time: f64, step: f64, _no_set_state_before: c_int) -> Status {
     // SAFETY: see the head of this file.
-    unsafe { call(c, "fmi2DoStep", |component| component.step(time, step)) }
+    unsafe {
+        call(c, "fmi2DoStep", |component| {
+            if component.step(time, step)?.terminate {
+                let message = "the model ends the simulation (fmi2Terminated)".to_owned();
+                return Err(Refusal { severity: Severity::Discard, message });
+            }
+            Ok(())
+        })
+    }
 }
 
 /// `fmi2CancelStep`: steps never run in the background.
@@ -579,14 +507,14 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(c: *mut Slave, _kind: c_int, _valu
     unsafe { discard(c, "fmi2GetIntegerStatus") }
 }
 
-/// `fmi2GetBooleanStatus`: the FMU never ends a simulation by itself.
+/// `fmi2GetBooleanStatus`: whether the FMU has ended the simulation by itself.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetBooleanStatus(c: *mut Slave, kind: c_int, value: *mut c_int) -> Status {
     // SAFETY: null is handled; see the head of this file.
     unsafe {
         match value.as_mut() {
-            Some(value) if kind == TERMINATED => call(c, "fmi2GetBooleanStatus", |_| {
-                *value = 0;
+            Some(value) if kind == TERMINATED => call(c, "fmi2GetBooleanStatus", |component| {
+                *value = c_int::from(component.mode() == Mode::Ended);
                 Ok(())
             }),
             _ => discard(c, "fmi2GetBooleanStatus"),

@@ -21,6 +21,21 @@ pub enum Outcome {
     Fatal(String),
 }
 
+/// What a model will do in the next step besides stepping; only the faulty model does anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Special {
+    /// Nothing.
+    None,
+    /// It stops halfway, if the importer allows that.
+    EarlyReturn,
+    /// It ends the simulation after the step.
+    Terminate,
+    /// It has an event at the end of the step, which waits for `handle_event`.
+    Event,
+    /// It makes the step, but says that it has come only halfway.
+    WrongTime,
+}
+
 /// A model: a small value that holds parameters, inputs and state, and nothing else. Copying it saves the state.
 ///
 /// Values that arrive have the type of their variable and lie within its bounds.
@@ -128,6 +143,18 @@ impl AnyModel {
     /// Whether saved states are to share one buffer (a fault that importers must notice).
     pub fn shares_saved_states(&self) -> bool {
         matches!(self, AnyModel::Faulty(model) if model.shares_saved_states())
+    }
+
+    /// What the next step has in store.
+    pub fn special(&self) -> Special {
+        if let AnyModel::Faulty(model) = self { model.special() } else { Special::None }
+    }
+
+    /// Lets an event that is waiting take effect.
+    pub fn handle_event(&mut self) {
+        if let AnyModel::Faulty(model) = self {
+            model.handle_event();
+        }
     }
 
     /// Reads a model of the same kind from bytes.

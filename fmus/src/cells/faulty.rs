@@ -6,7 +6,7 @@
 use crate::bytes::{Reader, Writer};
 use crate::interface::faulty::vr;
 use crate::interface::variables::Value;
-use crate::model::{Model, Outcome};
+use crate::model::{Model, Outcome, Special};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Speed of the drive at full pace, rad/s.
@@ -32,6 +32,10 @@ pub struct Faulty {
     /// Milliseconds; hidden.
     clock: u64,
     steps_made: i32,
+    /// Fault 12: an event waits to be handled.
+    event: bool,
+    /// Fault 12: the event was handled, the drive runs at double pace.
+    fast: bool,
     instance: u32,
 }
 
@@ -52,6 +56,8 @@ impl Faulty {
             drive: SPEED,
             clock: 0,
             steps_made: 0,
+            event: false,
+            fast: false,
             instance,
         }
     }
@@ -79,6 +85,23 @@ impl Faulty {
         }
     }
 
+    /// Faults 10 to 13, which concern the step as a whole and thus the importer.
+    pub fn special(&self) -> Special {
+        match self.kind {
+            _ if self.steps_made != self.step => Special::None,
+            10 => Special::EarlyReturn,
+            11 => Special::Terminate,
+            12 => Special::Event,
+            13 => Special::WrongTime,
+            _ => Special::None,
+        }
+    }
+
+    /// Fault 12: from now on the drive speeds up.
+    pub fn handle_event(&mut self) {
+        self.fast |= std::mem::take(&mut self.event);
+    }
+
     /// Reads what `write` wrote.
     pub fn read(input: &mut Reader) -> Option<Self> {
         Some(Self {
@@ -91,6 +114,8 @@ impl Faulty {
             drive: input.f64()?,
             clock: input.u64()?,
             steps_made: input.i32()?,
+            event: input.bool()?,
+            fast: input.bool()?,
             instance: u32::try_from(input.u64()?).ok()?,
         })
     }
@@ -113,7 +138,8 @@ impl Faulty {
     }
 
     fn millisecond(&mut self) {
-        let target = if self.stop { 0.0 } else { SPEED };
+        let pace = if self.fast { 2.0 * SPEED } else { SPEED };
+        let target = if self.stop { 0.0 } else { pace };
         let change = ACCELERATION * 1e-3;
         self.drive += (target - self.drive).clamp(-change, change);
         let phase = self.clock % PERIOD;
@@ -155,6 +181,7 @@ impl Model for Faulty {
         for _ in 0..ticks {
             self.millisecond();
         }
+        self.event |= self.special() == Special::Event;
         self.steps_made = self.steps_made.saturating_add(1);
         Outcome::Done
     }
@@ -168,6 +195,8 @@ impl Model for Faulty {
         }
         out.u64(self.clock);
         out.i32(self.steps_made);
+        out.bool(self.event);
+        out.bool(self.fast);
         out.u64(u64::from(self.instance));
     }
 }

@@ -37,20 +37,9 @@ pub fn xml(interface: &Interface, version: &str) -> String {
     let used = |unit: &str| {
         interface.variables.iter().any(|variable| matches!(variable.kind, Kind::Real { unit: of, .. } if of == unit))
     };
-    text.push_str("  <UnitDefinitions>\n");
-    for (name, exponents) in UNITS.iter().filter(|(name, _)| used(name)) {
-        let space = if exponents.is_empty() { "" } else { " " };
-        let _ = writeln!(text, "    <Unit name=\"{name}\"><BaseUnit{space}{exponents}/></Unit>");
-    }
-    text.push_str("  </UnitDefinitions>\n  <LogCategories>\n");
-    for category in ["logStatusError", "logStatusDiscard", "logStatusFatal"] {
-        let _ = writeln!(text, "    <Category name=\"{category}\"/>");
-    }
-    let _ = write!(
-        text,
-        "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"2\" stepSize=\"{DEFAULT_STEP:?}\"/>\n  \
-         <ModelVariables>\n"
-    );
+    write_units(&mut text, used);
+    write_log_and_experiment(&mut text);
+    text.push_str("  <ModelVariables>\n");
     for (reference, variable) in interface.variables.iter().enumerate() {
         write_variable(&mut text, reference, variable);
     }
@@ -68,14 +57,41 @@ pub fn xml(interface: &Interface, version: &str) -> String {
     text
 }
 
-fn write_variable(text: &mut String, reference: usize, variable: &Variable) {
+/// The definitions of the units in use.
+pub(super) fn write_units(text: &mut String, used: impl Fn(&str) -> bool) {
+    text.push_str("  <UnitDefinitions>\n");
+    for (name, exponents) in UNITS.iter().filter(|(name, _)| used(name)) {
+        let space = if exponents.is_empty() { "" } else { " " };
+        let _ = writeln!(text, "    <Unit name=\"{name}\"><BaseUnit{space}{exponents}/></Unit>");
+    }
+    text.push_str("  </UnitDefinitions>\n");
+}
+
+/// The categories of log messages, and the experiment to make unless told otherwise.
+pub(super) fn write_log_and_experiment(text: &mut String) {
+    text.push_str("  <LogCategories>\n");
+    for category in ["logStatusError", "logStatusDiscard", "logStatusFatal"] {
+        let _ = writeln!(text, "    <Category name=\"{category}\"/>");
+    }
+    let _ = write!(
+        text,
+        "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"2\" stepSize=\"{DEFAULT_STEP:?}\"/>\n"
+    );
+}
+
+/// The attributes causality, variability and, where it has one, initial.
+pub(super) fn role(variable: &Variable) -> (&'static str, &'static str, Option<&'static str>) {
     let real = matches!(variable.kind, Kind::Real { .. });
-    let (causality, variability, initial) = match variable.causality {
+    match variable.causality {
         Causality::Independent => ("independent", "continuous", None),
         Causality::Parameter => ("parameter", "fixed", Some("exact")),
         Causality::Input => ("input", if real { "continuous" } else { "discrete" }, None),
         Causality::Output => ("output", if real { "continuous" } else { "discrete" }, Some("calculated")),
-    };
+    }
+}
+
+fn write_variable(text: &mut String, reference: usize, variable: &Variable) {
+    let (causality, variability, initial) = role(variable);
     let _ = write!(
         text,
         "    <ScalarVariable name=\"{}\" valueReference=\"{reference}\" description=\"{}\" causality=\"{causality}\" \
@@ -87,35 +103,45 @@ fn write_variable(text: &mut String, reference: usize, variable: &Variable) {
         let _ = write!(text, " initial=\"{initial}\"");
     }
     text.push_str(">\n      ");
+    text.push_str(match variable.kind {
+        Kind::Real { .. } => "<Real",
+        Kind::Integer { .. } => "<Integer",
+        Kind::Boolean { .. } => "<Boolean",
+    });
+    write_kind(text, variable);
+    text.push_str("/>\n    </ScalarVariable>\n");
+}
+
+/// The attributes that come with the type.
+pub(super) fn write_kind(text: &mut String, variable: &Variable) {
     let starts = matches!(variable.causality, Causality::Parameter | Causality::Input);
     match variable.kind {
         Kind::Real { unit, start, min, max } => {
-            let _ = write!(text, "<Real unit=\"{unit}\"");
+            attribute(text, "unit", Some(unit.to_owned()));
             attribute(text, "min", min.map(|x| format!("{x:?}")));
             attribute(text, "max", max.map(|x| format!("{x:?}")));
             attribute(text, "start", starts.then(|| format!("{start:?}")));
         }
         Kind::Integer { start, min, max } => {
-            text.push_str("<Integer");
             attribute(text, "min", min.map(|n| n.to_string()));
             attribute(text, "max", max.map(|n| n.to_string()));
             attribute(text, "start", starts.then(|| start.to_string()));
         }
         Kind::Boolean { start } => {
-            text.push_str("<Boolean");
             attribute(text, "start", starts.then(|| start.to_string()));
         }
     }
-    text.push_str("/>\n    </ScalarVariable>\n");
 }
 
-fn attribute(text: &mut String, name: &str, value: Option<String>) {
+/// Writes an attribute that has a value.
+pub(super) fn attribute(text: &mut String, name: &str, value: Option<String>) {
     if let Some(value) = value {
         let _ = write!(text, " {name}=\"{value}\"");
     }
 }
 
-fn escaped(text: &str) -> String {
+/// Text as XML wants it.
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

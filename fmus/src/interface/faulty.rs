@@ -19,16 +19,18 @@ fn variables() -> Vec<Variable> {
         Variable::time(),
         Variable::new(
             "fault.kind",
-            "0 none; 1 q is NaN; 2 fmi2DoStep returns fmi2Error; 3 fmi2Discard; 4 fmi2Fatal; 5 q depends on how many \
-             instances the process has made; 6 a saved state forgets the hidden clock; 7 all saved states share one \
-             buffer; 8 fmi2Reset does nothing; 9 q is +infinity",
+            "0 none; 1 q is NaN; 2 a step returns Error; 3 Discard; 4 Fatal; 5 q depends on how many instances the \
+             process has made; 6 a saved state forgets the hidden clock; 7 all saved states share one buffer; 8 reset \
+             does nothing; 9 q is +infinity; 10 a step returns early at its half (FMI 3.0, where allowed); 11 the FMU \
+             ends the simulation after a step; 12 after a step it has an event that doubles the pace of the drive \
+             (over FMI 3.0 in event mode, where used); 13 a step that was made says it came only to its half (FMI 3.0)",
             Parameter,
-            Kind::integer_in(0, 0, 9),
+            Kind::integer_in(0, 0, 13),
         ),
         Variable::new(
             "fault.step",
-            "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4 in this step, the others \
-             from this step on",
+            "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4 and 10 to 13 in this \
+             step, the others from this step on",
             Parameter,
             Kind::integer_in(0, 0, i32::MAX),
         ),

@@ -5,6 +5,7 @@
 
 pub mod coupled;
 pub mod description;
+pub mod description3;
 pub mod faulty;
 pub mod head_collision;
 pub mod heavy_workpiece;
@@ -13,6 +14,7 @@ pub mod robots;
 pub mod safety_fence;
 pub mod sensor_mat;
 pub mod two_scanners;
+pub mod types3;
 pub mod variables;
 pub mod workcell;
 
@@ -29,7 +31,7 @@ pub const WORKCELLS: [&Spec; 6] = [
     &heavy_workpiece::SPEC,
 ];
 
-/// Builds the interfaces of all models and their variants, in a fixed order.
+/// Builds the interfaces of all models and their variants, in a fixed order. FMI 3.0 has `types3` as well.
 pub fn all() -> Vec<Interface> {
     let workcells =
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));

@@ -182,13 +182,23 @@ impl Interface {
         self.variables.iter().position(|variable| variable.name == name)
     }
 
-    /// The FMI 2.0 `guid`: a fingerprint of everything in this interface (FNV-1a, 128 bit), in braces.
+    /// The FMI 2.0 `guid` and FMI 3.0 `instantiationToken`: a fingerprint of everything in this interface.
     pub fn guid(&self) -> String {
-        let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-        for byte in format!("{self:?}").bytes() {
-            hash = (hash ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b);
-        }
-        let hex = format!("{hash:032x}");
-        format!("{{{}-{}-{}-{}-{}}}", &hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..])
+        fingerprint(&format!("{self:?}"))
     }
+
+    /// FMI 3.0 `hasEventMode`: only the faulty model has events.
+    pub fn has_event_mode(&self) -> bool {
+        self.identifier.starts_with("faulty")
+    }
+}
+
+/// A fingerprint of a text (FNV-1a, 128 bit), written as a GUID in braces.
+pub(super) fn fingerprint(text: &str) -> String {
+    let mut hash: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+    for byte in text.bytes() {
+        hash = (hash ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b);
+    }
+    let hex = format!("{hash:032x}");
+    format!("{{{}-{}-{}-{}-{}}}", &hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..])
 }
