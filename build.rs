@@ -40,13 +40,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scenarios = root.join("scenarios");
     for model in interface::all() {
         let cell_files = cell_files(&scenarios.join(&model.name))?;
-        fs::write(fmus.join(format!("{}.fmu", model.name)), pack(&model, &binary, &cell_files)?)?;
+        let version = env::var("CARGO_PKG_VERSION")?;
+        let two = Contents::new(&model, interface::description::xml(&model, &version), platform2()?)?;
+        fs::write(fmus.join(format!("{}.fmu", model.name)), pack(&two, &binary, &cell_files)?)?;
+        let three = Contents::new(&model, interface::description3::xml3(&model, &version), platform3()?)?;
+        fs::write(fmus.join(format!("{}-fmi3.fmu", model.name)), pack(&three, &binary, &cell_files)?)?;
     }
+    let types = Contents {
+        identifier: interface::types3::IDENTIFIER.to_owned(),
+        description: interface::types3::xml3(&env::var("CARGO_PKG_VERSION")?),
+        documentation: format!("<!DOCTYPE html>\n<title>types3</title>\n<p>{}.</p>\n", interface::types3::DESCRIPTION),
+        platform: platform3()?,
+    };
+    fs::write(fmus.join(format!("{}.fmu", interface::types3::NAME)), pack(&types, &binary, &[])?)?;
     let mut examples = String::from("pub(crate) static EXAMPLES: &[Example] = &[\n");
     for spec in interface::WORKCELLS {
         let parts = interface::coupled::all().into_iter().map(|part| part.name);
         let parts = parts.filter(|part| part.starts_with(spec.name));
-        let names = std::iter::once(spec.name.to_owned()).chain(parts);
+        let names: Vec<String> = std::iter::once(spec.name.to_owned()).chain(parts).collect();
+        let names = names.iter().cloned().chain(names.iter().map(|name| format!("{name}-fmi3")));
         writeln!(examples, "    Example {{\n        name: {:?},\n        summary: {:?},", spec.name, spec.description)?;
         writeln!(examples, "        fmus: &[")?;
         for name in names {
@@ -125,15 +137,34 @@ fn compressed(library: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(archive.finish()?.into_inner())
 }
 
+/// What is in an FMU besides the library and the cell files.
+struct Contents {
+    identifier: String,
+    description: String,
+    documentation: String,
+    /// Folder of the binary, and how shared libraries end.
+    platform: (&'static str, &'static str),
+}
+
+impl Contents {
+    fn new(
+        model: &Interface,
+        description: String,
+        platform: (&'static str, &'static str),
+    ) -> Result<Self, Box<dyn Error>> {
+        let identifier = model.identifier.clone();
+        Ok(Self { identifier, description, documentation: documentation(model)?, platform })
+    }
+}
+
 /// The bytes of one FMU: entries sorted by name.
-fn pack(model: &Interface, binary: &[u8], cell_files: &[(String, PathBuf)]) -> Result<Vec<u8>, Box<dyn Error>> {
-    let (platform, extension) = platform()?;
-    let description = interface::description::xml(model, &env::var("CARGO_PKG_VERSION")?);
-    let library = format!("binaries/{platform}/{}.{extension}", model.identifier);
+fn pack(contents: &Contents, binary: &[u8], cell_files: &[(String, PathBuf)]) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (platform, extension) = contents.platform;
+    let library = format!("binaries/{platform}/{}.{extension}", contents.identifier);
     let mut entries: Vec<(String, Option<Vec<u8>>)> = vec![
-        ("modelDescription.xml".to_owned(), Some(description.into_bytes())),
+        ("modelDescription.xml".to_owned(), Some(contents.description.clone().into_bytes())),
         (library, None),
-        ("documentation/index.html".to_owned(), Some(documentation(model)?.into_bytes())),
+        ("documentation/index.html".to_owned(), Some(contents.documentation.clone().into_bytes())),
     ];
     for (name, path) in cell_files {
         entries.push((format!("{EXTRA}/{name}"), Some(fs::read(path)?)));
@@ -153,7 +184,7 @@ fn pack(model: &Interface, binary: &[u8], cell_files: &[(String, PathBuf)]) -> R
 }
 
 /// FMI 2.0's name of the target's folder, and how shared libraries end there.
-fn platform() -> Result<(&'static str, &'static str), Box<dyn Error>> {
+fn platform2() -> Result<(&'static str, &'static str), Box<dyn Error>> {
     let (system, processor) = (env::var("CARGO_CFG_TARGET_OS")?, env::var("CARGO_CFG_TARGET_ARCH")?);
     match (system.as_str(), processor.as_str()) {
         ("linux", "x86_64") => Ok(("linux64", "so")),
@@ -161,6 +192,19 @@ fn platform() -> Result<(&'static str, &'static str), Box<dyn Error>> {
         ("macos", "x86_64" | "aarch64") => Ok(("darwin64", "dylib")),
         ("windows", "x86_64") => Ok(("win64", "dll")),
         _ => Err(format!("FMI 2.0 has no folder name for {system} on {processor}").into()),
+    }
+}
+
+/// FMI 3.0's name of the target's folder (`<architecture>-<system>`), and how shared libraries end there.
+fn platform3() -> Result<(&'static str, &'static str), Box<dyn Error>> {
+    let (system, processor) = (env::var("CARGO_CFG_TARGET_OS")?, env::var("CARGO_CFG_TARGET_ARCH")?);
+    match (system.as_str(), processor.as_str()) {
+        ("linux", "x86_64") => Ok(("x86_64-linux", "so")),
+        ("linux", "aarch64") => Ok(("aarch64-linux", "so")),
+        ("macos", "x86_64") => Ok(("x86_64-darwin", "dylib")),
+        ("macos", "aarch64") => Ok(("aarch64-darwin", "dylib")),
+        ("windows", "x86_64") => Ok(("x86_64-windows", "dll")),
+        _ => Err(format!("no folder name for {system} on {processor}").into()),
     }
 }
 

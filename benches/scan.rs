@@ -39,10 +39,10 @@ fn a_bare_c_abi_action(bencher: Bencher) {
     let instance = instance.enter_initialization(0.0, None).expect("initialisation");
     let mut instance = instance.exit_initialization().expect("initialisation");
     let of = |kind| -> Vec<u32> {
-        CELL.binding.outputs.iter().filter(|p| p.port.kind == kind).map(|p| p.port.value_reference).collect()
+        CELL.binding.outputs.iter().filter(|p| p.port.kind == kind).map(|p| p.port.handle.value_reference).collect()
     };
     let (real, integer) = (of(fmi_hazard::host::port::PortKind::Real), of(fmi_hazard::host::port::PortKind::Integer));
-    let inputs: Vec<u32> = CELL.binding.inputs.iter().map(|p| p.port.value_reference).collect();
+    let inputs: Vec<u32> = CELL.binding.inputs.iter().map(|p| p.port.handle.value_reference).collect();
     let values: Vec<bool> = CELL.binding.constants.iter().map(|v| *v != 0.0).collect();
     let (mut reals, mut integers) = (vec![0.0; real.len()], vec![0; integer.len()]);
     let mut step = 0.0;

@@ -128,7 +128,8 @@ fn a_missing_or_nested_description() {
 fn other_versions_and_kinds() {
     let version = |v: &str| with_xml(|x| x.replace("fmiVersion=\"2.0\"", &format!("fmiVersion=\"{v}\"")));
     assert!(refused("inspect", &version("1.0")).contains("FMI 1.0 FMU; FMI 2.0 co-simulation is needed"));
-    assert!(refused("inspect", &version("3.0")).contains("FMI 3.0"));
+    assert!(refused("inspect", &version("3.1-beta.1")).contains("FMI 3.1-beta.1 FMU, a version"));
+    assert!(refused("inspect", &version("3.0")).contains("`instantiationToken` is missing"));
     let exchange =
         with_xml(|x| x.replace("<CoSimulation", "<ModelExchange").replace("</CoSimulation", "</ModelExchange"));
     assert!(refused("inspect", &exchange).contains("no co-simulation interface"));

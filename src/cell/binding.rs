@@ -6,7 +6,7 @@ use toml::Spanned;
 use super::error::{Source, nearest};
 use super::format::{ConnectionTable, FrameTable, Literal, RobotTable, SensorKind, VariableTable};
 use super::{CellError, Workcell};
-use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
+use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
 use crate::host::port::{Port, PortKind};
 use crate::host::system::{Connection, SystemSetup, UnitPort};
 
@@ -240,6 +240,19 @@ impl Binding {
 }
 
 impl<'a> Binder<'a> {
+    /// The type of a variable as its FMU calls it.
+    fn type_name(&self, unit: usize, variable: &Variable) -> String {
+        variable.type_name(self.units[unit].description.version().unwrap_or(FmiVersion::V2))
+    }
+
+    /// A name without the unit in front.
+    fn local<'n>(&self, name: &'n str) -> &'n str {
+        match self.units {
+            [BoundUnit { name: "", .. }] => name,
+            _ => name.split_once(':').map_or(name, |(_, local)| local),
+        }
+    }
+
     fn robot(&mut self, table: &Spanned<RobotTable>) -> Result<RobotBinding, Box<CellError>> {
         let robot = table.get_ref();
         let motion = if robot.frames.is_empty() {
@@ -292,9 +305,12 @@ impl<'a> Binder<'a> {
         let (unit, variable) = self.readable(&table.from)?;
         let from = self.port(&table.from, unit, variable)?;
         let to = self.input(&table.to, Some(from.port.kind))?;
-        let unit_of = |p: &UnitPort| match &self.find_exact(p).kind {
-            VariableType::Real { unit, .. } => unit.clone(),
-            _ => None,
+        let unit_of = |p: &UnitPort| {
+            let found = self.units[p.unit].description.element(&p.port.name);
+            found.and_then(|(variable, _, _)| match &variable.kind {
+                VariableType::Real { unit, .. } => unit.clone(),
+                _ => None,
+            })
         };
         if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to)) {
             if a != b {
@@ -304,12 +320,6 @@ impl<'a> Binder<'a> {
             }
         }
         Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps) })
-    }
-
-    fn find_exact(&self, port: &UnitPort) -> &'a Variable {
-        let variables = &self.units[port.unit].description.variables;
-        let found = variables.iter().find(|v| v.name == port.port.name);
-        found.unwrap_or(&variables[0])
     }
 
     /// Refuses an input that something else drives already.
@@ -344,14 +354,25 @@ impl<'a> Binder<'a> {
             };
             (unit, wanted)
         };
-        let description = self.units[unit].description;
-        if let Some(variable) = description.variable(wanted) {
+        let (description, span) = (self.units[unit].description, name.span());
+        if let Some((variable, _, _)) = description.element(wanted) {
             return Ok((unit, variable));
+        }
+        let array = description.variable(wanted.split('[').next().unwrap_or(wanted));
+        if let Some(extents) = array.filter(|v| !v.dimensions.is_empty()).and_then(|v| description.extents(v)) {
+            let name = array.map_or(wanted, |v| v.name.as_str());
+            let join =
+                |numbers: &[usize], by: &str| numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(by);
+            let message =
+                format!("`{name}` is an array of {} values, `{wanted}` is none of them", join(&extents, " x "));
+            let (first, last) = (join(&vec![1; extents.len()], ","), join(&extents, ","));
+            let help = Some(format!("name one, from `{name}[{first}]` to `{name}[{last}]`"));
+            return Err(self.source.error(span, "named here", message, help));
         }
         let all = description.variables.iter().map(|v| v.name.as_str());
         let help = nearest(wanted, all).and_then(|n| description.variable(n)).map_or_else(
             || "`fmi-hazard inspect` lists the FMU's variables".to_owned(),
-            |v| format!("did you mean `{}`? ({}, {})", v.name, v.causality, type_name(v)),
+            |v| format!("did you mean `{}`? ({}, {})", v.name, v.causality, self.type_name(unit, v)),
         );
         Err(self.source.error(
             name.span(),
@@ -362,20 +383,19 @@ impl<'a> Binder<'a> {
     }
 
     fn port(&self, name: &Spanned<String>, unit: usize, variable: &Variable) -> Result<UnitPort, Box<CellError>> {
-        let (kind, start) = match variable.kind {
-            VariableType::Real { start, .. } => (PortKind::Real, start.unwrap_or(0.0)),
-            VariableType::Integer { start } | VariableType::Enumeration { start } => {
-                (PortKind::Integer, f64::from(start.unwrap_or(0)))
-            }
-            VariableType::Boolean { start } => (PortKind::Boolean, f64::from(u8::from(start.unwrap_or(false)))),
-            _ => {
-                let message =
-                    format!("`{}` is a {} variable, which cannot be used here", variable.name, type_name(variable));
-                return Err(self.source.error(name.span(), "named here", message, None));
-            }
-        };
-        let port = Port { name: variable.name.clone(), value_reference: variable.value_reference, kind, start };
-        Ok(UnitPort { unit, port })
+        // Found under this name before, so there is a handle.
+        let local = self.local(name.get_ref());
+        let handle = self.units[unit].description.handle(local);
+        let start = variable.numeric_start();
+        let port = handle.and_then(|handle| {
+            let start = start.get(handle.offset).or(start.first()).copied().unwrap_or(0.0);
+            Port::new(local.to_owned(), handle, start)
+        });
+        port.map(|port| UnitPort { unit, port }).ok_or_else(|| {
+            let kind = self.type_name(unit, variable);
+            let message = format!("`{}` is a {kind} variable, which cannot be used here", variable.name);
+            self.source.error(name.span(), "named here", message, None)
+        })
     }
 
     /// An input of this type, if one is asked for.
@@ -387,8 +407,11 @@ impl<'a> Binder<'a> {
         }
         let port = self.port(name, unit, variable)?;
         if let Some(wanted) = wanted.filter(|wanted| *wanted != port.port.kind) {
-            let message =
-                format!("a {wanted:?} input is needed here, but `{}` is {}", variable.name, type_name(variable));
+            let message = format!(
+                "a {wanted:?} input is needed here, but `{}` is {}",
+                variable.name,
+                self.type_name(unit, variable)
+            );
             return Err(self.source.error(name.span(), "named here", message, None));
         }
         Ok(port)
@@ -403,8 +426,9 @@ impl<'a> Binder<'a> {
             (PortKind::Boolean, Literal::Bool(b)) => Ok(f64::from(u8::from(b))),
             (PortKind::Boolean, Literal::Number(_)) => wrong("true or false"),
             (_, Literal::Bool(_)) => wrong("a number"),
-            (PortKind::Integer, Literal::Number(v)) if v.fract() != 0.0 || v.abs() > f64::from(i32::MAX) => {
-                wrong("a whole number")
+            (PortKind::Integer, Literal::Number(v)) if v.fract() != 0.0 => wrong("a whole number"),
+            (PortKind::Integer, Literal::Number(v)) if !fits(port, v) => {
+                wrong(&format!("a number that its type {} can hold", port.handle.scalar))
             }
             (_, Literal::Number(v)) if !v.is_finite() => wrong("a finite number"),
             (_, Literal::Number(v)) => Ok(v),
@@ -463,7 +487,8 @@ impl<'a> Binder<'a> {
         let (unit, variable) = self.readable(name)?;
         let port = self.port(name, unit, variable)?;
         if port.port.kind != PortKind::Real {
-            let message = format!("a Real output is needed here, `{}` is {}", variable.name, type_name(variable));
+            let message =
+                format!("a Real output is needed here, `{}` is {}", variable.name, self.type_name(unit, variable));
             return Err(self.source.error(name.span(), "named here", message, None));
         }
         Ok(self.output(port))
@@ -518,12 +543,8 @@ impl<'a> Binder<'a> {
     }
 }
 
-fn type_name(variable: &Variable) -> &'static str {
-    match variable.kind {
-        VariableType::Real { .. } => "Real",
-        VariableType::Integer { .. } => "Integer",
-        VariableType::Boolean { .. } => "Boolean",
-        VariableType::Enumeration { .. } => "Enumeration",
-        _ => "String",
-    }
+/// Whether the port's integer type can hold `v`.
+fn fits(port: &Port, v: f64) -> bool {
+    #[expect(clippy::cast_possible_truncation, reason = "saturates, and no range reaches that far")]
+    port.handle.scalar.range().is_none_or(|(low, high)| (low..=high).contains(&(v as i128)))
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
 use crate::cell::find::EXTRA_FOLDER;
-use crate::fmi::{Causality, Fmu, Variable, VariableType};
+use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -47,6 +47,16 @@ fn render(fmu: &Fmu, all: bool) -> String {
                 yes(c.once_per_process),
                 yes(c.needs_execution_tool)
             );
+            if d.version() == Some(FmiVersion::V3) {
+                let fixed = c.fixed_internal_step.map_or_else(|| "no".to_owned(), |h| format!("{h} s"));
+                let _ = writeln!(
+                    text,
+                    "  FMI 3.0        event mode {}, might return early {}, intermediate update {}, fixed internal step {fixed}",
+                    yes(c.has_event_mode),
+                    yes(c.might_return_early),
+                    yes(c.provides_intermediate_update)
+                );
+            }
         }
         None => text.push_str("  co-simulation  no\n"),
     }
@@ -64,19 +74,27 @@ fn render(fmu: &Fmu, all: bool) -> String {
     for v in d.variables.iter().filter(shown) {
         // Names come from the vendor: control characters must not reach the terminal.
         let name: String = v.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
-        let _ =
-            writeln!(text, "    {:<12} {:<28} {:<10} {}", v.causality.to_string(), name, type_name(v), v.description);
+        let _ = writeln!(
+            text,
+            "    {:<12} {:<28} {:<10} {}",
+            v.causality.to_string(),
+            name,
+            type_name(d, v),
+            v.description
+        );
     }
     text
 }
 
-fn type_name(v: &Variable) -> String {
-    match &v.kind {
-        VariableType::Real { unit: Some(unit), .. } => format!("Real {unit}"),
-        VariableType::Real { .. } => "Real".to_owned(),
-        VariableType::Integer { .. } => "Integer".to_owned(),
-        VariableType::Boolean { .. } => "Boolean".to_owned(),
-        VariableType::Enumeration { .. } => "Enumeration".to_owned(),
-        VariableType::String { .. } => "String".to_owned(),
+/// Type, unit and shape, for instance `Float64[3] m/s`.
+fn type_name(d: &ModelDescription, v: &Variable) -> String {
+    let mut text = d.version().map_or_else(|| v.scalar.to_string(), |version| v.type_name(version));
+    if let Some(extents) = d.extents(v).filter(|e| !e.is_empty()) {
+        let extents: Vec<String> = extents.iter().map(ToString::to_string).collect();
+        let _ = write!(text, "[{}]", extents.join(","));
     }
+    if let VariableType::Real { unit: Some(unit), .. } = &v.kind {
+        let _ = write!(text, " {unit}");
+    }
+    text
 }

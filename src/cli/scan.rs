@@ -167,15 +167,13 @@ fn introduce(prepared: &Prepared, state: StateChoice) {
     for coupling in &s.couplings {
         output::note(&format!("           {coupling}"));
     }
-    for fmu in &s.fmus {
-        let how = match state {
-            StateChoice::Auto => fmu.self_test.choice(),
-            StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
-            StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
-        };
-        let bytes = fmu.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
-        output::note(&format!("   States  {how}{bytes}"));
-    }
+    let how = match state {
+        StateChoice::Auto => prepared.self_test.choice(),
+        StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
+        StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
+    };
+    let bytes = prepared.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
+    output::note(&format!("   States  {how}{bytes}"));
     for warning in &prepared.binding.warnings {
         output::note(&format!("   Warning {warning}"));
     }

@@ -13,10 +13,10 @@ use clap::ValueEnum as _;
 
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD, UNUSABLE};
 use super::output;
-use crate::fmi::{Causality, Fmu, Variability, Variable, VariableType};
-use crate::host::in_process::Setup;
-use crate::host::port::{Port, PortKind};
+use crate::fmi::{Causality, Fmu, ModelDescription, Variability, Variable};
+use crate::host::port::Port;
 use crate::host::selftest::{Agreement, SelfTest, Stage, selftest};
+use crate::host::{SystemSetup, UnitPort};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -149,20 +149,28 @@ fn child(arguments: &Arguments, result: &Path) -> Result<u8, Failure> {
     let description = fmu.description();
     let default_step = description.default_experiment.step_size.filter(|h| h.is_finite() && *h > 0.0);
     let step_s = arguments.step.or(default_step).unwrap_or(0.02);
-    let (inputs, initial_inputs) = inputs(&description.variables);
-    let outputs = outputs(&description.variables);
+    let (inputs, initial_inputs) = inputs(description);
+    let outputs = outputs(description);
     if outputs.is_empty() {
         return Err(Failure::unusable_with_help(
             "this FMU has no numeric output or local variable to compare",
             "a self-test needs at least one",
         ));
     }
-    let setup = Setup { parameters: Vec::new(), inputs, initial_inputs, outputs, step_s };
+    let alone = |ports: Vec<Port>| ports.into_iter().map(|port| UnitPort { unit: 0, port }).collect();
+    let setup = SystemSetup {
+        names: vec![String::new()],
+        inputs: alone(inputs),
+        initial_inputs,
+        outputs: alone(outputs),
+        step_s,
+        ..SystemSetup::default()
+    };
     let steps = usize::try_from(arguments.steps).unwrap_or(80);
     let mut announce = |stage: Stage| {
         let _ = writeln!(log, "{}", serde_json::to_string(&stage).unwrap_or_default());
     };
-    let outcome = selftest(&slave, &setup, steps, &arguments.skip, &mut announce)
+    let outcome = selftest(&[slave], &setup, steps, &arguments.skip, &mut announce)
         .map_err(|e| Failure::running(format!("the FMU failed in its first plain run: {e}")))?;
     let text = serde_json::to_string(&outcome).map_err(Failure::unusable)?;
     writeln!(log, "{text}").map_err(cannot)?;
@@ -197,40 +205,29 @@ fn render(name: &str, r: &SelfTest) -> String {
     text
 }
 
-fn kind(variable: &Variable) -> Option<PortKind> {
-    match variable.kind {
-        VariableType::Real { .. } => Some(PortKind::Real),
-        VariableType::Integer { .. } | VariableType::Enumeration { .. } => Some(PortKind::Integer),
-        VariableType::Boolean { .. } => Some(PortKind::Boolean),
-        VariableType::String { .. } => None,
-    }
-}
+/// Elements of one array that take part: the first of a large one stand for the rest.
+const ELEMENTS: usize = 64;
 
-fn port(variable: &Variable) -> Option<Port> {
-    let kind = kind(variable)?;
-    Some(Port { name: variable.name.clone(), value_reference: variable.value_reference, kind, start: start(variable) })
+/// The numbers of a variable, each with its start value.
+fn ports(description: &ModelDescription, variable: &Variable) -> Vec<(Port, f64)> {
+    let start = variable.numeric_start();
+    let of = |i: usize| start.get(i).or(start.first()).copied().unwrap_or(0.0);
+    let elements = description.elements(variable).take(ELEMENTS).enumerate();
+    elements.filter_map(|(i, (name, handle))| Some((Port::new(name, handle, of(i))?, of(i)))).collect()
 }
 
 /// Inputs that can be moved, with their start values.
-fn inputs(variables: &[Variable]) -> (Vec<Port>, Vec<f64>) {
-    let inputs = variables.iter().filter(|v| v.causality == Causality::Input);
-    inputs.filter_map(|v| Some((port(v)?, start(v)))).unzip()
-}
-
-fn start(variable: &Variable) -> f64 {
-    match &variable.kind {
-        VariableType::Real { start, .. } => start.unwrap_or(0.0),
-        VariableType::Integer { start, .. } | VariableType::Enumeration { start, .. } => f64::from(start.unwrap_or(0)),
-        VariableType::Boolean { start, .. } => f64::from(u8::from(start.unwrap_or(false))),
-        VariableType::String { .. } => 0.0,
-    }
+fn inputs(description: &ModelDescription) -> (Vec<Port>, Vec<f64>) {
+    let inputs = description.variables.iter().filter(|v| v.causality == Causality::Input);
+    inputs.flat_map(|v| ports(description, v)).unzip()
 }
 
 /// Outputs; for an FMU without any, its changing local variables.
-fn outputs(variables: &[Variable]) -> Vec<Port> {
+fn outputs(description: &ModelDescription) -> Vec<Port> {
     let of = |wanted: Causality| -> Vec<Port> {
         let changing = |v: &&Variable| !matches!(v.variability, Variability::Constant | Variability::Fixed);
-        variables.iter().filter(|v| v.causality == wanted).filter(changing).filter_map(port).collect()
+        let variables = description.variables.iter().filter(|v| v.causality == wanted).filter(changing);
+        variables.flat_map(|v| ports(description, v)).map(|(port, _)| port).collect()
     };
     let outputs = of(Causality::Output);
     if outputs.is_empty() { of(Causality::Local) } else { outputs }

@@ -5,18 +5,20 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// Status values of FMI 2.0 other than OK and warning.
+use super::variable::Scalar;
+
+/// Status values of FMI 2.0 and FMI 3.0 other than OK and warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// The step was not done, or only in part.
+    /// FMI 2.0: the step was done in part or not at all. FMI 3.0: the FMU is as it was before the call.
     Discard,
     /// The call failed; the instance may be restored or reset.
     Error,
     /// The model must not be called any more, in any instance.
     Fatal,
-    /// The call goes on in the background, which this importer does not accept.
+    /// The call goes on in the background, which this importer does not accept (FMI 2.0).
     Pending,
-    /// A number that FMI 2.0 does not define.
+    /// A number that the standard does not define.
     Unknown(i32),
 }
 
@@ -27,7 +29,7 @@ impl fmt::Display for Status {
             Self::Error => f.write_str("Error"),
             Self::Fatal => f.write_str("Fatal (it must not be called any more)"),
             Self::Pending => f.write_str("Pending (asynchronous steps are not supported)"),
-            Self::Unknown(n) => write!(f, "{n}, which FMI 2.0 does not define"),
+            Self::Unknown(n) => write!(f, "{n}, which the standard does not define"),
         }
     }
 }
@@ -43,6 +45,8 @@ pub struct CallFailure {
     pub time_s: Option<f64>,
     /// Last successful time, s, where the FMU told it.
     pub last_successful_s: Option<f64>,
+    /// What the failure means, where the standard says so.
+    pub note: Option<&'static str>,
     /// The FMU's last log lines.
     pub log: Vec<String>,
 }
@@ -55,6 +59,9 @@ impl fmt::Display for CallFailure {
         }
         if let Some(t) = self.last_successful_s {
             write!(f, "; it got as far as t = {t:.3} s")?;
+        }
+        if let Some(note) = self.note {
+            write!(f, "; {note}")?;
         }
         write_log(&self.log, f)
     }
@@ -140,6 +147,25 @@ pub enum Error {
     /// A call failed.
     #[error("{0}")]
     Call(Box<CallFailure>),
+    /// The FMU asked for the end of the simulation.
+    #[error("the FMU asked to end the simulation at t = {time_s:.3} s{}", Log(.log))]
+    Ended {
+        /// When, s.
+        time_s: f64,
+        /// The FMU's last log lines.
+        log: Vec<String>,
+    },
+    /// The FMU answered OK, but what it said cannot be.
+    #[error("{message}{}", Log(.log))]
+    Misbehaved {
+        /// What it said, and when.
+        message: String,
+        /// The FMU's last log lines.
+        log: Vec<String>,
+    },
+    /// Values of a type that FMI 2.0 does not have.
+    #[error("FMI 2.0 has no {0} variables (an error of this program)")]
+    NoSuchType(Scalar),
     /// After a fatal error nothing may be called.
     #[error("the FMU reported a fatal error earlier and must not be called any more: start the program again")]
     AfterFatal,
@@ -154,7 +180,16 @@ impl Error {
     /// Whether the running FMU failed, as opposed to a file that is wrong.
     #[must_use]
     pub const fn while_running(&self) -> bool {
-        matches!(self, Self::Call(_) | Self::AfterFatal | Self::ForeignState | Self::MissingFunction(_))
+        matches!(
+            self,
+            Self::Call(_)
+                | Self::Ended { .. }
+                | Self::Misbehaved { .. }
+                | Self::AfterFatal
+                | Self::ForeignState
+                | Self::MissingFunction(_)
+                | Self::NoSuchType(_)
+        )
     }
 
     /// Whether no further call on this FMU is allowed.

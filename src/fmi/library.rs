@@ -2,6 +2,7 @@
 //! unloaded.
 #![expect(unsafe_code, reason = "loads a shared library and reads C strings from it")]
 
+use std::collections::BTreeMap;
 use std::ffi::{CStr, c_char};
 use std::path::Path;
 use std::sync::Arc;
@@ -12,19 +13,32 @@ use object::read::elf::{ElfFile64, FileHeader as _};
 use object::{Endianness, Object as _, ObjectSection as _};
 use tempfile::TempDir;
 
-use super::abi2::Functions;
-use super::description::Capabilities;
+use super::abi::Common;
+use super::description::{Capabilities, FmiVersion, ModelDescription};
 use super::error::Error;
+use super::{abi2, abi3};
 
 /// A loaded FMU binary from which instances are made. Cheap to clone; keeps the extracted files alive.
 #[derive(Clone)]
 pub struct Slave(Arc<Inner>);
 
+/// The functions that differ between the versions.
+pub(super) enum Table {
+    V2(abi2::Functions),
+    V3(abi3::Functions),
+}
+
 struct Inner {
-    functions: Functions,
+    // Leaked like the library they point into.
+    common: &'static Common,
+    table: &'static Table,
     guid: String,
-    resource_uri: String,
+    /// FMI 2.0: a URI. FMI 3.0: a path with a separator at its end, if there are resources.
+    resources: Option<String>,
     capabilities: Capabilities,
+    /// Start values of arrays by value reference.
+    array_starts: BTreeMap<u32, Vec<f64>>,
+    prefers_event_mode: AtomicBool,
     poisoned: AtomicBool,
     _files: Arc<TempDir>,
 }
@@ -36,16 +50,46 @@ impl Slave {
         &self.0.capabilities
     }
 
-    pub(super) fn functions(&self) -> &Functions {
-        &self.0.functions
+    /// Version of the standard.
+    #[must_use]
+    pub fn version(&self) -> FmiVersion {
+        match self.table() {
+            Table::V2(_) => FmiVersion::V2,
+            Table::V3(_) => FmiVersion::V3,
+        }
+    }
+
+    /// Sets whether [`Slave::instantiate`] uses the Event Mode that the FMU has. At first only if it has clocks to be
+    /// driven from outside.
+    pub fn prefer_event_mode(&self, prefer: bool) {
+        self.0.prefers_event_mode.store(prefer, Ordering::Relaxed);
+    }
+
+    /// Whether [`Slave::instantiate`] uses the Event Mode of an FMU that has one.
+    #[must_use]
+    pub fn prefers_event_mode(&self) -> bool {
+        self.0.prefers_event_mode.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn common(&self) -> &'static Common {
+        self.0.common
+    }
+
+    pub(super) fn table(&self) -> &'static Table {
+        self.0.table
     }
 
     pub(super) fn guid(&self) -> &str {
         &self.0.guid
     }
 
-    pub(super) fn resource_uri(&self) -> &str {
-        &self.0.resource_uri
+    pub(super) fn resources(&self) -> Option<&str> {
+        self.0.resources.as_deref()
+    }
+
+    /// Start values of the array with this value reference; none for a scalar.
+    pub(super) fn array_start(&self, reference: u32) -> &[f64] {
+        self.0.array_starts.get(&reference).map_or(&[], Vec::as_slice)
     }
 
     /// Whether an instance reported a fatal error: then no function may be called any more.
@@ -58,39 +102,78 @@ impl Slave {
     }
 }
 
-/// The folder of `binaries/` for this machine.
-pub(super) const PLATFORM: &str = if cfg!(all(target_os = "linux", target_arch = "x86_64")) {
-    "linux64"
-} else if cfg!(all(target_os = "linux", target_arch = "aarch64")) {
-    "aarch64-linux"
-} else {
-    "darwin64"
-};
+/// The folder of `binaries/` for this machine: FMI 3.0 renamed them all.
+const fn platform(version: FmiVersion) -> &'static str {
+    const LINUX: bool = cfg!(target_os = "linux");
+    const X86_64: bool = cfg!(target_arch = "x86_64");
+    match version {
+        FmiVersion::V2 if LINUX && X86_64 => "linux64",
+        FmiVersion::V2 if !LINUX => "darwin64",
+        FmiVersion::V3 if LINUX && X86_64 => "x86_64-linux",
+        FmiVersion::V3 if !LINUX && X86_64 => "x86_64-darwin",
+        FmiVersion::V3 if !LINUX => "aarch64-darwin",
+        FmiVersion::V2 | FmiVersion::V3 => "aarch64-linux",
+    }
+}
 
 /// Loads `binaries/<platform>/<identifier>.so` below `root`.
 pub(super) fn load(
     files: &Arc<TempDir>,
     platforms: &[String],
-    guid: &str,
+    version: FmiVersion,
+    description: &ModelDescription,
     capabilities: &Capabilities,
 ) -> Result<Slave, Error> {
-    let folder = files.path().join("binaries").join(PLATFORM);
+    let wanted = platform(version);
+    let folder = files.path().join("binaries").join(wanted);
     let identifier = &capabilities.model_identifier;
     let path = folder.join(format!("{identifier}{}", std::env::consts::DLL_SUFFIX));
     if !path.is_file() {
-        return Err(Error::Binary(missing(&folder, identifier, platforms)));
+        return Err(Error::Binary(missing(&folder, wanted, identifier, platforms)));
     }
-    check_header(&path)?;
+    check_header(&path, wanted)?;
     let library = open(&path)?;
-    // SAFETY: a file that modelDescription.xml declares to be an FMI 2.0 binary; that it is one cannot be checked
-    // further than by its version function below.
-    let functions = unsafe { Functions::load(&library) }.map_err(|name| {
-        Error::Binary(format!("the binary of this FMU lacks {name}, which every FMI 2.0 co-simulation FMU must have"))
-    })?;
+    let lacks = |name: &str| {
+        Error::Binary(format!("the binary of this FMU lacks {name}, which every {version} co-simulation FMU must have"))
+    };
+    let names = match version {
+        FmiVersion::V2 => &abi2::NAMES,
+        FmiVersion::V3 => &abi3::NAMES,
+    };
+    // SAFETY: a file that modelDescription.xml declares to be a binary of this version; that it is one cannot be
+    // checked further than by its version function below.
+    let common = unsafe { Common::load(&library, names) }.map_err(lacks)?;
+    let table = match version {
+        // SAFETY: as above.
+        FmiVersion::V2 => Table::V2(unsafe { abi2::Functions::load(&library) }.map_err(lacks)?),
+        // SAFETY: as above.
+        FmiVersion::V3 => Table::V3(unsafe { abi3::Functions::load(&library) }.map_err(lacks)?),
+    };
     // Never closed: FMUs leave threads and exit handlers behind that would run unmapped code.
     std::mem::forget(library);
+    check_version(&common, &table)?;
+    Ok(Slave(Arc::new(Inner {
+        common: Box::leak(Box::new(common)),
+        table: Box::leak(Box::new(table)),
+        guid: description.guid.clone(),
+        resources: resources(version, files.path())?,
+        capabilities: capabilities.clone(),
+        array_starts: description
+            .variables
+            .iter()
+            .filter(|v| !v.dimensions.is_empty())
+            .map(|v| (v.value_reference, v.numeric_start()))
+            .collect(),
+        prefers_event_mode: AtomicBool::new(description.needs_event_mode()),
+        poisoned: AtomicBool::new(false),
+        _files: Arc::clone(files),
+    })))
+}
+
+/// What the binary says of itself must be what its XML says.
+fn check_version(common: &Common, table: &Table) -> Result<(), Error> {
     let text = |function: Option<unsafe extern "C" fn() -> *const c_char>| {
-        // SAFETY: these two functions take nothing and return a constant text, or NULL.
+        // SAFETY: these functions take nothing and return a constant text, or NULL.
         let pointer = unsafe { function?() };
         if pointer.is_null() {
             return None;
@@ -98,30 +181,44 @@ pub(super) fn load(
         // SAFETY: not NULL, and NUL-terminated by the standard.
         Some(unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned())
     };
-    for (what, expected, found) in
-        [("version", "2.0", text(functions.get_version)), ("types", "default", text(functions.get_types_platform))]
-    {
-        if let Some(found) = found.filter(|f| f != expected) {
-            return Err(Error::Binary(format!("the binary is of FMI {what} \"{found}\", its XML says \"{expected}\"")));
+    let differs = |what: &str, found: &str, expected: &str| {
+        Err(Error::Binary(format!("the binary is of FMI {what} \"{found}\", its XML says \"{expected}\"")))
+    };
+    let found = text(common.get_version);
+    match (table, found.as_deref()) {
+        (Table::V2(_), Some(found)) if found != "2.0" => return differs("version", found, "2.0"),
+        (Table::V3(_), Some(found)) if found != "3.0" && !found.starts_with("3.0.") => {
+            return differs("version", found, "3.0");
         }
+        _ => {}
     }
-    let resource_uri = format!("file://{}", percent_encoded(&files.path().join("resources")));
-    Ok(Slave(Arc::new(Inner {
-        functions,
-        guid: guid.to_owned(),
-        resource_uri,
-        capabilities: capabilities.clone(),
-        poisoned: AtomicBool::new(false),
-        _files: Arc::clone(files),
-    })))
+    if let Table::V2(functions) = table
+        && let Some(found) = text(functions.get_types_platform).filter(|f| f != "default")
+    {
+        return differs("types", &found, "default");
+    }
+    Ok(())
 }
 
-fn missing(folder: &Path, identifier: &str, platforms: &[String]) -> String {
-    if !platforms.iter().any(|p| p == PLATFORM) {
+/// Where the FMU finds its resources, as its version wants to be told.
+fn resources(version: FmiVersion, files: &Path) -> Result<Option<String>, Error> {
+    let folder = files.join("resources");
+    match version {
+        FmiVersion::V2 => Ok(Some(format!("file://{}", percent_encoded(&folder)))),
+        FmiVersion::V3 if folder.is_dir() => {
+            let folder = std::path::absolute(&folder).map_err(|error| Error::Read { path: folder, error })?;
+            Ok(Some(format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR)))
+        }
+        FmiVersion::V3 => Ok(None),
+    }
+}
+
+fn missing(folder: &Path, wanted: &str, identifier: &str, platforms: &[String]) -> String {
+    if !platforms.iter().any(|p| p == wanted) {
         let found = if platforms.is_empty() { "no binaries at all".to_owned() } else { platforms.join(", ") };
         return format!(
-            "this FMU has no binary for this machine: {PLATFORM} is needed, it contains {found}. Ask its maker for a \
-             {PLATFORM} export, or run this program on a machine it was made for"
+            "this FMU has no binary for this machine: {wanted} is needed, it contains {found}. Ask its maker for a \
+             {wanted} export, or run this program on a machine it was made for"
         );
     }
     let there: Vec<String> = std::fs::read_dir(folder)
@@ -130,19 +227,19 @@ fn missing(folder: &Path, identifier: &str, platforms: &[String]) -> String {
         .flatten()
         .map(|e| e.file_name().to_string_lossy().into_owned())
         .collect();
-    format!("binaries/{PLATFORM} has no {identifier}{}; it contains {}", std::env::consts::DLL_SUFFIX, there.join(", "))
+    format!("binaries/{wanted} has no {identifier}{}; it contains {}", std::env::consts::DLL_SUFFIX, there.join(", "))
 }
 
 /// Reads the ELF header and the section table: a truncated or foreign file must not reach the loader, which may kill
 /// the process over it.
-fn check_header(path: &Path) -> Result<(), Error> {
+fn check_header(path: &Path, platform: &str) -> Result<(), Error> {
     let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     if !cfg!(target_os = "linux") {
         return Ok(());
     }
     let bytes = std::fs::read(path).map_err(|error| Error::Read { path: path.to_owned(), error })?;
     let refuse =
-        |why: &str| Err(Error::Binary(format!("{name} cannot be loaded: it {why}. Export the FMU for {PLATFORM}")));
+        |why: &str| Err(Error::Binary(format!("{name} cannot be loaded: it {why}. Export the FMU for {platform}")));
     match object::FileKind::parse(bytes.as_slice()) {
         Ok(object::FileKind::Elf64) => {}
         Ok(object::FileKind::Elf32) => return refuse("is a 32-bit library"),

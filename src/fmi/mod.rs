@@ -1,4 +1,4 @@
-//! Open an FMU safely, read its description, call it. FMI 2.0 co-simulation.
+//! Open an FMU safely, read its description, call it. FMI 2.0 and FMI 3.0 co-simulation, behind one interface.
 //!
 //! This floor knows nothing of humans, robots or processes and could be a crate of its own. In order of use:
 //!
@@ -6,7 +6,14 @@
 //! 2. [`Fmu::load`] checks the binary's header and loads it: from here on the FMU's code may run.
 //! 3. [`Slave::instantiate`] makes an instance, whose life is a chain of types: [`Instance<Instantiated>`],
 //!    [`Instance<Initializing>`], [`Instance<Stepping>`].
-//! 4. [`Instance::save`] and [`Instance::restore`] keep states, owned by their instance.
+//! 4. [`Plan`] writes and reads rows of variables of any numeric type, one C call for each type; [`Instance::get`] and
+//!    its like reach single ones.
+//! 5. [`Instance::save`] and [`Instance::restore`] keep states, owned by their instance.
+//!
+//! Where FMI 3.0 differs and what is done about it: arrays are addressed element by element
+//! ([`ModelDescription::element`]), structural parameters keep their start values, steps that return early are
+//! continued, Event Mode is used where it is needed ([`EventMode`]), intermediate updates are not asked for and input
+//! clocks are not driven.
 //!
 //! # Example
 //!
@@ -29,13 +36,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod abi;
 mod abi2;
+mod abi3;
 mod archive;
 mod description;
 mod error;
 mod instance;
 mod library;
+mod log;
+mod plan;
+mod raw;
+mod raw2;
+mod raw3;
 mod read_xml;
+mod values;
+mod variable;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -43,13 +59,15 @@ use std::sync::Arc;
 use tempfile::TempDir;
 
 pub use archive::ArchiveLimits;
-pub use description::{
-    Capabilities, Causality, CoSimulation, DefaultExperiment, ModelDescription, Variability, Variable, VariableType,
-};
+pub use description::{Capabilities, CoSimulation, DefaultExperiment, FmiVersion, MOST_VALUES, ModelDescription};
 pub use error::{CallFailure, Error, Status};
-pub use instance::{Initializing, Instance, Instantiated, State, Stepping};
+pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};
 pub use library::Slave;
+pub use plan::Plan;
+pub use raw::State;
 pub use read_xml::Warning;
+pub use values::{Number, Values};
+pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
 
 /// An FMU that was opened and read. Nothing of it is loaded or run.
 pub struct Fmu {
@@ -143,7 +161,8 @@ impl Fmu {
     /// When there is none for this machine or it cannot be loaded.
     pub fn load(&self) -> Result<Slave, Error> {
         let Some(co_simulation) = &self.description.co_simulation else { return Err(no_co_simulation()) };
-        library::load(&self.files, &self.platforms, &self.description.guid, &co_simulation.capabilities)
+        let version = supported(&self.description)?;
+        library::load(&self.files, &self.platforms, version, &self.description, &co_simulation.capabilities)
     }
 }
 
@@ -154,23 +173,21 @@ fn no_co_simulation() -> Error {
 }
 
 /// The versions and interfaces that can be used.
-fn supported(description: &ModelDescription) -> Result<(), Error> {
-    let version = description.fmi_version.as_str();
-    match version.split('.').next() {
-        Some("2") => {}
-        Some("3") => {
-            return Err(Error::Unsupported(
-                "this is an FMI 3.0 FMU; this version reads FMI 2.0 co-simulation. Export it as FMI 2.0".to_owned(),
-            ));
-        }
-        _ => {
-            return Err(Error::Unsupported(format!(
-                "this is an FMI {version} FMU; FMI 2.0 co-simulation is needed. Export it as FMI 2.0"
-            )));
-        }
-    }
+fn supported(description: &ModelDescription) -> Result<FmiVersion, Error> {
+    let Some(version) = description.version() else {
+        let version = description.fmi_version.as_str();
+        let text = if version.starts_with('3') {
+            format!(
+                "this is an FMI {version} FMU, a version this program does not know (3.0 and 3.0.x are known). Export \
+                 it as FMI 3.0 or FMI 2.0"
+            )
+        } else {
+            format!("this is an FMI {version} FMU; FMI 2.0 co-simulation is needed, or FMI 3.0. Export it as FMI 2.0")
+        };
+        return Err(Error::Unsupported(text));
+    };
     if description.co_simulation.is_none() {
         return Err(no_co_simulation());
     }
-    Ok(())
+    Ok(version)
 }

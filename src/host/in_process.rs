@@ -1,8 +1,8 @@
-//! An FMI 2.0 FMU in this process, as a [`Plant`].
+//! An FMU in this process, as a [`Plant`].
 
 use super::plant::{Plant, PlantError};
-use super::port::{Port, PortKind};
-use crate::fmi::{self, Initializing, Instance, Instantiated, Slave, State, Stepping};
+use super::port::Port;
+use crate::fmi::{self, Handle, Initializing, Instance, Instantiated, Plan, Slave, State, Stepping};
 
 /// What to write to and read from an FMU, and at which steps.
 #[derive(Clone, Debug)]
@@ -19,79 +19,18 @@ pub struct Setup {
     pub step_s: f64,
 }
 
-/// Ports of one type, with where each stands in a row of values.
-#[derive(Clone, Debug, Default)]
-struct Group {
-    references: Vec<u32>,
-    columns: Vec<usize>,
-}
-
-/// Ports sorted by type, so that each type costs one call.
-#[derive(Clone, Debug, Default)]
-struct Groups {
-    real: Group,
-    integer: Group,
-    boolean: Group,
-}
-
-impl Groups {
-    fn new<'a>(ports: impl IntoIterator<Item = &'a Port>) -> Self {
-        let mut groups = Self::default();
-        for (column, port) in ports.into_iter().enumerate() {
-            let group = match port.kind {
-                PortKind::Real => &mut groups.real,
-                PortKind::Integer => &mut groups.integer,
-                PortKind::Boolean => &mut groups.boolean,
-            };
-            group.references.push(port.value_reference);
-            group.columns.push(column);
-        }
-        groups
-    }
-
-    fn set<S>(&self, instance: &mut Instance<S>, row: &[f64]) -> Result<(), fmi::Error> {
-        if !self.real.references.is_empty() {
-            let values: Vec<f64> = self.real.columns.iter().map(|&c| row[c]).collect();
-            instance.set_real(&self.real.references, &values)?;
-        }
-        if !self.integer.references.is_empty() {
-            #[expect(clippy::cast_possible_truncation, reason = "integer ports carry whole i32 values")]
-            let values: Vec<i32> = self.integer.columns.iter().map(|&c| row[c] as i32).collect();
-            instance.set_integer(&self.integer.references, &values)?;
-        }
-        if !self.boolean.references.is_empty() {
-            let values: Vec<bool> = self.boolean.columns.iter().map(|&c| row[c] != 0.0).collect();
-            instance.set_boolean(&self.boolean.references, &values)?;
-        }
-        Ok(())
-    }
-
-    fn get<S>(&self, instance: &mut Instance<S>, row: &mut [f64]) -> Result<(), fmi::Error> {
-        if !self.real.references.is_empty() {
-            let mut values = vec![0.0; self.real.references.len()];
-            instance.get_real(&self.real.references, &mut values)?;
-            self.real.columns.iter().zip(values).for_each(|(&c, v)| row[c] = v);
-        }
-        if !self.integer.references.is_empty() {
-            let mut values = vec![0; self.integer.references.len()];
-            instance.get_integer(&self.integer.references, &mut values)?;
-            self.integer.columns.iter().zip(values).for_each(|(&c, v)| row[c] = f64::from(v));
-        }
-        if !self.boolean.references.is_empty() {
-            let mut values = vec![false; self.boolean.references.len()];
-            instance.get_boolean(&self.boolean.references, &mut values)?;
-            self.boolean.columns.iter().zip(values).for_each(|(&c, v)| row[c] = f64::from(u8::from(v)));
-        }
-        Ok(())
-    }
+/// The plan for rows of these ports.
+fn plan<'a>(slave: &Slave, ports: impl IntoIterator<Item = &'a Port>) -> Plan {
+    let handles: Vec<Handle> = ports.into_iter().map(|p| p.handle).collect();
+    Plan::new(slave, &handles)
 }
 
 /// A running FMU in this process.
 pub struct InProcess {
     slave: Slave,
     setup: Setup,
-    inputs: Groups,
-    outputs: Groups,
+    inputs: Plan,
+    outputs: Plan,
     instance: Option<Instance<Stepping>>,
     /// Communication steps taken since time zero; time is `step * step_s`, never accumulated.
     step: u64,
@@ -103,11 +42,18 @@ pub struct Checkpoint {
     step: u64,
 }
 
+impl Checkpoint {
+    /// Communication steps taken when it was saved.
+    pub(super) const fn step(&self) -> u64 {
+        self.step
+    }
+}
+
 impl InProcess {
     /// A plant for `slave`; nothing is instantiated yet.
     #[must_use]
     pub fn new(slave: Slave, setup: Setup) -> Self {
-        let (inputs, outputs) = (Groups::new(&setup.inputs), Groups::new(&setup.outputs));
+        let (inputs, outputs) = (plan(&slave, &setup.inputs), plan(&slave, &setup.outputs));
         Self { slave, setup, inputs, outputs, instance: None, step: 0 }
     }
 
@@ -123,11 +69,11 @@ impl InProcess {
     }
 
     /// Makes the instance ready to step: parameters, inputs, initialisation.
-    fn initialise(&self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, fmi::Error> {
+    fn initialise(&mut self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, fmi::Error> {
         let ports = self.setup.parameters.iter().map(|(port, _)| port);
         let values: Vec<f64> = self.setup.parameters.iter().map(|(_, value)| *value).collect();
-        Groups::new(ports).set(&mut instance, &values)?;
-        self.inputs.set(&mut instance, &self.setup.initial_inputs)?;
+        plan(&self.slave, ports).write(&mut instance, &values)?;
+        self.inputs.write(&mut instance, &self.setup.initial_inputs)?;
         let initializing: Instance<Initializing> = instance.enter_initialization(0.0, None)?;
         initializing.exit_initialization()
     }
@@ -136,7 +82,7 @@ impl InProcess {
         let time_s = self.time_s();
         let mut row = vec![0.0; self.setup.outputs.len()];
         let Some(instance) = self.instance.as_mut() else { return Err(not_started()) };
-        self.outputs.get(instance, &mut row).map_err(|e| failure(&e, time_s))?;
+        self.outputs.read(instance, &mut row).map_err(|e| failure(&e, time_s))?;
         if let Some(bad) = row.iter().position(|v| !v.is_finite()) {
             let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
             let name = &self.setup.outputs[bad].name;
@@ -154,7 +100,7 @@ impl InProcess {
         self.step as f64 * self.setup.step_s
     }
 
-    /// Resets the running instance with `fmi2Reset` and initialises it again (only the self-test trusts this).
+    /// Resets the running instance with the FMU's reset function and initialises it again (only the self-test trusts this).
     ///
     /// # Errors
     /// When the FMU refuses.
@@ -225,7 +171,7 @@ impl Plant for InProcess {
         for i in 0..steps {
             let time_s = self.time_s();
             let instance = self.instance.as_mut().ok_or_else(not_started)?;
-            self.inputs.set(instance, &inputs[i * width..(i + 1) * width]).map_err(|e| failure(&e, time_s))?;
+            self.inputs.write(instance, &inputs[i * width..(i + 1) * width]).map_err(|e| failure(&e, time_s))?;
             instance.do_step(time_s, self.setup.step_s).map_err(|e| failure(&e, time_s))?;
             self.step += 1;
             trace.extend(self.read_row()?);

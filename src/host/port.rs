@@ -1,4 +1,6 @@
-//! A bound FMU variable as the host sees it: a value reference and a type. All values travel as `f64`.
+//! A bound FMU variable as the host sees it: one value of it and a type. All values travel as `f64`.
+
+use crate::fmi::{Handle, Scalar};
 
 /// Type of a bound variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -11,15 +13,43 @@ pub enum PortKind {
     Boolean,
 }
 
-/// A bound FMU variable.
+impl PortKind {
+    /// What a type of the C interface is to the host; nothing if it is no number.
+    #[must_use]
+    pub const fn of(scalar: Scalar) -> Option<Self> {
+        Some(match scalar {
+            Scalar::Float64 | Scalar::Float32 => Self::Real,
+            Scalar::Int8
+            | Scalar::UInt8
+            | Scalar::Int16
+            | Scalar::UInt16
+            | Scalar::Int32
+            | Scalar::UInt32
+            | Scalar::Int64
+            | Scalar::UInt64 => Self::Integer,
+            Scalar::Boolean => Self::Boolean,
+            Scalar::String | Scalar::Binary | Scalar::Clock => return None,
+        })
+    }
+}
+
+/// A bound FMU variable, or an element of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Port {
     /// Name, for messages.
     pub name: String,
-    /// Value reference.
-    pub value_reference: u32,
+    /// Which value of the FMU.
+    pub handle: Handle,
     /// Type.
     pub kind: PortKind,
     /// Start value, where modelDescription.xml has one, else 0.
     pub start: f64,
+}
+
+impl Port {
+    /// A port to this value with its start value, if it is a number.
+    #[must_use]
+    pub fn new(name: String, handle: Handle, start: f64) -> Option<Self> {
+        Some(Self { name, handle, kind: PortKind::of(handle.scalar)?, start })
+    }
 }

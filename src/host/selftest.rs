@@ -9,10 +9,10 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::in_process::{InProcess, Setup};
 use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
 use super::recall::Policy;
+use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
 
 /// How two runs that should agree compare.
@@ -128,8 +128,8 @@ impl SelfTest {
 /// # Errors
 /// Only when a first plain run is not possible at all; everything after that is a finding in the result.
 pub fn selftest(
-    slave: &Slave,
-    setup: &Setup,
+    slaves: &[Slave],
+    setup: &SystemSetup,
     steps: usize,
     skip: &[Stage],
     announce: &mut dyn FnMut(Stage),
@@ -144,16 +144,21 @@ pub fn selftest(
     wanted(Stage::FirstRun);
     let moving = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
     let (main, other) = (moving(0), moving(1));
-    let fresh = || InProcess::new(slave.clone(), setup.clone());
+    let built = System::new(slaves, setup.clone());
+    built.map_err(|e| PlantError { message: e.to_string(), time_s: None, fatal: false })?;
+    #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
+    let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop");
     let width = setup.inputs.len();
 
-    let mut plant = fresh();
-    let mut reference = plant.restart()?;
-    reference.extend(plant.advance(steps, &main)?);
-    drop(plant);
+    let reference = first_run(slaves, || {
+        let mut plant = fresh();
+        let mut run = plant.restart()?;
+        run.extend(plant.advance(steps, &main)?);
+        Ok(run)
+    })?;
     let rows = setup.outputs.len();
     let compare = |run: Result<Vec<f64>, PlantError>| agreement(&reference, run);
-    let whole = |plant: &mut InProcess| {
+    let whole = |plant: &mut System| {
         let mut run = plant.restart()?;
         run.extend(plant.advance(steps, &main)?);
         Ok(run)
@@ -177,13 +182,13 @@ pub fn selftest(
     } else {
         Agreement::NotOffered
     };
-    let offers_states = slave.capabilities().can_get_and_set_state;
+    let offers_states = slaves.iter().all(|slave| slave.capabilities().can_get_and_set_state);
     let restore = if offers_states && wanted(Stage::Restore) {
         restore_test(fresh(), &reference, &main, &other, steps, width, rows)
     } else {
         Agreement::NotOffered
     };
-    let serialises = offers_states && slave.capabilities().can_serialize_state;
+    let serialises = offers_states && slaves.iter().all(|slave| slave.capabilities().can_serialize_state);
     let bytes_per_state = if serialises { state_size(fresh()).ok() } else { None };
     let serialize = if serialises && wanted(Stage::Serialize) {
         serialize_test(&fresh, &reference, &main, steps, width, rows)
@@ -224,9 +229,28 @@ pub fn selftest(
     })
 }
 
+/// A first plain run. An FMU that has an Event Mode and fails without it is tried once more with it, and keeps it if
+/// that is better: this is decided here, before anything is searched, so that all later runs are alike.
+fn first_run(slaves: &[Slave], run: impl Fn() -> Result<Vec<f64>, PlantError>) -> Result<Vec<f64>, PlantError> {
+    let error = match run() {
+        Ok(rows) => return Ok(rows),
+        Err(error) => error,
+    };
+    let may_prefer = |slave: &&Slave| slave.capabilities().has_event_mode && !slave.prefers_event_mode();
+    let others: Vec<&Slave> = slaves.iter().filter(may_prefer).collect();
+    if error.fatal || others.is_empty() {
+        return Err(error);
+    }
+    others.iter().for_each(|slave| slave.prefer_event_mode(true));
+    run().map_err(|_| {
+        others.iter().for_each(|slave| slave.prefer_event_mode(false));
+        error
+    })
+}
+
 /// Two states held at once; other branches in between; the first state returned to twice.
 fn restore_test(
-    mut plant: InProcess,
+    mut plant: System,
     reference: &[f64],
     main: &[f64],
     other: &[f64],
@@ -264,14 +288,14 @@ fn restore_test(
 }
 
 /// Bytes of a serialised state.
-fn state_size(mut plant: InProcess) -> Result<usize, PlantError> {
+fn state_size(mut plant: System) -> Result<usize, PlantError> {
     plant.restart()?;
     let state = plant.save()?;
-    Ok(plant.serialize(&state)?.len())
+    Ok(plant.serialize(&state)?.size())
 }
 
 fn serialize_test(
-    fresh: &dyn Fn() -> InProcess,
+    fresh: &dyn Fn() -> System,
     reference: &[f64],
     main: &[f64],
     steps: usize,
@@ -290,7 +314,7 @@ fn serialize_test(
         drop(first);
         let mut second = fresh();
         second.restart()?;
-        let state = second.deserialize(&bytes, k as u64)?;
+        let state = second.deserialize(&bytes)?;
         second.restore(&state)?;
         second.advance(steps - k, &main[k * width..])
     })();
@@ -316,7 +340,7 @@ fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement 
 ///
 /// In the main run (`seed` 0) Booleans stay at their start for the first three fifths, so that a cell which latches a
 /// protective stop still moves where states are saved; the other branch stops it early.
-fn input_row(setup: &Setup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
+fn input_row(setup: &SystemSetup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
     let quiet = seed == 0 && step * 5 < steps * 3;
     let sway = |column: usize| {
         // A triangle wave in -1..1 with a period that differs by column and seed.
@@ -331,5 +355,5 @@ fn input_row(setup: &Setup, step: usize, steps: usize, seed: usize) -> Vec<f64> 
         PortKind::Boolean if !quiet && (step / (4 + seed) + column) % 3 == 1 => 1.0 - start,
         PortKind::Boolean => *start,
     };
-    setup.inputs.iter().zip(&setup.initial_inputs).enumerate().map(value).collect()
+    setup.inputs.iter().map(|p| &p.port).zip(&setup.initial_inputs).enumerate().map(value).collect()
 }

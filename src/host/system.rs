@@ -147,6 +147,19 @@ pub struct Checkpoint {
     lines: Vec<VecDeque<f64>>,
 }
 
+/// Serialised states of all FMUs, and the values under way between them.
+pub(super) struct Serialized {
+    units: Vec<(Vec<u8>, u64)>,
+    lines: Vec<VecDeque<f64>>,
+}
+
+impl Serialized {
+    /// Bytes of all states.
+    pub(super) fn size(&self) -> usize {
+        self.units.iter().map(|(bytes, _)| bytes.len()).sum()
+    }
+}
+
 impl System {
     /// A plant of `slaves`, one for each of the setup's names; nothing is instantiated yet.
     ///
@@ -188,10 +201,41 @@ impl System {
         self.setup.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
     }
 
-    /// Names of the FMUs in the order in which they are stepped.
-    #[must_use]
-    pub fn order(&self) -> Vec<&str> {
-        self.order.iter().map(|&unit| self.setup.names[unit].as_str()).collect()
+    /// Begins again at time zero, each FMU by `begin`, in the order in which they are stepped.
+    fn begin(
+        &mut self,
+        begin: impl Fn(&mut InProcess) -> Result<Vec<f64>, PlantError>,
+    ) -> Result<Vec<f64>, PlantError> {
+        let mut row = vec![0.0; self.setup.outputs.len()];
+        self.lines.iter_mut().for_each(VecDeque::clear);
+        let initial = self.setup.initial_inputs.clone();
+        for place in 0..self.order.len() {
+            let unit = self.order[place];
+            let values = self.unit_row(unit, &initial);
+            self.units[unit].set_initial_inputs(values);
+            let given = begin(&mut self.units[unit]).map_err(|e| self.blame(unit, e))?;
+            self.collect(unit, &given, &mut row);
+        }
+        Ok(row)
+    }
+
+    /// Resets all FMUs and initialises them again (only the self-test trusts this).
+    pub(super) fn reset(&mut self) -> Result<Vec<f64>, PlantError> {
+        self.begin(InProcess::reset)
+    }
+
+    /// The bytes of a saved state.
+    pub(super) fn serialize(&mut self, checkpoint: &Checkpoint) -> Result<Serialized, PlantError> {
+        let units = self.units.iter_mut().zip(&checkpoint.units);
+        let units = units.map(|(unit, saved)| Ok((unit.serialize(saved)?, saved.step())));
+        Ok(Serialized { units: units.collect::<Result<_, PlantError>>()?, lines: checkpoint.lines.clone() })
+    }
+
+    /// A state from its bytes.
+    pub(super) fn deserialize(&mut self, bytes: &Serialized) -> Result<Checkpoint, PlantError> {
+        let units = self.units.iter_mut().zip(&bytes.units);
+        let units = units.map(|(unit, (bytes, step))| unit.deserialize(bytes, *step));
+        Ok(Checkpoint { units: units.collect::<Result<_, _>>()?, lines: bytes.lines.clone() })
     }
 
     /// What a connection's input gets in the present step: the output `delay_steps` before the end of this step.
@@ -250,17 +294,7 @@ impl Plant for System {
     }
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
-        let mut row = vec![0.0; self.setup.outputs.len()];
-        self.lines.iter_mut().for_each(VecDeque::clear);
-        let initial = self.setup.initial_inputs.clone();
-        for place in 0..self.order.len() {
-            let unit = self.order[place];
-            let values = self.unit_row(unit, &initial);
-            self.units[unit].set_initial_inputs(values);
-            let given = self.units[unit].restart().map_err(|e| self.blame(unit, e))?;
-            self.collect(unit, &given, &mut row);
-        }
-        Ok(row)
+        self.begin(Plant::restart)
     }
 
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {

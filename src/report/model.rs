@@ -37,6 +37,8 @@ pub struct ScanReport {
     pub spent: Spent,
     /// Actions that the FMU could not finish, with the sequences that lead there.
     pub faults: Vec<FaultRecord>,
+    /// The state self-test.
+    pub self_test: SelfTest,
     /// Edition of the limits.
     pub standard_edition: &'static str,
     /// Tables of figures used, each with source, confidence and whether a person has verified it.
@@ -91,8 +93,6 @@ pub struct FmuSubject {
     pub model_name: String,
     /// Exporting tool.
     pub generation_tool: String,
-    /// The state self-test.
-    pub self_test: SelfTest,
 }
 
 /// How it was searched.

@@ -9,7 +9,7 @@ use crate::cell::binding::BoundUnit;
 use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
-use crate::host::selftest::{Stage, selftest};
+use crate::host::selftest::{SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{PlantError, Policy, System, SystemSetup};
 use crate::report::model::{FmuSubject, Subject};
@@ -94,6 +94,8 @@ pub struct Prepared {
     pub fmus: Vec<Fmu>,
     /// What was scanned.
     pub subject: Subject,
+    /// What the FMUs' promises are worth, together.
+    pub self_test: SelfTest,
     slaves: Vec<Slave>,
     setup: SystemSetup,
 }
@@ -119,25 +121,24 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
     let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
     let couplings = System::new(&slaves, setup.clone())?.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
-    let mut subjects = Vec::with_capacity(fmus.len());
-    for unit in order {
-        // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
-        let self_test = selftest(&slaves[unit], &setup.unit(unit), episode, &[Stage::Serialize], &mut |_| {})
-            .map_err(PrepareError::FirstRun)?;
-        if !self_test.repeatable() {
-            return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
-        }
+    // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
+    let self_test =
+        selftest(&slaves, &setup, episode, &[Stage::Serialize], &mut |_| {}).map_err(PrepareError::FirstRun)?;
+    if !self_test.repeatable() {
+        return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
+    }
+    let subject_of = |unit: usize| {
         let (name, fmu) = &fmus[unit];
         let description = fmu.description();
-        subjects.push(FmuSubject {
+        FmuSubject {
             unit: name.clone(),
             sha256: fmu.sha256().to_owned(),
             fmi_version: description.fmi_version.clone(),
             model_name: description.model_name.clone(),
             generation_tool: description.generation_tool.clone().unwrap_or_default(),
-            self_test,
-        });
-    }
+        }
+    };
+    let subjects = order.into_iter().map(subject_of).collect();
     let subject = Subject {
         cell: cell.name.clone(),
         cell_found: found,
@@ -147,7 +148,8 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
         couplings,
     };
     let fmus = fmus.into_iter().map(|(_, fmu)| fmu).collect();
-    let prepared = Prepared { cell: Arc::new(cell), binding: Arc::new(binding), fmus, subject, slaves, setup };
+    let prepared =
+        Prepared { cell: Arc::new(cell), binding: Arc::new(binding), fmus, subject, self_test, slaves, setup };
     let simulation = prepared.simulation(StateChoice::Auto, false).map_err(PrepareError::FirstRun)?;
     if !simulation.start_is_free() {
         let start = simulation.position();
@@ -167,24 +169,11 @@ impl Prepared {
         System::new(&self.slaves, self.setup.clone()).expect("the connections form no loop")
     }
 
-    /// How states are brought back for a choice: as the least faithful of the FMUs deserves.
+    /// How states are brought back for a choice.
     #[must_use]
     pub fn policy(&self, choice: StateChoice) -> Policy {
-        let budget = STATE_BUDGET / self.subject.fmus.len().max(1);
-        let checkpoints = |policy: Policy| match policy {
-            Policy::States { max_checkpoints } => max_checkpoints,
-            Policy::Replay => 0,
-        };
         match choice {
-            StateChoice::Auto => Policy::States {
-                max_checkpoints: self
-                    .subject
-                    .fmus
-                    .iter()
-                    .map(|fmu| checkpoints(fmu.self_test.policy(budget)))
-                    .min()
-                    .unwrap_or(0),
-            },
+            StateChoice::Auto => self.self_test.policy(STATE_BUDGET),
             StateChoice::Fmu => Policy::States { max_checkpoints: usize::MAX },
             StateChoice::Replay => Policy::Replay,
         }

@@ -189,6 +189,7 @@ pub fn scan(
         coverage,
         spent,
         faults,
+        self_test: prepared.self_test.clone(),
         standard_edition: STANDARD_EDITION,
         tables: tables().collect(),
         warnings,

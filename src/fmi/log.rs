@@ -1,0 +1,96 @@
+//! What FMUs say: the log callbacks of both versions, and the last lines kept for error messages.
+#![expect(unsafe_code, reason = "callbacks that FMUs call with C pointers")]
+
+use std::ffi::{CStr, c_char, c_int, c_void};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::abi::{self, StatusCode};
+
+/// Log lines kept for error messages.
+const LOG_LINES: usize = 10;
+
+/// What the log callbacks write to; lives as long as the instance.
+#[derive(Default)]
+pub(super) struct Environment {
+    lines: Mutex<Vec<String>>,
+}
+
+impl Environment {
+    /// As the FMU is given it.
+    pub(super) fn address(&self) -> *mut c_void {
+        (&raw const *self).cast_mut().cast()
+    }
+
+    /// The lines so far.
+    pub(super) fn lines(&self) -> Vec<String> {
+        lock(&self.lines).clone()
+    }
+
+    /// The lines since they were last taken.
+    pub(super) fn take(&self) -> Vec<String> {
+        std::mem::take(&mut *lock(&self.lines))
+    }
+}
+
+/// A lock that a panic elsewhere does not close.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+unsafe extern "C" {
+    /// The C shim that formats a log message of FMI 2.0; passed to FMUs, never called from Rust.
+    pub(super) fn fmi_hazard_logger();
+}
+
+/// Called by the C shim with a formatted log message.
+#[unsafe(no_mangle)]
+extern "C" fn fmi_hazard_log(environment: *mut c_void, status: c_int, category: *const c_char, message: *const c_char) {
+    // SAFETY: the shim passes on what an FMU was given at instantiation, and NUL-terminated texts.
+    unsafe { record(environment, status, category, message) };
+}
+
+/// `fmi3LogMessageCallback`. Not variadic, so no C is needed.
+///
+/// # Safety
+/// As [`record`]; the standard asks the same of FMUs.
+pub(super) unsafe extern "C" fn log_message(
+    environment: *mut c_void,
+    status: StatusCode,
+    category: *const c_char,
+    message: *const c_char,
+) {
+    // SAFETY: as the caller promises.
+    unsafe { record(environment, status, category, message) };
+}
+
+/// Keeps one line.
+///
+/// # Safety
+/// `environment` must be NULL or from [`Environment::address`] of one that still lives; the texts must be NULL or
+/// NUL-terminated and live during the call.
+unsafe fn record(environment: *mut c_void, status: StatusCode, category: *const c_char, message: *const c_char) {
+    if environment.is_null() || message.is_null() {
+        return;
+    }
+    // SAFETY: not NULL, and an `Environment` as the caller promises; only shared references to it exist.
+    let environment = unsafe { &*environment.cast::<Environment>() };
+    // SAFETY: not NULL, and NUL-terminated as the caller promises.
+    let message = unsafe { CStr::from_ptr(message) };
+    let category = if category.is_null() {
+        String::new()
+    } else {
+        // SAFETY: as for the message.
+        unsafe { CStr::from_ptr(category) }.to_string_lossy().into_owned()
+    };
+    // Ordinary chatter is dropped; what comes with a status worse than OK, or an error category, is kept.
+    if status == abi::OK && !category.to_lowercase().contains("err") {
+        return;
+    }
+    let text: String =
+        message.to_string_lossy().trim_end().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut lines = lock(&environment.lines);
+    if lines.len() == LOG_LINES {
+        lines.remove(0);
+    }
+    lines.push(if category.is_empty() { text } else { format!("[{category}] {text}") });
+}

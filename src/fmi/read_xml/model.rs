@@ -1,0 +1,92 @@
+//! What modelDescription.xml says of the model as a whole: its identity and its co-simulation interface.
+
+use super::super::description::{Capabilities, CoSimulation, FmiVersion};
+use super::attributes::Attributes;
+use super::{Parser, Problem};
+
+impl Parser {
+    pub(super) fn root(&mut self, a: &mut Attributes) -> Result<(), Problem> {
+        self.d.fmi_version = a.required("fmiVersion")?;
+        // Other versions name other things differently: the caller says so before anything is missed.
+        let Some(version) = self.d.version() else {
+            a.values.clear();
+            return Ok(());
+        };
+        self.d.model_name = a.required("modelName")?;
+        self.d.guid = a.required(match version {
+            FmiVersion::V2 => "guid",
+            FmiVersion::V3 => "instantiationToken",
+        })?;
+        self.d.generation_tool = a.take("generationTool");
+        for known in [
+            "description",
+            "author",
+            "version",
+            "copyright",
+            "license",
+            "generationDateAndTime",
+            "variableNamingConvention",
+            "numberOfEventIndicators",
+        ] {
+            a.take(known);
+        }
+        Ok(())
+    }
+
+    pub(super) fn co_simulation(&mut self, a: &mut Attributes) -> Result<(), Problem> {
+        let model_identifier = a.required("modelIdentifier")?;
+        let letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+        let is_identifier =
+            model_identifier.starts_with(letter) && model_identifier.chars().all(|c| letter(c) || c.is_ascii_digit());
+        if !is_identifier {
+            return Err(a.problem(format_args!(
+                "modelIdentifier \"{}\" is not a C identifier and could name a file outside the FMU; refused",
+                model_identifier.escape_debug()
+            )));
+        }
+        let mut flag = |name: &str| Ok::<bool, Problem>(a.boolean(name)?.unwrap_or(false));
+        let mut capabilities = Capabilities {
+            can_handle_variable_step: flag("canHandleVariableCommunicationStepSize")?,
+            once_per_process: flag("canBeInstantiatedOnlyOncePerProcess")?,
+            needs_execution_tool: flag("needsExecutionTool")?,
+            model_identifier,
+            ..Capabilities::default()
+        };
+        let known: &[&str] = match self.d.version() {
+            Some(FmiVersion::V3) => {
+                capabilities.can_get_and_set_state = flag("canGetAndSetFMUState")?;
+                capabilities.can_serialize_state = flag("canSerializeFMUState")?;
+                capabilities.has_event_mode = flag("hasEventMode")?;
+                capabilities.might_return_early = flag("mightReturnEarlyFromDoStep")?;
+                capabilities.can_return_early_after_intermediate_update =
+                    flag("canReturnEarlyAfterIntermediateUpdate")?;
+                capabilities.provides_intermediate_update = flag("providesIntermediateUpdate")?;
+                capabilities.fixed_internal_step = a.number("fixedInternalStepSize")?;
+                &[
+                    "maxOutputDerivativeOrder",
+                    "recommendedIntermediateInputSmoothness",
+                    "providesDirectionalDerivatives",
+                    "providesAdjointDerivatives",
+                    "providesPerElementDependencies",
+                    "providesEvaluateDiscreteStates",
+                ]
+            }
+            _ => {
+                capabilities.can_get_and_set_state = flag("canGetAndSetFMUstate")?;
+                capabilities.can_serialize_state = flag("canSerializeFMUstate")?;
+                &[
+                    "canInterpolateInputs",
+                    "maxOutputDerivativeOrder",
+                    "canRunAsynchronuously",
+                    "canNotUseMemoryManagementFunctions",
+                    "providesDirectionalDerivative",
+                ]
+            }
+        };
+        for name in known {
+            a.take(name);
+        }
+        self.d.co_simulation = Some(CoSimulation { capabilities });
+        Ok(())
+    }
+}
