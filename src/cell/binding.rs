@@ -312,12 +312,12 @@ impl<'a> Binder<'a> {
                 _ => None,
             })
         };
-        if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to)) {
-            if a != b {
-                let message = format!("`{}` is in `{a}`, `{}` in `{b}`", table.from.get_ref(), table.to.get_ref());
-                let help = Some("connect variables of one unit".to_owned());
-                return Err(self.source.error(table.to.span(), "here", message, help));
-            }
+        if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to))
+            && a != b
+        {
+            let message = format!("`{}` is in `{a}`, `{}` in `{b}`", table.from.get_ref(), table.to.get_ref());
+            let help = Some("connect variables of one unit".to_owned());
+            return Err(self.source.error(table.to.span(), "here", message, help));
         }
         Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps) })
     }

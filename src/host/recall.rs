@@ -17,12 +17,6 @@ pub struct NodeId(usize);
 impl NodeId {
     /// The state after initialisation.
     pub const ROOT: Self = Self(0);
-
-    /// A dense index, for tables beside the tree.
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.0
-    }
 }
 
 /// How states are brought back.

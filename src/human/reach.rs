@@ -345,20 +345,29 @@ impl Movement {
     }
 }
 
-/// Whether a limb may touch a solid when its ends move no farther than `at_most`, and along a direction `n` no farther
-/// than `along(n)` says.
-fn limb_may_touch(link: &Solid, ends: [Vec3; 2], radius: f64, at_most: f64, along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+/// The least signed distance of a limb and a solid when the limb's ends move no farther than `at_most`, and along a
+/// direction `n` no farther than `along(n)` says; none if they cannot touch.
+fn limb_may_touch(
+    link: &Solid,
+    ends: [Vec3; 2],
+    radius: f64,
+    at_most: f64,
+    along: impl Fn(Vec3) -> [f64; 2],
+) -> Option<f64> {
     let near = link.segment_distance(ends[0], ends[1]);
-    if near.distance - radius > at_most {
-        return false;
+    let least = near.distance - radius - at_most;
+    if least > 0.0 {
+        return None;
     }
     let n = (near.on_first - near.on_second).normalize_or_zero();
     if near.distance <= 0.0 || n == Vec3::ZERO {
-        return true;
+        return Some(least);
     }
+    // A convex link stays behind the plane through its nearest point.
     let moves = along(n);
     let behind = |p: Vec3, m: f64| (p - near.on_second).dot(n) - m;
-    behind(ends[0], moves[0]).min(behind(ends[1], moves[1])) <= radius
+    let least = least.max(behind(ends[0], moves[0]).min(behind(ends[1], moves[1])) - radius);
+    (least <= 0.0).then_some(least)
 }
 
 impl<S: ContactScore> Search<'_, S> {
@@ -453,13 +462,16 @@ impl<S: ContactScore> Search<'_, S> {
             }
         }
         // Beyond the part that counts as elbow, as far as a forearm can be touched before its hand.
-        let forearm = |end: f64| {
-            let part = self.elbow_part();
-            end > part && self.forearm_may_touch(link, placed, movement, [part, end])
+        let part = self.elbow_part();
+        let forearm = |end: f64| match end > part {
+            true => self.forearm_may_touch(link, placed, movement, [part, end]),
+            false => None,
         };
         fore > cutoff
-            && forearm(1.0)
-            && (forearm(self.never_first_from()) || !self.hand_certainly_free(placed, piece.link, movement))
+            && forearm(1.0).is_some()
+            && (forearm(self.never_first_from())
+                .is_some_and(|least| !self.hand_is_deeper(placed, piece.link, least, movement))
+                || !self.hand_certainly_free(placed, piece.link, movement))
     }
 
     /// The same of the upper arm and of what counts as elbow.
@@ -471,12 +483,17 @@ impl<S: ContactScore> Search<'_, S> {
             let radius = self.query.arm.upper_arm_radius_m;
             limb_may_touch(link, [placed.shoulder, placed.elbow], radius, movement.elbow, moves)
         };
-        (elbow > cutoff && self.forearm_may_touch(link, placed, movement, [0.0, self.elbow_part()]))
-            || (upper > cutoff && upper_arm())
+        let at_elbow = || self.forearm_may_touch(link, placed, movement, [0.0, self.elbow_part()]);
+        let least = [(elbow > cutoff).then(at_elbow), (upper > cutoff).then(upper_arm)].into_iter().flatten().flatten();
+        least.reduce(f64::min).is_some_and(|least| {
+            !self.hand_is_deeper(placed, piece.link, least, movement)
+                || !self.hand_certainly_free(placed, piece.link, movement)
+        })
     }
 
-    /// Whether a part of the forearm, given as fractions from elbow to wrist, may touch a solid within the box.
-    fn forearm_may_touch(&self, link: &Solid, placed: &Placed, movement: &Movement, part: [f64; 2]) -> bool {
+    /// The least signed distance within the box of a part of the forearm, given as fractions from elbow to wrist, and a
+    /// solid; none if they cannot touch.
+    fn forearm_may_touch(&self, link: &Solid, placed: &Placed, movement: &Movement, part: [f64; 2]) -> Option<f64> {
         let ends = part.map(|p| placed.elbow + (placed.wrist - placed.elbow) * p);
         // A point between elbow and wrist moves with both, in parts.
         let between = |elbow: f64, wrist: f64| part.map(|p| (1.0 - p) * elbow + p * wrist);
@@ -494,6 +511,13 @@ impl<S: ContactScore> Search<'_, S> {
     fn never_first_from(&self) -> f64 {
         let arm = self.query.arm;
         1.0 - (arm.hand_radius_m - arm.forearm_radius_m).max(0.0) / arm.forearm_m
+    }
+
+    /// Whether the hand overlaps a link more than a limb whose signed distance is at least `least`, in the whole box: then
+    /// the limb is never what is touched first, unless an obstacle keeps the hand away.
+    fn hand_is_deeper(&self, placed: &Placed, link: usize, least: f64, movement: &Movement) -> bool {
+        let wrist = self.query.links[link].point_distance(placed.wrist).distance;
+        wrist + movement.wrist - self.query.arm.hand_radius_m < least
     }
 
     /// Whether the line from the wrist to the nearest point of a link is free in the whole box. That point moves no

@@ -4,7 +4,13 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::paper;
 use crate::search::statistics::{Interval, Runs, ratio_interval};
+use crate::sim::Coverage;
+
+/// Columns of [`Campaign::csv`].
+pub const CSV_HEADER: &str = "cell,strategy,seeds,budget,t,t_low,t_high,sigma,misses,par2,km_median,rate,\
+                              ratio,ratio_low,ratio_high,paper_t,paper_sigma,paper_misses_of_10\n";
 
 /// One strategy's runs.
 #[derive(Clone, Debug, Serialize)]
@@ -23,8 +29,18 @@ pub struct Row {
     pub misses: usize,
     /// 95 % Wilson interval of the miss probability.
     pub miss_interval: [f64; 2],
+    /// Penalised average: a miss counts twice the budget.
+    pub par2: f64,
+    /// Kaplan-Meier median; none if more than half of the seeds found nothing.
+    pub median: Option<u32>,
+    /// First hits over iterations run.
+    pub rate: f64,
+    /// Kaplan-Meier curve: share of seeds without a hazard after these iterations.
+    pub survival: Vec<(u32, f64)>,
     /// Mean number of 200 ms actions simulated until the first hazard or the end of the budget.
     pub mean_actions: f64,
+    /// What all runs together have seen.
+    pub coverage: Coverage,
     /// Capped mean over that of the reference (the last row), with its 95 % bootstrap interval.
     pub ratio_to_reference: Option<[f64; 3]>,
 }
@@ -49,16 +65,16 @@ const fn pair(i: Interval) -> [f64; 2] {
 }
 
 impl Campaign {
-    /// Statistics of `runs` (strategy, first hits, actions simulated per seed); the last strategy is the reference.
+    /// Statistics of `runs` (strategy, first hits, what was seen); the last strategy is the reference.
     #[must_use]
     pub fn new(
         cell: &str,
         seeds: [u64; 2],
         iterations: u32,
         posture_sweep: bool,
-        runs: &[(String, Runs, Vec<u64>)],
+        runs: &[(String, Runs, Coverage)],
     ) -> Self {
-        let row = |(i, (strategy, r, actions)): (usize, &(String, Runs, Vec<u64>))| {
+        let row = |(i, (strategy, r, coverage)): (usize, &(String, Runs, Coverage))| {
             let (mean, sigma) = r.mean_and_sigma();
             let ratio = (i + 1 < runs.len()).then(|| {
                 let reference = &runs[runs.len() - 1].1;
@@ -73,12 +89,52 @@ impl Campaign {
                 sigma,
                 misses: r.misses(),
                 miss_interval: pair(r.miss_interval()),
-                mean_actions: actions.iter().sum::<u64>() as f64 / (actions.len() as f64).max(1.0),
+                par2: r.par2(),
+                median: r.median(),
+                rate: r.rate(),
+                survival: r.survival(),
+                mean_actions: coverage.actions as f64 / (r.first_hit.len() as f64).max(1.0),
+                coverage: coverage.clone(),
                 ratio_to_reference: ratio,
             }
         };
         let rows = runs.iter().enumerate().map(row).collect();
         Self { cell: cell.to_owned(), iterations, seeds, posture_sweep, rows }
+    }
+
+    /// Rows as comma-separated values, one a strategy; [`CSV_HEADER`] names the columns.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let optional = |v: Option<String>| v.unwrap_or_default();
+        let row = |r: &Row| {
+            let paper = paper::of(&self.cell).and_then(|p| match r.strategy.as_str() {
+                "mcts-dpw" => Some(p.mcts),
+                "random" => Some(p.random),
+                _ => None,
+            });
+            let fields = [
+                self.cell.clone(),
+                r.strategy.clone(),
+                self.seeds[1].to_string(),
+                self.iterations.to_string(),
+                r.mean.to_string(),
+                r.mean_interval[0].to_string(),
+                r.mean_interval[1].to_string(),
+                r.sigma.to_string(),
+                r.misses.to_string(),
+                r.par2.to_string(),
+                optional(r.median.map(|m| m.to_string())),
+                r.rate.to_string(),
+                optional(r.ratio_to_reference.map(|v| v[0].to_string())),
+                optional(r.ratio_to_reference.map(|v| v[1].to_string())),
+                optional(r.ratio_to_reference.map(|v| v[2].to_string())),
+                optional(paper.map(|p| p.t.to_string())),
+                optional(paper.map(|p| p.sigma.to_string())),
+                optional(paper.map(|p| p.misses.to_string())),
+            ];
+            fields.join(",") + "\n"
+        };
+        self.rows.iter().map(row).collect()
     }
 
     /// A table for a terminal.
@@ -121,6 +177,84 @@ impl Campaign {
                 r.mean_actions,
             );
         }
+        for r in &self.rows {
+            let c = &r.coverage;
+            let _ = writeln!(
+                out,
+                " {:<18} {} contact checks, robot within arm's reach at {}; robot up to {:.2} m/s, body as near as {}; sensors \
+                 fired in {:?} actions, {} walks blocked",
+                r.strategy,
+                c.contact_checks,
+                c.checks_with_robot_in_arm_reach,
+                c.robot_top_speed_m_s,
+                if c.closest_approach_m < 1e6 { format!("{:.2} m", c.closest_approach_m) } else { "never".to_owned() },
+                c.sensor_actions,
+                c.walks_blocked,
+            );
+        }
         out
     }
+}
+
+/// The paper's table beside ours, for several cells.
+#[must_use]
+pub fn beside_the_paper(campaigns: &[Campaign], markdown: bool) -> String {
+    let header = [
+        "scenario",
+        "strategy",
+        "T",
+        "95 % interval",
+        "sigma",
+        "misses",
+        "PAR-2",
+        "median",
+        "ratio to random",
+        "paper: T",
+        "sigma",
+        "misses",
+        "ratio",
+    ];
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    for campaign in campaigns {
+        let paper = paper::of(&campaign.cell);
+        for (i, r) in campaign.rows.iter().enumerate() {
+            let theirs = paper.and_then(|p| match r.strategy.as_str() {
+                "mcts-dpw" => Some((p.mcts, Some(p.mcts.t / p.random.t))),
+                "random" => Some((p.random, None)),
+                _ => None,
+            });
+            let blank = String::new;
+            rows.push(vec![
+                if i == 0 { campaign.cell.clone() } else { blank() },
+                r.strategy.clone(),
+                format!("{:.1}", r.mean),
+                format!("[{:.1}, {:.1}]", r.mean_interval[0], r.mean_interval[1]),
+                format!("{:.1}", r.sigma),
+                format!("{} of {}", r.misses, campaign.seeds[1]),
+                format!("{:.1}", r.par2),
+                r.median.map_or_else(|| "-".to_owned(), |m| m.to_string()),
+                r.ratio_to_reference.map_or_else(blank, |[v, low, high]| format!("{v:.2} [{low:.2}, {high:.2}]")),
+                theirs.map_or_else(blank, |(p, _)| format!("{:.1}", p.t)),
+                theirs.map_or_else(blank, |(p, _)| format!("{:.1}", p.sigma)),
+                theirs.map_or_else(blank, |(p, _)| format!("{} of 10", p.misses)),
+                theirs.and_then(|(_, ratio)| ratio).map_or_else(blank, |ratio| format!("{ratio:.2}")),
+            ]);
+        }
+    }
+    let width = |c: usize| rows.iter().map(|r| r[c].len()).max().unwrap_or(0).max(header[c].len());
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let line = |cells: Vec<&str>| {
+        let padded: Vec<String> = cells.iter().zip(&widths).map(|(c, w)| format!("{c:<w$}")).collect();
+        match markdown {
+            true => format!("| {} |\n", padded.join(" | ")),
+            false => format!(" {}\n", padded.join("  ").trim_end()),
+        }
+    };
+    let mut out = line(header.to_vec());
+    if markdown {
+        let dashes: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
+        out += &line(dashes.iter().map(String::as_str).collect());
+    }
+    rows.iter().for_each(|r| out += &line(r.iter().map(String::as_str).collect()));
+    out
 }

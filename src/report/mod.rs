@@ -7,5 +7,6 @@
 
 pub mod campaign;
 pub mod model;
+pub mod paper;
 pub mod terminal;
 pub mod topview;

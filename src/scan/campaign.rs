@@ -5,9 +5,12 @@ use std::sync::{Mutex, PoisonError};
 
 use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
+use crate::host::System;
 use crate::report::campaign::Campaign;
 use crate::search::Rng;
+use crate::search::mcts_dpw::Parameters;
 use crate::search::statistics::Runs;
+use crate::sim::{Coverage, Simulation};
 
 /// What to run.
 #[derive(Clone, Debug)]
@@ -22,6 +25,8 @@ pub struct CampaignOptions {
     pub iterations: u32,
     /// Check all six postures per walk.
     pub posture_sweep: bool,
+    /// Other parameters for the tree searches than those of their profiles, for sensitivity studies.
+    pub parameters: Option<Parameters>,
     /// Threads.
     pub workers: usize,
 }
@@ -40,10 +45,13 @@ pub fn run(
     let (next, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let results = Mutex::new(vec![None; jobs.len()]);
     let work = || -> Result<(), ScanError> {
+        // What an action does from a state is worked out once for all runs of a thread.
+        let wrap = |cause| ScanError { cause };
+        let mut simulation = prepared.simulation(StateChoice::Auto, options.posture_sweep).map_err(wrap)?;
         loop {
             let job = next.fetch_add(1, Ordering::Relaxed);
             let Some(&(strategy, seed)) = jobs.get(job) else { return Ok(()) };
-            let result = first_hit(prepared, strategy, seed, options)?;
+            let result = first_hit(&mut simulation, strategy, seed, options)?;
             results.lock().unwrap_or_else(PoisonError::into_inner)[job] = Some(result);
             tell(ended.fetch_add(1, Ordering::Relaxed) + 1);
         }
@@ -59,8 +67,13 @@ pub fn run(
         .iter()
         .zip(results.chunks(per_strategy))
         .map(|(s, chunk)| {
-            let (first_hit, actions): (Vec<_>, Vec<_>) = chunk.iter().flatten().copied().unzip();
-            (name(*s), Runs { first_hit, cap: options.iterations }, actions)
+            let mut coverage = Coverage::new(prepared.cell.sensors.len());
+            let mut first_hit = Vec::with_capacity(chunk.len());
+            for (hit, seen) in chunk.iter().flatten() {
+                first_hit.push(*hit);
+                coverage.merge(seen);
+            }
+            (name(*s), Runs { first_hit, cap: options.iterations }, coverage)
         })
         .collect();
     let seeds = [options.first_seed, options.seeds];
@@ -71,22 +84,21 @@ fn name(strategy: StrategyName) -> String {
     strategy.build().name().to_owned()
 }
 
-/// Iteration of the first hazard (from 1) and the actions simulated until then.
+/// Iteration of the first hazard (from 1) and what was seen until then.
 fn first_hit(
-    prepared: &Prepared,
+    simulation: &mut Simulation<System>,
     strategy: StrategyName,
     seed: u64,
     options: &CampaignOptions,
-) -> Result<(Option<u32>, u64), ScanError> {
-    let wrap = |cause| ScanError { cause };
-    let mut simulation = prepared.simulation(StateChoice::Auto, options.posture_sweep).map_err(wrap)?;
-    let mut strategy = strategy.build();
+) -> Result<(Option<u32>, Coverage), ScanError> {
+    simulation.begin_run();
+    let mut strategy = options.parameters.map_or_else(|| strategy.build(), |p| strategy.build_with(p));
     let mut rng = Rng::new(seed);
     for iteration in 1..=options.iterations {
-        strategy.iterate(&mut simulation, &mut rng).map_err(wrap)?;
+        strategy.iterate(simulation, &mut rng).map_err(|cause| ScanError { cause })?;
         if !simulation.take_findings().is_empty() {
-            return Ok((Some(iteration), simulation.coverage().actions));
+            return Ok((Some(iteration), simulation.coverage().clone()));
         }
     }
-    Ok((None, simulation.coverage().actions))
+    Ok((None, simulation.coverage().clone()))
 }

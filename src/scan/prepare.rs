@@ -9,7 +9,7 @@ use crate::cell::binding::BoundUnit;
 use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
-use crate::host::selftest::{SelfTest, Stage, selftest};
+use crate::host::selftest::{Agreement, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{PlantError, Policy, System, SystemSetup};
 use crate::report::model::{FmuSubject, Subject};
@@ -61,6 +61,13 @@ pub enum PrepareError {
          findings could not be replayed. Ask its maker for a deterministic export"
     ))]
     NotDeterministic(String),
+    /// The FMU runs once and not again.
+    #[error("the FMU ran once and could not be run again: {0}")]
+    #[diagnostic(help(
+        "a search runs it many times. FMUs that allow one instance in a process need a process for each run, which this \
+         version does not do yet"
+    ))]
+    RunsOnce(String),
     /// The person starts inside something.
     #[error("the person's start ({x:.2}, {y:.2}) m is inside an obstacle or touches one")]
     #[diagnostic(help("move human.start in the cell file; the body needs 0.14 m of room around it"))]
@@ -77,7 +84,7 @@ impl PrepareError {
     #[must_use]
     pub fn while_running(&self) -> bool {
         match self {
-            Self::FirstRun(_) | Self::NotDeterministic(_) => true,
+            Self::FirstRun(_) | Self::NotDeterministic(_) | Self::RunsOnce(_) => true,
             Self::Load(e) => e.while_running(),
             _ => false,
         }
@@ -124,6 +131,9 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
     // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
     let self_test =
         selftest(&slaves, &setup, episode, &[Stage::Serialize], &mut |_| {}).map_err(PrepareError::FirstRun)?;
+    if let Agreement::Failed { reason } = &self_test.deterministic {
+        return Err(PrepareError::RunsOnce(reason.clone()));
+    }
     if !self_test.repeatable() {
         return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
     }

@@ -13,6 +13,7 @@ use crate::human::action::ACTION_S;
 use crate::report::model::{
     FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
+use crate::search::mcts_dpw::Parameters;
 use crate::search::{MctsDpw, Profile, Random, Rng, Strategy};
 use crate::sim::Simulation;
 use crate::sim::replay::replay;
@@ -38,6 +39,20 @@ impl StrategyName {
     #[must_use]
     pub fn build(self) -> Box<dyn Strategy<Simulation<System>>> {
         let mcts = |profile| Box::new(MctsDpw::<Snapshot>::new(profile));
+        match self {
+            Self::MctsDpw => mcts(Profile::Paper),
+            Self::MctsDpwLee => mcts(Profile::Lee),
+            Self::MctsDpwLiteral => mcts(Profile::PaperLiteral),
+            Self::Random => Box::new(Random),
+        }
+    }
+}
+
+impl StrategyName {
+    /// A fresh strategy; a tree search with these parameters instead of its profile's.
+    #[must_use]
+    pub fn build_with(self, parameters: Parameters) -> Box<dyn Strategy<Simulation<System>>> {
+        let mcts = |profile| Box::new(MctsDpw::<Snapshot>::with_parameters(profile, parameters));
         match self {
             Self::MctsDpw => mcts(Profile::Paper),
             Self::MctsDpwLee => mcts(Profile::Lee),

@@ -48,6 +48,44 @@ impl Runs {
         self.first_hit.iter().filter(|h| h.is_none()).count()
     }
 
+    /// Penalised average: a miss counts twice the cap (PAR-2).
+    #[must_use]
+    pub fn par2(&self) -> f64 {
+        let cap = 2.0 * f64::from(self.cap);
+        mean(&self.first_hit.iter().map(|h| h.map_or(cap, f64::from)).collect::<Vec<_>>())
+    }
+
+    /// Kaplan-Meier estimate of the share of runs still without a hazard after each iteration at which one found its
+    /// first; misses are censored at the cap.
+    #[must_use]
+    pub fn survival(&self) -> Vec<(u32, f64)> {
+        let mut hits: Vec<u32> = self.first_hit.iter().flatten().copied().collect();
+        hits.sort_unstable();
+        let mut left = self.first_hit.len() as f64;
+        let (mut curve, mut share) = (Vec::new(), 1.0);
+        for same in hits.chunk_by(|a, b| a == b) {
+            let found = same.len() as f64;
+            share *= 1.0 - found / left;
+            left -= found;
+            curve.push((same[0], share));
+        }
+        curve
+    }
+
+    /// Kaplan-Meier median: the iteration after which at most half of the runs are left; none if more missed.
+    #[must_use]
+    pub fn median(&self) -> Option<u32> {
+        self.survival().into_iter().find(|(_, share)| *share <= 0.5).map(|(iteration, _)| iteration)
+    }
+
+    /// First hits over iterations run: the maximum-likelihood rate where each iteration hits independently, as in
+    /// random search.
+    #[must_use]
+    pub fn rate(&self) -> f64 {
+        let hits = self.first_hit.len() - self.misses();
+        hits as f64 / self.capped().iter().sum::<f64>().max(1.0)
+    }
+
     /// Percentile-bootstrap interval of the capped mean.
     #[must_use]
     pub fn mean_interval(&self, seed: u64) -> Interval {
@@ -111,6 +149,20 @@ mod tests {
         // By hand: deviations -106.667, 203.333, -96.667; sum of squares 62 066.667; / 2; square root.
         assert!((sigma - 176.163_f64).abs() < 1e-3, "{sigma}");
         assert_eq!(runs.misses(), 1);
+    }
+
+    #[test]
+    fn survival_by_hand() {
+        // Freireich et al. (1963), 6-MP group, as far as no one is lost in between: 3 of 7 at 6, then 1 at 7.
+        let first_hit = vec![Some(6), Some(6), Some(6), Some(7), None, None, None];
+        let runs = Runs { first_hit, cap: 35 };
+        let curve = runs.survival();
+        assert_eq!(curve.len(), 2);
+        assert!((curve[0].1 - 4.0 / 7.0).abs() < 1e-12 && (curve[1].1 - 3.0 / 7.0).abs() < 1e-12, "{curve:?}");
+        assert_eq!(runs.median(), Some(7));
+        assert!((runs.par2() - (18.0 + 7.0 + 210.0) / 7.0).abs() < 1e-12);
+        assert!((runs.rate() - 4.0 / (18.0 + 7.0 + 105.0)).abs() < 1e-12);
+        assert_eq!(Runs { first_hit: vec![None, Some(1), None], cap: 5 }.median(), None);
     }
 
     #[test]

@@ -59,6 +59,11 @@ const FAULTS_KEPT: usize = 20;
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
 
+/// Most outcomes and most FMU states with robot frames that are remembered at a time, some hundred MB each; beyond that
+/// all are forgotten and worked out again when they are needed.
+const OUTCOMES_KEPT: usize = 300_000;
+const FRAMES_KEPT: usize = 6_000;
+
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
 struct Outcome {
@@ -71,8 +76,6 @@ struct Outcome {
     fault: Option<String>,
     /// What was seen on the way.
     coverage: Coverage,
-    /// The person's places after each step.
-    places: Vec<Place>,
 }
 
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node.
@@ -103,13 +106,13 @@ pub struct Simulation<P: Plant> {
     curtains: Vec<(usize, Cuboid)>,
     /// What each of them closes with the guarding beside it.
     closed: Vec<curtain::Closed>,
-    /// Robot frames of each FMU state's last action, by node index.
-    frames: Vec<Option<Arc<[RobotFrame]>>>,
+    /// Robot frames of each FMU state's last action.
+    frames: BTreeMap<NodeId, Arc<[RobotFrame]>>,
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
-    /// The person's places after each step of the last action.
-    last_places: Vec<Place>,
+    /// Where the person stood before the last action.
+    from: Place,
     coverage: Coverage,
     findings: Vec<Finding>,
     faults: Vec<Fault>,
@@ -176,11 +179,11 @@ impl<P: Plant> Simulation<P> {
             encounter,
             body,
             boxes,
-            frames: Vec::new(),
+            frames: BTreeMap::new(),
             outcomes: BTreeMap::new(),
             state: root.clone(),
             root,
-            last_places: Vec::new(),
+            from: place,
             findings: Vec::new(),
             faults: Vec::new(),
         })
@@ -232,9 +235,11 @@ impl<P: Plant> Simulation<P> {
     /// Person's position and robot after each step of the last action taken.
     #[must_use]
     pub fn last_action(&self) -> Vec<(Vec3, RobotFrame)> {
-        let Some(Some(frames)) = self.frames.get(self.state.node.index()) else { return Vec::new() };
+        let Some(frames) = self.frames.get(&self.state.node) else { return Vec::new() };
+        let Some(action) = self.state.actions.last() else { return Vec::new() };
+        let walked = self.walker().walk(self.from, action.walk(), self.cell.steps_per_action);
         let place = |p: &Place| p.position(&self.cell.start, sub_step_m(&self.cell));
-        self.last_places.iter().map(place).zip(frames.iter().cloned()).collect()
+        walked.places.iter().map(place).zip(frames.iter().cloned()).collect()
     }
 
     /// The body's capsules, world, for a person who stands at `xy` and looks along `heading_deg` in the posture of
@@ -264,7 +269,7 @@ impl<P: Plant> Simulation<P> {
                 self.faults.push(Fault { actions, message: message.clone() });
             }
         } else if let Some((node, place, delays)) = &outcome.to {
-            self.last_places.clone_from(&outcome.places);
+            self.from = self.state.place;
             self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
         }
         Ok(Step { reward: outcome.reward, end: outcome.end })
@@ -280,6 +285,9 @@ impl<P: Plant> Simulation<P> {
             return Ok(Arc::clone(known));
         }
         let outcome = Arc::new(self.work_out(action)?);
+        if self.outcomes.len() >= OUTCOMES_KEPT {
+            self.outcomes.clear();
+        }
         self.outcomes.insert(question, Arc::clone(&outcome));
         Ok(outcome)
     }
@@ -302,7 +310,6 @@ impl<P: Plant> Simulation<P> {
                     findings: Vec::new(),
                     fault: Some(fault.message.clone()),
                     coverage,
-                    places: walked.places,
                 });
             }
         };
@@ -331,7 +338,7 @@ impl<P: Plant> Simulation<P> {
             (proximity.reward(), Some(End::Horizon))
         };
         let to = Some((node, walked.places[last], sensed.delays));
-        Ok(Outcome { to, reward, end, findings, fault: None, coverage, places: walked.places })
+        Ok(Outcome { to, reward, end, findings, fault: None, coverage })
     }
 
     /// Sensor readings at the start of each step, and the FMU inputs that follow.
@@ -366,15 +373,15 @@ impl<P: Plant> Simulation<P> {
 
     /// The robot after each step of the action into `node`.
     fn frames(&mut self, node: NodeId) -> Arc<[RobotFrame]> {
-        if self.frames.len() <= node.index() {
-            self.frames.resize(node.index() + 1, None);
-        }
-        if let Some(frames) = &self.frames[node.index()] {
+        if let Some(frames) = self.frames.get(&node) {
             return Arc::clone(frames);
+        }
+        if self.frames.len() >= FRAMES_KEPT {
+            self.frames.clear();
         }
         let rows = self.recall.outputs(node).chunks(self.binding.outputs.len());
         let frames: Arc<[RobotFrame]> = rows.map(|row| RobotFrame::new(&self.cell, &self.binding, row)).collect();
-        self.frames[node.index()] = Some(Arc::clone(&frames));
+        self.frames.insert(node, Arc::clone(&frames));
         frames
     }
 
@@ -587,7 +594,10 @@ impl<P: Plant> Simulation<P> {
                 if later.as_ref().is_none_or(|later| !later.same_outputs(&frame)) {
                     let mut walls = walls.clone();
                     walls[c] = curtain::beyond(plane, from, depth);
-                    let links: Vec<bool> = frame.links.iter().map(|l| curtain::within(plane, from, depth, l)).collect();
+                    // A contact deeper than the tolerance that leaves as much room to what is out of reach in time: the
+                    // guarantee of the arm search asks for no more, and thin layers of space cost it most.
+                    let far = depth - 2.0 * self.encounter.reach_tolerance_m;
+                    let links: Vec<bool> = frame.links.iter().map(|l| curtain::within(plane, from, far, l)).collect();
                     let space = ArmSpace { walls: &walls, links: Some(&links) };
                     if let Some((contact, arm)) = self.encounter.unsafe_arm_contact(person, &frame, &space, coverage) {
                         let phase = frame.phase(contact.link);
