@@ -29,9 +29,12 @@ struct Aim {
 /// Is there a contact above the limit? The guarantee of the method.
 const ANY_HAZARD: Aim = Aim { threshold: 1.0, enough: 1.0, work_limit: 400_000, must_complete: true };
 
-/// The worst contact, for the record and for the reward; good enough when the work limit ends it, because what it
+/// The worst contact, for the record; good enough when the work limit ends it, because what it
 /// found is a real contact and nothing is excluded by it.
 const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_000, must_complete: false };
+
+/// The same for the reward of an episode that found nothing, which only steers the search.
+const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
 /// The person at one instant.
 #[derive(Clone, Debug)]
@@ -153,7 +156,7 @@ impl Encounter {
     ) -> Proximity {
         let nearest = nearest(&person.body, frame);
         let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n).ratio());
-        let arm = self.arm_contact(person, frame, space, &WORST, coverage).map(|(contact, _)| {
+        let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
             within_limits(&contact, coverage);
             contact.ratio()
         });
