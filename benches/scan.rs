@@ -92,9 +92,9 @@ fn d_robot_frames_of_an_action(bencher: Bencher) {
     });
 }
 
-/// One action of a person far from the robot: walk, sensors, bookkeeping, and the gates of the contact check.
+/// One action whose outcome is remembered: what a search pays for going down a path it knows.
 #[divan::bench]
-fn e_action_far_from_the_robot(bencher: Bencher) {
+fn e_remembered_action(bencher: Bencher) {
     let mut simulation = CELL.simulation(StateChoice::Auto, false).expect("a simulation");
     bencher.bench_local(|| {
         simulation.reset().expect("the start");

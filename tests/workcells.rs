@@ -129,6 +129,28 @@ fn the_repaired_cells_have_no_hazard_and_the_search_really_tried() {
     }
 }
 
+/// Arms are posed at once; what keeps the repaired curtain from looking unsafe is that a hand behind it must have broken
+/// it long enough before. From the curtain's edge arms could be at the robot from the first instant on.
+#[test]
+fn a_hand_does_not_get_through_the_repaired_light_curtain_in_no_time() {
+    let dir = examples();
+    let fixed = std::fs::read_to_string(dir.path().join("light-curtain/fixed.toml")).unwrap();
+    let near = fixed.replace("xy_m = [0.1, -1]", "xy_m = [-0.2, -0.35]");
+    assert_ne!(near, fixed);
+    std::fs::write(dir.path().join("light-curtain/near.toml"), near).unwrap();
+    for strategy in ["mcts-dpw", "random"] {
+        let arguments = ["--strategy", strategy, "--iterations", "80"];
+        let result = scan(dir.path(), "light-curtain/near.toml", &arguments);
+        assert_eq!(result["verdict"], "none_found", "{strategy}: {}", result["hazards"]);
+        assert_eq!(result["coverage"]["arm_checks_incomplete"], 0, "{}", result["coverage"]);
+        assert!(
+            result["coverage"]["checks_with_robot_in_arm_reach"].as_u64().unwrap() > 1000,
+            "{}",
+            result["coverage"]
+        );
+    }
+}
+
 #[test]
 fn fmi_2_and_fmi_3_give_the_same_bytes() {
     let dir = examples();

@@ -332,3 +332,40 @@ impl Plant for System {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi::{Handle, Scalar};
+
+    /// Units by name, connections as (from, to, delay).
+    fn setup(units: &[&str], connections: &[(usize, usize, usize)]) -> SystemSetup {
+        let scalar = Scalar::Float64;
+        let handle = Handle { value_reference: 0, scalar, offset: 0, count: 1, discrete: false };
+        let port = |unit: usize| UnitPort { unit, port: Port::new("v".to_owned(), handle, 0.0).unwrap() };
+        let connect = |&(from, to, delay_steps)| Connection { from: port(from), to: port(to), delay_steps };
+        SystemSetup {
+            names: units.iter().map(ToString::to_string).collect(),
+            connections: connections.iter().map(connect).collect(),
+            ..SystemSetup::default()
+        }
+    }
+
+    #[test]
+    fn sources_are_stepped_first() {
+        assert_eq!(setup(&["c", "b", "a"], &[(2, 1, 0), (1, 0, 0)]).order(), Ok(vec![2, 1, 0]));
+        assert_eq!(setup(&["a", "b", "c"], &[]).order(), Ok(vec![0, 1, 2]));
+        assert_eq!(setup(&["a", "b", "c"], &[(2, 0, 0)]).order(), Ok(vec![1, 2, 0]));
+    }
+
+    #[test]
+    fn a_loop_needs_a_delay_somewhere() {
+        let direct = [(0, 1, 0), (1, 2, 0), (2, 1, 0)];
+        let units = vec!["b".to_owned(), "c".to_owned()];
+        assert_eq!(setup(&["a", "b", "c"], &direct).order(), Err(AlgebraicLoop { units }));
+        let delayed = [(0, 1, 0), (1, 2, 0), (2, 1, 1)];
+        assert_eq!(setup(&["a", "b", "c"], &delayed).order(), Ok(vec![0, 1, 2]));
+        let itself = setup(&["a"], &[(0, 0, 0)]).order();
+        assert!(itself.unwrap_err().to_string().contains("a form a loop without delay"));
+    }
+}
