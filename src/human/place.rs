@@ -70,6 +70,12 @@ impl Place {
         self
     }
 
+    /// The place one sub-step behind: the way back from [`Self::stepped`].
+    #[must_use]
+    pub const fn stepped_back(self) -> Self {
+        self.turned(4).stepped().turned(4)
+    }
+
     /// Position on the floor in the world frame (z = 0), for sub-steps of `sub_step_len_m`. Equal places give equal
     /// bits.
     #[must_use]

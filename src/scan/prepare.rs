@@ -13,8 +13,7 @@ use crate::host::selftest::{Agreement, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{PlantError, Policy, System, SystemSetup};
 use crate::report::model::{FmuSubject, Subject};
-use crate::sim::simulation::initial_inputs;
-use crate::sim::{Options, Simulation};
+use crate::sim::{Options, Simulation, World};
 
 /// Memory for saved FMU states, bytes.
 const STATE_BUDGET: usize = 512 * 1024 * 1024;
@@ -123,7 +122,9 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
         .collect();
     let binding = binding::bind(&cell, &source, &units)?;
     let unit_names: Vec<&str> = names.iter().map(|(name, _)| name.as_str()).collect();
-    let setup = binding.setup(&unit_names, initial_inputs(&cell, &binding), cell.step_s);
+    let (cell, binding) = (Arc::new(cell), Arc::new(binding));
+    let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
+    let setup = binding.setup(&unit_names, world.initial_inputs(), cell.step_s);
     let order = setup.order()?;
     let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
     let couplings = System::new(&slaves, setup.clone())?.couplings();
@@ -158,14 +159,11 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
         couplings,
     };
     let fmus = fmus.into_iter().map(|(_, fmu)| fmu).collect();
-    let prepared =
-        Prepared { cell: Arc::new(cell), binding: Arc::new(binding), fmus, subject, self_test, slaves, setup };
-    let simulation = prepared.simulation(StateChoice::Auto, false).map_err(PrepareError::FirstRun)?;
-    if !simulation.start_is_free() {
-        let start = simulation.position();
+    if !world.start_is_free() {
+        let start = world.position(&world.start());
         return Err(PrepareError::StartBlocked { x: start.x, y: start.y });
     }
-    Ok(prepared)
+    Ok(Prepared { cell, binding, fmus, subject, self_test, slaves, setup })
 }
 
 impl Prepared {

@@ -3,6 +3,7 @@
 //! - [`robot`]: the robot at one instant, from the FMU's outputs
 //! - [`sensors`]: what the sensors report while the person walks
 //! - [`encounter`]: person against robot at one instant: contact, danger
+//! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
@@ -17,6 +18,8 @@ pub mod replay;
 pub mod robot;
 pub mod sensors;
 pub mod simulation;
+pub mod world;
 
 pub use coverage::Coverage;
 pub use simulation::{Options, Simulation, Snapshot};
+pub use world::World;

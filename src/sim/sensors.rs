@@ -12,34 +12,52 @@ use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::human::PlacedBody;
 
-/// The delay line of one sensor: bit `i` is the raw reading `i` steps ago.
+/// What is remembered of a sensor's raw readings: those still on their way to the FMU, and how long ago the sensor first
+/// saw the person. Nothing else of the past matters, so equal lines have equal futures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct DelayLine(u64);
+pub struct DelayLine {
+    /// Bit `i` is the raw reading `i` steps ago, as many as are on their way.
+    recent: u64,
+    /// Samples since the person was first seen, that one included; 0 for never.
+    seen: u8,
+}
 
 impl DelayLine {
+    /// More samples than this are not told apart: a hand gets anywhere in that time.
+    pub const LONGEST: u8 = 64;
+
     /// A sensor that has been reading `raw` for long.
     #[must_use]
-    pub const fn settled(raw: bool) -> Self {
-        Self(if raw { u64::MAX } else { 0 })
+    pub const fn settled(raw: bool, delay_steps: usize) -> Self {
+        if raw { Self { recent: Self::kept(delay_steps), seen: Self::LONGEST } } else { Self { recent: 0, seen: 0 } }
+    }
+
+    /// Bits still on their way after a reading has taken effect.
+    const fn kept(delay_steps: usize) -> u64 {
+        if delay_steps >= 64 { u64::MAX } else { (1 << delay_steps) - 1 }
     }
 
     /// Takes in the next raw reading; returns the reading that takes effect now.
     pub const fn push(&mut self, raw: bool, delay_steps: usize) -> bool {
-        self.0 = (self.0 << 1) | raw as u64;
-        (self.0 >> delay_steps) & 1 == 1
+        let line = (self.recent << 1) | raw as u64;
+        self.recent = line & Self::kept(delay_steps);
+        if (raw || self.seen > 0) && self.seen < Self::LONGEST {
+            self.seen += 1;
+        }
+        (line >> delay_steps) & 1 == 1
     }
 
-    /// How many samples ago the sensor first saw the person, as far back as is remembered: 0 for never, 1 for the last
+    /// The same without how long ago the person was first seen, for sensors where that does not matter.
+    #[must_use]
+    pub const fn on_its_way(self) -> Self {
+        Self { seen: 0, ..self }
+    }
+
+    /// How many samples ago the sensor first saw the person, at most [`Self::LONGEST`]: 0 for never, 1 for the last
     /// sample only.
     #[must_use]
     pub const fn first_seen(self) -> usize {
-        64 - self.0.leading_zeros() as usize
-    }
-
-    /// The reading in effect.
-    #[must_use]
-    pub const fn output(self, delay_steps: usize) -> bool {
-        (self.0 >> delay_steps) & 1 == 1
+        self.seen as usize
     }
 }
 
@@ -123,10 +141,10 @@ mod tests {
 
     #[test]
     fn a_delay_of_three_steps_takes_three_steps() {
-        let mut line = DelayLine::settled(false);
+        let mut line = DelayLine::settled(false, 3);
         let out: Vec<bool> = [true, true, false, false, false, false].iter().map(|&r| line.push(r, 3)).collect();
         assert_eq!(out, [false, false, false, true, true, false]);
-        assert!(DelayLine::settled(true).push(false, 63));
+        assert!(DelayLine::settled(true, 63).push(false, 63));
     }
 
     #[test]

@@ -4,28 +4,23 @@
 //! delay lines and the step index. So restoring gives what the uninterrupted run would give. What an action does depends
 //! on nothing else, so it is worked out once for each snapshot and remembered, unless everything is to be re-simulated.
 
-mod through_curtain;
-
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Coverage;
-use super::curtain;
-use super::encounter::{ArmSpace, Encounter, Person};
+use super::encounter::ArmSpace;
 use super::robot::RobotFrame;
-use super::sensors::{DelayLine, Seen, input_row, sees};
+use super::sensors::DelayLine;
+use super::world::{Earlier, Frames, Sensed, World};
 use crate::cell::binding::SensorBinding;
-use crate::cell::{Binding, Workcell, Zone};
-use crate::geometry::{Capsule, Cuboid, Vec3};
-use crate::hazard::Contact;
+use crate::cell::{Binding, Workcell};
+use crate::geometry::{Capsule, Vec3};
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
-use crate::human::arm::ArmModel;
-use crate::human::walk::{WalkTrace, Walker};
-use crate::human::{Action, BendFraction, Body, Place, Posture, Side, posture, shoulder};
+use crate::human::walk::WalkTrace;
+use crate::human::{Action, Place, Posture};
 use crate::search::{End, Environment, Step};
-use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Settings of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,9 +52,6 @@ pub struct Fault {
 /// Different faults kept with their sequences; further ones are only counted.
 const FAULTS_KEPT: usize = 20;
 
-/// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
-const COMPARED_WITHIN_M: f64 = 1.0;
-
 /// Most outcomes and most FMU states with robot frames that are remembered at a time, some hundred MB each; beyond that
 /// all are forgotten and worked out again when they are needed.
 const OUTCOMES_KEPT: usize = 300_000;
@@ -82,33 +74,11 @@ struct Outcome {
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node.
 type Question = (NodeId, Place, Vec<DelayLine>, usize);
 
-/// Sensors and inputs over one action.
-struct Sensed {
-    /// FMU inputs, one row a step.
-    inputs: Vec<f64>,
-    /// The delay lines afterwards.
-    delays: Vec<DelayLine>,
-    /// Readings in effect at the start of each step.
-    readings: Vec<Vec<bool>>,
-    /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
-    broken: Vec<Vec<usize>>,
-}
-
 /// A cell being simulated.
 pub struct Simulation<P: Plant> {
-    cell: Arc<Workcell>,
-    binding: Arc<Binding>,
+    world: Arc<World>,
     options: Options,
-    recall: Recall<P>,
-    encounter: Encounter,
-    body: Body,
-    boxes: Vec<Cuboid>,
-    /// Light curtains: index of the sensor, its plane.
-    curtains: Vec<(usize, Cuboid)>,
-    /// What each of them closes with the guarding beside it.
-    closed: Vec<curtain::Closed>,
-    /// Robot frames of each FMU state's last action.
-    frames: BTreeMap<NodeId, Arc<[RobotFrame]>>,
+    robots: Robots<P>,
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
@@ -119,31 +89,80 @@ pub struct Simulation<P: Plant> {
     faults: Vec<Fault>,
 }
 
-/// The input values an FMU gets at initialisation: sensors as they read at the person's start.
-#[must_use]
-pub fn initial_inputs(cell: &Workcell, binding: &Binding) -> Vec<f64> {
-    let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
-    let seen = seen(cell, &boxes, &Place::default(), Posture::Upright);
-    let readings: Vec<bool> = cell.sensors.iter().map(|s| sees(s, &seen)).collect();
-    let mut row = Vec::new();
-    input_row(&cell.sensors, &cell.pose, binding, &readings, &seen, &mut row);
-    row
+/// The FMU's states, and the robots as its outputs tell them.
+struct Robots<P: Plant> {
+    world: Arc<World>,
+    recall: Recall<P>,
+    /// Robot frames of each FMU state's last action.
+    frames: BTreeMap<NodeId, Frames>,
 }
 
-fn sub_step_m(cell: &Workcell) -> f64 {
-    WALKING_SPEED_M_S * cell.step_s
+impl<P: Plant> Robots<P> {
+    /// The robots after each step of the action into `node`.
+    fn frames(&mut self, node: NodeId) -> Frames {
+        if let Some(frames) = self.frames.get(&node) {
+            return Arc::clone(frames);
+        }
+        if self.frames.len() >= FRAMES_KEPT {
+            self.frames.clear();
+        }
+        let rows = self.recall.outputs(node).chunks(self.world.binding.outputs.len());
+        let frames: Frames = rows.map(|row| RobotFrame::new(&self.world.cell, &self.world.binding, row)).collect();
+        self.frames.insert(node, Arc::clone(&frames));
+        frames
+    }
+
+    /// The state after the action into `node` had the input of `sensor` been active from step `first` of that action
+    /// on, or from so many steps before it; nothing before the start of time, or if the FMU could not do that.
+    fn had_broken(&mut self, node: NodeId, sensor: usize, first: isize) -> Result<Option<NodeId>, PlantError> {
+        let SensorBinding::Input(column) = self.world.binding.sensors[sensor] else { return Ok(None) };
+        if node == NodeId::ROOT {
+            return Ok(None);
+        }
+        let per_action = self.world.cell.steps_per_action;
+        let parent = self.recall.parent(node);
+        let from = match usize::try_from(first) {
+            Ok(_) => parent,
+            Err(_) => match self.had_broken(parent, sensor, first + per_action.cast_signed())? {
+                Some(from) => from,
+                None => return Ok(None),
+            },
+        };
+        let active = f64::from(u8::from(self.world.cell.sensors[sensor].active));
+        let mut inputs = self.recall.inputs(node).to_vec();
+        let skipped = usize::try_from(first).unwrap_or(0);
+        for row in inputs.chunks_mut(self.world.binding.inputs.len()).skip(skipped) {
+            row[column] = active;
+        }
+        Ok(match self.recall.advance(from, per_action, &inputs)? {
+            Advanced::To(node) => Some(node),
+            Advanced::Fault(_) => None,
+        })
+    }
 }
 
-/// The person at `place` as sensors see it.
-fn seen(cell: &Workcell, boxes: &[Cuboid], place: &Place, bent: Posture) -> Seen {
-    let position = place.position(&cell.start, sub_step_m(cell));
-    let heading_rad = place.heading_rad(&cell.start);
-    let has_curtain = cell.sensors.iter().any(|s| matches!(s.zone, Zone::Curtain(_)));
-    let body = has_curtain.then(|| {
-        let bend = posture::cut_back(&cell.body, position, heading_rad, bent, boxes);
-        cell.body.placed(position, heading_rad, bent, bend)
-    });
-    Seen { feet: cell.body.feet(position, heading_rad), body, position, heading_rad }
+/// The robots as they would be after step `i` of the action into `node`.
+struct HadBroken<'a, P: Plant> {
+    robots: &'a mut Robots<P>,
+    node: NodeId,
+    i: usize,
+}
+
+impl<P: Plant> Earlier for HadBroken<'_, P> {
+    type Error = PlantError;
+
+    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, PlantError> {
+        let sensor = self.robots.world.curtains[c].0;
+        // First step whose inputs change, counted from the start of the action.
+        let delay = self.robots.world.cell.sensors[sensor].delay_steps;
+        let first = (self.i + 1 + delay).cast_signed() - samples.cast_signed();
+        let node = if first > self.i.cast_signed() {
+            Some(self.node)
+        } else {
+            self.robots.had_broken(self.node, sensor, first)?
+        };
+        Ok(node.map(|node| self.robots.frames(node)))
+    }
 }
 
 impl<P: Plant> Simulation<P> {
@@ -153,34 +172,14 @@ impl<P: Plant> Simulation<P> {
     /// When the FMU cannot be started.
     pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>, plant: P, options: Options) -> Result<Self, PlantError> {
         let recall = Recall::new(plant, options.policy)?;
-        let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
-        let body = cell.body.clone();
-        let place = Place::default();
-        let at_start = seen(&cell, &boxes, &place, Posture::Upright);
-        let delays = cell.sensors.iter().map(|s| DelayLine::settled(sees(s, &at_start))).collect();
-        let root = Snapshot { node: NodeId::ROOT, place, delays, actions: Vec::new() };
-        let encounter = Encounter {
-            obstacles: boxes.clone(),
-            arm: ArmModel::default(),
-            reach_tolerance_m: cell.search.reach_tolerance_m,
-        };
-        let curtains = cell.sensors.iter().enumerate().filter_map(|(i, s)| match &s.zone {
-            Zone::Curtain(plane) => Some((i, *plane)),
-            _ => None,
-        });
-        let curtains: Vec<(usize, Cuboid)> = curtains.collect();
+        let world = Arc::new(World::new(cell, binding));
+        let place = world.start();
+        let root = Snapshot { node: NodeId::ROOT, place, delays: world.delays_at_start(), actions: Vec::new() };
         Ok(Self {
-            closed: curtains.iter().map(|(_, plane)| curtain::Closed::new(plane, &boxes)).collect(),
-            curtains,
-            coverage: Coverage::new(cell.sensors.len()),
-            cell,
-            binding,
+            coverage: Coverage::new(world.cell.sensors.len()),
+            robots: Robots { world: Arc::clone(&world), recall, frames: BTreeMap::new() },
+            world,
             options,
-            recall,
-            encounter,
-            body,
-            boxes,
-            frames: BTreeMap::new(),
             outcomes: BTreeMap::new(),
             state: root.clone(),
             root,
@@ -192,7 +191,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Begins a new run: what was seen and found is forgotten, what is known of the cell stays.
     pub fn begin_run(&mut self) {
-        self.coverage = Coverage::new(self.cell.sensors.len());
+        self.coverage = Coverage::new(self.world.cell.sensors.len());
         self.findings.clear();
         self.faults.clear();
         self.state = self.root.clone();
@@ -218,40 +217,36 @@ impl<P: Plant> Simulation<P> {
     /// The FMU's states and what reaching them cost.
     #[must_use]
     pub const fn recall(&self) -> &Recall<P> {
-        &self.recall
+        &self.robots.recall
     }
 
-    /// Whether the person's start is free of obstacles.
+    /// What does not change over the scan.
     #[must_use]
-    pub fn start_is_free(&self) -> bool {
-        self.walker().is_free(self.root.place)
+    pub const fn world(&self) -> &Arc<World> {
+        &self.world
     }
 
     /// Where the person stands, floor plan, m.
     #[must_use]
     pub fn position(&self) -> Vec3 {
-        self.state.place.position(&self.cell.start, sub_step_m(&self.cell))
+        self.world.position(&self.state.place)
     }
 
     /// Person's position and robot after each step of the last action taken.
     #[must_use]
     pub fn last_action(&self) -> Vec<(Vec3, RobotFrame)> {
-        let Some(frames) = self.frames.get(&self.state.node) else { return Vec::new() };
+        let Some(frames) = self.robots.frames.get(&self.state.node) else { return Vec::new() };
         let Some(action) = self.state.actions.last() else { return Vec::new() };
-        let walked = self.walker().walk(self.from, action.walk(), self.cell.steps_per_action);
-        let place = |p: &Place| p.position(&self.cell.start, sub_step_m(&self.cell));
-        walked.places.iter().map(place).zip(frames.iter().cloned()).collect()
+        let walked = self.world.walk(self.from, *action);
+        walked.places.iter().map(|p| self.world.position(p)).zip(frames.iter().cloned()).collect()
     }
 
     /// The body's capsules, world, for a person who stands at `xy` and looks along `heading_deg` in the posture of
     /// `action`.
     #[must_use]
     pub fn body_at(&self, xy: [f64; 2], heading_deg: f64, action: Option<Action>) -> Vec<Capsule> {
-        let position = Vec3::new(xy[0], xy[1], 0.0);
-        let heading = heading_deg.to_radians();
         let bent = action.map_or(Posture::Upright, Action::posture);
-        let bend = posture::cut_back(&self.body, position, heading, bent, &self.boxes);
-        self.body.placed(position, heading, bent, bend).parts().iter().map(|(_, c)| *c).collect()
+        self.world.body_at(Vec3::new(xy[0], xy[1], 0.0), heading_deg.to_radians(), bent)
     }
 
     /// Takes an action from the present state.
@@ -295,12 +290,13 @@ impl<P: Plant> Simulation<P> {
 
     /// Walks, runs the sensors and the FMU, and compares person and robot at every step.
     fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
-        let mut coverage = Coverage::new(self.cell.sensors.len());
+        let mut coverage = Coverage::new(self.world.cell.sensors.len());
         coverage.actions = 1;
-        let walked = self.walker().walk(self.state.place, action.walk(), self.cell.steps_per_action);
+        let walked = self.world.walk(self.state.place, action);
         coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
-        let sensed = self.sense(&walked, action.posture());
-        let node = match self.recall.advance(self.state.node, self.cell.steps_per_action, &sensed.inputs)? {
+        let sensed = self.world.sense(&self.state.delays, &walked, action.posture());
+        let steps = self.world.cell.steps_per_action;
+        let node = match self.robots.recall.advance(self.state.node, steps, &sensed.inputs)? {
             Advanced::To(node) => node,
             Advanced::Fault(fault) => {
                 coverage.episodes_not_evaluated = 1;
@@ -314,17 +310,17 @@ impl<P: Plant> Simulation<P> {
                 });
             }
         };
-        let frames = self.frames(node);
+        let frames = self.robots.frames(node);
         coverage.robot_top_speed_m_s = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
         for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {
-            let any = (0..frames.len()).any(|i| self.reading(sensor, &sensed.readings[i], &frames[i]));
+            let any = (0..frames.len()).any(|i| self.world.reading(sensor, &sensed.readings[i], &frames[i]));
             *fired = u64::from(any);
         }
         let mut findings = Vec::new();
         if self.options.posture_sweep {
-            self.sweep(&walked, action, &sensed, &frames, &mut findings, &mut coverage)?;
+            self.sweep(&walked, action, &sensed, node, &mut findings, &mut coverage)?;
         }
-        let hit = self.first_unsafe(&walked, action, &sensed, &frames, &mut coverage)?;
+        let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
         let last = walked.places.len() - 1;
         let (reward, end) = if let Some(finding) = hit {
             findings.push(finding);
@@ -332,58 +328,14 @@ impl<P: Plant> Simulation<P> {
         } else if self.state.actions.len() + 1 < self.horizon() {
             (0.0, None)
         } else {
-            let person = self.person(&walked, last, action.posture());
-            let walls: Vec<Cuboid> = self.curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect();
+            let person = self.world.person(&self.world.stance(&walked, last, action.posture(), &sensed));
+            let walls = self.world.unbroken();
             let space = ArmSpace { walls: &walls, links: None };
-            let proximity = self.encounter.proximity(&person, &frames[last], &space, &mut coverage);
+            let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
             (proximity.reward(), Some(End::Horizon))
         };
         let to = Some((node, walked.places[last], sensed.delays));
         Ok(Outcome { to, reward, end, findings, fault: None, coverage })
-    }
-
-    /// Sensor readings at the start of each step, and the FMU inputs that follow.
-    fn sense(&self, walked: &WalkTrace, bent: Posture) -> Sensed {
-        let steps = walked.places.len();
-        let mut sensed = Sensed {
-            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
-            delays: self.state.delays.clone(),
-            readings: Vec::with_capacity(steps),
-            broken: Vec::new(),
-        };
-        for before in std::iter::once(&walked.start).chain(&walked.places).take(steps) {
-            let seen = seen(&self.cell, &self.boxes, before, bent);
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays);
-            let readings: Vec<bool> =
-                sensors.map(|(sensor, line)| line.push(sees(sensor, &seen), sensor.delay_steps)).collect();
-            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut sensed.inputs);
-            sensed.readings.push(readings);
-            sensed.broken.push(self.curtains.iter().map(|(s, _)| sensed.delays[*s].first_seen()).collect());
-        }
-        sensed
-    }
-
-    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
-    /// own one at the step's end.
-    fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
-        match &self.binding.sensors[sensor] {
-            SensorBinding::Input(_) => readings[sensor],
-            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
-        }
-    }
-
-    /// The robot after each step of the action into `node`.
-    fn frames(&mut self, node: NodeId) -> Arc<[RobotFrame]> {
-        if let Some(frames) = self.frames.get(&node) {
-            return Arc::clone(frames);
-        }
-        if self.frames.len() >= FRAMES_KEPT {
-            self.frames.clear();
-        }
-        let rows = self.recall.outputs(node).chunks(self.binding.outputs.len());
-        let frames: Arc<[RobotFrame]> = rows.map(|row| RobotFrame::new(&self.cell, &self.binding, row)).collect();
-        self.frames.insert(node, Arc::clone(&frames));
-        frames
     }
 
     /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
@@ -393,117 +345,46 @@ impl<P: Plant> Simulation<P> {
         walked: &WalkTrace,
         action: Action,
         sensed: &Sensed,
-        frames: &Arc<[RobotFrame]>,
+        node: NodeId,
         findings: &mut Vec<Finding>,
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
         for posture in Posture::ALL.into_iter().filter(|p| *p != action.posture()) {
             let sibling = Action::new(action.walk(), posture);
-            let found = if self.curtains.is_empty() {
-                self.first_unsafe(walked, sibling, sensed, frames, coverage)?
+            let found = if self.world.posture_is_unseen() {
+                self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
-                let own = self.sense(walked, posture);
-                let advanced = self.recall.advance(self.state.node, self.cell.steps_per_action, &own.inputs)?;
+                let own = self.world.sense(&self.state.delays, walked, posture);
+                let steps = self.world.cell.steps_per_action;
+                let advanced = self.robots.recall.advance(self.state.node, steps, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };
-                let frames = self.frames(node);
-                self.first_unsafe(walked, sibling, &own, &frames, coverage)?
+                self.first_unsafe(walked, sibling, &own, node, coverage)?
             };
             findings.extend(found);
         }
         Ok(())
     }
 
-    /// The first instant of an action with an unsafe contact.
+    /// The first instant of the action into `node` with an unsafe contact.
     fn first_unsafe(
         &mut self,
         walked: &WalkTrace,
         action: Action,
         sensed: &Sensed,
-        frames: &Arc<[RobotFrame]>,
+        node: NodeId,
         coverage: &mut Coverage,
     ) -> Result<Option<Finding>, PlantError> {
+        let frames = self.robots.frames(node);
         for i in 0..frames.len() {
-            coverage.contact_checks += 1;
-            if !self.near(walked, i, &frames[i]) {
-                continue;
-            }
-            let person = self.person(walked, i, action.posture());
-            let mut readings = sensed.readings[i].clone();
-            let mut found = None;
-            let body_contact = self.encounter.unsafe_body_contact(&person, &frames[i], coverage);
-            let in_time = |contact: &Contact| self.in_time(contact.on_robot, walked, i, &sensed.broken);
-            if let Some(contact) = body_contact.filter(in_time) {
-                found = Some((contact, None, frames[i].phase(contact.link), None));
-            } else if self.curtains.is_empty() {
-                let hit = self.encounter.unsafe_arm_contact(&person, &frames[i], &ArmSpace::OPEN, coverage);
-                found = hit.map(|(contact, arm)| (contact, arm, frames[i].phase(contact.link), None));
-            } else if let Some(reached) = self.reach_through(&person, walked, i, sensed, frames, coverage)? {
-                if let Some(curtain) = reached.broke {
-                    readings[curtain] = true;
-                }
-                found = Some((reached.contact, reached.arm, reached.phase, reached.since_s));
-            }
-            let Some((contact, arm, phase, since_s)) = found else { continue };
-            let Some(class) = contact.class() else { continue };
-            let step = self.state.actions.len() * self.cell.steps_per_action + i + 1;
-            let place = &walked.places[i];
-            let sensors = (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, &frames[i])).collect();
-            #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]
-            let time_s = step as f64 * self.cell.step_s;
-            return Ok(Some(Finding {
-                class,
-                contact,
-                actions: vec![action],
-                step,
-                time_s,
-                person: place.position(&self.cell.start, sub_step_m(&self.cell)),
-                heading_rad: place.heading_rad(&self.cell.start),
-                bend_sixteenths: self.bend(place, action.posture()).sixteenths(),
-                arm,
-                sensors,
-                phase,
-                through_curtain_s: since_s,
-            }));
+            let stance = self.world.stance(walked, i, action.posture(), sensed);
+            let mut earlier = HadBroken { robots: &mut self.robots, node, i };
+            let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
+            let when = (self.state.actions.len() + 1, i);
+            let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);
+            let Some(finding) = finding else { continue };
+            return Ok(Some(Finding { actions: vec![action], ..finding }));
         }
         Ok(None)
-    }
-
-    /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
-    fn near(&self, walked: &WalkTrace, i: usize, frame: &RobotFrame) -> bool {
-        // A robot that a light curtain would have stopped may be elsewhere.
-        if !self.curtains.is_empty() {
-            return true;
-        }
-        let centre = walked.places[i].position(&self.cell.start, sub_step_m(&self.cell)) + Vec3::Z;
-        let reach = self.body.reach_from_one_metre(self.encounter.arm.reach());
-        frame.links.iter().any(|l| {
-            let (c, r) = l.bounding_sphere();
-            (c - centre).length() - r - reach <= COMPARED_WITHIN_M
-        })
-    }
-
-    fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
-        let position = place.position(&self.cell.start, sub_step_m(&self.cell));
-        posture::cut_back(&self.body, position, place.heading_rad(&self.cell.start), bent, &self.boxes)
-    }
-
-    fn walker(&self) -> Walker<'_> {
-        Walker {
-            body: &self.body,
-            start: &self.cell.start,
-            sub_step_len_m: sub_step_m(&self.cell),
-            obstacles: &self.boxes,
-        }
-    }
-
-    fn person(&self, walked: &WalkTrace, i: usize, bent: Posture) -> Person {
-        let place = &walked.places[i];
-        let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
-        let at = |p: &Place| p.position(&self.cell.start, sub_step_m(&self.cell));
-        let heading = place.heading_rad(&self.cell.start);
-        let body = self.body.placed(at(place), heading, bent, self.bend(place, bent));
-        let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
-        Person { body, arms, velocity: (at(place) - at(before)) / self.cell.step_s }
     }
 }
 
@@ -516,7 +397,7 @@ impl<P: Plant> Environment for Simulation<P> {
     }
 
     fn horizon(&self) -> usize {
-        usize::try_from(self.cell.search.actions).unwrap_or(usize::MAX)
+        usize::try_from(self.world.cell.search.actions).unwrap_or(usize::MAX)
     }
 
     fn reset(&mut self) -> Result<(), PlantError> {

@@ -1,0 +1,351 @@
+//! What a scan has without its FMU: the person, the obstacles, the sensors, the contact rules. From these follow where a
+//! walk leads, what the sensors then read, and whether a robot can be touched as it stands at some instant.
+//!
+//! Nothing here changes over a scan, so threads may share it.
+
+mod through_curtain;
+
+use std::sync::Arc;
+
+use super::Coverage;
+use super::curtain;
+use super::encounter::{ArmSpace, Encounter, Person};
+use super::robot::RobotFrame;
+use super::sensors::{DelayLine, Seen, input_row, sees};
+use crate::cell::binding::SensorBinding;
+use crate::cell::{Binding, Sensor, Workcell, Zone};
+use crate::geometry::{Cuboid, Vec3};
+use crate::hazard::finding::ArmPose;
+use crate::hazard::{Contact, Finding};
+use crate::human::arm::ArmModel;
+use crate::human::walk::{WalkTrace, Walker};
+use crate::human::{Action, BendFraction, Body, Place, Posture, Side, posture, shoulder};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+/// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
+const COMPARED_WITHIN_M: f64 = 1.0;
+
+/// Sensors and inputs over one action.
+#[derive(Clone, Debug)]
+pub struct Sensed {
+    /// FMU inputs, one row a step.
+    pub inputs: Vec<f64>,
+    /// The delay lines afterwards.
+    pub delays: Vec<DelayLine>,
+    /// Readings in effect at the start of each step.
+    pub readings: Vec<Vec<bool>>,
+    /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
+    pub broken: Vec<Vec<usize>>,
+}
+
+/// The person at the end of a communication step, as far as contacts depend on it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Stance {
+    /// Where the person stands.
+    pub place: Place,
+    /// The bend that is tried.
+    pub posture: Posture,
+    /// Whether the person walked during the step.
+    pub walked: bool,
+    /// For each light curtain, how many samples ago it was first broken; 0 for not at all.
+    pub broken: Vec<usize>,
+}
+
+/// An unsafe contact at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hit {
+    /// The contact.
+    pub contact: Contact,
+    /// The arm, if it is one that touches.
+    pub arm: Option<ArmPose>,
+    /// Programme phase of the robot.
+    pub phase: Option<i64>,
+    /// Index of the sensor of the light curtain that the arm breaks.
+    pub broke: Option<usize>,
+    /// How long before the contact it did, s.
+    pub since_s: Option<f64>,
+}
+
+/// The robots after each step of an action.
+pub type Frames = Arc<[RobotFrame]>;
+
+/// Tells the robots' motion as it would be at the same instant had light curtain `c` (by its place in the list of
+/// curtains) been seen broken in the last `samples` samples; nothing before the start of time.
+pub trait Earlier {
+    /// Why it cannot be told.
+    type Error;
+
+    /// The frames of the whole action.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Self::Error>;
+}
+
+/// See the module's text.
+#[derive(Debug)]
+pub struct World {
+    /// The cell.
+    pub cell: Arc<Workcell>,
+    /// Its variables.
+    pub binding: Arc<Binding>,
+    pub(super) encounter: Encounter,
+    boxes: Vec<Cuboid>,
+    /// Light curtains: index of the sensor, its plane.
+    pub(super) curtains: Vec<(usize, Cuboid)>,
+    /// What each of them closes with the guarding beside it.
+    closed: Vec<curtain::Closed>,
+}
+
+impl World {
+    /// What follows from a cell and its variables.
+    #[must_use]
+    pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>) -> Self {
+        let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
+        let encounter = Encounter {
+            obstacles: boxes.clone(),
+            arm: ArmModel::default(),
+            reach_tolerance_m: cell.search.reach_tolerance_m,
+        };
+        let curtains = cell.sensors.iter().enumerate().filter_map(|(i, s)| match &s.zone {
+            Zone::Curtain(plane) => Some((i, *plane)),
+            _ => None,
+        });
+        let curtains: Vec<(usize, Cuboid)> = curtains.collect();
+        let closed = curtains.iter().map(|(_, plane)| curtain::Closed::new(plane, &boxes)).collect();
+        Self { cell, binding, encounter, boxes, curtains, closed }
+    }
+
+    /// The body.
+    fn body(&self) -> &Body {
+        &self.cell.body
+    }
+
+    /// Length of a sub-step, m.
+    fn sub_step_m(&self) -> f64 {
+        WALKING_SPEED_M_S * self.cell.step_s
+    }
+
+    /// Where a place is, floor plan, m.
+    #[must_use]
+    pub fn position(&self, place: &Place) -> Vec3 {
+        place.position(&self.cell.start, self.sub_step_m())
+    }
+
+    /// Where the person begins.
+    #[must_use]
+    pub const fn start(&self) -> Place {
+        Place::START
+    }
+
+    /// Whether the person's start is free of obstacles.
+    #[must_use]
+    pub fn start_is_free(&self) -> bool {
+        self.walker().is_free(self.start())
+    }
+
+    /// Sensors that have been reading for long what they read at the start.
+    #[must_use]
+    pub fn delays_at_start(&self) -> Vec<DelayLine> {
+        let seen = self.seen(&self.start(), Posture::Upright);
+        let settled = |s: &Sensor| remembered(s, DelayLine::settled(sees(s, &seen), s.delay_steps));
+        self.cell.sensors.iter().map(settled).collect()
+    }
+
+    /// The input values an FMU gets at initialisation: sensors as they read at the person's start.
+    #[must_use]
+    pub fn initial_inputs(&self) -> Vec<f64> {
+        let seen = self.seen(&self.start(), Posture::Upright);
+        let readings: Vec<bool> = self.cell.sensors.iter().map(|s| sees(s, &seen)).collect();
+        let mut row = Vec::new();
+        input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut row);
+        row
+    }
+
+    /// Whether inputs and contacts of an action depend on the walk only, and not on the posture.
+    #[must_use]
+    pub fn posture_is_unseen(&self) -> bool {
+        self.curtains.is_empty()
+    }
+
+    /// Where an action leads.
+    #[must_use]
+    pub fn walk(&self, from: Place, action: Action) -> WalkTrace {
+        self.walker().walk(from, action.walk(), self.cell.steps_per_action)
+    }
+
+    /// The person at `place` as sensors see it.
+    fn seen(&self, place: &Place, bent: Posture) -> Seen {
+        let position = self.position(place);
+        let heading_rad = place.heading_rad(&self.cell.start);
+        let body = (!self.curtains.is_empty())
+            .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
+        Seen { feet: self.body().feet(position, heading_rad), body, position, heading_rad }
+    }
+
+    /// Sensor readings at the start of each step, and the FMU inputs that follow.
+    #[must_use]
+    pub fn sense(&self, delays: &[DelayLine], walked: &WalkTrace, bent: Posture) -> Sensed {
+        let steps = walked.places.len();
+        let mut sensed = Sensed {
+            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
+            delays: delays.to_vec(),
+            readings: Vec::with_capacity(steps),
+            broken: Vec::with_capacity(steps),
+        };
+        for before in std::iter::once(&walked.start).chain(&walked.places).take(steps) {
+            let seen = self.seen(before, bent);
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays);
+            let readings: Vec<bool> =
+                sensors.map(|(sensor, line)| line.push(sees(sensor, &seen), sensor.delay_steps)).collect();
+            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut sensed.inputs);
+            sensed.readings.push(readings);
+            sensed.broken.push(self.curtains.iter().map(|(s, _)| sensed.delays[*s].first_seen()).collect());
+        }
+        for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
+            *line = remembered(sensor, *line);
+        }
+        sensed
+    }
+
+    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
+    /// own one at the step's end.
+    #[must_use]
+    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
+        match &self.binding.sensors[sensor] {
+            SensorBinding::Input(_) => readings[sensor],
+            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
+        }
+    }
+
+    /// The person after step `i` of an action.
+    #[must_use]
+    pub fn stance(&self, walked: &WalkTrace, i: usize, posture: Posture, sensed: &Sensed) -> Stance {
+        let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
+        let place = walked.places[i];
+        Stance { place, posture, walked: *before != place, broken: sensed.broken[i].clone() }
+    }
+
+    /// The unsafe contact of a person with the robots after step `i` of an action, if there is one.
+    ///
+    /// # Errors
+    /// What `earlier` reports; it is asked only where there are light curtains.
+    pub fn contact<E: Earlier>(
+        &self,
+        stance: &Stance,
+        frames: &Frames,
+        i: usize,
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        coverage.contact_checks += 1;
+        let frame = &frames[i];
+        if !self.near(&stance.place, frame) {
+            return Ok(None);
+        }
+        let person = self.person(stance);
+        let body_contact = self.encounter.unsafe_body_contact(&person, frame, coverage);
+        let hit = |(contact, arm): (Contact, Option<ArmPose>)| Hit {
+            phase: frame.phase(contact.link),
+            contact,
+            arm,
+            broke: None,
+            since_s: None,
+        };
+        if let Some(contact) = body_contact.filter(|c| self.in_time(c.on_robot, stance)) {
+            return Ok(Some(hit((contact, None))));
+        }
+        if self.curtains.is_empty() {
+            return Ok(self.encounter.unsafe_arm_contact(&person, frame, &ArmSpace::OPEN, coverage).map(hit));
+        }
+        self.reach_through(&person, stance, frames, i, earlier, coverage)
+    }
+
+    /// What is recorded of a hit after step `i` of the last of `taken` actions.
+    #[must_use]
+    pub fn finding(
+        &self,
+        hit: &Hit,
+        stance: &Stance,
+        readings: &[bool],
+        frame: &RobotFrame,
+        (taken, i): (usize, usize),
+    ) -> Option<Finding> {
+        let mut readings = readings.to_vec();
+        if let Some(curtain) = hit.broke {
+            readings[curtain] = true;
+        }
+        let step = (taken - 1) * self.cell.steps_per_action + i + 1;
+        #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]
+        let time_s = step as f64 * self.cell.step_s;
+        Some(Finding {
+            class: hit.contact.class()?,
+            contact: hit.contact,
+            actions: Vec::new(),
+            step,
+            time_s,
+            person: self.position(&stance.place),
+            heading_rad: stance.place.heading_rad(&self.cell.start),
+            bend_sixteenths: self.bend(&stance.place, stance.posture).sixteenths(),
+            arm: hit.arm,
+            sensors: (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, frame)).collect(),
+            phase: hit.phase,
+            through_curtain_s: hit.since_s,
+        })
+    }
+
+    /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
+    fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
+        // A robot that a light curtain would have stopped may be elsewhere.
+        if !self.curtains.is_empty() {
+            return true;
+        }
+        let centre = self.position(place) + Vec3::Z;
+        let reach = self.reach_m();
+        frame.links.iter().any(|l| {
+            let (c, r) = l.bounding_sphere();
+            (c - centre).length() - r - reach <= COMPARED_WITHIN_M
+        })
+    }
+
+    /// No part of the person is farther from the point 1 m above the place where it stands, m.
+    pub(super) fn reach_m(&self) -> f64 {
+        self.body().reach_from_one_metre(self.encounter.arm.reach())
+    }
+
+    pub(super) fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
+        posture::cut_back(self.body(), self.position(place), place.heading_rad(&self.cell.start), bent, &self.boxes)
+    }
+
+    fn walker(&self) -> Walker<'_> {
+        Walker { body: self.body(), start: &self.cell.start, sub_step_len_m: self.sub_step_m(), obstacles: &self.boxes }
+    }
+
+    /// The body and its arms.
+    pub(super) fn person(&self, stance: &Stance) -> Person {
+        let place = &stance.place;
+        let at = self.position(place);
+        let heading = place.heading_rad(&self.cell.start);
+        let body = self.body().placed(at, heading, stance.posture, self.bend(place, stance.posture));
+        let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
+        let before = if stance.walked { place.stepped_back() } else { *place };
+        Person { body, arms, velocity: (at - self.position(&before)) / self.cell.step_s }
+    }
+
+    /// Walls that arms do not pass because that would break a light curtain.
+    pub(super) fn unbroken(&self) -> Vec<Cuboid> {
+        self.curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect()
+    }
+
+    /// The capsules of the body at `position` that looks along `heading_rad`, world.
+    #[must_use]
+    pub fn body_at(&self, position: Vec3, heading_rad: f64, bent: Posture) -> Vec<crate::geometry::Capsule> {
+        let bend = posture::cut_back(self.body(), position, heading_rad, bent, &self.boxes);
+        self.body().placed(position, heading_rad, bent, bend).parts().iter().map(|(_, c)| *c).collect()
+    }
+}
+
+/// Only for light curtains it matters when they were first broken.
+const fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
+    if matches!(sensor.zone, Zone::Curtain(_)) { line } else { line.on_its_way() }
+}
