@@ -36,11 +36,28 @@ pub trait Plant {
     /// When the FMU does not offer it or fails.
     fn save(&mut self) -> Result<Self::Checkpoint, PlantError>;
 
+    /// What tells the present state from others, if the FMU offers serialised states.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        Ok(None)
+    }
+
     /// Comes back to a state saved from this plant since its last restart.
     ///
     /// # Errors
     /// When the FMU fails.
     fn restore(&mut self, checkpoint: &Self::Checkpoint) -> Result<(), PlantError>;
+}
+
+/// The serialised state of a plant, in short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    /// SHA-256 of its bytes.
+    pub digest: [u8; 32],
+    /// How many bytes it has.
+    pub bytes: usize,
 }
 
 /// What went wrong in a plant.

@@ -4,11 +4,16 @@
 //! node is reached again is decided here, not by the search: from a saved FMU state, or by a fresh instance that is
 //! given the same inputs once more. The outputs are the same either way, only the speed differs; with
 //! [`Policy::Replay`] every repetition is compared with what was recorded, and a difference is an error.
+//!
+//! Different histories may lead to the same state. With [`Recall::merge_equal_states`] nodes of the same depth whose
+//! serialised states are equal byte for byte are stepped once for all of them; a part of these merges is tried out.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::plant::{Plant, PlantError};
+use serde::Serialize;
+
+use super::plant::{Fingerprint, Plant, PlantError};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -34,14 +39,39 @@ pub enum Policy {
 struct Node<C> {
     parent: NodeId,
     depth: usize,
-    steps: usize,
-    /// Inputs of the edge from the parent, row-major.
-    inputs: Vec<f64>,
+    /// Inputs of the edge from the parent, row-major, as bits; the last entry is the number of steps.
+    edge: Arc<[u64]>,
     /// Outputs after each step of that edge, row-major; for the root, the outputs after initialisation.
     outputs: Arc<[f64]>,
+    /// The first node known to be in the same state; itself mostly.
+    same: NodeId,
     checkpoint: Option<C>,
-    children: BTreeMap<Vec<u64>, Result<NodeId, Arc<PlantError>>>,
+    children: BTreeMap<Arc<[u64]>, Result<NodeId, Arc<PlantError>>>,
 }
+
+/// Bytes that a node takes besides its values, about.
+const NODE_BYTES: usize = 200;
+
+fn edge_of(steps: usize, inputs: &[f64]) -> Arc<[u64]> {
+    inputs.iter().map(|v| v.to_bits()).chain([steps as u64]).collect()
+}
+
+fn values_of(edge: &[u64]) -> (usize, Vec<f64>) {
+    let (steps, inputs) = edge.split_last().map_or((0, &[][..]), |(steps, inputs)| (*steps, inputs));
+    (usize::try_from(steps).unwrap_or(0), inputs.iter().map(|bits| f64::from_bits(*bits)).collect())
+}
+
+/// What merging equal states did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Merges {
+    /// Histories that led to a state known already.
+    pub merged: u64,
+    /// Merges tried out: both states were stepped on with the same inputs and gave the same outputs to the last bit.
+    pub tried_out: u64,
+}
+
+/// The first so many merges are tried out, then every one whose number is a power of two.
+const FIRST_TRIED_OUT: u64 = 64;
 
 /// What an action did.
 #[derive(Clone, Debug)]
@@ -60,6 +90,12 @@ pub struct Recall<P: Plant> {
     /// Where the plant really is; `None` after a fault.
     at: Option<NodeId>,
     checkpoints: usize,
+    /// Nodes by depth and serialised state; nothing unless equal states are merged.
+    known: Option<BTreeMap<(usize, [u8; 32]), NodeId>>,
+    merges: Merges,
+    /// Bytes of one serialised state, where known.
+    state_bytes: usize,
+    bytes: usize,
     steps: u64,
     restarts: u64,
     restores: u64,
@@ -83,9 +119,9 @@ impl<P: Plant> Recall<P> {
         let root = Node {
             parent: NodeId::ROOT,
             depth: 0,
-            steps: 0,
-            inputs: Vec::new(),
+            edge: edge_of(0, &[]),
             outputs,
+            same: NodeId::ROOT,
             checkpoint,
             children: BTreeMap::new(),
         };
@@ -95,6 +131,10 @@ impl<P: Plant> Recall<P> {
             nodes: vec![root],
             at: Some(NodeId::ROOT),
             checkpoints,
+            known: None,
+            merges: Merges::default(),
+            state_bytes: 0,
+            bytes: 0,
             steps: 0,
             restarts: 1,
             restores: 0,
@@ -115,8 +155,67 @@ impl<P: Plant> Recall<P> {
 
     /// Inputs of the transition into `node`, row-major.
     #[must_use]
-    pub fn inputs(&self, node: NodeId) -> &[f64] {
-        &self.nodes[node.0].inputs
+    pub fn inputs(&self, node: NodeId) -> Vec<f64> {
+        values_of(&self.nodes[node.0].edge).1
+    }
+
+    /// Actions between the start and `node`.
+    #[must_use]
+    pub fn depth(&self, node: NodeId) -> usize {
+        self.nodes[node.0].depth
+    }
+
+    /// The first node known to be in the same state as `node`.
+    #[must_use]
+    pub fn same(&self, node: NodeId) -> NodeId {
+        self.nodes[node.0].same
+    }
+
+    /// From now on, nodes of the same depth with equal serialised states are taken as one state. Returns whether that is
+    /// possible: it needs serialised states, and saved states to try merges out.
+    ///
+    /// # Errors
+    /// When the FMU cannot be brought back to its start.
+    pub fn merge_equal_states(&mut self) -> Result<bool, PlantError> {
+        self.go_to(NodeId::ROOT)?;
+        // An FMU that refuses to serialise is no failure: then histories are told apart.
+        let Ok(Some(print)) = self.plant.fingerprint() else { return Ok(false) };
+        if self.nodes[0].checkpoint.is_some() {
+            self.state_bytes = print.bytes;
+            self.known = Some(BTreeMap::from([((0, print.digest), NodeId::ROOT)]));
+        }
+        Ok(self.known.is_some())
+    }
+
+    /// What merging equal states did so far.
+    #[must_use]
+    pub const fn merges(&self) -> Merges {
+        self.merges
+    }
+
+    /// Memory held for states and their traces, bytes, about.
+    #[must_use]
+    pub const fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Forgets saved states, traces and transitions of nodes of less than `depth`, except the start. They can still be
+    /// stepped on, by replay.
+    pub fn release_before(&mut self, depth: usize) {
+        for node in self.nodes.iter_mut().skip(1).filter(|n| n.depth < depth) {
+            self.checkpoints -= usize::from(node.checkpoint.take().is_some());
+            node.children = BTreeMap::new();
+            node.outputs = Arc::default();
+        }
+        if let Some(known) = &mut self.known {
+            known.retain(|(at, _), _| *at >= depth || *at == 0);
+        }
+        self.bytes = self.nodes.iter().map(|n| self.bytes_of(n)).sum();
+    }
+
+    fn bytes_of(&self, node: &Node<P::Checkpoint>) -> usize {
+        let state = if node.checkpoint.is_some() { self.state_bytes.max(256) } else { 0 };
+        NODE_BYTES + 8 * node.edge.len() + 8 * node.outputs.len() + state
     }
 
     /// Communication steps the FMU really took so far.
@@ -143,13 +242,24 @@ impl<P: Plant> Recall<P> {
     /// Only when the FMU cannot be brought back at all, or is seen not to repeat itself; a failure of the steps
     /// themselves is [`Advanced::Fault`].
     pub fn advance(&mut self, node: NodeId, steps: usize, inputs: &[f64]) -> Result<Advanced, PlantError> {
-        let key: Vec<u64> = inputs.iter().map(|v| v.to_bits()).chain([steps as u64]).collect();
-        let known = self.nodes[node.0].children.get(&key).cloned();
+        let edge = edge_of(steps, inputs);
+        let known = self.nodes[node.0].children.get(&edge).cloned();
         if let (Some(known), Policy::States { .. }) = (&known, self.policy) {
             return Ok(match known {
                 Ok(child) => Advanced::To(*child),
                 Err(fault) => Advanced::Fault(Arc::clone(fault)),
             });
+        }
+        let same = self.nodes[node.0].same;
+        if same != node {
+            // The same state under another history: the transition is that of the first one.
+            let advanced = self.advance(same, steps, inputs)?;
+            let child = match &advanced {
+                Advanced::To(child) => Ok(self.alias(node, *child)),
+                Advanced::Fault(fault) => Err(Arc::clone(fault)),
+            };
+            self.nodes[node.0].children.insert(edge, child.clone());
+            return Ok(child.map_or_else(Advanced::Fault, Advanced::To));
         }
         self.go_to(node)?;
         let outcome = self.plant.advance(steps, inputs);
@@ -165,7 +275,7 @@ impl<P: Plant> Recall<P> {
                 if let Some(Ok(_)) = known {
                     return Err(not_repeatable(fault.time_s));
                 }
-                self.nodes[node.0].children.insert(key, Err(Arc::clone(&fault)));
+                self.nodes[node.0].children.insert(edge, Err(Arc::clone(&fault)));
                 return Ok(Advanced::Fault(fault));
             }
         };
@@ -177,30 +287,108 @@ impl<P: Plant> Recall<P> {
             self.at = Some(child);
             return Ok(Advanced::To(child));
         }
-        let child = NodeId(self.nodes.len());
-        let checkpoint = match self.policy {
-            Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints => {
-                self.checkpoints += 1;
-                Some(self.plant.save()?)
-            }
-            _ => None,
-        };
-        self.nodes.push(Node {
-            parent: node,
-            depth: self.nodes[node.0].depth + 1,
-            steps,
-            inputs: inputs.to_vec(),
-            outputs: outputs.into(),
-            checkpoint,
-            children: BTreeMap::new(),
-        });
-        self.nodes[node.0].children.insert(key, Ok(child));
-        self.at = Some(child);
+        let child = self.arrive(node, edge, outputs.into())?;
         Ok(Advanced::To(child))
+    }
+
+    /// Takes in the state that the plant has just reached from `parent`.
+    fn arrive(&mut self, parent: NodeId, edge: Arc<[u64]>, outputs: Arc<[f64]>) -> Result<NodeId, PlantError> {
+        let child = NodeId(self.nodes.len());
+        let depth = self.nodes[parent.0].depth + 1;
+        let print = if self.known.is_some() { self.plant.fingerprint()? } else { None };
+        let mut same = child;
+        if let (Some(Fingerprint { digest, .. }), Some(known)) = (print, &mut self.known) {
+            same = *known.entry((depth, digest)).or_insert(child);
+        }
+        let mut checkpoint = None;
+        if same == child {
+            checkpoint = match self.policy {
+                Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints => {
+                    self.checkpoints += 1;
+                    Some(self.plant.save()?)
+                }
+                _ => None,
+            };
+        } else {
+            self.merges.merged += 1;
+            if self.merges.merged <= FIRST_TRIED_OUT || self.merges.merged.is_power_of_two() {
+                self.try_out(same, &edge)?;
+            }
+        }
+        let node =
+            Node { parent, depth, edge: Arc::clone(&edge), outputs, same, checkpoint, children: BTreeMap::new() };
+        self.bytes += self.bytes_of(&node);
+        self.nodes.push(node);
+        self.nodes[parent.0].children.insert(edge, Ok(child));
+        self.at = Some(same);
+        Ok(child)
+    }
+
+    /// Steps on from where the plant is and from `other`, which is said to be the same state, with the inputs of
+    /// `edge`. The plant is in that state afterwards.
+    fn try_out(&mut self, other: NodeId, edge: &[u64]) -> Result<(), PlantError> {
+        if self.nodes[other.0].checkpoint.is_none() {
+            return Ok(());
+        }
+        let here = self.ahead(edge);
+        self.back_to(other)?;
+        let there = self.ahead(edge);
+        self.back_to(other)?;
+        let equal = match (&here, &there) {
+            (Ok(a), Ok(b)) => same_bits(a, b),
+            (a, b) => a == b,
+        };
+        if !equal {
+            return Err(PlantError {
+                message:
+                    "two states of the FMU have the same serialised bytes but went on differently: its serialised \
+                          state does not hold everything, so equal states cannot be told by it. Use `--merge history`"
+                        .to_owned(),
+                time_s: None,
+                fatal: true,
+            });
+        }
+        self.merges.tried_out += 1;
+        Ok(())
+    }
+
+    /// Steps the plant on with the inputs of an edge.
+    fn ahead(&mut self, edge: &[u64]) -> Result<Vec<f64>, String> {
+        let (steps, inputs) = values_of(edge);
+        self.at = None;
+        self.steps += steps as u64;
+        self.plant.advance(steps, &inputs).map_err(|e| e.message)
+    }
+
+    /// Restores the saved state of `node`, if it has one.
+    fn back_to(&mut self, node: NodeId) -> Result<(), PlantError> {
+        if let Some(checkpoint) = &self.nodes[node.0].checkpoint {
+            self.plant.restore(checkpoint)?;
+            self.restores += 1;
+        }
+        Ok(())
+    }
+
+    /// A node below `parent` for the transition that led to `child` from the same state.
+    fn alias(&mut self, parent: NodeId, child: NodeId) -> NodeId {
+        let Node { depth, edge, outputs, same, .. } = &self.nodes[child.0];
+        let node = Node {
+            parent,
+            depth: *depth,
+            edge: Arc::clone(edge),
+            outputs: Arc::clone(outputs),
+            same: *same,
+            checkpoint: None,
+            children: BTreeMap::new(),
+        };
+        self.bytes += NODE_BYTES;
+        self.nodes.push(node);
+        NodeId(self.nodes.len() - 1)
     }
 
     /// Brings the plant to `node`.
     fn go_to(&mut self, node: NodeId) -> Result<(), PlantError> {
+        let node = self.nodes[node.0].same;
         if self.at == Some(node) {
             return Ok(());
         }
@@ -209,7 +397,7 @@ impl<P: Plant> Recall<P> {
         let mut from = node;
         while self.nodes[from.0].checkpoint.is_none() && from != NodeId::ROOT {
             path.push(from);
-            from = self.nodes[from.0].parent;
+            from = self.nodes[self.nodes[from.0].parent.0].same;
         }
         self.at = None;
         let restored = match &self.nodes[from.0].checkpoint {
@@ -232,10 +420,12 @@ impl<P: Plant> Recall<P> {
             }
         }
         for step in path.into_iter().rev() {
-            let Node { steps, inputs, outputs, .. } = &self.nodes[step.0];
-            let again = self.plant.advance(*steps, inputs)?;
-            self.steps += *steps as u64;
-            if !same_bits(outputs, &again) {
+            let Node { edge, outputs, .. } = &self.nodes[step.0];
+            let (steps, inputs) = values_of(edge);
+            let again = self.plant.advance(steps, &inputs)?;
+            self.steps += steps as u64;
+            // Traces of long ago may have been forgotten.
+            if !outputs.is_empty() && !same_bits(outputs, &again) {
                 return Err(not_repeatable(None));
             }
         }

@@ -8,8 +8,10 @@
 use std::collections::VecDeque;
 use std::fmt;
 
+use sha2::{Digest as _, Sha256};
+
 use super::in_process::{self, InProcess, Setup};
-use super::plant::{Plant, PlantError};
+use super::plant::{Fingerprint, Plant, PlantError};
 use super::port::Port;
 use crate::fmi::Slave;
 
@@ -322,6 +324,28 @@ impl Plant for System {
             saved.map_err(|e| self.blame(unit, e))
         });
         Ok(Checkpoint { units: units.collect::<Result<_, _>>()?, lines: self.lines.clone() })
+    }
+
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        let offers = |unit: &InProcess| {
+            let capabilities = unit.slave().capabilities();
+            capabilities.can_get_and_set_state && capabilities.can_serialize_state
+        };
+        if !self.units.iter().all(offers) {
+            return Ok(None);
+        }
+        let saved = self.save()?;
+        let serialized = self.serialize(&saved)?;
+        let mut hash = Sha256::new();
+        for (bytes, step) in &serialized.units {
+            hash.update(bytes.len().to_le_bytes());
+            hash.update(bytes);
+            hash.update(step.to_le_bytes());
+        }
+        for value in serialized.lines.iter().flatten() {
+            hash.update(value.to_bits().to_le_bytes());
+        }
+        Ok(Some(Fingerprint { digest: hash.finalize().into(), bytes: serialized.size() }))
     }
 
     fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {

@@ -161,6 +161,24 @@ impl Action {
         self.0 as usize
     }
 
+    /// How far from standing upright it is, to compare sequences of the same length: walking costs 2 and one more for
+    /// each 45 degrees of a turn, a bend forward or sideways 1, both 2.
+    #[must_use]
+    pub const fn effort(self) -> u32 {
+        let walk = match self.walk() {
+            Walk::Stop => 0,
+            Walk::Forward => 2,
+            Walk::Left45 | Walk::Right45 => 3,
+            Walk::Left90 | Walk::Right90 => 4,
+        };
+        let bend = match self.posture() {
+            Posture::Upright => 0,
+            Posture::Forward | Posture::Left | Posture::Right => 1,
+            Posture::ForwardLeft | Posture::ForwardRight => 2,
+        };
+        walk + bend
+    }
+
     /// What the legs do.
     #[must_use]
     pub const fn walk(self) -> Walk {

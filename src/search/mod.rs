@@ -6,10 +6,12 @@
 //! - [`environment`]: the trait that `sim` implements
 //! - [`random`]: the paper's baseline, uniform actions from the start
 //! - [`mcts_dpw`]: Monte Carlo tree search with double progressive widening, in three profiles
+//! - [`exhaustive`]: all sequences, level by level, equal states once
 //! - [`rng`]: the one door for randomness
 //! - [`statistics`]: capped means, intervals and misses over many seeds
 
 pub mod environment;
+pub mod exhaustive;
 pub mod mcts_dpw;
 pub mod random;
 pub mod rng;

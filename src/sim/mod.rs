@@ -5,21 +5,27 @@
 //! - [`encounter`]: person against robot at one instant: contact, danger
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
+//! - [`expansion`]: all actions from many states at once, on all cores
+//! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
 //! [`Environment`]: crate::search::Environment
 
+pub mod bound;
 pub mod coverage;
 pub mod curtain;
 pub mod encounter;
+pub mod expansion;
 pub mod replay;
 pub mod robot;
+mod robots;
 pub mod sensors;
 pub mod simulation;
 pub mod world;
 
 pub use coverage::Coverage;
+pub use expansion::Expander;
 pub use simulation::{Options, Simulation, Snapshot};
 pub use world::World;

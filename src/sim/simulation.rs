@@ -10,9 +10,9 @@ use std::sync::Arc;
 use super::Coverage;
 use super::encounter::ArmSpace;
 use super::robot::RobotFrame;
+use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Sensed, World};
-use crate::cell::binding::SensorBinding;
+use super::world::{Sensed, World};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::{Capsule, Vec3};
 use crate::hazard::Finding;
@@ -52,10 +52,9 @@ pub struct Fault {
 /// Different faults kept with their sequences; further ones are only counted.
 const FAULTS_KEPT: usize = 20;
 
-/// Most outcomes and most FMU states with robot frames that are remembered at a time, some hundred MB each; beyond that
-/// all are forgotten and worked out again when they are needed.
+/// Most outcomes that are remembered at a time, some hundred MB; beyond that all are forgotten and worked out again when
+/// they are needed.
 const OUTCOMES_KEPT: usize = 300_000;
-const FRAMES_KEPT: usize = 6_000;
 
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
@@ -89,82 +88,6 @@ pub struct Simulation<P: Plant> {
     faults: Vec<Fault>,
 }
 
-/// The FMU's states, and the robots as its outputs tell them.
-struct Robots<P: Plant> {
-    world: Arc<World>,
-    recall: Recall<P>,
-    /// Robot frames of each FMU state's last action.
-    frames: BTreeMap<NodeId, Frames>,
-}
-
-impl<P: Plant> Robots<P> {
-    /// The robots after each step of the action into `node`.
-    fn frames(&mut self, node: NodeId) -> Frames {
-        if let Some(frames) = self.frames.get(&node) {
-            return Arc::clone(frames);
-        }
-        if self.frames.len() >= FRAMES_KEPT {
-            self.frames.clear();
-        }
-        let rows = self.recall.outputs(node).chunks(self.world.binding.outputs.len());
-        let frames: Frames = rows.map(|row| RobotFrame::new(&self.world.cell, &self.world.binding, row)).collect();
-        self.frames.insert(node, Arc::clone(&frames));
-        frames
-    }
-
-    /// The state after the action into `node` had the input of `sensor` been active from step `first` of that action
-    /// on, or from so many steps before it; nothing before the start of time, or if the FMU could not do that.
-    fn had_broken(&mut self, node: NodeId, sensor: usize, first: isize) -> Result<Option<NodeId>, PlantError> {
-        let SensorBinding::Input(column) = self.world.binding.sensors[sensor] else { return Ok(None) };
-        if node == NodeId::ROOT {
-            return Ok(None);
-        }
-        let per_action = self.world.cell.steps_per_action;
-        let parent = self.recall.parent(node);
-        let from = match usize::try_from(first) {
-            Ok(_) => parent,
-            Err(_) => match self.had_broken(parent, sensor, first + per_action.cast_signed())? {
-                Some(from) => from,
-                None => return Ok(None),
-            },
-        };
-        let active = f64::from(u8::from(self.world.cell.sensors[sensor].active));
-        let mut inputs = self.recall.inputs(node).to_vec();
-        let skipped = usize::try_from(first).unwrap_or(0);
-        for row in inputs.chunks_mut(self.world.binding.inputs.len()).skip(skipped) {
-            row[column] = active;
-        }
-        Ok(match self.recall.advance(from, per_action, &inputs)? {
-            Advanced::To(node) => Some(node),
-            Advanced::Fault(_) => None,
-        })
-    }
-}
-
-/// The robots as they would be after step `i` of the action into `node`.
-struct HadBroken<'a, P: Plant> {
-    robots: &'a mut Robots<P>,
-    node: NodeId,
-    i: usize,
-}
-
-impl<P: Plant> Earlier for HadBroken<'_, P> {
-    type Error = PlantError;
-
-    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, PlantError> {
-        let sensor = self.robots.world.curtains[c].0;
-        // First step whose inputs change, counted from the start of the action.
-        let delay = self.robots.world.cell.sensors[sensor].delay_steps;
-        let first = (self.i + 1 + delay).cast_signed() - samples.cast_signed();
-        let node = if first > self.i.cast_signed() {
-            Some(self.node)
-        } else {
-            self.robots.had_broken(self.node, sensor, first)?
-        };
-        Ok(node.map(|node| self.robots.frames(node)))
-    }
-}
-
 impl<P: Plant> Simulation<P> {
     /// Starts the plant and puts the person at the start.
     ///
@@ -177,7 +100,7 @@ impl<P: Plant> Simulation<P> {
         let root = Snapshot { node: NodeId::ROOT, place, delays: world.delays_at_start(), actions: Vec::new() };
         Ok(Self {
             coverage: Coverage::new(world.cell.sensors.len()),
-            robots: Robots { world: Arc::clone(&world), recall, frames: BTreeMap::new() },
+            robots: Robots::new(Arc::clone(&world), recall),
             world,
             options,
             outcomes: BTreeMap::new(),
@@ -235,7 +158,7 @@ impl<P: Plant> Simulation<P> {
     /// Person's position and robot after each step of the last action taken.
     #[must_use]
     pub fn last_action(&self) -> Vec<(Vec3, RobotFrame)> {
-        let Some(frames) = self.robots.frames.get(&self.state.node) else { return Vec::new() };
+        let Some(frames) = self.robots.known_frames(self.state.node) else { return Vec::new() };
         let Some(action) = self.state.actions.last() else { return Vec::new() };
         let walked = self.world.walk(self.from, *action);
         walked.places.iter().map(|p| self.world.position(p)).zip(frames.iter().cloned()).collect()
@@ -377,7 +300,7 @@ impl<P: Plant> Simulation<P> {
         let frames = self.robots.frames(node);
         for i in 0..frames.len() {
             let stance = self.world.stance(walked, i, action.posture(), sensed);
-            let mut earlier = HadBroken { robots: &mut self.robots, node, i };
+            let mut earlier = HadBroken::new(&mut self.robots, node, i);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
             let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);

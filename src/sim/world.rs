@@ -38,6 +38,18 @@ pub struct Sensed {
     pub broken: Vec<Vec<usize>>,
 }
 
+impl Sensed {
+    /// Whether the FMU and the contact rules see the same.
+    #[must_use]
+    pub fn same(&self, other: &Self) -> bool {
+        let bits = |s: &Self| s.inputs.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        self.delays == other.delays
+            && self.readings == other.readings
+            && self.broken == other.broken
+            && bits(self) == bits(other)
+    }
+}
+
 /// The person at the end of a communication step, as far as contacts depend on it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Stance {

@@ -8,7 +8,7 @@ use super::{Earlier, Frames, Hit, Stance, World};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::hazard::Contact;
 use crate::hazard::finding::ArmPose;
-use crate::human::Side;
+use crate::human::{Place, Side};
 use crate::sim::Coverage;
 
 impl World {
@@ -94,13 +94,13 @@ impl World {
         depths.fold(f64::MIN, f64::max) + self.encounter.arm.reach()
     }
 
-    /// Samples before an instant at which it may matter that a light curtain was broken, for a person so placed.
+    /// How many samples before an instant it may matter that a light curtain was broken, for a person at this place.
     #[must_use]
-    pub fn samples_that_matter(&self, stance: &Stance) -> usize {
-        let person = self.person(stance);
-        let deepest = self.curtains.iter().map(|(_, plane)| self.deepest(&person, plane)).fold(f64::MIN, f64::max);
-        let samples = (0..).take_while(|&samples| curtain::depth_m(samples, self.cell.step_s) < deepest);
-        samples.count()
+    pub fn samples_that_may_matter(&self, place: &Place) -> usize {
+        let (from, at) = (self.position(&self.start()), self.position(place) + Vec3::Z);
+        let depth = |(_, plane): &(usize, Cuboid)| curtain::depth(plane, from, at) + self.reach_m();
+        let deepest = self.curtains.iter().map(depth).fold(f64::MIN, f64::max);
+        (0..).take_while(|&samples| curtain::depth_m(samples, self.cell.step_s) < deepest).count()
     }
 
     /// Whether a bend could have come as far as `point` behind each light curtain since it broke its plane.

@@ -1,0 +1,164 @@
+//! The exhaustive search on a puzzle, against plain enumeration of all sequences.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigUint;
+
+use super::*;
+
+/// A token on a ring of 11 fields moves by -1, 0, 1 or 3. From even fields, action 3 is unsafe on fields that are
+/// multiples of 5 at odd times; action 2 cannot be evaluated on field 7.
+struct Ring {
+    horizon: usize,
+    /// States asked for, to see that equal ones are asked for once.
+    expanded: usize,
+    drop_beyond: Option<i64>,
+}
+
+const MOVES: [i64; 4] = [0, 1, -1, 3];
+
+impl Ring {
+    fn new(horizon: usize) -> Self {
+        Self { horizon, expanded: 0, drop_beyond: None }
+    }
+
+    fn effect(depth: usize, field: i64, action: usize) -> Effect<(usize, i64, usize)> {
+        match action {
+            3 if field % 5 == 0 && depth % 2 == 1 => Effect::Unsafe((depth, field, action)),
+            2 if field == 7 => Effect::NotEvaluated,
+            _ => Effect::To(action),
+        }
+    }
+}
+
+impl Expansion for Ring {
+    type State = i64;
+    type Unsafe = (usize, i64, usize);
+    type Error = ();
+
+    fn actions(&self) -> usize {
+        MOVES.len()
+    }
+    fn horizon(&self) -> usize {
+        self.horizon
+    }
+    fn effort(&self, action: usize) -> u32 {
+        [0, 1, 1, 5][action]
+    }
+    fn start(&mut self) -> Result<i64, ()> {
+        Ok(2)
+    }
+    fn may_matter(&self, state: &i64, remaining: usize) -> bool {
+        self.drop_beyond.is_none_or(|_| !(remaining == 1 && state % 5 != 0))
+    }
+    fn expand(&mut self, depth: usize, states: &[&i64]) -> Result<Vec<Expanded<i64, (usize, i64, usize)>>, ()> {
+        self.expanded += states.len();
+        let expand = |field: i64| Expanded {
+            next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
+            effects: (0..MOVES.len()).map(|a| Self::effect(depth, field, a)).collect(),
+        };
+        Ok(states.iter().map(|s| expand(**s)).collect())
+    }
+    fn release_before(&mut self, _: usize) {}
+    fn bytes(&self) -> usize {
+        0
+    }
+}
+
+const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, drop: true };
+
+/// Sequences by unsafe state, and the calmest that leads there.
+type Unsafe = BTreeMap<(usize, i64, usize), (u64, u32, Vec<u8>)>;
+
+fn exhausted(ring: &mut Ring, budget: Budget) -> (Account, Unsafe) {
+    let mut met = Unsafe::new();
+    let account = exhaust(ring, budget, &mut |told| {
+        if let Told::Met(m) = told {
+            let effort = m.prefixes.effort;
+            let sequences = u64::try_from(m.sequences).unwrap();
+            assert!(met.insert(m.unsafe_state, (sequences, effort, m.prefixes.calmest.clone())).is_none());
+        }
+        ControlFlow::Continue(())
+    });
+    (account.unwrap(), met)
+}
+
+/// Every sequence on its own, without merging.
+fn enumerated(horizon: usize) -> (Unsafe, [u64; 3]) {
+    let (mut met, mut fates) = (Unsafe::new(), [0; 3]);
+    let ring = Ring::new(horizon);
+    for code in 0..MOVES.len().pow(u32::try_from(horizon).unwrap()) {
+        let actions: Vec<usize> = (0..horizon).map(|i| code / MOVES.len().pow(u32::try_from(i).unwrap()) % 4).collect();
+        let (mut field, mut effort, mut fate) = (2_i64, 0, 1);
+        for (depth, &action) in actions.iter().enumerate() {
+            match Ring::effect(depth, field, action) {
+                Effect::To(_) => field = (field + MOVES[action]).rem_euclid(11),
+                Effect::NotEvaluated => {
+                    fate = 2;
+                    break;
+                }
+                Effect::Unsafe(state) => {
+                    fate = 0;
+                    let prefix: Vec<u8> = actions[..depth].iter().map(|a| u8::try_from(*a).unwrap()).collect();
+                    let entry = met.entry(state).or_insert((0, effort, prefix.clone()));
+                    entry.0 += 1;
+                    if (effort, &prefix) < (entry.1, &entry.2) {
+                        (entry.1, entry.2) = (effort, prefix);
+                    }
+                    break;
+                }
+            }
+            effort += ring.effort(action);
+        }
+        fates[fate] += 1;
+    }
+    (met, fates)
+}
+
+#[test]
+fn every_sequence_is_accounted_for_as_in_plain_enumeration() {
+    for horizon in 1..=8 {
+        let mut ring = Ring::new(horizon);
+        let (account, met) = exhausted(&mut ring, BUDGET);
+        let (expected, [hazardous, harmless, not_evaluated]) = enumerated(horizon);
+        assert_eq!(met, expected, "horizon {horizon}");
+        assert_eq!(account.hazardous, BigUint::from(hazardous));
+        assert_eq!(account.harmless, BigUint::from(harmless));
+        assert_eq!(account.not_evaluated, BigUint::from(not_evaluated));
+        assert_eq!(account.covered() + account.not_evaluated.clone(), account.total);
+        assert_eq!((account.depth, account.stopped), (horizon, Stopped::Complete));
+        assert!(ring.expanded <= 11 * horizon, "equal states are expanded once: {}", ring.expanded);
+    }
+}
+
+#[test]
+fn dropping_by_a_sound_bound_changes_nothing_but_the_work() {
+    let mut dropping = Ring { drop_beyond: Some(0), ..Ring::new(7) };
+    let (with, met) = exhausted(&mut dropping, BUDGET);
+    let (without, all) = exhausted(&mut Ring::new(7), Budget { drop: false, ..BUDGET });
+    assert_eq!(met, all);
+    assert_eq!(with.hazardous, without.hazardous);
+    assert!(with.excluded > BigUint::ZERO && with.levels.iter().any(|l| l.dropped > 0));
+    // On the last level nothing is evaluated from states that were dropped, so those count as excluded.
+    assert!(with.harmless.clone() + &with.excluded >= without.harmless);
+}
+
+#[test]
+fn a_budget_or_a_wish_ends_it_with_what_is_known() {
+    let (account, _) = exhausted(&mut Ring::new(8), Budget { states: 12, ..BUDGET });
+    assert_eq!(account.stopped, Stopped::Budget);
+    assert!(account.depth < 8 && account.covered() < account.total);
+    let account = exhaust(&mut Ring::new(8), BUDGET, &mut |told| match told {
+        Told::Progress { depth: 3, .. } => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    });
+    let account = account.unwrap();
+    assert_eq!((account.stopped, account.depth), (Stopped::Asked, 3));
+}
+
+#[test]
+fn counts_do_not_overflow() {
+    let account = exhaust(&mut Ring::new(40), BUDGET, &mut |_| ControlFlow::Continue(())).unwrap();
+    assert_eq!(account.total, BigUint::from(4_u32).pow(40));
+    assert_eq!(account.covered() + account.not_evaluated.clone(), account.total);
+}

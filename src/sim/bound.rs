@@ -1,0 +1,118 @@
+//! How far robots and person can come at all: from lengths alone, never from what was observed.
+//!
+//! A chain of revolute joints cannot bring a point farther from its first joint than the lengths of its segments add up
+//! to; the person walks at 1.6 m/s and is within a sphere around the middle of the body. So a state may be dropped when
+//! the two cannot meet in the time that is left. Where the FMU itself gives the poses of a robot's parts, nothing bounds
+//! them, and nothing is dropped.
+
+use crate::cell::Workcell;
+use crate::cell::validate::{Link, Robot};
+use crate::geometry::Vec3;
+use crate::human::action::ACTION_S;
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+/// Rounding of positions and lengths, generously, m.
+const ROUNDING_M: f64 = 1e-6;
+
+/// Balls that the robots cannot leave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RobotBounds {
+    /// Centre, world, and radius, m; nothing if some robot is not bounded.
+    balls: Option<Vec<(Vec3, f64)>>,
+}
+
+impl RobotBounds {
+    /// The bounds that follow from a cell.
+    #[must_use]
+    pub fn new(cell: &Workcell) -> Self {
+        let ball = |(index, robot): (usize, &Robot)| {
+            let links: Vec<&Link> = cell.links.iter().filter(|l| l.robot == index).collect();
+            bound(robot, &links)
+        };
+        Self { balls: cell.robots.iter().enumerate().map(ball).collect() }
+    }
+
+    /// Whether a person at `position` (floor plan), no part of which is farther than `reach_m` from the point 1 m above,
+    /// may touch a robot within `actions` actions.
+    #[must_use]
+    pub fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
+        #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+        let walk = WALKING_SPEED_M_S * ACTION_S * actions as f64;
+        let Some(balls) = &self.balls else { return true };
+        balls.iter().any(|(centre, radius)| {
+            let to = *centre - (position + Vec3::Z);
+            let along = (libm::hypot(to.x, to.y) - walk).max(0.0);
+            libm::hypot(along, to.z) <= radius + reach_m + ROUNDING_M
+        })
+    }
+}
+
+fn bound(robot: &Robot, links: &[&Link]) -> Option<(Vec3, f64)> {
+    let chain = robot.chain.as_ref()?;
+    let first = chain.joints.first()?;
+    let centre = (chain.world_from_base * first.parent_from_joint).translation;
+    let mut lengths = vec![0.0; chain.joints.len()];
+    for joint in 1..chain.joints.len() {
+        lengths[joint] = lengths[joint - 1] + chain.joints[joint].parent_from_joint.translation.length();
+    }
+    let farthest = |link: &&Link| {
+        let (middle, radius) = link.shape.bounding_sphere();
+        lengths[link.joint] + middle.length() + radius
+    };
+    Some((centre, links.iter().map(farthest).fold(0.0, f64::max)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use rand_core::{Rng, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+    use crate::cell::find::open;
+    use crate::geometry::Solid;
+
+    /// Random joint angles of the example robots never leave their ball, and some come near its surface.
+    #[test]
+    fn no_pose_leaves_the_ball() {
+        let folder = tempfile::tempdir().unwrap();
+        crate::examples::export(folder.path()).unwrap();
+        let mut random = Pcg64::seed_from_u64(3);
+        for name in ["safety-fence", "sensor-mat", "light-curtain", "two-scanners", "heavy-workpiece"] {
+            let cell = open(&folder.path().join(name).join("cell.toml"), None).unwrap().cell;
+            let bounds = RobotBounds::new(&cell);
+            let balls = bounds.balls.as_ref().unwrap();
+            for (index, robot) in cell.robots.iter().enumerate() {
+                let chain = robot.chain.as_ref().unwrap();
+                let mut farthest: f64 = 0.0;
+                for _ in 0..2000 {
+                    let angle = |_: &_| f64::from(random.next_u32()) / f64::from(u32::MAX) * std::f64::consts::TAU;
+                    let angles: Vec<f64> = chain.joints.iter().map(angle).collect();
+                    let placed = chain.place(&angles);
+                    for link in cell.links.iter().filter(|l| l.robot == index) {
+                        let Solid::Capsule(c) = link.shape.placed(placed.world_from_link[link.joint]) else { continue };
+                        for end in [c.a, c.b] {
+                            farthest = farthest.max((end - balls[index].0).length() + c.radius);
+                        }
+                    }
+                }
+                assert!(farthest <= balls[index].1, "{name}: {farthest} m beyond {} m", balls[index].1);
+                assert!(farthest > 0.7 * balls[index].1, "{name}: {farthest} m of {} m", balls[index].1);
+            }
+        }
+        let cell = open(Path::new(&folder.path().join("head-collision/cell.toml")), None).unwrap().cell;
+        assert!(RobotBounds::new(&cell).may_meet(Vec3::splat(1e6), 1.0, 1), "the FMU gives poses: no bound");
+    }
+
+    #[test]
+    fn distance_speed_and_reach_by_hand() {
+        let bounds = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 1.0), 1.0)]) };
+        // 1 m of robot, 1.2 m of person, 0.32 m of walking an action.
+        assert!(bounds.may_meet(Vec3::new(3.15, 0.0, 0.0), 1.2, 3));
+        assert!(!bounds.may_meet(Vec3::new(3.17, 0.0, 0.0), 1.2, 3));
+        assert!(bounds.may_meet(Vec3::new(0.0, -3.47, 0.0), 1.2, 4));
+        let high = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 3.3), 1.0)]) };
+        assert!(!high.may_meet(Vec3::ZERO, 1.2, 5) && high.may_meet(Vec3::ZERO, 1.4, 0));
+    }
+}

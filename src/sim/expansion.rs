@@ -1,0 +1,443 @@
+//! All actions from many states at once, on all cores: the cell as an [`Expansion`] for the exhaustive search.
+//!
+//! First what needs the FMU, one after the other: the walks, the inputs that follow, the FMU's answer. Actions that give
+//! it the same inputs from the same state step it once. Then what needs no FMU: whether the person, so placed, can touch
+//! the robots, so placed. That question comes up many times in the same words (a place is reached along many ways, and
+//! the robot is where it is), so each is asked once; the answers do not depend on each other and are worked out on all
+//! cores, instant after instant, because after the first unsafe contact an action is over.
+//!
+//! **Equal states.** The person stands at the same place with the same heading, the sensors' delay lines are equal, and
+//! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With light
+//! curtains, the states in which the FMU would be had the curtain been broken earlier are equal as well, because what a
+//! hand meets behind it depends on them (see [`super::curtain`]).
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::Coverage;
+use super::bound::RobotBounds;
+use super::robots::{HadBroken, Robots};
+use super::sensors::DelayLine;
+use super::simulation::Fault;
+use super::world::{Earlier, Frames, Hit, Sensed, Stance, World};
+use crate::cell::{Binding, Workcell};
+use crate::hazard::Finding;
+use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
+use crate::human::walk::WalkTrace;
+use crate::human::{Action, Place, Posture, Walk};
+use crate::search::exhaustive::{Effect, Expanded, Expansion};
+
+/// A state of the cell at the end of an action. Equal states have the same future.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct State {
+    // Places first: neighbours in the order then share most of their questions.
+    place: Place,
+    /// The first state of the FMU found that is the same.
+    node: NodeId,
+    delays: Box<[DelayLine]>,
+}
+
+/// How equal states of the FMU are told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Merge {
+    /// By equal serialised states if the FMU offers them, else by equal inputs.
+    #[default]
+    Auto,
+    /// By equal inputs only.
+    History,
+}
+
+/// A cell whose states are expanded.
+pub struct Expander<P: Plant> {
+    world: Arc<World>,
+    robots: Robots<P>,
+    bounds: RobotBounds,
+    workers: usize,
+    by_bytes: bool,
+    /// With light curtains: the first node with the same state and the same states had the curtain been broken earlier.
+    bundles: BTreeMap<Vec<Option<NodeId>>, NodeId>,
+    coverage: Coverage,
+    faults: Vec<Fault>,
+    questions: u64,
+}
+
+/// An action's FMU answer and what it was asked.
+struct Transition {
+    node: NodeId,
+    frames: Frames,
+    sensed: Sensed,
+}
+
+/// What is not known yet of an action from a state.
+struct Pending {
+    /// Index of the state, of the walk, of the transition among those of the state.
+    state: usize,
+    walk: usize,
+    transition: usize,
+    action: Action,
+}
+
+/// The robots at an instant, and as they would be had a light curtain been broken some samples before.
+struct Situation {
+    frames: Frames,
+    i: usize,
+    /// For each light curtain, by samples.
+    earlier: Vec<Vec<Option<Frames>>>,
+}
+
+impl Earlier for &Situation {
+    type Error = Infallible;
+
+    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Infallible> {
+        Ok(self.earlier[c].get(samples).cloned().flatten())
+    }
+}
+
+/// Numbers the rows of robot frames that differ.
+#[derive(Default)]
+struct Rows {
+    numbers: BTreeMap<Vec<u64>, u32>,
+    of_node: BTreeMap<NodeId, Arc<[u32]>>,
+}
+
+/// Situations that differ.
+#[derive(Default)]
+struct Situations {
+    rows: Rows,
+    /// By the numbers of their rows.
+    numbers: BTreeMap<Vec<u32>, usize>,
+    /// By node, step and samples looked back.
+    known: BTreeMap<(NodeId, usize, usize), usize>,
+    all: Vec<Situation>,
+}
+
+impl Rows {
+    fn of(&mut self, node: NodeId, frames: &Frames) -> Arc<[u32]> {
+        if let Some(known) = self.of_node.get(&node) {
+            return Arc::clone(known);
+        }
+        let numbers = &mut self.numbers;
+        let number = |outputs: &[f64]| {
+            let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
+            *numbers.entry(outputs.iter().map(|v| v.to_bits()).collect()).or_insert(next)
+        };
+        let rows: Arc<[u32]> = frames.iter().map(|f| f.outputs()).map(number).collect();
+        self.of_node.insert(node, Arc::clone(&rows));
+        rows
+    }
+}
+
+/// Questions taken by a thread at a time.
+const BLOCK: usize = 16;
+
+impl<P: Plant> Expander<P> {
+    /// Starts the plant; contacts are looked for by `workers` threads, which does not change the results.
+    ///
+    /// # Errors
+    /// When the FMU cannot be started.
+    pub fn new(
+        cell: Arc<Workcell>,
+        binding: Arc<Binding>,
+        plant: P,
+        policy: Policy,
+        merge: Merge,
+        workers: usize,
+    ) -> Result<Self, PlantError> {
+        let mut recall = Recall::new(plant, policy)?;
+        let by_bytes = merge == Merge::Auto && recall.merge_equal_states()?;
+        let world = Arc::new(World::new(cell, binding));
+        Ok(Self {
+            bounds: RobotBounds::new(&world.cell),
+            robots: Robots::new(Arc::clone(&world), recall),
+            workers: workers.max(1),
+            by_bytes,
+            bundles: BTreeMap::new(),
+            coverage: Coverage::new(world.cell.sensors.len()),
+            faults: Vec::new(),
+            questions: 0,
+            world,
+        })
+    }
+
+    /// What was seen. Actions and contact checks that came up several times count once.
+    #[must_use]
+    pub const fn coverage(&self) -> &Coverage {
+        &self.coverage
+    }
+
+    /// Actions the FMU could not finish, without their sequences; the first few.
+    #[must_use]
+    pub fn faults(&self) -> &[Fault] {
+        &self.faults
+    }
+
+    /// The FMU's states and what reaching them cost.
+    #[must_use]
+    pub const fn recall(&self) -> &Recall<P> {
+        &self.robots.recall
+    }
+
+    /// Whether equal states of the FMU are told by their serialised bytes, else by the inputs.
+    #[must_use]
+    pub const fn merges_by_bytes(&self) -> bool {
+        self.by_bytes
+    }
+
+    /// Different questions whether a contact is possible.
+    #[must_use]
+    pub const fn questions(&self) -> u64 {
+        self.questions
+    }
+
+    /// The first node with the same future as `node`.
+    fn representative(&mut self, node: NodeId) -> Result<NodeId, PlantError> {
+        let same = self.robots.recall.same(node);
+        if self.world.curtains.is_empty() {
+            return Ok(same);
+        }
+        let mut bundle = vec![Some(same)];
+        let sensors: Vec<usize> = self.world.curtains.iter().map(|(sensor, _)| *sensor).collect();
+        for sensor in sensors {
+            let shadows = self.robots.remember_shadows(node, sensor)?.to_vec();
+            bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));
+        }
+        Ok(*self.bundles.entry(bundle).or_insert(node))
+    }
+
+    /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
+    #[expect(clippy::type_complexity, reason = "three lists of one pass")]
+    fn advance(
+        &mut self,
+        index: usize,
+        depth: usize,
+        state: &State,
+        walks: &[WalkTrace],
+        pending: &mut Vec<Pending>,
+    ) -> Result<(Expanded<State, Finding>, Vec<Transition>), PlantError> {
+        let mut expanded = Expanded { next: Vec::new(), effects: Vec::new() };
+        let mut transitions: Vec<Transition> = Vec::new();
+        let per_action = self.world.cell.steps_per_action;
+        for (w, walk) in Walk::ALL.into_iter().enumerate() {
+            // Postures that the sensors see alike share everything but the contacts.
+            let mut alike: Vec<(Sensed, Option<(usize, usize)>)> = Vec::new();
+            for posture in Posture::ALL {
+                let action = Action::new(walk, posture);
+                let own = (alike.is_empty() || !self.world.posture_is_unseen())
+                    .then(|| self.world.sense(&state.delays, &walks[w], posture));
+                let known = match &own {
+                    None => alike.first().map(|(_, to)| *to),
+                    Some(own) => alike.iter().find(|(s, _)| s.same(own)).map(|(_, to)| *to),
+                };
+                let to = match (known, own) {
+                    (Some(to), _) => to,
+                    (None, None) => None,
+                    (None, Some(sensed)) => {
+                        let to = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
+                            Advanced::Fault(fault) => {
+                                self.fault(action, depth, &fault.message);
+                                None
+                            }
+                            Advanced::To(node) => {
+                                let representative = self.representative(node)?;
+                                let place = walks[w].end();
+                                let delays = sensed.delays.clone().into_boxed_slice();
+                                expanded.next.push(State { place, node: representative, delays });
+                                let frames = self.robots.frames(node);
+                                self.look(&walks[w], &sensed, &frames);
+                                transitions.push(Transition { node, frames, sensed: sensed.clone() });
+                                Some((expanded.next.len() - 1, transitions.len() - 1))
+                            }
+                        };
+                        alike.push((sensed, to));
+                        to
+                    }
+                };
+                let Some((next, transition)) = to else {
+                    expanded.effects.push(Effect::NotEvaluated);
+                    continue;
+                };
+                expanded.effects.push(Effect::To(next));
+                pending.push(Pending { state: index, walk: w, transition, action });
+            }
+        }
+        Ok((expanded, transitions))
+    }
+
+    fn fault(&mut self, action: Action, depth: usize, message: &str) {
+        self.coverage.episodes_not_evaluated += 1;
+        if self.faults.len() < 20 && self.faults.iter().all(|f| f.message != message) {
+            let message = format!("{message} (in {action}, action {} of its sequence)", depth + 1);
+            self.faults.push(Fault { actions: Vec::new(), message });
+        }
+    }
+
+    fn look(&mut self, walked: &WalkTrace, sensed: &Sensed, frames: &Frames) {
+        let coverage = &mut self.coverage;
+        coverage.actions += 1;
+        coverage.walks_blocked += u64::from(walked.blocked.contains(&true));
+        let fastest = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
+        coverage.robot_top_speed_m_s = coverage.robot_top_speed_m_s.max(fastest);
+        for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {
+            let any = (0..frames.len()).any(|i| self.world.reading(sensor, &sensed.readings[i], &frames[i]));
+            *fired += u64::from(any);
+        }
+    }
+
+    /// The number of the situation after step `i` of a transition, for a person in this stance.
+    fn situation(
+        &mut self,
+        transition: &Transition,
+        i: usize,
+        stance: &Stance,
+        situations: &mut Situations,
+    ) -> Result<usize, PlantError> {
+        let samples = self.world.samples_that_may_matter(&stance.place);
+        if let Some(number) = situations.known.get(&(transition.node, i, samples)) {
+            return Ok(*number);
+        }
+        let mut key = vec![situations.rows.of(transition.node, &transition.frames)[i]];
+        let mut earlier = Vec::new();
+        for c in 0..self.world.curtains.len() {
+            let mut of_curtain = Vec::with_capacity(samples);
+            for back in 0..samples {
+                let Some(node) = HadBroken::new(&mut self.robots, transition.node, i).node_for(c, back)? else { break };
+                let frames = self.robots.frames(node);
+                key.push(situations.rows.of(node, &frames)[i]);
+                of_curtain.push(Some(frames));
+            }
+            key.push(u32::MAX);
+            earlier.push(of_curtain);
+        }
+        let all = &mut situations.all;
+        let number = *situations.numbers.entry(key).or_insert_with(|| {
+            all.push(Situation { frames: Arc::clone(&transition.frames), i, earlier });
+            all.len() - 1
+        });
+        situations.known.insert((transition.node, i, samples), number);
+        Ok(number)
+    }
+
+    /// Answers all questions.
+    fn answer(&mut self, questions: &[(usize, Stance)], situations: &[Situation]) -> Vec<Option<Hit>> {
+        self.questions += questions.len() as u64;
+        let next = AtomicUsize::new(0);
+        let (world, sensors) = (&self.world, self.world.cell.sensors.len());
+        let work = || {
+            let (mut hits, mut coverage) = (Vec::new(), Coverage::new(sensors));
+            loop {
+                let from = next.fetch_add(BLOCK, Ordering::Relaxed);
+                if from >= questions.len() {
+                    return (hits, coverage);
+                }
+                for (number, (situation, stance)) in questions.iter().enumerate().skip(from).take(BLOCK) {
+                    let situation = &situations[*situation];
+                    let (frames, i, mut earlier) = (&situation.frames, situation.i, situation);
+                    let Ok(hit) = world.contact(stance, frames, i, &mut earlier, &mut coverage);
+                    hits.extend(hit.map(|hit| (number, hit)));
+                }
+            }
+        };
+        let found: Vec<(Vec<(usize, Hit)>, Coverage)> = std::thread::scope(|scope| {
+            let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(work)).collect();
+            let own = work();
+            let joined = threads.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+            std::iter::once(own).chain(joined).collect()
+        });
+        let mut answers = vec![None; questions.len()];
+        for (hits, coverage) in found {
+            self.coverage.merge(&coverage);
+            for (number, hit) in hits {
+                answers[number] = Some(hit);
+            }
+        }
+        answers
+    }
+}
+
+impl<P: Plant> Expansion for Expander<P> {
+    type State = State;
+    type Unsafe = Finding;
+    type Error = PlantError;
+
+    fn actions(&self) -> usize {
+        Action::COUNT
+    }
+
+    fn horizon(&self) -> usize {
+        usize::try_from(self.world.cell.search.actions).unwrap_or(usize::MAX)
+    }
+
+    fn effort(&self, action: usize) -> u32 {
+        Action::ALL[action].effort()
+    }
+
+    fn start(&mut self) -> Result<State, PlantError> {
+        let node = self.representative(NodeId::ROOT)?;
+        let delays = self.world.delays_at_start().into_boxed_slice();
+        Ok(State { place: self.world.start(), node, delays })
+    }
+
+    fn may_matter(&self, state: &State, remaining: usize) -> bool {
+        self.bounds.may_meet(self.world.position(&state.place), self.world.reach_m(), remaining)
+    }
+
+    fn expand(&mut self, depth: usize, states: &[&State]) -> Result<Vec<Expanded<State, Finding>>, PlantError> {
+        let mut walks: BTreeMap<Place, Vec<WalkTrace>> = BTreeMap::new();
+        let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, state) in states.iter().enumerate() {
+            let world = &self.world;
+            let walks = walks.entry(state.place).or_insert_with(|| {
+                let walk = |w| world.walk(state.place, Action::new(w, Posture::Upright));
+                Walk::ALL.into_iter().map(walk).collect()
+            });
+            let (one, own) = self.advance(index, depth, state, walks, &mut pending)?;
+            expanded.push(one);
+            transitions.push(own);
+        }
+        let mut situations = Situations::default();
+        for i in 0..self.world.cell.steps_per_action {
+            let mut asked: BTreeMap<(usize, Stance), usize> = BTreeMap::new();
+            let mut numbers = Vec::with_capacity(pending.len());
+            for p in &pending {
+                let transition = &transitions[p.state][p.transition];
+                let walked = &walks[&states[p.state].place][p.walk];
+                let stance = self.world.stance(walked, i, p.action.posture(), &transition.sensed);
+                let situation = self.situation(transition, i, &stance, &mut situations)?;
+                let next = asked.len();
+                numbers.push(*asked.entry((situation, stance)).or_insert(next));
+            }
+            let mut questions: Vec<((usize, Stance), usize)> = asked.into_iter().collect();
+            questions.sort_by_key(|(_, number)| *number);
+            let questions: Vec<(usize, Stance)> = questions.into_iter().map(|(question, _)| question).collect();
+            let answers = self.answer(&questions, &situations.all);
+            let mut number = numbers.into_iter();
+            pending.retain(|p| {
+                let Some((number, hit)) = number.next().and_then(|n| Some((n, answers[n].as_ref()?))) else {
+                    return true;
+                };
+                let transition = &transitions[p.state][p.transition];
+                let readings = &transition.sensed.readings[i];
+                let frame = &transition.frames[i];
+                let finding = self.world.finding(hit, &questions[number].1, readings, frame, (depth + 1, i));
+                let Some(finding) = finding else { return true };
+                let finding = Finding { actions: vec![p.action], ..finding };
+                expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);
+                false
+            });
+        }
+        Ok(expanded)
+    }
+
+    fn release_before(&mut self, depth: usize) {
+        let recall = &self.robots.recall;
+        let keep: BTreeSet<NodeId> = self.bundles.values().copied().filter(|n| recall.depth(*n) >= depth).collect();
+        self.bundles.retain(|_, node| keep.contains(node));
+        self.robots.release(depth, |node| keep.contains(&node));
+    }
+
+    fn bytes(&self) -> usize {
+        self.robots.recall.bytes()
+    }
+}
