@@ -38,6 +38,15 @@ fn point_box_local(point: Vec3, half: Vec3) -> (f64, Vec3) {
     }
 }
 
+/// A lower bound on the distance from a segment to a box, quickly: the widest gap between the two along an axis of the
+/// box, negative where they overlap along all three.
+#[must_use]
+pub fn segment_cuboid_apart(a: Vec3, b: Vec3, cuboid: &Cuboid) -> f64 {
+    let box_from_world = cuboid.rotation.inverse();
+    let (a, b) = (box_from_world * (a - cuboid.centre), box_from_world * (b - cuboid.centre));
+    (a.min(b) - cuboid.half).max(-cuboid.half - a.max(b)).max_element()
+}
+
 /// Parameter in `[0, 1]` at which the segment `a + t (b - a)` is nearest to a box of half edges `half` about the origin.
 fn segment_box_parameter(a: Vec3, b: Vec3, half: Vec3) -> f64 {
     let along = b - a;

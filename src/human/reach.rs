@@ -13,7 +13,8 @@
 
 use super::Side;
 use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
-use crate::geometry::segment_cuboid::{segment_cuboid, segment_hits_cuboid};
+use crate::geometry::distance::point_segment;
+use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 
 /// Part of the arm.
@@ -136,11 +137,27 @@ struct Placed {
     derivatives: [[Vec3; 2]; 4],
 }
 
+/// Pieces that may still matter in a box: what is settled for a box is settled for all its parts.
+#[derive(Clone)]
+struct Open {
+    /// For hand and forearm.
+    beyond_elbow: Vec<u16>,
+    /// For elbow and upper arm; looked at only where the others are settled.
+    near_shoulder: Vec<u16>,
+}
+
+/// Drops pieces from the end of the list up to the first that may matter.
+fn settle(open: &mut Vec<u16>, may_matter: impl Fn(usize) -> bool) {
+    while open.last().is_some_and(|last| !may_matter(usize::from(*last))) {
+        open.pop();
+    }
+}
+
 struct Search<'a, S: ContactScore> {
     query: &'a ReachQuery<'a, S>,
     shoulder: Vec3,
-    /// Links in reach that may score above the threshold.
-    links: Vec<usize>,
+    /// Links in reach that may score above the threshold, with their bounding spheres.
+    links: Vec<(usize, Vec3, f64)>,
     /// The same links cut into short pieces, with upper bounds of their scores by segment.
     pieces: Vec<Piece>,
     /// Obstacles in reach, with bounding radius.
@@ -181,6 +198,11 @@ pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
         .map(|o| (*o, o.half.length()))
         .filter(|(o, radius)| (o.centre - shoulder).length() - radius <= far)
         .collect();
+    let sphere = |link: usize| {
+        let (centre, radius) = query.links[link].bounding_sphere();
+        (link, centre, radius)
+    };
+    let links = links.into_iter().map(sphere).collect();
     let mut search = Search { query, shoulder, links, pieces, obstacles, best: None };
     let (complete, boxes) = search.run();
     Reach { best: search.best, complete, boxes }
@@ -373,9 +395,11 @@ fn limb_may_touch(
 impl<S: ContactScore> Search<'_, S> {
     fn run(&mut self) -> (bool, u32) {
         let whole = JointBox::whole();
-        let mut stack = vec![(whole, self.place(whole.middle))];
+        let all: Vec<u16> = (0..self.pieces.len()).filter_map(|i| u16::try_from(i).ok()).collect();
+        let open = Open { beyond_elbow: all.clone(), near_shoulder: all };
+        let mut stack = vec![(whole, self.place(whole.middle), open)];
         let mut boxes = 0;
-        while let Some((next, placed)) = stack.pop() {
+        while let Some((next, placed, mut open)) = stack.pop() {
             if boxes == self.query.work_limit {
                 return (false, boxes);
             }
@@ -383,13 +407,14 @@ impl<S: ContactScore> Search<'_, S> {
                 return (true, boxes);
             }
             boxes += 1;
-            let Some(joint) = self.look_at(&next, &placed) else { continue };
-            let mut halves = next.halves(joint).map(|b| (b, self.place(b.middle)));
+            let Some(joint) = self.look_at(&next, &placed, &mut open) else { continue };
+            let [mut far, mut near] = next.halves(joint).map(|b| (b, self.place(b.middle)));
             // The half whose wrist is nearer to the robot last: it is taken first.
-            if self.wrist_to_links(&halves[0].1) < self.wrist_to_links(&halves[1].1) {
-                halves.swap(0, 1);
+            if self.wrist_to_links(&far.1, &open) < self.wrist_to_links(&near.1, &open) {
+                std::mem::swap(&mut far, &mut near);
             }
-            stack.extend(halves);
+            stack.push((far.0, far.1, open.clone()));
+            stack.push((near.0, near.1, open));
         }
         (true, boxes)
     }
@@ -402,9 +427,11 @@ impl<S: ContactScore> Search<'_, S> {
         Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
     }
 
-    fn wrist_to_links(&self, placed: &Placed) -> f64 {
+    fn wrist_to_links(&self, placed: &Placed, open: &Open) -> f64 {
         let cutoff = self.cutoff();
-        let useful = self.pieces.iter().filter(|p| p.bounds.iter().any(|b| *b > cutoff));
+        let open = if open.beyond_elbow.is_empty() { &open.near_shoulder } else { &open.beyond_elbow };
+        let useful =
+            open.iter().map(|i| &self.pieces[usize::from(*i)]).filter(|p| p.bounds.iter().any(|b| *b > cutoff));
         useful.map(|p| p.solid.point_distance(placed.wrist).distance).fold(f64::MAX, f64::min)
     }
 
@@ -414,15 +441,19 @@ impl<S: ContactScore> Search<'_, S> {
     }
 
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
-    fn look_at(&mut self, b: &JointBox, placed: &Placed) -> Option<usize> {
+    fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
         if b.outside_limits() {
             return None;
         }
         let arm = self.query.arm;
         let movement = Movement::of(arm, b);
-        let beyond_elbow = self.pieces.iter().any(|p| self.hand_or_forearm_may_matter(p, placed, &movement));
-        if !beyond_elbow && !self.pieces.iter().any(|p| self.elbow_or_upper_arm_may_matter(p, placed, &movement)) {
-            return None;
+        settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
+        let beyond_elbow = !open.beyond_elbow.is_empty();
+        if !beyond_elbow {
+            settle(&mut open.near_shoulder, |i| self.elbow_or_upper_arm_may_matter(&self.pieces[i], placed, &movement));
+            if open.near_shoulder.is_empty() {
+                return None;
+            }
         }
         if self.certainly_blocked(placed, &movement) {
             return None;
@@ -577,10 +608,13 @@ impl<S: ContactScore> Search<'_, S> {
         placed.shoulder + (placed.elbow - placed.shoulder) * (skipped / self.query.arm.upper_arm_m).min(1.0)
     }
 
-    /// Obstacles whose bounding sphere is near a segment.
+    /// Obstacles that may be within `radius` of a segment.
     fn obstacles_near(&self, a: Vec3, b: Vec3, radius: f64) -> impl Iterator<Item = &Cuboid> {
         let (middle, half) = ((a + b) * 0.5, (b - a).length() * 0.5 + radius);
-        self.obstacles.iter().filter(move |(o, r)| (o.centre - middle).length() <= half + r).map(|(o, _)| o)
+        let near = move |o: &Cuboid, r: f64| {
+            (o.centre - middle).length() <= half + r && segment_cuboid_apart(a, b, o) <= radius
+        };
+        self.obstacles.iter().filter(move |(o, r)| near(o, *r)).map(|(o, _)| o)
     }
 
     /// Whether upper arm and forearm are clear of obstacles.
@@ -613,25 +647,29 @@ impl<S: ContactScore> Search<'_, S> {
                 touched = Some((distance, segment, link, on_link, on_arm));
             }
         };
-        for &index in &self.links {
+        for &(index, centre, radius) in &self.links {
             let link = &self.query.links[index];
-            let hand = link.point_distance(placed.wrist);
-            if hand.distance <= arm.hand_radius_m {
-                // A wrist inside the link touches it where it is.
-                let at = if hand.distance > 0.0 { hand.on_second } else { placed.wrist };
-                let blocked = hand.distance > 0.0
-                    && self.obstacles_near(placed.wrist, at, 0.0).any(|o| segment_hits_cuboid(placed.wrist, at, o));
-                if !blocked {
-                    consider(hand.distance - arm.hand_radius_m, ArmSegment::Hand, index, at, at);
+            if (centre - placed.wrist).length() - radius <= arm.hand_radius_m {
+                let hand = link.point_distance(placed.wrist);
+                if hand.distance <= arm.hand_radius_m {
+                    // A wrist inside the link touches it where it is.
+                    let at = if hand.distance > 0.0 { hand.on_second } else { placed.wrist };
+                    let blocked = hand.distance > 0.0
+                        && self.obstacles_near(placed.wrist, at, 0.0).any(|o| segment_hits_cuboid(placed.wrist, at, o));
+                    if !blocked {
+                        consider(hand.distance - arm.hand_radius_m, ArmSegment::Hand, index, at, at);
+                    }
                 }
             }
-            for (segment, a, b, radius) in [
+            for (segment, a, b, thickness) in [
                 (ArmSegment::Elbow, placed.elbow, zone, arm.forearm_radius_m),
                 (ArmSegment::Forearm, zone, placed.wrist, arm.forearm_radius_m),
                 (ArmSegment::UpperArm, placed.shoulder, placed.elbow, arm.upper_arm_radius_m),
             ] {
-                let near = link.segment_distance(a, b);
-                consider(near.distance - radius, segment, index, near.on_second, near.on_first);
+                if point_segment(centre, a, b).distance - radius <= thickness {
+                    let near = link.segment_distance(a, b);
+                    consider(near.distance - thickness, segment, index, near.on_second, near.on_first);
+                }
             }
         }
         let (signed_distance, segment, link, on_link, on_arm) = touched?;
