@@ -53,8 +53,10 @@ pub struct ReachQuery<'a, S: ContactScore> {
     pub side: Side,
     /// Shoulder frame: x forward, y left, z up along the trunk.
     pub world_from_shoulder: Pose,
-    /// Robot links, world.
+    /// Robot links, world; those of several instants one after the other, to settle them in one search.
     pub links: &'a [Solid],
+    /// How many of them belong to one instant: what is touched first is asked of each instant on its own.
+    pub links_per_instant: usize,
     /// Obstacles, world.
     pub obstacles: &'a [Cuboid],
     /// Score of contacts.
@@ -156,8 +158,8 @@ fn settle(open: &mut Vec<u16>, may_matter: impl Fn(usize) -> bool) {
 struct Search<'a, S: ContactScore> {
     query: &'a ReachQuery<'a, S>,
     shoulder: Vec3,
-    /// Links in reach that may score above the threshold, with their bounding spheres.
-    links: Vec<(usize, Vec3, f64)>,
+    /// Links in reach that may score above the threshold, with their bounding spheres, by instant.
+    links: Vec<Vec<(usize, Vec3, f64)>>,
     /// The same links cut into short pieces, with upper bounds of their scores by segment.
     pieces: Vec<Piece>,
     /// Obstacles in reach, with bounding radius.
@@ -202,7 +204,8 @@ pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
         let (centre, radius) = query.links[link].bounding_sphere();
         (link, centre, radius)
     };
-    let links = links.into_iter().map(sphere).collect();
+    let instants = links.chunk_by(|a, b| a / query.links_per_instant == b / query.links_per_instant);
+    let links = instants.map(|links| links.iter().map(|&link| sphere(link)).collect()).collect();
     let mut search = Search { query, shoulder, links, pieces, obstacles, best: None };
     let (complete, boxes) = search.run();
     Reach { best: search.best, complete, boxes }
@@ -631,14 +634,16 @@ impl<S: ContactScore> Search<'_, S> {
 
     /// Takes the configuration as the best if it touches, scores more, and is free.
     fn try_configuration(&mut self, config: Config, placed: &Placed) {
-        let Some(contact) = self.first_touched(config, placed) else { return };
-        if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
-            self.best = Some(contact);
+        for instant in 0..self.links.len() {
+            let Some(contact) = self.first_touched(config, placed, instant) else { continue };
+            if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
+                self.best = Some(contact);
+            }
         }
     }
 
-    /// The contact of a configuration: the smallest signed distance over segments and links.
-    fn first_touched(&self, config: Config, placed: &Placed) -> Option<ArmContact> {
+    /// The contact of a configuration at one instant: the smallest signed distance over segments and links.
+    fn first_touched(&self, config: Config, placed: &Placed, instant: usize) -> Option<ArmContact> {
         let arm = self.query.arm;
         let zone = self.end_of_elbow(placed);
         let mut touched: Option<(f64, ArmSegment, usize, Vec3, Vec3)> = None;
@@ -647,7 +652,7 @@ impl<S: ContactScore> Search<'_, S> {
                 touched = Some((distance, segment, link, on_link, on_arm));
             }
         };
-        for &(index, centre, radius) in &self.links {
+        for &(index, centre, radius) in &self.links[instant] {
             let link = &self.query.links[index];
             if (centre - placed.wrist).length() - radius <= arm.hand_radius_m {
                 let hand = link.point_distance(placed.wrist);

@@ -39,6 +39,7 @@ impl Scene {
             side,
             world_from_shoulder: self.world_from_shoulder,
             links: &self.links,
+            links_per_instant: self.links.len(),
             obstacles: &self.obstacles,
             score: &self.score,
             threshold: 0.0,

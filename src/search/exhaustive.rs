@@ -190,7 +190,7 @@ pub struct Budget {
 }
 
 /// States expanded at a time.
-const CHUNK: usize = 512;
+const CHUNK: usize = 1024;
 
 /// Bytes that a state takes besides itself, about: its prefixes and its place in the map.
 const STATE_BYTES: usize = 120;

@@ -7,7 +7,7 @@
 use super::Coverage;
 use super::robot::RobotFrame;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
-use crate::geometry::{Cuboid, Pose, Vec3};
+use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::hazard::Contact;
 use crate::hazard::contact::Touch;
 use crate::hazard::danger::Proximity;
@@ -35,6 +35,9 @@ const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_0
 
 /// The same for the reward of an episode that found nothing, which only steers the search.
 const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
+
+/// The same for many instants together: when that takes long, they are looked at in smaller groups.
+const NO_HAZARD: Aim = Aim { work_limit: 50_000, ..ANY_HAZARD };
 
 /// The person at one instant.
 #[derive(Clone, Debug)]
@@ -103,6 +106,37 @@ impl ContactScore for ArmScore<'_> {
     }
 }
 
+/// The same for the robots of several instants.
+struct ManyScores<'a>(&'a [&'a RobotFrame], Option<&'a [bool]>);
+
+impl ManyScores<'_> {
+    /// The frame, and the link of it.
+    fn at(&self, link: usize) -> (ArmScore<'_>, usize) {
+        let per_instant = self.0[0].links.len();
+        (ArmScore(self.0[link / per_instant], None), link % per_instant)
+    }
+}
+
+impl ContactScore for ManyScores<'_> {
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
+        if self.1.is_some_and(|links| !links[link]) {
+            return 0.0;
+        }
+        let (score, link) = self.at(link);
+        score.upper_bound(segment, link)
+    }
+
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
+        let (score, link) = self.at(link);
+        score.upper_bound_near(segment, link, point, radius)
+    }
+
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
+        let (score, link) = self.at(link);
+        score.score(segment, link, on_link)
+    }
+}
+
 const fn arm_region(segment: ArmSegment) -> BodyRegion {
     match segment {
         ArmSegment::Hand => BodyRegion::Hand,
@@ -143,6 +177,38 @@ impl Encounter {
         let worst =
             self.arm_contact(person, frame, space, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
+    }
+
+    /// Whether no arm contact above the limit is possible at any of several instants, shown by one search; the robots
+    /// have the same links at all of them. `false` says nothing.
+    #[must_use]
+    pub fn no_arm_harmed(
+        &self,
+        person: &Person,
+        frames: &[&RobotFrame],
+        space: &ArmSpace<'_>,
+        coverage: &mut Coverage,
+    ) -> bool {
+        let Some(first) = frames.first() else { return true };
+        let links: Vec<Solid> = frames.iter().flat_map(|f| f.links.iter().cloned()).collect();
+        let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
+        person.arms.iter().all(|&side| {
+            coverage.arm_checks += 1;
+            let outcome = reach(&ReachQuery {
+                arm: &self.arm,
+                side,
+                world_from_shoulder: person.body.shoulder(side),
+                links: &links,
+                links_per_instant: first.links.len(),
+                obstacles: &obstacles,
+                score: &ManyScores(frames, space.links),
+                threshold: NO_HAZARD.threshold,
+                tolerance_m: self.reach_tolerance_m,
+                enough: NO_HAZARD.enough,
+                work_limit: NO_HAZARD.work_limit,
+            });
+            outcome.complete && outcome.best.is_none()
+        })
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
@@ -231,6 +297,7 @@ impl Encounter {
                 side,
                 world_from_shoulder,
                 links: &frame.links,
+                links_per_instant: frame.links.len(),
                 obstacles,
                 score: &score,
                 threshold: aim.threshold,

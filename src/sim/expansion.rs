@@ -319,40 +319,40 @@ impl<P: Plant> Expander<P> {
         Ok(number)
     }
 
-    /// Answers all questions.
-    fn answer(&mut self, questions: &[(usize, Stance)], situations: &[Situation]) -> Vec<Option<Hit>> {
-        self.questions += questions.len() as u64;
+    /// Answers all questions: each stance with the situations it is asked about.
+    fn answer(&mut self, questions: &[(Stance, Vec<usize>)], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
+        self.questions += questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
         let next = AtomicUsize::new(0);
         let (world, sensors) = (&self.world, self.world.cell.sensors.len());
         let work = || {
-            let (mut hits, mut coverage) = (Vec::new(), Coverage::new(sensors));
+            let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
             loop {
                 let from = next.fetch_add(BLOCK, Ordering::Relaxed);
                 if from >= questions.len() {
-                    return (hits, coverage);
+                    return (answers, coverage);
                 }
-                for (number, (situation, stance)) in questions.iter().enumerate().skip(from).take(BLOCK) {
-                    let situation = &situations[*situation];
-                    let (frames, i, mut earlier) = (&situation.frames, situation.i, situation);
-                    let Ok(hit) = world.contact(stance, frames, i, &mut earlier, &mut coverage);
-                    hits.extend(hit.map(|hit| (number, hit)));
+                for (number, (stance, asked)) in questions.iter().enumerate().skip(from).take(BLOCK) {
+                    let instant = |s: &usize| (&situations[*s].frames, situations[*s].i, &situations[*s]);
+                    let mut instants: Vec<_> = asked.iter().map(instant).collect();
+                    let Ok(hits) = world.contacts(stance, &mut instants, &mut coverage);
+                    answers.push((number, hits));
                 }
             }
         };
-        let found: Vec<(Vec<(usize, Hit)>, Coverage)> = std::thread::scope(|scope| {
+        let found: Vec<(Vec<(usize, Vec<Option<Hit>>)>, Coverage)> = std::thread::scope(|scope| {
             let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(work)).collect();
             let own = work();
             let joined = threads.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
             std::iter::once(own).chain(joined).collect()
         });
-        let mut answers = vec![None; questions.len()];
-        for (hits, coverage) in found {
+        let mut all = vec![Vec::new(); questions.len()];
+        for (answers, coverage) in found {
             self.coverage.merge(&coverage);
-            for (number, hit) in hits {
-                answers[number] = Some(hit);
+            for (number, hits) in answers {
+                all[number] = hits;
             }
         }
-        answers
+        all
     }
 }
 
@@ -398,29 +398,31 @@ impl<P: Plant> Expansion for Expander<P> {
         }
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
-            let mut asked: BTreeMap<(usize, Stance), usize> = BTreeMap::new();
-            let mut numbers = Vec::with_capacity(pending.len());
+            let mut asked: BTreeMap<Stance, BTreeSet<usize>> = BTreeMap::new();
+            let mut questions = Vec::with_capacity(pending.len());
             for p in &pending {
                 let transition = &transitions[p.state][p.transition];
                 let walked = &walks[&states[p.state].place][p.walk];
                 let stance = self.world.stance(walked, i, p.action.posture(), &transition.sensed);
                 let situation = self.situation(transition, i, &stance, &mut situations)?;
-                let next = asked.len();
-                numbers.push(*asked.entry((situation, stance)).or_insert(next));
+                asked.entry(stance.clone()).or_default().insert(situation);
+                questions.push((stance, situation));
             }
-            let mut questions: Vec<((usize, Stance), usize)> = asked.into_iter().collect();
-            questions.sort_by_key(|(_, number)| *number);
-            let questions: Vec<(usize, Stance)> = questions.into_iter().map(|(question, _)| question).collect();
-            let answers = self.answer(&questions, &situations.all);
-            let mut number = numbers.into_iter();
+            let asked: Vec<(Stance, Vec<usize>)> =
+                asked.into_iter().map(|(stance, situations)| (stance, situations.into_iter().collect())).collect();
+            let answers = self.answer(&asked, &situations.all);
+            let find = |(stance, situation): &(Stance, usize)| -> Option<&Hit> {
+                let q = asked.binary_search_by(|(s, _)| s.cmp(stance)).ok()?;
+                let s = asked[q].1.binary_search(situation).ok()?;
+                answers[q][s].as_ref()
+            };
+            let mut questions = questions.iter();
             pending.retain(|p| {
-                let Some((number, hit)) = number.next().and_then(|n| Some((n, answers[n].as_ref()?))) else {
-                    return true;
-                };
+                let Some((question, hit)) = questions.next().and_then(|q| Some((q, find(q)?))) else { return true };
                 let transition = &transitions[p.state][p.transition];
                 let readings = &transition.sensed.readings[i];
                 let frame = &transition.frames[i];
-                let finding = self.world.finding(hit, &questions[number].1, readings, frame, (depth + 1, i));
+                let finding = self.world.finding(hit, &question.0, readings, frame, (depth + 1, i));
                 let Some(finding) = finding else { return true };
                 let finding = Finding { actions: vec![p.action], ..finding };
                 expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);

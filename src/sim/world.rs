@@ -78,6 +78,12 @@ pub struct Hit {
     pub since_s: Option<f64>,
 }
 
+impl Hit {
+    fn new((contact, arm): (Contact, Option<ArmPose>), frame: &RobotFrame) -> Self {
+        Self { phase: frame.phase(contact.link), contact, arm, broke: None, since_s: None }
+    }
+}
+
 /// The robots after each step of an action.
 pub type Frames = Arc<[RobotFrame]>;
 
@@ -251,26 +257,71 @@ impl World {
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
         coverage.contact_checks += 1;
-        let frame = &frames[i];
-        if !self.near(&stance.place, frame) {
+        if !self.near(&stance.place, &frames[i]) {
             return Ok(None);
         }
+        self.contact_near(&self.person(stance), stance, (frames, i), true, earlier, coverage)
+    }
+
+    /// The same for one stance and several instants, each with its own robots. One search often settles many of them.
+    ///
+    /// # Errors
+    /// What `earlier` reports; it is asked only where there are light curtains.
+    pub fn contacts<E: Earlier>(
+        &self,
+        stance: &Stance,
+        instants: &mut [(&Frames, usize, E)],
+        coverage: &mut Coverage,
+    ) -> Result<Vec<Option<Hit>>, E::Error> {
+        let mut hits = vec![None; instants.len()];
+        let near = |i: &usize| self.near(&stance.place, &instants[*i].0[instants[*i].1]);
+        let near: Vec<usize> = (0..instants.len()).filter(near).collect();
+        coverage.contact_checks += instants.len() as u64;
+        if near.is_empty() {
+            return Ok(hits);
+        }
         let person = self.person(stance);
-        let body_contact = self.encounter.unsafe_body_contact(&person, frame, coverage);
-        let hit = |(contact, arm): (Contact, Option<ArmPose>)| Hit {
-            phase: frame.phase(contact.link),
-            contact,
-            arm,
-            broke: None,
-            since_s: None,
-        };
+        // Where there are light curtains, each instant has walls of its own.
+        let together = if self.curtains.is_empty() { near.len() } else { 1 };
+        let mut groups: Vec<&[usize]> = near.chunks(together).rev().collect();
+        while let Some(group) = groups.pop() {
+            let frames: Vec<&RobotFrame> = group.iter().map(|&n| &instants[n].0[instants[n].1]).collect();
+            let harmless = group.len() > 1 && self.encounter.no_arm_harmed(&person, &frames, &ArmSpace::OPEN, coverage);
+            if group.len() > 1 && !harmless {
+                let (first, second) = group.split_at(group.len() / 2);
+                groups.extend([second, first]);
+                continue;
+            }
+            for &n in group {
+                let (frames, i, earlier) = &mut instants[n];
+                hits[n] = self.contact_near(&person, stance, (frames, *i), !harmless, earlier, coverage)?;
+            }
+        }
+        Ok(hits)
+    }
+
+    fn contact_near<E: Earlier>(
+        &self,
+        person: &Person,
+        stance: &Stance,
+        (frames, i): (&Frames, usize),
+        arms: bool,
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        let frame = &frames[i];
+        let body_contact = self.encounter.unsafe_body_contact(person, frame, coverage);
         if let Some(contact) = body_contact.filter(|c| self.in_time(c.on_robot, stance)) {
-            return Ok(Some(hit((contact, None))));
+            return Ok(Some(Hit::new((contact, None), frame)));
+        }
+        if !arms {
+            return Ok(None);
         }
         if self.curtains.is_empty() {
-            return Ok(self.encounter.unsafe_arm_contact(&person, frame, &ArmSpace::OPEN, coverage).map(hit));
+            let found = self.encounter.unsafe_arm_contact(person, frame, &ArmSpace::OPEN, coverage);
+            return Ok(found.map(|found| Hit::new(found, frame)));
         }
-        self.reach_through(&person, stance, frames, i, earlier, coverage)
+        self.reach_through(person, stance, frames, i, earlier, coverage)
     }
 
     /// What is recorded of a hit after step `i` of the last of `taken` actions.

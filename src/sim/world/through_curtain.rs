@@ -2,12 +2,10 @@
 //! long before? The geometry is in [`curtain`]; how the robot would then move, [`Earlier`] tells.
 
 use super::super::curtain;
-use super::super::encounter::{ArmSpace, Person};
+use super::super::encounter::{ArmSpace, Encountered, Person};
 use super::super::robot::RobotFrame;
 use super::{Earlier, Frames, Hit, Stance, World};
 use crate::geometry::{Cuboid, Solid, Vec3};
-use crate::hazard::Contact;
-use crate::hazard::finding::ArmPose;
 use crate::human::{Place, Side};
 use crate::sim::Coverage;
 
@@ -42,48 +40,84 @@ impl World {
         };
         let links: Vec<bool> = frames[i].links.iter().map(around).collect();
         let space = ArmSpace { walls: &walls, links: Some(&links) };
-        let hit = |(contact, arm): (Contact, Option<ArmPose>), frame: &RobotFrame| {
-            let phase = frame.phase(contact.link);
-            Hit { contact, arm, phase, broke: None, since_s: None }
-        };
         if let Some(found) = self.encounter.unsafe_arm_contact(&before, &frames[i], &space, coverage) {
-            return Ok(Some(hit(found, &frames[i])));
+            return Ok(Some(Hit::new(found, &frames[i])));
         }
         for (c, (sensor, plane)) in self.curtains.iter().enumerate() {
             if self.is_inside(plane, stance, c) {
                 let found = self.encounter.unsafe_arm_contact(person, &frames[i], &ArmSpace::OPEN, coverage);
-                return Ok(found.map(|found| hit(found, &frames[i])));
+                return Ok(found.map(|found| Hit::new(found, &frames[i])));
             }
             let deepest = self.deepest(person, plane);
             if deepest <= 0.0 {
                 continue;
             }
-            let mut samples = 0;
-            let mut now = earlier.broken_for(c, samples)?;
-            while let Some(frames) = now {
-                let frame = &frames[i];
-                // Of instants at which the robot is the same, the last leaves the hand the most time.
-                let depth = curtain::depth_m(samples + 1, step_s);
-                let later = if depth < deepest { earlier.broken_for(c, samples + 1)? } else { None };
-                if later.as_ref().is_none_or(|later| !later[i].same_outputs(frame)) {
-                    let mut walls = walls.clone();
-                    walls[c] = curtain::beyond(plane, from, depth);
-                    // A contact deeper than the tolerance that leaves as much room to what is out of reach in time: the
-                    // guarantee of the arm search asks for no more, and thin layers of space cost it most.
-                    let far = depth - 2.0 * self.encounter.reach_tolerance_m;
-                    let links: Vec<bool> = frame.links.iter().map(|l| curtain::within(plane, from, far, l)).collect();
-                    let space = ArmSpace { walls: &walls, links: Some(&links) };
-                    if let Some(found) = self.encounter.unsafe_arm_contact(person, frame, &space, coverage) {
-                        #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
-                        let since_s = Some((samples + 1) as f64 * step_s);
-                        return Ok(Some(Hit { broke: Some(*sensor), since_s, ..hit(found, frame) }));
-                    }
+            let mut before: Vec<(usize, Frames)> = Vec::new();
+            for samples in 0.. {
+                if samples > 0 && curtain::depth_m(samples, step_s) >= deepest {
+                    break;
                 }
-                samples += 1;
-                now = later;
+                let Some(frames) = earlier.broken_for(c, samples)? else { break };
+                // Of instants at which the robot is the same, the last leaves the hand the most time.
+                if before.last().is_some_and(|(_, last)| last[i].same_outputs(&frames[i])) {
+                    before.pop();
+                }
+                before.push((samples, frames));
+            }
+            if let Some((samples, frames, found)) = self.first_through(person, c, i, &before, coverage) {
+                #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+                let since_s = Some((samples + 1) as f64 * step_s);
+                return Ok(Some(Hit { broke: Some(*sensor), since_s, ..Hit::new(found, &frames[i]) }));
             }
         }
         Ok(None)
+    }
+
+    /// The first of the robots `before` that an arm can get hold of through curtain `c` in time, and the contact.
+    fn first_through<'a>(
+        &self,
+        person: &Person,
+        c: usize,
+        i: usize,
+        before: &'a [(usize, Frames)],
+        coverage: &mut Coverage,
+    ) -> Option<(usize, &'a Frames, Encountered)> {
+        let (plane, from) = (&self.curtains[c].1, self.position(&self.start()));
+        let depth = |samples: usize| curtain::depth_m(samples + 1, self.cell.step_s);
+        let mut walls = self.unbroken();
+        // A contact deeper than the tolerance that leaves as much room to what is out of reach in time: the guarantee of
+        // the arm search asks for no more, and thin layers of space cost it most.
+        let within = |(samples, frames): &(usize, Frames)| -> Vec<bool> {
+            let far = depth(*samples) - 2.0 * self.encounter.reach_tolerance_m;
+            frames[i].links.iter().map(|l| curtain::within(plane, from, far, l)).collect()
+        };
+        let mut groups = vec![before];
+        while let Some(group) = groups.pop() {
+            match group {
+                [] => {}
+                [one @ (samples, frames)] => {
+                    walls[c] = curtain::beyond(plane, from, depth(*samples));
+                    let links = within(one);
+                    let space = ArmSpace { walls: &walls, links: Some(&links) };
+                    let found = self.encounter.unsafe_arm_contact(person, &frames[i], &space, coverage);
+                    if let Some(found) = found {
+                        return Some((*samples, frames, found));
+                    }
+                }
+                [.., (last, _)] => {
+                    // The space open to the last of them holds that of all: nothing there is nothing for any.
+                    walls[c] = curtain::beyond(plane, from, depth(*last));
+                    let links: Vec<bool> = group.iter().flat_map(within).collect();
+                    let space = ArmSpace { walls: &walls, links: Some(&links) };
+                    let frames: Vec<&RobotFrame> = group.iter().map(|(_, frames)| &frames[i]).collect();
+                    if !self.encounter.no_arm_harmed(person, &frames, &space, coverage) {
+                        let (first, second) = group.split_at(group.len() / 2);
+                        groups.extend([second, first]);
+                    }
+                }
+            }
+        }
+        None
     }
 
     /// How deep behind a plane the person's hands can be, m.
