@@ -78,3 +78,49 @@ impl Progress {
         }
     }
 }
+
+/// Progress of an exhaustive search: level after level, each with its states.
+pub(super) struct Levels {
+    bar: Option<ProgressBar>,
+    horizon: u32,
+    told: Option<usize>,
+}
+
+impl Levels {
+    /// Levels up to `horizon` actions.
+    pub(super) fn new(horizon: u32) -> Self {
+        Self { bar: None, horizon, told: None }
+    }
+
+    /// `done` of the `of` states that are `depth` actions from the start.
+    pub(super) fn at(&mut self, depth: usize, done: usize, of: usize, message: &str) {
+        let (number, horizon) = (depth + 1, self.horizon);
+        if std::io::stderr().is_terminal() {
+            let bar = self.bar.get_or_insert_with(|| {
+                let style = ProgressStyle::with_template("  {prefix} [{bar:30}] {pos}/{len} states  {msg}  ETA {eta}");
+                let bar = ProgressBar::new(of as u64);
+                match style {
+                    Ok(style) => bar.with_style(style.progress_chars("=> ")),
+                    Err(_) => bar,
+                }
+            });
+            if self.told != Some(depth) {
+                bar.reset();
+                bar.set_length(of as u64);
+                bar.set_prefix(format!("Action {number} of {horizon}"));
+            }
+            bar.set_position(done as u64);
+            bar.set_message(message.to_owned());
+        } else if self.told != Some(depth) || done == of {
+            note(&format!("  action {number} of {horizon}: {done}/{of} states  {message}"));
+        }
+        self.told = Some(depth);
+    }
+
+    /// The work is over.
+    pub(super) fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -9,11 +9,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::ValueEnum;
 
 use super::exit::{self, Failure};
-use super::output::{self, Progress};
+use super::output::{self, Levels, Progress};
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::{terminal, topview};
 use crate::scan::prepare::prepare;
-use crate::scan::{self, Prepared, ScanOptions, StateChoice, StrategyName, picture};
+use crate::scan::run::Method;
+use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName, picture};
+use crate::search::exhaustive::Budget;
+use crate::sim::expansion::Merge;
 
 /// How the result is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -44,7 +47,7 @@ pub(super) struct Arguments {
     cell: Option<PathBuf>,
     /// How sequences are chosen
     #[arg(long, value_enum, default_value_t)]
-    strategy: StrategyName,
+    strategy: Choice,
     /// Seed of the random generator (default: the cell's, else 1)
     #[arg(long)]
     seed: Option<u64>,
@@ -66,6 +69,68 @@ pub(super) struct Arguments {
     /// How FMU states are brought back; the results are the same
     #[arg(long, value_enum, default_value_t)]
     state: StateChoice,
+    #[command(flatten)]
+    exhaustive: ExhaustiveArguments,
+}
+
+/// Strategies of a scan.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Choice {
+    /// Monte Carlo tree search with double progressive widening, the paper's method made to work
+    #[default]
+    MctsDpw,
+    /// The same with the parameters of the cited algorithm (adaptive stress testing)
+    MctsDpwLee,
+    /// The paper to the letter
+    MctsDpwLiteral,
+    /// Uniform random sequences, the paper's baseline
+    Random,
+    /// Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none in the
+    /// model
+    Exhaustive,
+}
+
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Exhaustive search")]
+struct ExhaustiveArguments {
+    /// Most distinct states
+    #[arg(long, default_value_t = 20_000_000)]
+    max_states: usize,
+    /// Most memory for states, MB
+    #[arg(long, default_value_t = 4_000)]
+    max_memory: usize,
+    /// How equal states of the FMU are told
+    #[arg(long, value_enum, default_value_t)]
+    merge: Merge,
+    /// Threads (default: one a core); the result is the same
+    #[arg(long)]
+    workers: Option<usize>,
+}
+
+impl Default for ExhaustiveArguments {
+    fn default() -> Self {
+        Self { max_states: 20_000_000, max_memory: 4_000, merge: Merge::default(), workers: None }
+    }
+}
+
+impl Arguments {
+    fn method(&self) -> Method {
+        let cores = || std::thread::available_parallelism().map_or(1, Into::into);
+        Method::Strategy(match self.strategy {
+            Choice::MctsDpw => StrategyName::MctsDpw,
+            Choice::MctsDpwLee => StrategyName::MctsDpwLee,
+            Choice::MctsDpwLiteral => StrategyName::MctsDpwLiteral,
+            Choice::Random => StrategyName::Random,
+            Choice::Exhaustive => {
+                let own = &self.exhaustive;
+                return Method::Exhaustive(Exhaustive {
+                    budget: Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, drop: true },
+                    merge: own.merge,
+                    workers: own.workers.unwrap_or_else(cores),
+                });
+            }
+        })
+    }
 }
 
 impl Arguments {
@@ -74,7 +139,7 @@ impl Arguments {
         Self {
             path,
             cell: None,
-            strategy: StrategyName::default(),
+            strategy: Choice::default(),
             seed: None,
             iterations: None,
             stop_at: StopAt::default(),
@@ -82,6 +147,7 @@ impl Arguments {
             format: Format::default(),
             paper_iterations: false,
             state: StateChoice::default(),
+            exhaustive: ExhaustiveArguments::default(),
         }
     }
 }
@@ -93,7 +159,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let prepared = prepare(&arguments.path, arguments.cell.as_deref())?;
     introduce(&prepared, arguments.state);
     let options = ScanOptions {
-        strategy: arguments.strategy,
+        method: arguments.method(),
         seed: arguments.seed.unwrap_or(prepared.cell.search.seed),
         iterations: arguments.iterations.unwrap_or(prepared.cell.search.iterations),
         stop_at_first: arguments.stop_at == StopAt::First,
@@ -105,11 +171,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     std::fs::create_dir_all(&out).map_err(cannot)?;
     let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
     let stop = stop_flag();
-    let mut progress = Progress::new(u64::from(options.iterations), "iterations");
+    let iterating = matches!(options.method, Method::Strategy(_));
+    let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
+    let mut levels = Levels::new(prepared.cell.search.actions);
     let mut tell = |event: scan::Progress<'_>| {
         match event {
             scan::Progress::Iteration { done, hazards } => {
                 progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
+            }
+            scan::Progress::Level { depth, done, of, hazards } => {
+                let s = if hazards == 1 { "" } else { "s" };
+                levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
+            }
+            scan::Progress::Found(hazard) if !iterating => {
+                // One line each would bury the terminal: an exhaustive search finds hundreds.
+                let line = serde_json::to_string(hazard).unwrap_or_default();
+                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
             }
             scan::Progress::Found(hazard) => {
                 progress.line(&found(hazard));
@@ -122,6 +199,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     };
     let report = scan::scan(&prepared, options, &mut tell)?.report;
     progress.finish();
+    levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
     let json = serde_json::to_string_pretty(&report).map_err(Failure::unusable)? + "\n";
     output::write_file(&out.join("scan.json"), &json)?;

@@ -6,10 +6,12 @@
 
 use std::collections::BTreeMap;
 
+use num_bigint::BigUint;
 use sha2::{Digest as _, Sha256};
 
 use super::contact::Class;
 use super::finding::Finding;
+use crate::human::Action;
 use crate::standards::BodyRegion;
 
 /// Edge of a place cell, m.
@@ -70,6 +72,16 @@ pub struct Group {
     pub times_found: u64,
     /// Earliest time of contact over all its findings, s.
     pub earliest_s: f64,
+    /// The finding with the fewest actions; of these the calmest, then the first in the order of actions.
+    pub shortest: Finding,
+    /// How many sequences of full length begin with a finding of this group, where all were looked at.
+    pub sequences: Option<BigUint>,
+}
+
+/// Order of sequences: fewer actions, then less effort, then the order of actions.
+#[must_use]
+pub fn calmness(actions: &[Action]) -> (usize, u32, Vec<usize>) {
+    (actions.len(), actions.iter().map(|a| a.effort()).sum(), actions.iter().map(|a| a.index()).collect())
 }
 
 /// All hazards of a scan.
@@ -81,10 +93,27 @@ pub struct Groups {
 impl Groups {
     /// Takes in a finding of `iteration`; returns its group's id if the group is new.
     pub fn add(&mut self, finding: Finding, iteration: u64, link_names: &[String]) -> Option<String> {
+        self.add_counted(finding, None, iteration, link_names)
+    }
+
+    /// The same for a finding that stands for so many sequences of full length.
+    pub fn add_counted(
+        &mut self,
+        finding: Finding,
+        sequences: Option<BigUint>,
+        iteration: u64,
+        link_names: &[String],
+    ) -> Option<String> {
         let identity = Identity::of(&finding, link_names);
         if let Some(group) = self.groups.get_mut(&identity) {
             group.times_found += 1;
             group.earliest_s = group.earliest_s.min(finding.time_s);
+            if let (Some(all), Some(more)) = (&mut group.sequences, sequences) {
+                *all += more;
+            }
+            if calmness(&finding.actions) < calmness(&group.shortest.actions) {
+                group.shortest = finding.clone();
+            }
             if finding.contact.ratio() > group.worst.contact.ratio() {
                 group.worst = finding;
             }
@@ -92,7 +121,15 @@ impl Groups {
         }
         let id = identity.id();
         let earliest_s = finding.time_s;
-        let group = Group { id: id.clone(), worst: finding, first_iteration: iteration, times_found: 1, earliest_s };
+        let group = Group {
+            id: id.clone(),
+            shortest: finding.clone(),
+            worst: finding,
+            first_iteration: iteration,
+            times_found: 1,
+            earliest_s,
+            sequences,
+        };
         self.groups.insert(identity, group);
         Some(id)
     }
@@ -103,6 +140,17 @@ impl Groups {
         let mut all: Vec<&Group> = self.groups.values().collect();
         all.sort_by(|a, b| b.worst.contact.ratio().total_cmp(&a.worst.contact.ratio()).then(a.id.cmp(&b.id)));
         all
+    }
+
+    /// The hazard with this id.
+    #[must_use]
+    pub fn get(&self, id: &str) -> Option<&Group> {
+        self.groups.values().find(|group| group.id == id)
+    }
+
+    /// Every hazard, to replace its shortest sequence.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (&Identity, &mut Group)> {
+        self.groups.iter_mut()
     }
 
     /// Number of hazards.

@@ -12,4 +12,4 @@ pub mod group;
 
 pub use contact::{Class, Contact, Strike};
 pub use finding::Finding;
-pub use group::{Group, Groups};
+pub use group::{Group, Groups, Identity};

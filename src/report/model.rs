@@ -11,7 +11,7 @@ use crate::standards::BodyRegion;
 use crate::standards::provenance::Table;
 
 /// Version of the format of `scan.json`; grows when a reader of the old one would misread the new one.
-pub const SCHEMA_VERSION: u32 = 2;
+pub const SCHEMA_VERSION: u32 = 3;
 
 /// The edition of the standard behind the limits, as printed.
 pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
@@ -31,6 +31,8 @@ pub struct ScanReport {
     pub settings: Settings,
     /// Hazards, worst first.
     pub hazards: Vec<Hazard>,
+    /// What an exhaustive search covered.
+    pub certificate: Option<Certificate>,
     /// What was seen.
     pub coverage: Coverage,
     /// What it cost.
@@ -206,6 +208,85 @@ pub struct Hazard {
     pub times_found: u64,
     /// Earliest contact over these, s.
     pub earliest_time_s: f64,
+    /// Sequences of full length that begin with this hazard, in decimal, where all were looked at.
+    pub sequences: Option<String>,
+    /// The shortest and calmest sequence.
+    pub shortest: Shortest,
+}
+
+/// The shortest sequence found that ends in a hazard; of these the calmest. The very shortest there is when the search
+/// was exhaustive.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shortest {
+    /// The actions.
+    pub actions: Vec<Action>,
+    /// Time of the contact, s.
+    pub time_s: f64,
+    /// Force, N.
+    pub force_n: f64,
+    /// `force / limit`.
+    pub ratio: f64,
+    /// Whether a fresh instance without any restore gave the same contact; `None` before that was tried.
+    pub confirmed: Option<bool>,
+}
+
+/// What an exhaustive search covered, and what random search can expect from that. Numbers of sequences are decimal
+/// strings: they do not fit into JSON's numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Certificate {
+    /// Whether every sequence is accounted for.
+    pub complete: bool,
+    /// Why it is not, or what it rests on.
+    pub reasons: Vec<String>,
+    /// All sequences: actions to the power of the horizon.
+    pub sequences: String,
+    /// Those whose fate is known: hazardous, harmless or excluded.
+    pub covered: String,
+    /// Met an unsafe state.
+    pub hazardous: String,
+    /// Reached the horizon without.
+    pub harmless: String,
+    /// Cannot meet one: too far away for the time that is left, by lengths and speeds.
+    pub excluded: String,
+    /// The FMU could not finish them.
+    pub not_evaluated: String,
+    /// Part of all sequences that is known to be hazardous.
+    pub hazardous_share: f64,
+    /// Distinct states.
+    pub states: usize,
+    /// Distinct states by number of actions before them, and how many of these were dropped as excluded.
+    pub levels: Vec<[usize; 2]>,
+    /// All sequences of so many actions were looked at.
+    pub complete_for_actions: usize,
+    /// Actions of the FMU that differ in its state or inputs.
+    pub fmu_transitions: usize,
+    /// Different questions whether a person can be touched.
+    pub questions: u64,
+    /// How equal states of the FMU were told.
+    pub merged_by: String,
+    /// Histories that led to a state of the FMU known already, by its bytes.
+    pub merged: u64,
+    /// Of these, tried out by stepping both states on.
+    pub merges_tried_out: u64,
+    /// Actions to choose from.
+    pub actions: usize,
+    /// Actions in a sequence.
+    pub horizon: usize,
+    /// What random search can expect, if the search was complete.
+    pub random_search: Option<RandomSearch>,
+}
+
+/// Exact figures of uniform random search, from the share of hazardous sequences.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RandomSearch {
+    /// Budget, iterations.
+    pub iterations: u32,
+    /// Mean iterations to the first hazard, a miss counting as the budget.
+    pub mean_iterations: f64,
+    /// Standard deviation of the same.
+    pub sigma: f64,
+    /// Probability to find nothing.
+    pub miss_probability: f64,
 }
 
 /// The touching arm.
@@ -272,6 +353,14 @@ impl Hazard {
             first_iteration: group.first_iteration,
             times_found: group.times_found,
             earliest_time_s: group.earliest_s,
+            sequences: group.sequences.as_ref().map(ToString::to_string),
+            shortest: Shortest {
+                actions: group.shortest.actions.clone(),
+                time_s: group.shortest.time_s,
+                force_n: group.shortest.contact.force_n,
+                ratio: group.shortest.contact.ratio(),
+                confirmed: None,
+            },
         }
     }
 }

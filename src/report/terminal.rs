@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::model::{ScanReport, Verdict};
+use super::model::{Certificate, ScanReport, Verdict};
 use crate::hazard::Class;
+use crate::human::Action;
 
 /// Hazards printed in full; the rest are counted.
 const ROWS: usize = 15;
@@ -13,6 +14,9 @@ const ROWS: usize = 15;
 pub fn render(report: &ScanReport) -> String {
     let mut out = String::new();
     hazard_table(report, &mut out);
+    if let Some(certificate) = &report.certificate {
+        certified(report, certificate, &mut out);
+    }
     coverage(report, &mut out);
     for fault in &report.faults {
         let _ = writeln!(out, "  Not evaluated  {}", fault.message.replace('\n', "\n                 "));
@@ -75,8 +79,16 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
     out.push('\n');
     let worst = &report.hazards[0];
     let _ = writeln!(out, "  Worst     {}: {}", worst.id, describe(worst));
-    let names: Vec<String> = worst.actions.iter().map(ToString::to_string).collect();
-    let _ = writeln!(out, "            actions of 0.2 s: {}", names.join(", "));
+    let names = |actions: &[Action]| actions.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let _ = writeln!(out, "            actions of 0.2 s: {}", names(&worst.actions));
+    if worst.shortest.actions != worst.actions {
+        let _ = writeln!(
+            out,
+            "            the shortest and calmest way there, {:.2}x: {}",
+            worst.shortest.ratio,
+            names(&worst.shortest.actions)
+        );
+    }
 }
 
 fn describe(h: &super::model::Hazard) -> String {
@@ -100,12 +112,78 @@ fn describe(h: &super::model::Hazard) -> String {
     )
 }
 
-fn coverage(report: &ScanReport, out: &mut String) {
-    let c = &report.coverage;
+/// A number with its thousands set apart.
+fn grouped(digits: &str) -> String {
+    let first = (digits.len() + 2) % 3 + 1;
+    let (head, tail) = digits.split_at(first.min(digits.len()));
+    let groups = tail.as_bytes().chunks(3).map(|c| String::from_utf8_lossy(c).into_owned());
+    std::iter::once(head.to_owned()).chain(groups).collect::<Vec<_>>().join(",")
+}
+
+/// What an exhaustive search covered.
+fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
+    let s = &report.settings;
     let _ = writeln!(
         out,
-        "  Coverage  {} sequences, {} not evaluated; {} actions, {} FMU steps, {} contact checks",
-        report.spent.iterations, c.episodes_not_evaluated, c.actions, report.spent.fmu_steps, c.contact_checks
+        "  Covered   {} of {} sequences in {} distinct states",
+        grouped(&c.covered),
+        grouped(&c.sequences),
+        grouped(&c.states.to_string())
+    );
+    let what = if c.complete { "complete within:" } else { "NOT complete within:" };
+    let _ = writeln!(
+        out,
+        "            {what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm",
+        c.actions,
+        c.horizon,
+        s.action_s * 1000.0,
+        s.contact_check_interval_s * 1000.0,
+        s.reach_tolerance_m * 1000.0
+    );
+    for reason in &c.reasons {
+        let _ = writeln!(out, "            {reason}");
+    }
+    let _ = writeln!(
+        out,
+        "            {} hazardous, {} harmless, {} too far away to meet the robot any more",
+        grouped(&c.hazardous),
+        grouped(&c.harmless),
+        grouped(&c.excluded)
+    );
+    let tried = if c.merged > 0 {
+        format!(
+            " ({} histories merged, {} of the merges tried out)",
+            grouped(&c.merged.to_string()),
+            c.merges_tried_out
+        )
+    } else {
+        String::new()
+    };
+    let _ = writeln!(out, "            equal FMU states told by {}{tried}", c.merged_by);
+    if let Some(random) = c.random_search.as_ref().filter(|_| c.hazardous_share > 0.0) {
+        let _ = writeln!(
+            out,
+            "            a random sequence is hazardous with probability {:.3e}: random search needs {:.1} iterations on \
+             average (sigma {:.1}, {:.1} % of runs find nothing in {})",
+            c.hazardous_share,
+            random.mean_iterations,
+            random.sigma,
+            100.0 * random.miss_probability,
+            random.iterations
+        );
+    }
+}
+
+fn coverage(report: &ScanReport, out: &mut String) {
+    let c = &report.coverage;
+    let sequences = match &report.certificate {
+        Some(_) => String::new(),
+        None => format!("{} sequences, {} not evaluated; ", report.spent.iterations, c.episodes_not_evaluated),
+    };
+    let _ = writeln!(
+        out,
+        "  Coverage  {sequences}{} actions, {} FMU steps, {} contact checks",
+        c.actions, report.spent.fmu_steps, c.contact_checks
     );
     let approach =
         if c.closest_approach_m < 1e6 { format!("{:.2} m", c.closest_approach_m) } else { "never near".to_owned() };
@@ -128,18 +206,31 @@ fn coverage(report: &ScanReport, out: &mut String) {
 }
 
 fn sentence(report: &ScanReport) -> String {
-    let within = format!(
-        "{} iterations of {} with seed {}",
-        report.spent.iterations, report.settings.strategy, report.settings.seed
-    );
+    let within = match &report.certificate {
+        Some(c) => format!("all sequences of {} actions", c.complete_for_actions),
+        None => format!(
+            "{} iterations of {} with seed {}",
+            report.spent.iterations, report.settings.strategy, report.settings.seed
+        ),
+    };
     match report.verdict {
         Verdict::HazardsFound => {
             let n = report.hazards.len();
             let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
             let s = if n == 1 { "" } else { "s" };
-            format!(
-                "{n} possible hazard{s}, {confirmed} confirmed by a fresh replay. Not finding more is not proof of safety."
-            )
+            let more = match &report.certificate {
+                Some(c) if c.complete => "There are no others within the stated actions and horizon, in this model.",
+                _ => "Not finding more is not proof of safety.",
+            };
+            format!("{n} possible hazard{s}, {confirmed} confirmed by a fresh replay. {more}")
+        }
+        Verdict::NoneFound if report.certificate.as_ref().is_some_and(|c| c.complete) => {
+            "No sequence of the stated actions and horizon is hazardous, in this model. A statement about the model, not \
+             about the real cell."
+                .to_owned()
+        }
+        Verdict::NoneFound if report.certificate.is_some() => {
+            "No hazard found in what was covered. This is not proof of safety.".to_owned()
         }
         Verdict::NoneFound => format!("No hazard found in {within}. This is not proof of safety."),
         Verdict::Inconclusive => {

@@ -2,13 +2,18 @@
 //!
 //! - [`prepare`]: from a path to a cell that can be simulated
 //! - [`run`]: one search with its findings grouped and confirmed
+//! - [`exhaustive`]: all sequences, and what can be said after that
+//! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`picture`]: the top view of one hazard
 
 pub mod campaign;
+pub mod exhaustive;
+pub mod minimise;
 pub mod picture;
 pub mod prepare;
 pub mod run;
 
+pub use exhaustive::Exhaustive;
 pub use prepare::{PrepareError, Prepared, StateChoice};
 pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan};

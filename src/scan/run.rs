@@ -5,19 +5,21 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
+use super::exhaustive::{Census, Exhaustive, census};
+use super::minimise::minimise;
 use super::prepare::{Prepared, StateChoice};
 use crate::hazard::{Finding, Groups};
 use crate::host::PlantError;
 use crate::host::System;
 use crate::human::action::ACTION_S;
 use crate::report::model::{
-    FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
+    Certificate, FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::search::mcts_dpw::Parameters;
 use crate::search::{MctsDpw, Profile, Random, Rng, Strategy};
-use crate::sim::Simulation;
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
+use crate::sim::{Coverage, Simulation};
 use crate::standards::provenance::tables;
 
 /// Strategies by name.
@@ -32,6 +34,15 @@ pub enum StrategyName {
     MctsDpwLiteral,
     /// Uniform random sequences, the paper's baseline.
     Random,
+}
+
+/// How sequences are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// One after the other, by a strategy, within a budget of iterations.
+    Strategy(StrategyName),
+    /// All of them, equal states once.
+    Exhaustive(Exhaustive),
 }
 
 impl StrategyName {
@@ -65,8 +76,8 @@ impl StrategyName {
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScanOptions {
-    /// Strategy.
-    pub strategy: StrategyName,
+    /// How sequences are chosen.
+    pub method: Method,
     /// Seed.
     pub seed: u64,
     /// Budget.
@@ -85,6 +96,17 @@ pub enum Progress<'a> {
     Iteration {
         /// Iterations so far.
         done: u32,
+        /// Hazards so far.
+        hazards: usize,
+    },
+    /// States of one level of an exhaustive search.
+    Level {
+        /// Actions before these states.
+        depth: usize,
+        /// States looked at.
+        done: usize,
+        /// States of the level.
+        of: usize,
         /// Hazards so far.
         hazards: usize,
     },
@@ -118,34 +140,15 @@ pub fn scan(
     options: ScanOptions,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
-    let mut simulation =
-        prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let mut strategy = options.strategy.build();
-    let mut rng = Rng::new(options.seed);
     let mut groups = Groups::default();
-    let mut done = 0;
-    let mut interrupted = false;
-    let mut broken = None;
-    while done < options.iterations {
-        let outcome = strategy.iterate(&mut simulation, &mut rng);
-        done += 1;
-        for finding in simulation.take_findings() {
-            let Some(id) = groups.add(finding, u64::from(done), &links) else { continue };
-            if let Some(group) = groups.ranked().into_iter().find(|g| g.id == id) {
-                interrupted |= tell(Progress::Found(&Hazard::new(group, &links, &sensors))).is_break();
-            }
-        }
-        if let Err(error) = outcome {
-            broken = Some(error);
-            break;
-        }
-        interrupted |= tell(Progress::Iteration { done, hazards: groups.len() }).is_break();
-        if interrupted || (options.stop_at_first && !groups.is_empty()) {
-            break;
-        }
-    }
+    let searched = match options.method {
+        Method::Strategy(name) => search(prepared, name, options, &links, &mut groups, tell)?,
+        Method::Exhaustive(how) => Searched::all(census(prepared, options.state, how, &links, &mut groups, tell)?),
+    };
+    let Searched { name, iterations, interrupted, broken, certificate, coverage, mut faults, fmu_steps, fmu_states } =
+        searched;
     let mut warnings = prepared.binding.warnings.clone();
     let hazards: Vec<Hazard> = groups
         .ranked()
@@ -153,16 +156,11 @@ pub fn scan(
         .map(|group| {
             let mut hazard = Hazard::new(group, &links, &sensors);
             hazard.confirmed = Some(confirm(prepared, &group.worst));
+            hazard.shortest.confirmed = Some(confirm(prepared, &group.shortest));
             hazard
         })
         .collect();
-    let coverage = simulation.coverage().clone();
     let vacuous = coverage.vacuous();
-    let mut faults: Vec<FaultRecord> = simulation
-        .faults()
-        .iter()
-        .map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() })
-        .collect();
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
     }
@@ -187,10 +185,10 @@ pub fn scan(
         warnings.push(format!("{reason}: this result says nothing about the cell"));
     }
     let spent = Spent {
-        iterations: u64::from(done),
+        iterations,
         actions: coverage.actions,
-        fmu_steps: simulation.recall().steps(),
-        fmu_states: simulation.recall().states(),
+        fmu_steps,
+        fmu_states,
         contact_checks: coverage.contact_checks,
         arm_checks: coverage.arm_checks,
     };
@@ -199,8 +197,9 @@ pub fn scan(
         tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
         verdict,
         subject: prepared.subject.clone(),
-        settings: settings(prepared, options, strategy.name()),
+        settings: settings(prepared, options, name),
         hazards,
+        certificate,
         coverage,
         spent,
         faults,
@@ -212,6 +211,94 @@ pub fn scan(
     Ok(Scanned { report })
 }
 
+/// What a search gives besides its groups.
+struct Searched {
+    name: &'static str,
+    iterations: u64,
+    interrupted: bool,
+    broken: Option<PlantError>,
+    certificate: Option<Certificate>,
+    coverage: Coverage,
+    faults: Vec<FaultRecord>,
+    fmu_steps: u64,
+    fmu_states: usize,
+}
+
+impl Searched {
+    fn all(census: Census) -> Self {
+        let Census { certificate, coverage, fmu_steps, fmu_states, faults, interrupted, broken } = census;
+        Self {
+            name: "exhaustive",
+            iterations: 0,
+            interrupted,
+            broken,
+            certificate,
+            coverage,
+            faults,
+            fmu_steps,
+            fmu_states,
+        }
+    }
+}
+
+/// Sequence after sequence; then the shortest one of each hazard is looked for.
+fn search(
+    prepared: &Prepared,
+    strategy: StrategyName,
+    options: ScanOptions,
+    links: &[String],
+    groups: &mut Groups,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Searched, ScanError> {
+    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
+    let mut simulation =
+        prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
+    let mut strategy = strategy.build();
+    let mut rng = Rng::new(options.seed);
+    let (mut done, mut interrupted, mut broken) = (0, false, None);
+    while done < options.iterations {
+        let outcome = strategy.iterate(&mut simulation, &mut rng);
+        done += 1;
+        for finding in simulation.take_findings() {
+            let Some(id) = groups.add(finding, u64::from(done), links) else { continue };
+            if let Some(group) = groups.get(&id) {
+                interrupted |= tell(Progress::Found(&Hazard::new(group, links, &sensors))).is_break();
+            }
+        }
+        if let Err(error) = outcome {
+            broken = Some(error);
+            break;
+        }
+        interrupted |= tell(Progress::Iteration { done, hazards: groups.len() }).is_break();
+        if interrupted || (options.stop_at_first && !groups.is_empty()) {
+            break;
+        }
+    }
+    let coverage = simulation.coverage().clone();
+    let faults = simulation.faults().iter();
+    let faults = faults.map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() }).collect();
+    let (fmu_steps, fmu_states) = (simulation.recall().steps(), simulation.recall().states());
+    if broken.is_none() && !interrupted {
+        for (identity, group) in groups.iter_mut() {
+            // A failure here costs no finding: the sequence stays as it was found.
+            if let Ok(shorter) = minimise(&mut simulation, &group.shortest, identity, links) {
+                group.shortest = shorter;
+            }
+        }
+    }
+    Ok(Searched {
+        name: strategy.name(),
+        iterations: u64::from(done),
+        interrupted,
+        broken,
+        certificate: None,
+        coverage,
+        faults,
+        fmu_steps,
+        fmu_states,
+    })
+}
+
 /// Whether a fresh instance without any restore gives the same contact to the last bit.
 fn confirm(prepared: &Prepared, finding: &Finding) -> bool {
     let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), prepared.plant(), &finding.actions);
@@ -219,12 +306,13 @@ fn confirm(prepared: &Prepared, finding: &Finding) -> bool {
 }
 
 fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {
+    let exhaustive = matches!(options.method, Method::Exhaustive(_));
     Settings {
         strategy: strategy.to_owned(),
         seed: options.seed,
-        iterations: options.iterations,
-        stop_at_first: options.stop_at_first,
-        posture_sweep: options.posture_sweep,
+        iterations: if exhaustive { 0 } else { options.iterations },
+        stop_at_first: options.stop_at_first && !exhaustive,
+        posture_sweep: options.posture_sweep || exhaustive,
         actions_per_sequence: prepared.cell.search.actions,
         action_s: ACTION_S,
         contact_check_interval_s: prepared.cell.step_s,

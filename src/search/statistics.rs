@@ -22,6 +22,42 @@ pub struct Interval {
     pub high: f64,
 }
 
+/// What repeated independent tries, each a success with the same probability, give until the first success: the exact
+/// figures of random search, where that probability is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Independent {
+    /// Probability of a success in one try.
+    pub probability: f64,
+    /// Tries at most.
+    pub cap: u32,
+}
+
+impl Independent {
+    /// Probability that `tries` tries all fail.
+    fn fails(&self, tries: u32) -> f64 {
+        libm::exp(f64::from(tries) * libm::log1p(-self.probability))
+    }
+
+    /// Probability of no success at all.
+    #[must_use]
+    pub fn miss(&self) -> f64 {
+        self.fails(self.cap)
+    }
+
+    /// Mean and standard deviation of the number of tries, the cap counting as the number of a miss.
+    #[must_use]
+    pub fn mean_and_sigma(&self) -> (f64, f64) {
+        // Sums over k of P(T > k) and of (2 k + 1) P(T > k) are the first two moments.
+        let (mut first, mut second) = (0.0, 0.0);
+        for k in 0..self.cap {
+            let still = self.fails(k);
+            first += still;
+            second += f64::from(2 * k + 1) * still;
+        }
+        (first, (second - first * first).max(0.0).sqrt())
+    }
+}
+
 /// Number of bootstrap resamples behind each interval.
 pub const RESAMPLES: usize = 10_000;
 
@@ -149,6 +185,20 @@ mod tests {
         // By hand: deviations -106.667, 203.333, -96.667; sum of squares 62 066.667; / 2; square root.
         assert!((sigma - 176.163_f64).abs() < 1e-3, "{sigma}");
         assert_eq!(runs.misses(), 1);
+    }
+
+    #[test]
+    fn independent_tries_by_hand() {
+        // Up to 2 tries at 1/4: one with 1/4, two with 3/4; mean 7/4, variance 3/16; none succeeds with 9/16.
+        let two = Independent { probability: 0.25, cap: 2 };
+        let (mean, sigma) = two.mean_and_sigma();
+        assert!((mean - 1.75).abs() < 1e-12 && (sigma - (3.0_f64 / 16.0).sqrt()).abs() < 1e-12, "{mean} {sigma}");
+        assert!((two.miss() - 9.0 / 16.0).abs() < 1e-12);
+        // Without a cap in sight: the geometric distribution, mean 1/p, variance (1 - p) / p^2.
+        let (mean, sigma) = Independent { probability: 0.1, cap: 2000 }.mean_and_sigma();
+        assert!((mean - 10.0).abs() < 1e-9 && (sigma - 90.0_f64.sqrt()).abs() < 1e-9);
+        assert_eq!(Independent { probability: 0.0, cap: 320 }.mean_and_sigma(), (320.0, 0.0));
+        assert_eq!(Independent { probability: 1.0, cap: 320 }.mean_and_sigma(), (1.0, 0.0));
     }
 
     #[test]

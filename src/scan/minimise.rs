@@ -1,0 +1,99 @@
+//! The shortest and calmest sequence that still gives a hazard, by trying: for searches that did not look at all.
+//!
+//! Delta debugging (Zeller and Hildebrandt, 2002) over the actions: leave parts out, then replace single actions by
+//! calmer ones, as long as the same hazard (its identity, not just any) comes out; until nothing helps any more.
+
+use std::collections::BTreeSet;
+
+use crate::hazard::group::calmness;
+use crate::hazard::{Finding, Identity};
+use crate::host::{Plant, PlantError};
+use crate::human::{Action, Posture, Walk};
+use crate::search::Environment as _;
+use crate::sim::Simulation;
+
+/// Sequences tried for one hazard at most.
+const TRIES: usize = 400;
+
+/// A finding of the same `identity` that is as short and calm as trying makes it, beginning with `finding`.
+///
+/// # Errors
+/// When the simulation cannot go on at all.
+pub fn minimise<P: Plant>(
+    simulation: &mut Simulation<P>,
+    finding: &Finding,
+    identity: &Identity,
+    links: &[String],
+) -> Result<Finding, PlantError> {
+    let mut best = finding.clone();
+    let mut tried: BTreeSet<Vec<Action>> = BTreeSet::new();
+    'again: loop {
+        for candidate in candidates(&best.actions) {
+            if tried.len() >= TRIES || calmness(&candidate) >= calmness(&best.actions) || tried.contains(&candidate) {
+                continue;
+            }
+            let found = run(simulation, &candidate)?;
+            tried.insert(candidate);
+            let same = found.filter(|f| Identity::of(f, links) == *identity);
+            if let Some(found) = same.filter(|f| calmness(&f.actions) < calmness(&best.actions)) {
+                best = found;
+                continue 'again;
+            }
+        }
+        return Ok(best);
+    }
+}
+
+/// The unsafe contact that a sequence leads to.
+fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<Option<Finding>, PlantError> {
+    simulation.reset()?;
+    let _ = simulation.take_findings();
+    for action in actions {
+        if simulation.step(action.index())?.end.is_some() {
+            break;
+        }
+    }
+    Ok(simulation.take_findings().into_iter().find(|f| actions.starts_with(&f.actions)))
+}
+
+/// What may be shorter or calmer, the most daring first.
+fn candidates(actions: &[Action]) -> Vec<Vec<Action>> {
+    let mut all = Vec::new();
+    for part in (1..actions.len()).rev() {
+        for from in 0..=actions.len() - part {
+            let mut without = actions.to_vec();
+            without.drain(from..from + part);
+            all.push(without);
+        }
+    }
+    let replace = |at: usize, by: Action| {
+        let mut replaced = actions.to_vec();
+        replaced[at] = by;
+        replaced
+    };
+    for (at, action) in actions.iter().enumerate() {
+        for walk in [Walk::Stop, Walk::Forward, action.walk()] {
+            for posture in [Posture::Upright, Posture::Forward, Posture::Left, Posture::Right, action.posture()] {
+                all.push(replace(at, Action::new(walk, posture)));
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn candidates_leave_out_every_part_and_calm_every_action() {
+        let [a, b, c] = [7, 19, 35].map(|i| Action::ALL[i]);
+        let all = candidates(&[a, b, c]);
+        for shorter in [vec![a], vec![b], vec![c], vec![a, b], vec![a, c], vec![b, c]] {
+            assert!(all.contains(&shorter), "{shorter:?}");
+        }
+        assert!(all.contains(&vec![a, Action::REST, c]));
+        assert!(all.contains(&vec![a, b, Action::new(c.walk(), Posture::Upright)]));
+        assert!(all.iter().all(|candidate| !candidate.is_empty()));
+    }
+}
