@@ -9,6 +9,8 @@ struct Integrator {
     limit: Option<f64>,
     drifts: bool,
     restarts: u32,
+    /// Serialises only its whole part.
+    rounds: bool,
 }
 
 impl Plant for Integrator {
@@ -37,6 +39,12 @@ impl Plant for Integrator {
     }
     fn save(&mut self) -> Result<f64, PlantError> {
         Ok(self.x)
+    }
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        let x = if self.rounds { self.x.floor() } else { self.x };
+        let mut digest = [0; 32];
+        digest[..8].copy_from_slice(&x.to_le_bytes());
+        Ok(Some(Fingerprint { digest, bytes: 8 }))
     }
     fn restore(&mut self, checkpoint: &f64) -> Result<(), PlantError> {
         self.x = *checkpoint;
@@ -102,4 +110,37 @@ fn an_fmu_that_does_not_repeat_itself_is_caught_by_replay() {
     to(recall.advance(NodeId::ROOT, 1, &[1.0]).unwrap());
     let error = recall.advance(NodeId::ROOT, 1, &[1.0]).unwrap_err();
     assert!(error.fatal && error.message.contains("different outputs"), "{error}");
+}
+
+#[test]
+fn equal_states_are_stepped_once_under_every_history() {
+    let mut recall = Recall::new(Integrator::default(), STATES).unwrap();
+    assert!(recall.merge_equal_states().unwrap());
+    let a = to(recall.advance(NodeId::ROOT, 2, &[1.0, 2.0]).unwrap());
+    let b = to(recall.advance(NodeId::ROOT, 2, &[2.0, 1.0]).unwrap());
+    assert_eq!((recall.same(a), recall.same(b)), (a, a));
+    // Each history keeps its own trace, and its own past.
+    assert_eq!((&**recall.outputs(a), &**recall.outputs(b)), (&[1.0, 3.0][..], &[2.0, 3.0][..]));
+    assert_eq!(recall.merges(), Merges { merged: 1, tried_out: 1 });
+    let ahead = to(recall.advance(a, 1, &[4.0]).unwrap());
+    let steps = recall.steps();
+    let same = to(recall.advance(b, 1, &[4.0]).unwrap());
+    assert_eq!(recall.steps(), steps, "the step from the equal state is known");
+    assert_eq!((recall.same(same), recall.parent(same), &**recall.outputs(same)), (ahead, b, &[7.0][..]));
+    // Equal values at another depth are another state: time is part of it.
+    let later = to(recall.advance(b, 1, &[0.0]).unwrap());
+    assert_eq!(recall.same(later), later);
+    recall.release_before(1);
+    assert_eq!(&**recall.outputs(to(recall.advance(b, 1, &[5.0]).unwrap())), &[8.0]);
+    recall.release_before(2);
+    assert_eq!(&**recall.outputs(to(recall.advance(b, 1, &[6.0]).unwrap())), &[9.0], "by replay");
+}
+
+#[test]
+fn a_serialised_state_that_leaves_something_out_is_caught() {
+    let mut recall = Recall::new(Integrator { rounds: true, ..Integrator::default() }, STATES).unwrap();
+    assert!(recall.merge_equal_states().unwrap());
+    to(recall.advance(NodeId::ROOT, 1, &[1.25]).unwrap());
+    let error = recall.advance(NodeId::ROOT, 1, &[1.5]).unwrap_err();
+    assert!(error.fatal && error.message.contains("--merge history"), "{error}");
 }

@@ -32,6 +32,9 @@ pub struct Expanded<S, U> {
     pub effects: Vec<Effect<U>>,
 }
 
+/// Expanded states of an [`Expansion`], in the order in which they were asked for.
+pub type ExpandedBy<E> = Vec<Expanded<<E as Expansion>::State, <E as Expansion>::Unsafe>>;
+
 /// An environment whose states can be told apart and expanded many at a time.
 pub trait Expansion {
     /// A state. Equal states have the same future.
@@ -63,11 +66,7 @@ pub trait Expansion {
     ///
     /// # Errors
     /// When the simulation cannot go on at all.
-    fn expand(
-        &mut self,
-        depth: usize,
-        states: &[&Self::State],
-    ) -> Result<Vec<Expanded<Self::State, Self::Unsafe>>, Self::Error>;
+    fn expand(&mut self, depth: usize, states: &[&Self::State]) -> Result<ExpandedBy<Self>, Self::Error>;
 
     /// States of less than `depth` actions are not asked for again.
     fn release_before(&mut self, depth: usize);

@@ -129,6 +129,9 @@ impl Rows {
     }
 }
 
+/// What a thread has answered, by the number of the stance, and what it saw.
+type Answered = (Vec<(usize, Vec<Option<Hit>>)>, Coverage);
+
 /// Questions taken by a thread at a time.
 const BLOCK: usize = 16;
 
@@ -207,7 +210,6 @@ impl<P: Plant> Expander<P> {
     }
 
     /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
-    #[expect(clippy::type_complexity, reason = "three lists of one pass")]
     fn advance(
         &mut self,
         index: usize,
@@ -339,7 +341,7 @@ impl<P: Plant> Expander<P> {
                 }
             }
         };
-        let found: Vec<(Vec<(usize, Vec<Option<Hit>>)>, Coverage)> = std::thread::scope(|scope| {
+        let found: Vec<Answered> = std::thread::scope(|scope| {
             let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(work)).collect();
             let own = work();
             let joined = threads.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));

@@ -61,10 +61,9 @@ impl<P: Plant> Robots<P> {
         }
         let per_action = self.world.cell.steps_per_action;
         let back = per_action.cast_signed() - first;
-        if let (Some(shadows), Ok(back @ 1..)) = (self.shadows.get(&(node, sensor)), usize::try_from(back)) {
-            if let Some(known) = shadows.get(back - 1) {
-                return Ok(*known);
-            }
+        let known = usize::try_from(back - 1).ok().and_then(|b| self.shadows.get(&(node, sensor))?.get(b));
+        if let Some(known) = known {
+            return Ok(*known);
         }
         let parent = self.recall.parent(node);
         let from = match usize::try_from(first) {
