@@ -3,9 +3,11 @@
 //! - [`prepare`]: from a path to a cell that can be simulated
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
+//! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
 //! - [`picture`]: the top view of one hazard
 
 pub mod campaign;
+pub mod comparison;
 pub mod picture;
 pub mod prepare;
 pub mod run;
