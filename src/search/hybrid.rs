@@ -64,6 +64,7 @@ impl<E: Imagine> Strategy<E> for Hybrid<E::Snapshot> {
         let actions = planned.unwrap_or_else(|| self.archive.propose(environment, &self.trodden, rng));
         let episode = self.trodden.follow(environment, &actions, rng)?;
         self.archive.observe(&episode);
+        self.planner.observe(&episode);
         if turn == Turn::Random {
             self.random.random_iterations += 1;
             self.random.random_hits += u64::from(episode.iteration.end == End::Unsafe);

@@ -8,10 +8,13 @@
 use std::collections::BTreeMap;
 
 use super::episode::{Episode, Trodden, random_sequence};
-use super::{Environment, Iteration, Niche, Rng, Strategy};
+use super::{End, Environment, Iteration, Niche, Rng, Strategy};
 
-/// Sequences imagined for one that is run.
-pub const IMAGINED: usize = 400;
+/// Most sequences imagined for one that is run, as long as no unsafe state was met.
+pub const IMAGINED_BEFORE: usize = 400;
+
+/// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
+pub const IMAGINED_AFTER: usize = 12;
 
 /// An unsafe state that was imagined.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +48,8 @@ pub trait Imagine: Environment {
 #[derive(Clone, Debug, Default)]
 pub struct Planner {
     started: bool,
+    /// An unsafe state was met.
+    met: bool,
     /// How often a kind of ending was promised by a sequence that was then run.
     promised: BTreeMap<Niche, u32>,
 }
@@ -71,6 +76,11 @@ impl Proposal {
 }
 
 impl Planner {
+    /// Takes in an episode.
+    pub fn observe(&mut self, episode: &Episode) {
+        self.met |= episode.iteration.end == End::Unsafe;
+    }
+
     /// Imagines random sequences until one promises what none promised before, or there were enough; then the one whose
     /// promise was made least often. No sequence that was run is proposed again.
     pub fn propose<E: Imagine>(
@@ -85,7 +95,7 @@ impl Planner {
         }
         let mut best: Option<(u32, Vec<usize>, Niche)> = None;
         let (mut unknown, mut any) = (None, Vec::new());
-        for _ in 0..IMAGINED {
+        for _ in 0..if self.met { IMAGINED_AFTER } else { IMAGINED_BEFORE } {
             let sequence = random_sequence(environment, rng);
             let imagined = environment.imagine(&sequence);
             for vision in imagined.visions {
@@ -138,8 +148,9 @@ impl<E: Imagine> Strategy<E> for Plan<E::Snapshot> {
 
     fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error> {
         let proposal = self.planner.propose(environment, &self.trodden, rng);
-        let Episode { iteration, .. } = self.trodden.follow(environment, proposal.actions(), rng)?;
-        Ok(iteration)
+        let episode = self.trodden.follow(environment, proposal.actions(), rng)?;
+        self.planner.observe(&episode);
+        Ok(episode.iteration)
     }
 }
 

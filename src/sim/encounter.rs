@@ -56,6 +56,8 @@ pub struct Encounter {
     pub arm: ArmModel,
     /// Depth of contact that the arm check may miss, m.
     pub reach_tolerance_m: f64,
+    /// Whether the worst arm contact is looked for where there is an unsafe one: for the record, not for the verdict.
+    pub worst: bool,
 }
 
 /// How near an instant is to harm, and what is nearest.
@@ -149,6 +151,9 @@ impl Encounter {
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
         let any = self.arm_contact(person, frame, space, &ANY_HAZARD, coverage)?;
+        if !self.worst {
+            return Some(any).filter(|(contact, _)| contact.class().is_some());
+        }
         let worst =
             self.arm_contact(person, frame, space, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())

@@ -8,6 +8,8 @@
 //! A posture changes nothing but the contacts, unless a light curtain sees it: so where there is none, all six are tried
 //! with every walk.
 
+mod way;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::sync::Arc;
@@ -15,7 +17,7 @@ use std::sync::Arc;
 use super::Coverage;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::simulation::{Simulation, niche};
+use super::simulation::niche;
 use super::world::{Earlier, Frames, Sensed, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
@@ -23,7 +25,6 @@ use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Posture};
 use crate::search::Niche;
-use crate::search::plan::{Imagine, Imagined, Vision};
 
 /// Observed episodes with different states of the FMU that are compared with; later ones are not.
 const EPISODES_KEPT: usize = 512;
@@ -95,6 +96,7 @@ pub(super) struct Imagination {
     met: BTreeMap<(usize, Place, usize, Vec<DelayLine>), Option<Niche>>,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
+    world: Arc<World>,
 }
 
 fn remember<K: Ord, V: Clone>(memory: &mut BTreeMap<K, V>, key: K, value: V) -> V {
@@ -106,8 +108,10 @@ fn remember<K: Ord, V: Clone>(memory: &mut BTreeMap<K, V>, key: K, value: V) -> 
 }
 
 impl Imagination {
-    pub(super) fn new(sensors: usize) -> Self {
+    pub(super) fn new(world: &World) -> Self {
+        let own = World::new(Arc::clone(&world.cell), Arc::clone(&world.binding)).content_with_any();
         Self {
+            world: Arc::new(own),
             reached: BTreeSet::new(),
             observed: Vec::new(),
             last_nodes: BTreeSet::new(),
@@ -119,7 +123,7 @@ impl Imagination {
             walks: BTreeMap::new(),
             sensed: BTreeMap::new(),
             met: BTreeMap::new(),
-            unreal: Coverage::new(sensors),
+            unreal: Coverage::new(world.cell.sensors.len()),
         }
     }
 
@@ -279,7 +283,7 @@ impl Imagination {
         &mut self,
         world: &World,
         robots: &mut Robots<P>,
-        person: &Imaginary,
+        person: &way::Imaginary,
         action: Action,
         sensed: &Sensed,
         node: NodeId,
@@ -338,116 +342,5 @@ impl Earlier for IfBroken<'_> {
         }
         let number = usize::try_from(first - EARLIEST).ok();
         Ok(number.and_then(|n| shadows.get(n).cloned().flatten()))
-    }
-}
-
-/// The person on its imagined way.
-struct Imaginary {
-    place: Place,
-    delays: Vec<DelayLine>,
-    /// The FMU's state, as long as it is known.
-    at: Option<NodeId>,
-    taken: Vec<usize>,
-    /// What was sensed in each action taken, and where it ended.
-    way: Vec<(Arc<Sensed>, Vec3)>,
-    /// How different each observed episode is in the first `compared` actions.
-    differences: Vec<Difference>,
-    compared: usize,
-}
-
-impl Imaginary {
-    /// The state of the FMU after the next action: the true one if it is known, else that of the observed episode which
-    /// is least different; nothing if none was that long.
-    fn foresee<P: Plant>(
-        &mut self,
-        imagination: &Imagination,
-        world: &World,
-        robots: &Robots<P>,
-        sensed: &Sensed,
-        end: Vec3,
-    ) -> Option<(NodeId, bool)> {
-        let steps = world.cell.steps_per_action;
-        let known = self.at.and_then(|at| imagination.known(robots, at, steps, &sensed.inputs));
-        if let Some(known) = known {
-            return Some((known, true));
-        }
-        let k = self.taken.len();
-        for (j, (sensed, end)) in self.way.iter().enumerate().skip(self.compared) {
-            for (episode, sum) in self.differences.iter_mut().enumerate() {
-                *sum = sum.plus(imagination.difference(world, episode, j, &sensed.inputs, *end));
-            }
-        }
-        self.compared = self.way.len();
-        let mut best: Option<(Difference, NodeId)> = None;
-        for (episode, sum) in self.differences.iter().enumerate() {
-            let Some(node) = imagination.observed[episode].nodes.get(k) else { continue };
-            let difference = sum.plus(imagination.difference(world, episode, k, &sensed.inputs, end));
-            if best.as_ref().is_none_or(|(least, _)| difference.less(least)) {
-                best = Some((difference, *node));
-            }
-        }
-        best.map(|(_, node)| (node, false))
-    }
-}
-
-impl<P: Plant> Imagine for Simulation<P> {
-    fn calm(&self) -> usize {
-        Action::REST.index()
-    }
-
-    fn imagine(&mut self, actions: &[usize]) -> Imagined {
-        let Self { world, robots, imagination, .. } = self;
-        let mut imagined = Imagined { visions: Vec::new(), exact: true };
-        let mut person = Imaginary {
-            place: world.start(),
-            delays: world.delays_at_start(),
-            at: Some(NodeId::ROOT),
-            taken: Vec::with_capacity(actions.len()),
-            way: Vec::with_capacity(actions.len()),
-            differences: vec![Difference::default(); imagination.observed.len()],
-            compared: 0,
-        };
-        for &action in actions {
-            let action = Action::ALL[action];
-            let walked = imagination.walk(world, person.place, action);
-            let end = world.position(&walked.end());
-            // The wanted posture first, then the others: the first that is safe goes on. Where a light curtain sees the
-            // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
-            let others = Posture::ALL.into_iter().filter(|p| *p != action.posture() && world.posture_is_unseen());
-            let mut goes_on = None;
-            let mut foreseen: Option<(Arc<Sensed>, Option<(NodeId, bool)>)> = None;
-            for posture in std::iter::once(action.posture()).chain(others) {
-                let tried = Action::new(action.walk(), posture);
-                let (sensed, robot) = match foreseen.take() {
-                    Some(same) if world.posture_is_unseen() => same,
-                    _ => {
-                        let sensed = imagination.sense(world, &walked, &person.delays, tried);
-                        let robot = person.foresee(imagination, world, robots, &sensed, end);
-                        (sensed, robot)
-                    }
-                };
-                foreseen = Some((Arc::clone(&sensed), robot));
-                let Some((node, known)) = robot else { continue };
-                let (met, situation) = imagination.meets(world, robots, &person, tried, &sensed, node);
-                imagined.exact &= known && situation.certain;
-                if let Some(niche) = met {
-                    let actions = person.taken.iter().copied().chain([tried.index()]).collect();
-                    imagined.visions.push(Vision { actions, niche });
-                } else if goes_on.is_none() {
-                    goes_on = Some((tried, sensed, known.then_some(node)));
-                }
-            }
-            let Some((tried, sensed, at)) = goes_on else {
-                // Every posture tried is unsafe, or no episode was so long.
-                imagined.exact &= !imagined.visions.is_empty();
-                return imagined;
-            };
-            person.place = walked.end();
-            person.delays.clone_from(&sensed.delays);
-            person.at = at;
-            person.taken.push(tried.index());
-            person.way.push((sensed, end));
-        }
-        imagined
     }
 }

@@ -111,7 +111,7 @@ impl<P: Plant> Simulation<P> {
         Ok(Self {
             coverage: Coverage::new(world.cell.sensors.len()),
             robots: Robots::new(Arc::clone(&world), recall),
-            imagination: Imagination::new(world.cell.sensors.len()),
+            imagination: Imagination::new(&world),
             world,
             options,
             outcomes: BTreeMap::new(),
