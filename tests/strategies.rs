@@ -5,6 +5,8 @@
 mod common;
 
 use common::{examples, fmi_hazard, scan_json};
+use fmi_hazard::scan::{StateChoice, prepare::prepare};
+use fmi_hazard::search::{Environment as _, Imagine as _, Rng};
 
 const CELL: &str = "safety-fence/cell.toml";
 
@@ -52,4 +54,35 @@ fn the_number_of_workers_does_not_matter() {
     assert!(one == bench("3"));
     let comparison: serde_json::Value = serde_json::from_slice(&one).unwrap();
     assert_eq!(comparison[0]["rows"].as_array().unwrap().len(), 5);
+}
+
+#[test]
+fn what_is_imagined_with_certainty_is_what_happens() {
+    let dir = examples();
+    let (mut safe, mut hits) = (0, 0);
+    for cell in ["safety-fence", "sensor-mat"] {
+        let prepared = prepare(&dir.path().join(cell).join("cell.toml"), None).unwrap();
+        let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
+        let mut rng = Rng::new(4);
+        for _ in 0..60 {
+            let actions: Vec<usize> = (0..simulation.horizon()).map(|_| rng.below(36)).collect();
+            let imagined = simulation.imagine(&actions);
+            // Actions taken, and whether the last of them met an unsafe state.
+            let mut run = |actions: &[usize]| {
+                simulation.reset().unwrap();
+                let before = actions.iter().take_while(|&&a| simulation.step(a).unwrap().end.is_none()).count();
+                (before + 1, !simulation.take_findings().is_empty())
+            };
+            for vision in imagined.visions.iter().filter(|_| imagined.exact) {
+                assert_eq!(run(&vision.actions), (vision.actions.len(), true), "{cell} {vision:?}");
+                hits += 1;
+            }
+            let ran = run(&actions);
+            if imagined.exact && imagined.visions.is_empty() {
+                assert_eq!(ran, (actions.len(), false), "{cell} {actions:?}");
+                safe += 1;
+            }
+        }
+    }
+    assert!(safe > 10 && hits > 5, "{safe} {hits}");
 }
