@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand, thin. Results go to stdout, everything else to stderr.
 
 mod bench;
+mod bench_strategies;
 mod demo;
 mod examples;
 pub mod exit;

@@ -85,6 +85,12 @@ enum Choice {
     MctsDpwLiteral,
     /// Uniform random sequences, the paper's baseline
     Random,
+    /// Variations of the most dangerous sequence of each kind of ending (MAP-Elites)
+    QualityDiversity,
+    /// Sequences imagined from the robot motion seen so far, then verified
+    Plan,
+    /// Plan and quality diversity, and every fifth sequence random
+    Hybrid,
     /// Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none in the
     /// model
     Exhaustive,
@@ -121,6 +127,9 @@ impl Arguments {
             Choice::MctsDpwLee => StrategyName::MctsDpwLee,
             Choice::MctsDpwLiteral => StrategyName::MctsDpwLiteral,
             Choice::Random => StrategyName::Random,
+            Choice::QualityDiversity => StrategyName::QualityDiversity,
+            Choice::Plan => StrategyName::Plan,
+            Choice::Hybrid => StrategyName::Hybrid,
             Choice::Exhaustive => {
                 let own = &self.exhaustive;
                 return Method::Exhaustive(Exhaustive {

@@ -11,11 +11,20 @@ use sha2::{Digest as _, Sha256};
 
 use super::contact::Class;
 use super::finding::Finding;
+use crate::geometry::Vec3;
 use crate::human::Action;
 use crate::standards::BodyRegion;
 
 /// Edge of a place cell, m.
 pub const PLACE_CELL_M: f64 = 0.25;
+
+/// The square of floor that a place is on.
+#[must_use]
+pub fn place_cell(person: Vec3) -> (i64, i64) {
+    #[expect(clippy::cast_possible_truncation, reason = "metres on a shop floor, divided by 0.25")]
+    let square = |v: f64| (v / PLACE_CELL_M).floor() as i64;
+    (square(person.x), square(person.y))
+}
 
 /// What makes two findings the same hazard.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,15 +41,13 @@ impl Identity {
     /// The identity of `finding`; `link_names` names the robot link shapes.
     #[must_use]
     pub fn of(finding: &Finding, link_names: &[String]) -> Self {
-        #[expect(clippy::cast_possible_truncation, reason = "metres on a shop floor, divided by 0.25")]
-        let square = |v: f64| (v / PLACE_CELL_M).floor() as i64;
         Self {
             class: finding.class,
             region: finding.contact.region,
             link: link_names[finding.contact.link].clone(),
             sensors: finding.sensors.clone(),
             phase: finding.phase,
-            place: (square(finding.person.x), square(finding.person.y)),
+            place: place_cell(finding.person),
         }
     }
 

@@ -236,6 +236,13 @@ impl<P: Plant> Recall<P> {
         (self.restarts, self.restores)
     }
 
+    /// Where `steps` communication steps from `node` with `inputs` (row-major) lead, if they were taken before; nothing
+    /// is simulated.
+    #[must_use]
+    pub fn known(&self, node: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
+        self.nodes[node.0].children.get(&edge_of(steps, inputs)).and_then(|child| child.as_ref().ok()).copied()
+    }
+
     /// Takes `steps` communication steps from `node` with `inputs` (row-major).
     ///
     /// # Errors

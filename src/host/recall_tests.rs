@@ -131,9 +131,11 @@ fn equal_states_are_stepped_once_under_every_history() {
     let later = to(recall.advance(b, 1, &[0.0]).unwrap());
     assert_eq!(recall.same(later), later);
     recall.release_before(1);
-    assert_eq!(&**recall.outputs(to(recall.advance(b, 1, &[5.0]).unwrap())), &[8.0]);
+    let on = to(recall.advance(b, 1, &[5.0]).unwrap());
+    assert_eq!(&**recall.outputs(on), &[8.0]);
     recall.release_before(2);
-    assert_eq!(&**recall.outputs(to(recall.advance(b, 1, &[6.0]).unwrap())), &[9.0], "by replay");
+    let on = to(recall.advance(b, 1, &[6.0]).unwrap());
+    assert_eq!(&**recall.outputs(on), &[9.0], "by replay");
 }
 
 #[test]

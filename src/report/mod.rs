@@ -4,9 +4,31 @@
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`campaign`]: many seeds of several strategies side by side
+//! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
 
 pub mod campaign;
+pub mod comparison;
 pub mod model;
 pub mod paper;
 pub mod terminal;
 pub mod topview;
+
+/// Rows under a header in aligned columns, for a terminal or as Markdown.
+fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {
+    let width = |c: usize| rows.iter().map(|r| r[c].len()).max().unwrap_or(0).max(header[c].len());
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let line = |cells: Vec<&str>| {
+        let padded: Vec<String> = cells.iter().zip(&widths).map(|(c, w)| format!("{c:<w$}")).collect();
+        match markdown {
+            true => format!("| {} |\n", padded.join(" | ")),
+            false => format!(" {}\n", padded.join("  ").trim_end()),
+        }
+    };
+    let mut out = line(header.to_vec());
+    if markdown {
+        let dashes: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
+        out += &line(dashes.iter().map(String::as_str).collect());
+    }
+    rows.iter().for_each(|r| out += &line(r.iter().map(String::as_str).collect()));
+    out
+}

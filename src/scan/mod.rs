@@ -5,9 +5,11 @@
 //! - [`exhaustive`]: all sequences, and what can be said after that
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
+//! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
 //! - [`picture`]: the top view of one hazard
 
 pub mod campaign;
+pub mod comparison;
 pub mod exhaustive;
 pub mod minimise;
 pub mod picture;

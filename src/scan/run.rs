@@ -16,7 +16,7 @@ use crate::report::model::{
     Certificate, FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::search::mcts_dpw::Parameters;
-use crate::search::{MctsDpw, Profile, Random, Rng, Strategy};
+use crate::search::{Hybrid, MctsDpw, Plan, Profile, QualityDiversity, Random, Rng, Strategy};
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
 use crate::sim::{Coverage, Simulation};
@@ -34,6 +34,12 @@ pub enum StrategyName {
     MctsDpwLiteral,
     /// Uniform random sequences, the paper's baseline.
     Random,
+    /// Variations of the most dangerous sequence of each kind of ending (MAP-Elites).
+    QualityDiversity,
+    /// Sequences imagined from the robot motion seen so far, then verified.
+    Plan,
+    /// Plan and quality diversity, and every fifth sequence random.
+    Hybrid,
 }
 
 /// How sequences are chosen.
@@ -55,6 +61,9 @@ impl StrategyName {
             Self::MctsDpwLee => mcts(Profile::Lee),
             Self::MctsDpwLiteral => mcts(Profile::PaperLiteral),
             Self::Random => Box::new(Random),
+            Self::QualityDiversity => Box::new(QualityDiversity::<Snapshot>::default()),
+            Self::Plan => Box::new(Plan::<Snapshot>::default()),
+            Self::Hybrid => Box::new(Hybrid::<Snapshot>::default()),
         }
     }
 }
@@ -68,7 +77,7 @@ impl StrategyName {
             Self::MctsDpw => mcts(Profile::Paper),
             Self::MctsDpwLee => mcts(Profile::Lee),
             Self::MctsDpwLiteral => mcts(Profile::PaperLiteral),
-            Self::Random => Box::new(Random),
+            other => other.build(),
         }
     }
 }

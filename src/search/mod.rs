@@ -6,19 +6,30 @@
 //! - [`environment`]: the trait that `sim` implements
 //! - [`random`]: the paper's baseline, uniform actions from the start
 //! - [`mcts_dpw`]: Monte Carlo tree search with double progressive widening, in three profiles
+//! - [`quality_diversity`]: the most dangerous sequence of each kind of ending, and variations of them (MAP-Elites)
+//! - [`plan`]: sequences imagined from what was observed so far, then verified
+//! - [`hybrid`]: both, and a fixed share of random episodes
+//! - [`episode`]: episodes that are resumed where they leave those that are known
 //! - [`exhaustive`]: all sequences, level by level, equal states once
 //! - [`rng`]: the one door for randomness
 //! - [`statistics`]: capped means, intervals and misses over many seeds
 
 pub mod environment;
+pub mod episode;
 pub mod exhaustive;
+pub mod hybrid;
 pub mod mcts_dpw;
+pub mod plan;
+pub mod quality_diversity;
 pub mod random;
 pub mod rng;
 pub mod statistics;
 
-pub use environment::{End, Environment, Step};
+pub use environment::{End, Ending, Environment, Niche, Step};
+pub use hybrid::Hybrid;
 pub use mcts_dpw::{MctsDpw, Profile};
+pub use plan::{Imagine, Plan};
+pub use quality_diversity::QualityDiversity;
 pub use random::Random;
 pub use rng::Rng;
 
@@ -29,6 +40,16 @@ pub struct Iteration {
     pub end: End,
     /// Undiscounted sum of its rewards.
     pub total_reward: f64,
+}
+
+/// Episodes of a strategy that were drawn uniformly at random, whatever else it does: what holds for random search holds
+/// for them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RandomShare {
+    /// How many.
+    pub random_iterations: u64,
+    /// Of these, how many ended in an unsafe state.
+    pub random_hits: u64,
 }
 
 /// A way of choosing which action sequences to try.
@@ -42,4 +63,9 @@ pub trait Strategy<E: Environment> {
     /// Passes on what the environment reports as fatal to the whole search; an episode that merely could not be
     /// evaluated ends with [`End::NotEvaluated`] instead.
     fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error>;
+
+    /// The episodes that are kept apart as random, for strategies that do so.
+    fn random_share(&self) -> Option<RandomShare> {
+        None
+    }
 }

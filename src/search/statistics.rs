@@ -125,8 +125,7 @@ impl Runs {
     /// Percentile-bootstrap interval of the capped mean.
     #[must_use]
     pub fn mean_interval(&self, seed: u64) -> Interval {
-        let x = self.capped();
-        bootstrap(seed, |rng| resampled_mean(&x, rng))
+        mean_interval(&self.capped(), seed)
     }
 
     /// Wilson interval of the probability that a run finds nothing (95 %).
@@ -139,8 +138,7 @@ impl Runs {
 /// Percentile-bootstrap interval of the ratio of capped means `a / b` (independent samples).
 #[must_use]
 pub fn ratio_interval(a: &Runs, b: &Runs, seed: u64) -> Interval {
-    let (x, y) = (a.capped(), b.capped());
-    bootstrap(seed, |rng| resampled_mean(&x, rng) / resampled_mean(&y, rng))
+    ratio_of_means_interval(&a.capped(), &b.capped(), seed)
 }
 
 /// Wilson score interval for `hits` of `n`, 95 %.
@@ -157,7 +155,21 @@ pub fn wilson(hits: usize, n: usize) -> Interval {
     Interval { low: (centre - half).max(0.0), high: (centre + half).min(1.0) }
 }
 
-fn mean(x: &[f64]) -> f64 {
+/// Percentile-bootstrap interval of a mean.
+#[must_use]
+pub fn mean_interval(x: &[f64], seed: u64) -> Interval {
+    bootstrap(seed, |rng| resampled_mean(x, rng))
+}
+
+/// Percentile-bootstrap interval of the ratio of the means of `x` and `y` (independent samples).
+#[must_use]
+pub fn ratio_of_means_interval(x: &[f64], y: &[f64], seed: u64) -> Interval {
+    bootstrap(seed, |rng| resampled_mean(x, rng) / resampled_mean(y, rng))
+}
+
+/// Mean.
+#[must_use]
+pub fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / (x.len() as f64).max(1.0)
 }
 

@@ -59,6 +59,17 @@ pub struct Encounter {
     pub arm: ArmModel,
     /// Depth of contact that the arm check may miss, m.
     pub reach_tolerance_m: f64,
+    /// Whether the worst arm contact is looked for where there is an unsafe one: for the record, not for the verdict.
+    pub worst: bool,
+}
+
+/// How near an instant is to harm, and what is nearest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearness {
+    /// How near.
+    pub proximity: Proximity,
+    /// Body region and index of the robot link that touch, or would touch first; none where nothing is near.
+    pub pair: Option<(BodyRegion, usize)>,
 }
 
 /// A contact, and the arm pose if an arm makes it.
@@ -174,6 +185,9 @@ impl Encounter {
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
         let any = self.arm_contact(person, frame, space, &ANY_HAZARD, coverage)?;
+        if !self.worst {
+            return Some(any).filter(|(contact, _)| contact.class().is_some());
+        }
         let worst =
             self.arm_contact(person, frame, space, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
@@ -213,29 +227,31 @@ impl Encounter {
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
     #[must_use]
-    pub fn proximity(
+    pub fn nearness(
         &self,
         person: &Person,
         frame: &RobotFrame,
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
-    ) -> Proximity {
+    ) -> Nearness {
         let nearest = nearest(&person.body, frame);
-        let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n).ratio());
+        let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n));
         let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
             within_limits(&contact, coverage);
-            contact.ratio()
+            contact
         });
-        if let Some(ratio) = touched.into_iter().chain(arm).reduce(f64::max) {
-            return Proximity::Contact { ratio };
+        let worse = |a: Contact, b: Contact| if b.ratio() > a.ratio() { b } else { a };
+        if let Some(contact) = touched.into_iter().chain(arm).reduce(worse) {
+            let pair = Some((contact.region, contact.link));
+            return Nearness { proximity: Proximity::Contact { ratio: contact.ratio() }, pair };
         }
-        let mut best = Proximity::Far;
+        let mut best = Nearness { proximity: Proximity::Far, pair: None };
         let mut closest = f64::MAX;
         let mut consider = |distance_m: f64, region: BodyRegion, link: usize, from: Vec3, to: Vec3| {
             if distance_m < closest && !self.blocked(from, to) {
                 closest = distance_m;
                 let ratio = frame.ratio(region, link, frame.velocity(link, to).length());
-                best = Proximity::Near { distance_m, ratio };
+                best = Nearness { proximity: Proximity::Near { distance_m, ratio }, pair: Some((region, link)) };
             }
         };
         for (link, solid) in frame.links.iter().enumerate() {

@@ -8,6 +8,7 @@
 //! - [`expansion`]: all actions from many states at once, on all cores
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
+//! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
@@ -18,6 +19,7 @@ pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod expansion;
+pub mod imagination;
 pub mod replay;
 pub mod robot;
 mod robots;

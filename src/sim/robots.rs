@@ -1,7 +1,7 @@
 //! The FMU's states, and the robots as its outputs tell them; also as they *would* be had a light curtain been broken
 //! some time before.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::robot::RobotFrame;
@@ -22,11 +22,27 @@ pub(super) struct Robots<P: Plant> {
     frames: BTreeMap<NodeId, Frames>,
     /// For states at which actions begin, where they are known: see [`Robots::remember_shadows`].
     shadows: BTreeMap<(NodeId, usize), Vec<Option<NodeId>>>,
+    /// States that were reached since they were last taken.
+    reached: BTreeSet<NodeId>,
 }
 
 impl<P: Plant> Robots<P> {
     pub(super) const fn new(world: Arc<World>, recall: Recall<P>) -> Self {
-        Self { world, recall, frames: BTreeMap::new(), shadows: BTreeMap::new() }
+        Self { world, recall, frames: BTreeMap::new(), shadows: BTreeMap::new(), reached: BTreeSet::new() }
+    }
+
+    /// One action of the FMU from `node`.
+    pub(super) fn advance(&mut self, node: NodeId, inputs: &[f64]) -> Result<Advanced, PlantError> {
+        let advanced = self.recall.advance(node, self.world.cell.steps_per_action, inputs)?;
+        if let Advanced::To(node) = advanced {
+            self.reached.insert(node);
+        }
+        Ok(advanced)
+    }
+
+    /// The states that were reached since the last call.
+    pub(super) fn take_reached(&mut self) -> BTreeSet<NodeId> {
+        std::mem::take(&mut self.reached)
     }
 
     /// The frames of the last action into `node`, if they are at hand.
@@ -79,7 +95,7 @@ impl<P: Plant> Robots<P> {
         for row in inputs.chunks_mut(self.world.binding.inputs.len()).skip(skipped) {
             row[column] = active;
         }
-        Ok(match self.recall.advance(from, per_action, &inputs)? {
+        Ok(match self.advance(from, &inputs)? {
             Advanced::To(node) => Some(node),
             Advanced::Fault(_) => None,
         })
@@ -103,6 +119,7 @@ impl<P: Plant> Robots<P> {
     pub(super) fn release(&mut self, depth: usize, keep: impl Fn(NodeId) -> bool) {
         self.shadows.retain(|(node, _), _| keep(*node));
         self.frames.clear();
+        self.reached.clear();
         self.recall.release_before(depth);
     }
 }

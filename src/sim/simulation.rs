@@ -4,11 +4,12 @@
 //! delay lines and the step index. So restoring gives what the uninterrupted run would give. What an action does depends
 //! on nothing else, so it is worked out once for each snapshot and remembered, unless everything is to be re-simulated.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::Coverage;
 use super::encounter::ArmSpace;
+use super::imagination::Imagination;
 use super::robot::RobotFrame;
 use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
@@ -17,10 +18,12 @@ use crate::cell::{Binding, Workcell};
 use crate::geometry::{Capsule, Vec3};
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
+use crate::hazard::group::place_cell;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture};
-use crate::search::{End, Environment, Step};
+use crate::human::{Action, Place, Posture, Walk};
+use crate::search::{End, Ending, Environment, Niche, Step};
+use crate::standards::BodyRegion;
 
 /// Settings of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +66,10 @@ struct Outcome {
     to: Option<(NodeId, Place, Vec<DelayLine>)>,
     reward: f64,
     end: Option<End>,
+    /// What the end, if it is one, came to.
+    ending: Option<Ending>,
+    /// States of the FMU that had to be reached to work this out.
+    reached: BTreeSet<NodeId>,
     /// Findings with the last action only; the sequence that led here goes in front.
     findings: Vec<Finding>,
     fault: Option<String>,
@@ -75,14 +82,17 @@ type Question = (NodeId, Place, Vec<DelayLine>, usize);
 
 /// A cell being simulated.
 pub struct Simulation<P: Plant> {
-    world: Arc<World>,
+    pub(super) world: Arc<World>,
     options: Options,
-    robots: Robots<P>,
+    pub(super) robots: Robots<P>,
+    /// What this run has seen of the robots, and what follows from it.
+    pub(super) imagination: Imagination,
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
     /// Where the person stood before the last action.
     from: Place,
+    ending: Option<Ending>,
     coverage: Coverage,
     findings: Vec<Finding>,
     faults: Vec<Fault>,
@@ -101,12 +111,14 @@ impl<P: Plant> Simulation<P> {
         Ok(Self {
             coverage: Coverage::new(world.cell.sensors.len()),
             robots: Robots::new(Arc::clone(&world), recall),
+            imagination: Imagination::new(&world),
             world,
             options,
             outcomes: BTreeMap::new(),
             state: root.clone(),
             root,
             from: place,
+            ending: None,
             findings: Vec::new(),
             faults: Vec::new(),
         })
@@ -117,7 +129,16 @@ impl<P: Plant> Simulation<P> {
         self.coverage = Coverage::new(self.world.cell.sensors.len());
         self.findings.clear();
         self.faults.clear();
+        self.imagination.forget();
         self.state = self.root.clone();
+    }
+
+    /// Communication steps that a simulation which remembers every transition had to take since the run began: those of
+    /// the different actions of the FMU, told apart by all inputs until then. What earlier runs left behind does not
+    /// count; actions that the FMU could not finish are left out.
+    #[must_use]
+    pub fn fmu_steps_of_run(&self) -> u64 {
+        (self.imagination.reached() * self.world.cell.steps_per_action) as u64
     }
 
     /// Findings since the last call.
@@ -176,6 +197,8 @@ impl<P: Plant> Simulation<P> {
     fn act(&mut self, action: Action) -> Result<Step, PlantError> {
         let outcome = self.outcome(action)?;
         self.coverage.merge(&outcome.coverage);
+        self.imagination.add_reached(&outcome.reached);
+        self.ending = outcome.ending;
         let mut actions = self.state.actions.clone();
         for finding in &outcome.findings {
             let mut finding = finding.clone();
@@ -190,6 +213,9 @@ impl<P: Plant> Simulation<P> {
         } else if let Some((node, place, delays)) = &outcome.to {
             self.from = self.state.place;
             self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
+            if outcome.end.is_some() {
+                self.imagination.observe(&self.world, &self.robots.recall, *node, &self.state.actions);
+            }
         }
         Ok(Step { reward: outcome.reward, end: outcome.end })
     }
@@ -218,8 +244,8 @@ impl<P: Plant> Simulation<P> {
         let walked = self.world.walk(self.state.place, action);
         coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
         let sensed = self.world.sense(&self.state.delays, &walked, action.posture());
-        let steps = self.world.cell.steps_per_action;
-        let node = match self.robots.recall.advance(self.state.node, steps, &sensed.inputs)? {
+        self.robots.take_reached();
+        let node = match self.robots.advance(self.state.node, &sensed.inputs)? {
             Advanced::To(node) => node,
             Advanced::Fault(fault) => {
                 coverage.episodes_not_evaluated = 1;
@@ -227,6 +253,8 @@ impl<P: Plant> Simulation<P> {
                     to: None,
                     reward: Proximity::Far.reward(),
                     end: Some(End::NotEvaluated),
+                    ending: None,
+                    reached: BTreeSet::new(),
                     findings: Vec::new(),
                     fault: Some(fault.message.clone()),
                     coverage,
@@ -245,20 +273,28 @@ impl<P: Plant> Simulation<P> {
         }
         let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
         let last = walked.places.len() - 1;
-        let (reward, end) = if let Some(finding) = hit {
+        let (reward, end, ending) = if let Some(finding) = hit {
+            let contact = &finding.contact;
+            let niche = niche(Some((contact.region, contact.link)), finding.person, finding.phase);
+            // Contacts within the limits have at most 1.
+            let danger = 1.0 + contact.ratio();
             findings.push(finding);
-            (UNSAFE_REWARD, Some(End::Unsafe))
+            (UNSAFE_REWARD, Some(End::Unsafe), Some(Ending { niche, danger }))
         } else if self.state.actions.len() + 1 < self.horizon() {
-            (0.0, None)
+            (0.0, None, None)
         } else {
             let person = self.world.person(&self.world.stance(&walked, last, action.posture(), &sensed));
             let walls = self.world.unbroken();
             let space = ArmSpace { walls: &walls, links: None };
-            let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
-            (proximity.reward(), Some(End::Horizon))
+            let near = self.world.encounter.nearness(&person, &frames[last], &space, &mut coverage);
+            let phase = near.pair.and_then(|(_, link)| frames[last].phase(link));
+            let niche = niche(near.pair, self.world.position(&walked.places[last]), phase);
+            let danger = near.proximity.danger_level();
+            (near.proximity.reward(), Some(End::Horizon), Some(Ending { niche, danger }))
         };
         let to = Some((node, walked.places[last], sensed.delays));
-        Ok(Outcome { to, reward, end, findings, fault: None, coverage })
+        let reached = self.robots.take_reached();
+        Ok(Outcome { to, reward, end, ending, reached, findings, fault: None, coverage })
     }
 
     /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
@@ -278,8 +314,7 @@ impl<P: Plant> Simulation<P> {
                 self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
                 let own = self.world.sense(&self.state.delays, walked, posture);
-                let steps = self.world.cell.steps_per_action;
-                let advanced = self.robots.recall.advance(self.state.node, steps, &own.inputs)?;
+                let advanced = self.robots.advance(self.state.node, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };
                 self.first_unsafe(walked, sibling, &own, node, coverage)?
             };
@@ -311,12 +346,28 @@ impl<P: Plant> Simulation<P> {
     }
 }
 
+/// Endings of one kind: body region and robot link that meet or are nearest, where the person stands, and the programme
+/// phase.
+pub(super) fn niche(pair: Option<(BodyRegion, usize)>, person: Vec3, phase: Option<i64>) -> Niche {
+    let (region, link) = pair.map_or((-1, -1), |(region, link)| (region as i64, link.cast_signed() as i64));
+    let (x, y) = place_cell(person);
+    Niche([region, link, x, y, phase.unwrap_or(i64::MIN)])
+}
+
 impl<P: Plant> Environment for Simulation<P> {
     type Snapshot = Snapshot;
     type Error = PlantError;
 
     fn actions(&self) -> usize {
         Action::COUNT
+    }
+
+    fn factors(&self) -> [usize; 2] {
+        [Walk::ALL.len(), Posture::ALL.len()]
+    }
+
+    fn ending(&self) -> Option<Ending> {
+        self.ending
     }
 
     fn horizon(&self) -> usize {

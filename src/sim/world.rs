@@ -124,6 +124,7 @@ impl World {
             obstacles: boxes.clone(),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
+            worst: true,
         };
         let curtains = cell.sensors.iter().enumerate().filter_map(|(i, s)| match &s.zone {
             Zone::Curtain(plane) => Some((i, *plane)),
@@ -132,6 +133,14 @@ impl World {
         let curtains: Vec<(usize, Cuboid)> = curtains.collect();
         let closed = curtains.iter().map(|(_, plane)| curtain::Closed::new(plane, &boxes)).collect();
         Self { cell, binding, encounter, boxes, curtains, closed }
+    }
+
+    /// The same, but where there is an unsafe arm contact any such is told, not the worst: whether there is one, is the
+    /// same, and much sooner known.
+    #[must_use]
+    pub fn content_with_any(mut self) -> Self {
+        self.encounter.worst = false;
+        self
     }
 
     /// The body.

@@ -1,0 +1,346 @@
+//! What a sequence would lead to if the robots moved as they were seen to, without a step of the FMU.
+//!
+//! The person's way and what the sensors read follow from the cell alone. Where the FMU has been given the same inputs
+//! before, its answer is known exactly. Beyond that the robots are assumed to move as in that observed episode whose
+//! inputs differ in the fewest steps, and of those the one whose person was nearest. Only what was observed since the
+//! run began is used; what earlier runs left in memory is not looked at, so a run does not depend on them.
+//!
+//! A posture changes nothing but the contacts, unless a light curtain sees it: so where there is none, all six are tried
+//! with every walk.
+
+mod way;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::convert::Infallible;
+use std::sync::Arc;
+
+use super::Coverage;
+use super::robots::Robots;
+use super::sensors::DelayLine;
+use super::simulation::niche;
+use super::world::{Earlier, Frames, Sensed, World};
+use crate::cell::binding::SensorBinding;
+use crate::geometry::Vec3;
+use crate::host::{NodeId, Plant, Recall};
+use crate::human::walk::WalkTrace;
+use crate::human::{Action, Place, Posture};
+use crate::search::Niche;
+
+/// Observed episodes with different states of the FMU that are compared with; later ones are not.
+const EPISODES_KEPT: usize = 512;
+
+/// Entries of each memory, some hundred MB together; beyond that it is cleared and filled again.
+const REMEMBERED: usize = 500_000;
+
+/// First step, counted from the start of an action, from which on a light curtain may have been broken.
+const EARLIEST: isize = -(DelayLine::LONGEST as isize);
+
+/// An observed episode.
+#[derive(Clone, Debug)]
+struct Observed {
+    /// State of the FMU after each action.
+    nodes: Vec<NodeId>,
+    /// Inputs of each action, row-major.
+    inputs: Vec<Vec<f64>>,
+    /// Where the person stood after each action, m.
+    ends: Vec<Vec3>,
+}
+
+/// How different an observed episode is from what is imagined: steps with other inputs, then squared distances, m^2.
+#[derive(Clone, Copy, Debug, Default)]
+struct Difference(usize, f64);
+
+impl Difference {
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+
+    fn less(&self, other: &Self) -> bool {
+        self.0.cmp(&other.0).then(self.1.total_cmp(&other.1)).is_lt()
+    }
+}
+
+/// The FMU had a light curtain been broken earlier.
+#[derive(Clone, Copy, Debug)]
+enum Shadow {
+    Known(NodeId),
+    Unknown,
+    /// Before the start of time.
+    Never,
+}
+
+/// The robots during an action, with all that contacts depend on.
+#[derive(Clone, Copy, Debug)]
+struct Situation {
+    /// Equal numbers: the same to the last bit.
+    number: usize,
+    /// Whether everything about it was observed.
+    certain: bool,
+}
+
+/// Memory of what was seen in this run, and of what follows from the cell.
+#[derive(Debug)]
+pub(super) struct Imagination {
+    // Of this run.
+    reached: BTreeSet<NodeId>,
+    observed: Vec<Observed>,
+    last_nodes: BTreeSet<NodeId>,
+    shadows: BTreeMap<(NodeId, usize, isize), Shadow>,
+    situations: BTreeMap<NodeId, Situation>,
+    // True in all runs.
+    outputs: BTreeMap<Vec<u64>, usize>,
+    outputs_of: BTreeMap<NodeId, usize>,
+    numbers: BTreeMap<Vec<usize>, usize>,
+    walks: BTreeMap<(Place, usize), Arc<WalkTrace>>,
+    sensed: BTreeMap<(Place, Vec<DelayLine>, usize), Arc<Sensed>>,
+    met: BTreeMap<(usize, Place, usize, Vec<DelayLine>), Option<Niche>>,
+    /// Contacts that are only imagined do not count in the figures of the run.
+    unreal: Coverage,
+    world: Arc<World>,
+}
+
+fn remember<K: Ord, V: Clone>(memory: &mut BTreeMap<K, V>, key: K, value: V) -> V {
+    if memory.len() >= REMEMBERED {
+        memory.clear();
+    }
+    memory.insert(key, value.clone());
+    value
+}
+
+impl Imagination {
+    pub(super) fn new(world: &World) -> Self {
+        let own = World::new(Arc::clone(&world.cell), Arc::clone(&world.binding)).content_with_any();
+        Self {
+            world: Arc::new(own),
+            reached: BTreeSet::new(),
+            observed: Vec::new(),
+            last_nodes: BTreeSet::new(),
+            shadows: BTreeMap::new(),
+            situations: BTreeMap::new(),
+            outputs: BTreeMap::new(),
+            outputs_of: BTreeMap::new(),
+            numbers: BTreeMap::new(),
+            walks: BTreeMap::new(),
+            sensed: BTreeMap::new(),
+            met: BTreeMap::new(),
+            unreal: Coverage::new(world.cell.sensors.len()),
+        }
+    }
+
+    /// Forgets what the run has seen.
+    pub(super) fn forget(&mut self) {
+        self.reached.clear();
+        self.observed.clear();
+        self.last_nodes.clear();
+        self.shadows.clear();
+        self.situations.clear();
+    }
+
+    /// Different actions of the FMU that the run needed.
+    pub(super) fn reached(&self) -> usize {
+        self.reached.len()
+    }
+
+    /// The run needed the FMU to reach these states.
+    pub(super) fn add_reached(&mut self, nodes: &BTreeSet<NodeId>) {
+        let before = self.reached.len();
+        self.reached.extend(nodes);
+        if self.reached.len() > before {
+            self.shadows.clear();
+            self.situations.clear();
+        }
+    }
+
+    /// An episode has ended in `last`.
+    pub(super) fn observe<P: Plant>(&mut self, world: &World, recall: &Recall<P>, last: NodeId, actions: &[Action]) {
+        if self.observed.len() >= EPISODES_KEPT || !self.last_nodes.insert(last) {
+            return;
+        }
+        let mut nodes: Vec<NodeId> =
+            std::iter::successors(Some(last), |n| Some(recall.parent(*n))).take(actions.len()).collect();
+        nodes.reverse();
+        let inputs = nodes.iter().map(|n| recall.inputs(*n)).collect();
+        let mut place = world.start();
+        let mut end = |action: &Action| {
+            place = self.walk(world, place, *action).end();
+            world.position(&place)
+        };
+        let ends = actions.iter().map(&mut end).collect();
+        self.observed.push(Observed { nodes, inputs, ends });
+    }
+
+    fn walk(&mut self, world: &World, from: Place, action: Action) -> Arc<WalkTrace> {
+        let key = (from, action.walk() as usize);
+        if let Some(known) = self.walks.get(&key) {
+            return Arc::clone(known);
+        }
+        remember(&mut self.walks, key, Arc::new(world.walk(from, action)))
+    }
+
+    fn sense(&mut self, world: &World, walked: &WalkTrace, delays: &[DelayLine], action: Action) -> Arc<Sensed> {
+        let posture = if world.posture_is_unseen() { Posture::Upright } else { action.posture() };
+        let key = (walked.start, delays.to_vec(), Action::new(action.walk(), posture).index());
+        if let Some(known) = self.sensed.get(&key) {
+            return Arc::clone(known);
+        }
+        remember(&mut self.sensed, key, Arc::new(world.sense(delays, walked, posture)))
+    }
+
+    /// The state that the FMU reaches, if this run has seen it do so.
+    fn known<P: Plant>(&self, robots: &Robots<P>, from: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
+        robots.recall.known(from, steps, inputs).filter(|node| self.reached.contains(node))
+    }
+
+    /// How different an observed episode is in action `k`.
+    fn difference(&self, world: &World, episode: usize, k: usize, inputs: &[f64], end: Vec3) -> Difference {
+        let observed = &self.observed[episode];
+        let (Some(theirs), Some(at)) = (observed.inputs.get(k), observed.ends.get(k)) else {
+            return Difference::default();
+        };
+        let width = world.binding.inputs.len().max(1);
+        let bits = |row: &[f64]| row.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        let other = |(a, b): &(&[f64], &[f64])| a != b && bits(a) != bits(b);
+        let rows = inputs.chunks(width).zip(theirs.chunks(width)).filter(other).count();
+        let apart = end - *at;
+        Difference(rows, apart.dot(apart))
+    }
+
+    /// The number of the outputs of the action into `node`.
+    fn outputs_of<P: Plant>(&mut self, robots: &Robots<P>, node: NodeId) -> usize {
+        let (outputs, of) = (&mut self.outputs, &mut self.outputs_of);
+        *of.entry(node).or_insert_with(|| {
+            let bits = robots.recall.outputs(node).iter().map(|v| v.to_bits()).collect();
+            let next = outputs.len();
+            *outputs.entry(bits).or_insert(next)
+        })
+    }
+
+    /// The FMU in the stead of `node` had the light curtain of `sensor` been broken from step `first` of the action on.
+    fn shadow<P: Plant>(
+        &mut self,
+        world: &World,
+        robots: &Robots<P>,
+        node: NodeId,
+        sensor: usize,
+        first: isize,
+    ) -> Shadow {
+        let SensorBinding::Input(column) = world.binding.sensors[sensor] else { return Shadow::Never };
+        if node == NodeId::ROOT {
+            return Shadow::Never;
+        }
+        if let Some(known) = self.shadows.get(&(node, sensor, first)) {
+            return *known;
+        }
+        let per_action = world.cell.steps_per_action;
+        let parent = robots.recall.parent(node);
+        let from = match first {
+            0.. => Shadow::Known(parent),
+            _ => self.shadow(world, robots, parent, sensor, first + per_action.cast_signed()),
+        };
+        let shadow = match from {
+            Shadow::Known(from) => {
+                let active = f64::from(u8::from(world.cell.sensors[sensor].active));
+                let mut inputs = robots.recall.inputs(node);
+                let skipped = usize::try_from(first).unwrap_or(0);
+                for row in inputs.chunks_mut(world.binding.inputs.len().max(1)).skip(skipped) {
+                    row[column] = active;
+                }
+                self.known(robots, from, per_action, &inputs).map_or(Shadow::Unknown, Shadow::Known)
+            }
+            other => other,
+        };
+        self.shadows.insert((node, sensor, first), shadow);
+        shadow
+    }
+
+    /// The robots during the action into `node`.
+    fn situation<P: Plant>(&mut self, world: &World, robots: &Robots<P>, node: NodeId) -> Situation {
+        if let Some(known) = self.situations.get(&node) {
+            return *known;
+        }
+        let mut key = vec![self.outputs_of(robots, node)];
+        let mut certain = true;
+        for (sensor, _) in &world.curtains {
+            for first in EARLIEST..world.cell.steps_per_action.cast_signed() {
+                key.push(match self.shadow(world, robots, node, *sensor, first) {
+                    Shadow::Known(shadow) => self.outputs_of(robots, shadow),
+                    Shadow::Never => usize::MAX,
+                    Shadow::Unknown => {
+                        certain = false;
+                        key[0]
+                    }
+                });
+            }
+        }
+        let next = self.numbers.len();
+        let situation = Situation { number: *self.numbers.entry(key).or_insert(next), certain };
+        self.situations.insert(node, situation);
+        situation
+    }
+
+    /// The unsafe contact of an action during which the robots move as in the action into `node`.
+    fn meets<P: Plant>(
+        &mut self,
+        world: &World,
+        robots: &mut Robots<P>,
+        person: &way::Imaginary,
+        action: Action,
+        sensed: &Sensed,
+        node: NodeId,
+    ) -> (Option<Niche>, Situation) {
+        let situation = self.situation(world, robots, node);
+        // Without light curtains, contacts do not depend on what was sensed.
+        let delays = if world.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
+        let key = (situation.number, person.place, action.index(), delays);
+        if let Some(known) = self.met.get(&key) {
+            return (*known, situation);
+        }
+        let walked = self.walk(world, person.place, action);
+        let frames = robots.frames(node);
+        let mut shadows = Vec::with_capacity(world.curtains.len());
+        for (sensor, _) in &world.curtains {
+            let firsts = EARLIEST..world.cell.steps_per_action.cast_signed();
+            let of = |first| match self.shadow(world, robots, node, *sensor, first) {
+                Shadow::Known(node) => Some(robots.frames(node)),
+                // Nothing speaks against it that the robots go on as they do.
+                Shadow::Unknown => Some(Arc::clone(&frames)),
+                Shadow::Never => None,
+            };
+            shadows.push((world.cell.sensors[*sensor].delay_steps, firsts.map(of).collect::<Vec<_>>()));
+        }
+        let mut met = None;
+        for i in 0..frames.len() {
+            let stance = world.stance(&walked, i, action.posture(), sensed);
+            let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
+            let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
+            if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some()) {
+                let pair = Some((hit.contact.region, hit.contact.link));
+                met = Some(niche(pair, world.position(&stance.place), hit.phase));
+                break;
+            }
+        }
+        (remember(&mut self.met, key, met), situation)
+    }
+}
+
+/// The robots had a light curtain been broken, as far as that was observed.
+struct IfBroken<'a> {
+    own: &'a Frames,
+    /// For each light curtain its delay and the robots by the first step from which on it was broken.
+    shadows: &'a [(usize, Vec<Option<Frames>>)],
+    i: usize,
+}
+
+impl Earlier for IfBroken<'_> {
+    type Error = Infallible;
+
+    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Infallible> {
+        let (delay, shadows) = &self.shadows[c];
+        let first = (self.i + 1 + delay).cast_signed() - samples.cast_signed();
+        if first > self.i.cast_signed() {
+            return Ok(Some(Arc::clone(self.own)));
+        }
+        let number = usize::try_from(first - EARLIEST).ok();
+        Ok(number.and_then(|n| shadows.get(n).cloned().flatten()))
+    }
+}

@@ -1,0 +1,128 @@
+//! The imagined way of the person: action after action, where it leads, what is sensed, and what the robots would do.
+
+use std::sync::Arc;
+
+use super::super::robots::Robots;
+use super::super::sensors::DelayLine;
+use super::super::simulation::Simulation;
+use super::super::world::{Sensed, World};
+use super::{Difference, Imagination};
+use crate::geometry::Vec3;
+use crate::host::{NodeId, Plant};
+use crate::human::{Action, Place, Posture};
+use crate::search::plan::{Imagine, Imagined, Vision};
+
+/// The FMU's state after an action, and whether that is certain; nothing if it cannot be told.
+type Foreseen = Option<(NodeId, bool)>;
+
+/// The person on its imagined way.
+pub(super) struct Imaginary {
+    pub(super) place: Place,
+    pub(super) delays: Vec<DelayLine>,
+    /// The FMU's state, as long as it is known.
+    at: Option<NodeId>,
+    taken: Vec<usize>,
+    /// What was sensed in each action taken, and where it ended.
+    way: Vec<(Arc<Sensed>, Vec3)>,
+    /// How different each observed episode is in the first `compared` actions.
+    differences: Vec<Difference>,
+    compared: usize,
+}
+
+impl Imaginary {
+    /// The state of the FMU after the next action: the true one if it is known, else that of the observed episode which
+    /// is least different; nothing if none was that long.
+    fn foresee<P: Plant>(
+        &mut self,
+        imagination: &Imagination,
+        world: &World,
+        robots: &Robots<P>,
+        sensed: &Sensed,
+        end: Vec3,
+    ) -> Foreseen {
+        let steps = world.cell.steps_per_action;
+        let known = self.at.and_then(|at| imagination.known(robots, at, steps, &sensed.inputs));
+        if let Some(known) = known {
+            return Some((known, true));
+        }
+        let k = self.taken.len();
+        for (j, (sensed, end)) in self.way.iter().enumerate().skip(self.compared) {
+            for (episode, sum) in self.differences.iter_mut().enumerate() {
+                *sum = sum.plus(imagination.difference(world, episode, j, &sensed.inputs, *end));
+            }
+        }
+        self.compared = self.way.len();
+        let mut best: Option<(Difference, NodeId)> = None;
+        for (episode, sum) in self.differences.iter().enumerate() {
+            let Some(node) = imagination.observed[episode].nodes.get(k) else { continue };
+            let difference = sum.plus(imagination.difference(world, episode, k, &sensed.inputs, end));
+            if best.as_ref().is_none_or(|(least, _)| difference.less(least)) {
+                best = Some((difference, *node));
+            }
+        }
+        best.map(|(_, node)| (node, false))
+    }
+}
+
+impl<P: Plant> Imagine for Simulation<P> {
+    fn calm(&self) -> usize {
+        Action::REST.index()
+    }
+
+    fn imagine(&mut self, actions: &[usize]) -> Imagined {
+        let Self { robots, imagination, .. } = self;
+        let world = &Arc::clone(&imagination.world);
+        let mut imagined = Imagined { visions: Vec::new(), exact: true };
+        let mut person = Imaginary {
+            place: world.start(),
+            delays: world.delays_at_start(),
+            at: Some(NodeId::ROOT),
+            taken: Vec::with_capacity(actions.len()),
+            way: Vec::with_capacity(actions.len()),
+            differences: vec![Difference::default(); imagination.observed.len()],
+            compared: 0,
+        };
+        for &action in actions {
+            let action = Action::ALL[action];
+            let walked = imagination.walk(world, person.place, action);
+            let end = world.position(&walked.end());
+            // The wanted posture first, then the others: the first that is safe goes on. Where a light curtain sees the
+            // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
+            let others = Posture::ALL.into_iter().filter(|p| *p != action.posture() && world.posture_is_unseen());
+            let mut goes_on = None;
+            let mut foreseen: Option<(Arc<Sensed>, Foreseen)> = None;
+            for posture in std::iter::once(action.posture()).chain(others) {
+                let tried = Action::new(action.walk(), posture);
+                let (sensed, robot) = match foreseen.take() {
+                    Some(same) if world.posture_is_unseen() => same,
+                    _ => {
+                        let sensed = imagination.sense(world, &walked, &person.delays, tried);
+                        let robot = person.foresee(imagination, world, robots, &sensed, end);
+                        (sensed, robot)
+                    }
+                };
+                foreseen = Some((Arc::clone(&sensed), robot));
+                let Some((node, known)) = robot else { continue };
+                let (met, situation) = imagination.meets(world, robots, &person, tried, &sensed, node);
+                imagined.exact &= known && situation.certain;
+                if let Some(niche) = met {
+                    let actions = person.taken.iter().copied().chain([tried.index()]).collect();
+                    imagined.visions.push(Vision { actions, niche });
+                } else if goes_on.is_none() {
+                    goes_on = Some((tried, sensed, known.then_some(node)));
+                }
+            }
+            let Some((tried, sensed, at)) = goes_on else {
+                // Every posture tried is unsafe, or no episode was so long.
+                imagined.exact &= !imagined.visions.is_empty();
+                return imagined;
+            };
+            person.place = walked.end();
+            person.delays.clone_from(&sensed.delays);
+            person.at = at;
+            person.taken.push(tried.index());
+            person.way.push((sensed, end));
+        }
+        imagined
+    }
+}

@@ -1,0 +1,88 @@
+//! The strategies on the example cells: each finds the hazard of the safety fence, repeats itself, and is compared the
+//! same by any number of workers.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{examples, fmi_hazard, scan_json};
+use fmi_hazard::scan::{StateChoice, prepare::prepare};
+use fmi_hazard::search::{Environment as _, Imagine as _, Rng};
+
+const CELL: &str = "safety-fence/cell.toml";
+
+#[test]
+fn each_finds_the_hazard_of_the_fence_and_repeats_itself() {
+    let dir = examples();
+    // Planning meets it in the second sequence: the robot does not react there, so what is imagined is true.
+    for (strategy, iterations) in [("plan", "2"), ("hybrid", "6"), ("quality-diversity", "80")] {
+        let scan = |out: &str| {
+            let out = format!("{strategy}-{out}");
+            let args = ["scan", CELL, "--strategy", strategy, "--iterations", iterations, "--paper-iterations"];
+            fmi_hazard(dir.path()).args(args).args(["--out", &out]).assert().code(1);
+            std::fs::read(dir.path().join(out).join("scan.json")).unwrap()
+        };
+        assert!(scan("a") == scan("b"), "{strategy}");
+        let report = scan_json(&dir.path().join(format!("{strategy}-a")));
+        let hazards = report["hazards"].as_array().unwrap();
+        assert!(hazards.iter().all(|h| h["confirmed"] == true), "{strategy}: {hazards:?}");
+        assert_eq!(report["settings"]["strategy"], strategy);
+    }
+}
+
+#[test]
+fn ways_of_bringing_states_back_do_not_change_what_is_imagined() {
+    let dir = examples();
+    let scan = |state: &str| {
+        let args = ["scan", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "8", "--state", state];
+        let _ = fmi_hazard(dir.path()).args(args).args(["--out", state]).output();
+        scan_json(&dir.path().join(state))
+    };
+    let (saved, replayed) = (scan("fmu"), scan("replay"));
+    assert_eq!(saved["hazards"], replayed["hazards"]);
+    assert_eq!(saved["coverage"], replayed["coverage"]);
+}
+
+#[test]
+fn the_number_of_workers_does_not_matter() {
+    let dir = examples();
+    let bench = |workers: &str| {
+        let args = ["bench", "strategies", "--cells", "sensor-mat", "--seeds", "3", "--coverage-seeds", "1"];
+        let more = ["--iterations", "6", "--format", "json", "--workers", workers];
+        fmi_hazard(dir.path()).args(args).args(more).assert().code(0).get_output().stdout.clone()
+    };
+    let one = bench("1");
+    assert!(one == bench("3"));
+    let comparison: serde_json::Value = serde_json::from_slice(&one).unwrap();
+    assert_eq!(comparison[0]["rows"].as_array().unwrap().len(), 5);
+}
+
+#[test]
+fn what_is_imagined_with_certainty_is_what_happens() {
+    let dir = examples();
+    let (mut safe, mut hits) = (0, 0);
+    for cell in ["safety-fence", "sensor-mat"] {
+        let prepared = prepare(&dir.path().join(cell).join("cell.toml"), None).unwrap();
+        let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
+        let mut rng = Rng::new(4);
+        for _ in 0..60 {
+            let actions: Vec<usize> = (0..simulation.horizon()).map(|_| rng.below(36)).collect();
+            let imagined = simulation.imagine(&actions);
+            // Actions taken, and whether the last of them met an unsafe state.
+            let mut run = |actions: &[usize]| {
+                simulation.reset().unwrap();
+                let before = actions.iter().take_while(|&&a| simulation.step(a).unwrap().end.is_none()).count();
+                (before + 1, !simulation.take_findings().is_empty())
+            };
+            for vision in imagined.visions.iter().filter(|_| imagined.exact) {
+                assert_eq!(run(&vision.actions), (vision.actions.len(), true), "{cell} {vision:?}");
+                hits += 1;
+            }
+            let ran = run(&actions);
+            if imagined.exact && imagined.visions.is_empty() {
+                assert_eq!(ran, (actions.len(), false), "{cell} {actions:?}");
+                safe += 1;
+            }
+        }
+    }
+    assert!(safe > 10 && hits > 5, "{safe} {hits}");
+}
