@@ -10,6 +10,7 @@ use divan::{Bencher, black_box};
 use fmi_hazard::host::Plant as _;
 use fmi_hazard::human::Action;
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Prepared, ScanOptions, StateChoice, StrategyName, scan};
 use fmi_hazard::search::Environment as _;
 use fmi_hazard::sim::robot::RobotFrame;
@@ -106,7 +107,7 @@ fn e_remembered_action(bencher: Bencher) {
 #[divan::bench(args = [StrategyName::MctsDpw, StrategyName::Random], sample_count = 10)]
 fn f_scan_of_320_iterations(bencher: Bencher, strategy: StrategyName) {
     let options = ScanOptions {
-        strategy,
+        method: Method::Strategy(strategy),
         seed: 1,
         iterations: 320,
         stop_at_first: false,
