@@ -22,7 +22,7 @@ use fmi_hazard::sim::sensors::DelayLine;
 use fmi_hazard::sim::world::{Earlier, Frames, Hit, Stance};
 use fmi_hazard::sim::{Coverage, World};
 
-const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, drop: true };
+const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
 
 /// A cell of the examples, started elsewhere, with other search settings.
 fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
@@ -307,4 +307,41 @@ fn a_spent_budget_is_said_and_what_was_found_stays() {
     assert!(text.contains("NOT complete within") && text.contains("Raise --max-states"), "{text}");
     assert!(text.contains("Not finding more is not proof of safety"), "{text}");
     assert!(!result["hazards"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn no_strategy_meets_a_hazard_that_the_exhaustive_search_does_not() {
+    let dir = examples();
+    cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 4\nreach_tolerance_m = 0.05");
+    let run = |strategy: &str, more: &[&str]| {
+        let arguments = ["scan", "two-scanners/changed.toml", "--strategy", strategy, "--out", "out"];
+        fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1);
+        scan_json(&dir.path().join("out"))
+    };
+    let ids = |result: &serde_json::Value| -> Vec<String> {
+        let mut ids: Vec<String> =
+            result["hazards"].as_array().unwrap().iter().map(|h| h["id"].as_str().unwrap().to_owned()).collect();
+        ids.sort();
+        ids
+    };
+    let length = |h: &serde_json::Value| h["shortest"]["actions"].as_array().unwrap().len();
+    let all = run("exhaustive", &[]);
+    let known = ids(&all);
+    for strategy in ["hybrid", "mcts-dpw", "random"] {
+        let found = run(strategy, &["--iterations", "40"]);
+        assert!(ids(&found).iter().all(|id| known.contains(id)), "{strategy}: {:?} beside {known:?}", ids(&found));
+        for hazard in found["hazards"].as_array().unwrap() {
+            let exact = all["hazards"].as_array().unwrap().iter().find(|h| h["id"] == hazard["id"]).unwrap();
+            assert!(length(hazard) >= length(exact), "{strategy}: shorter than the shortest: {hazard}");
+            assert!(length(hazard) <= hazard["actions"].as_array().unwrap().len(), "{hazard}");
+        }
+    }
+    let auto = run("auto", &["--iterations", "20"]);
+    assert_eq!(ids(&auto), known);
+    assert_eq!((&auto["certificate"]["complete"], &auto["spent"]["iterations"]), (&true.into(), &20.into()));
+    assert!(auto["hazards"].as_array().unwrap().iter().all(|h| h["sequences"].is_string()));
+    // A budget that ends the second part keeps what the first one met.
+    let cut = run("auto", &["--iterations", "20", "--max-states", "1"]);
+    assert_eq!(cut["certificate"]["complete"], false);
+    assert!(!cut["hazards"].as_array().unwrap().is_empty());
 }

@@ -76,6 +76,8 @@ pub(super) struct Arguments {
 /// Strategies of a scan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Choice {
+    /// First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes
+    Auto,
     /// Monte Carlo tree search with double progressive widening, the paper's method made to work
     #[default]
     MctsDpw,
@@ -105,6 +107,10 @@ struct ExhaustiveArguments {
     /// Most memory for states, MB
     #[arg(long, default_value_t = 4_000)]
     max_memory: usize,
+    /// Most work of arm searches, millions of joint-angle boxes [default: 600 for auto, a few minutes; none for
+    /// exhaustive]
+    #[arg(long)]
+    max_work: Option<u64>,
     /// How equal states of the FMU are told
     #[arg(long, value_enum, default_value_t)]
     merge: Merge,
@@ -115,7 +121,7 @@ struct ExhaustiveArguments {
 
 impl Default for ExhaustiveArguments {
     fn default() -> Self {
-        Self { max_states: 20_000_000, max_memory: 4_000, merge: Merge::default(), workers: None }
+        Self { max_states: 20_000_000, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
     }
 }
 
@@ -130,13 +136,13 @@ impl Arguments {
             Choice::QualityDiversity => StrategyName::QualityDiversity,
             Choice::Plan => StrategyName::Plan,
             Choice::Hybrid => StrategyName::Hybrid,
-            Choice::Exhaustive => {
+            Choice::Auto | Choice::Exhaustive => {
                 let own = &self.exhaustive;
-                return Method::Exhaustive(Exhaustive {
-                    budget: Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, drop: true },
-                    merge: own.merge,
-                    workers: own.workers.unwrap_or_else(cores),
-                });
+                let auto = self.strategy == Choice::Auto;
+                let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
+                let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
+                let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
+                return if auto { Method::Auto(StrategyName::Hybrid, how) } else { Method::Exhaustive(how) };
             }
         })
     }
@@ -161,6 +167,9 @@ impl Arguments {
     }
 }
 
+/// Work of the exhaustive part of `auto`, millions of boxes.
+const AUTO_WORK: u64 = 600;
+
 /// Most hazards for which a picture is drawn.
 const PICTURES: usize = 10;
 
@@ -180,7 +189,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     std::fs::create_dir_all(&out).map_err(cannot)?;
     let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
     let stop = stop_flag();
-    let iterating = matches!(options.method, Method::Strategy(_));
+    let iterating = !matches!(options.method, Method::Exhaustive(_));
     let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
     let mut levels = Levels::new(prepared.cell.search.actions);
     let mut tell = |event: scan::Progress<'_>| {

@@ -149,6 +149,22 @@ impl Groups {
         all
     }
 
+    /// Adds these hazards to those of another search of the same cell, whose figures hold where both met a hazard.
+    /// Returns the ids that the other one did not meet.
+    pub fn added_to(self, other: &mut Self) -> Vec<String> {
+        let mut added = Vec::new();
+        for (identity, group) in self.groups {
+            match other.groups.get_mut(&identity) {
+                Some(known) => known.first_iteration = group.first_iteration,
+                None => {
+                    added.push(group.id.clone());
+                    other.groups.insert(identity, group);
+                }
+            }
+        }
+        added
+    }
+
     /// The hazard with this id.
     #[must_use]
     pub fn get(&self, id: &str) -> Option<&Group> {

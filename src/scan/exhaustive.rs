@@ -97,10 +97,11 @@ fn certificate(expander: &Expander<System>, account: &Account, options: Exhausti
     match account.stopped {
         Stopped::Complete => {}
         Stopped::Budget => reasons.push(format!(
-            "the budget of {} states and {} MB is spent: all sequences of {} actions were looked at, longer ones in \
-             part. Raise --max-states or --max-memory",
+            "the budget of {} states, {} MB and {} million joint-angle boxes is spent: all sequences of {} actions were \
+             looked at, longer ones in part. Raise --max-states, --max-memory or --max-work",
             options.budget.states,
             options.budget.bytes / 1_000_000,
+            options.budget.work / 1_000_000,
             account.depth
         )),
         Stopped::Asked => reasons.push(format!(

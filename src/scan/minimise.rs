@@ -86,10 +86,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn candidates_leave_out_every_part_and_calm_every_action() {
+    fn candidates_leave_out_neighbours_and_calm_every_action() {
         let [a, b, c] = [7, 19, 35].map(|i| Action::ALL[i]);
         let all = candidates(&[a, b, c]);
-        for shorter in [vec![a], vec![b], vec![c], vec![a, b], vec![a, c], vec![b, c]] {
+        for shorter in [vec![a], vec![c], vec![a, b], vec![a, c], vec![b, c]] {
             assert!(all.contains(&shorter), "{shorter:?}");
         }
         assert!(all.contains(&vec![a, Action::REST, c]));

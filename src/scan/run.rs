@@ -49,6 +49,8 @@ pub enum Method {
     Strategy(StrategyName),
     /// All of them, equal states once.
     Exhaustive(Exhaustive),
+    /// First a strategy, so that something is there soon; then all of them, as far as the budget goes.
+    Auto(StrategyName, Exhaustive),
 }
 
 impl StrategyName {
@@ -155,10 +157,33 @@ pub fn scan(
     let searched = match options.method {
         Method::Strategy(name) => search(prepared, name, options, &links, &mut groups, tell)?,
         Method::Exhaustive(how) => Searched::all(census(prepared, options.state, how, &links, &mut groups, tell)?),
+        Method::Auto(name, how) => {
+            let quick = search(prepared, name, options, &links, &mut groups, tell)?;
+            if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
+                quick
+            } else {
+                let mut all = Groups::default();
+                let searched = Searched::all(census(prepared, options.state, how, &links, &mut all, tell)?);
+                let only_quick = groups.added_to(&mut all);
+                groups = all;
+                searched.after(quick, &only_quick)
+            }
+        }
     };
-    let Searched { name, iterations, interrupted, broken, certificate, coverage, mut faults, fmu_steps, fmu_states } =
-        searched;
+    let Searched {
+        name,
+        iterations,
+        interrupted,
+        broken,
+        certificate,
+        coverage,
+        mut faults,
+        fmu_steps,
+        fmu_states,
+        notes,
+    } = searched;
     let mut warnings = prepared.binding.warnings.clone();
+    warnings.extend(notes);
     let hazards: Vec<Hazard> = groups
         .ranked()
         .into_iter()
@@ -231,9 +256,36 @@ struct Searched {
     faults: Vec<FaultRecord>,
     fmu_steps: u64,
     fmu_states: usize,
+    notes: Vec<String>,
 }
 
 impl Searched {
+    /// The second part of a search whose first part was `quick`, which alone met the hazards `only_quick`.
+    fn after(self, quick: Self, only_quick: &[String]) -> Self {
+        let mut coverage = quick.coverage;
+        coverage.merge(&self.coverage);
+        let mut notes = self.notes;
+        if self.certificate.as_ref().is_some_and(|c| c.complete) && !only_quick.is_empty() {
+            notes.push(format!(
+                "the quick search met hazards that the complete one did not ({}): this is an error of this tool, please \
+                 report it with the cell",
+                only_quick.join(", ")
+            ));
+        }
+        let mut faults = quick.faults;
+        faults.extend(self.faults);
+        Self {
+            name: "auto",
+            iterations: quick.iterations,
+            coverage,
+            faults,
+            fmu_steps: quick.fmu_steps + self.fmu_steps,
+            fmu_states: quick.fmu_states.max(self.fmu_states),
+            notes,
+            ..self
+        }
+    }
+
     fn all(census: Census) -> Self {
         let Census { certificate, coverage, fmu_steps, fmu_states, faults, interrupted, broken } = census;
         Self {
@@ -246,6 +298,7 @@ impl Searched {
             faults,
             fmu_steps,
             fmu_states,
+            notes: Vec::new(),
         }
     }
 }
@@ -305,6 +358,7 @@ fn search(
         faults,
         fmu_steps,
         fmu_states,
+        notes: Vec::new(),
     })
 }
 

@@ -71,6 +71,16 @@ pub trait Expansion {
     /// States of less than `depth` actions are not asked for again.
     fn release_before(&mut self, depth: usize);
 
+    /// States to expand at a time: more share more, fewer let a wish or a budget end the search sooner.
+    fn together(&self) -> usize {
+        1024
+    }
+
+    /// Work done so far, in a unit of the environment's own that does not depend on the machine.
+    fn work(&self) -> u64 {
+        0
+    }
+
     /// Memory held besides the states themselves, bytes, about.
     fn bytes(&self) -> usize;
 }
@@ -184,12 +194,11 @@ pub struct Budget {
     pub states: usize,
     /// Most memory, bytes, about.
     pub bytes: usize,
+    /// Most work, in the environment's unit.
+    pub work: u64,
     /// Whether states may be dropped by the bound; `false` is for comparisons.
     pub drop: bool,
 }
-
-/// States expanded at a time.
-const CHUNK: usize = 1024;
 
 /// Bytes that a state takes besides itself, about: its prefixes and its place in the map.
 const STATE_BYTES: usize = 120;
@@ -232,9 +241,11 @@ pub fn exhaust<E: Expansion>(
         let left = power(horizon - depth - 1);
         let mut next: BTreeMap<E::State, Prefixes> = BTreeMap::new();
         let before = account.states();
-        for (number, chunk) in open.chunks(CHUNK).enumerate() {
+        let together = environment.together().max(1);
+        for (number, chunk) in open.chunks(together).enumerate() {
             let bytes = environment.bytes() + (open.len() + next.len()) * (size_of::<E::State>() + STATE_BYTES);
-            if before + next.len() > budget.states || bytes > budget.bytes {
+            let spent = environment.work() > budget.work;
+            if before + next.len() > budget.states || bytes > budget.bytes || spent {
                 account.stopped = Stopped::Budget;
                 return Ok(account);
             }
@@ -266,7 +277,7 @@ pub fn exhaust<E: Expansion>(
                     }
                 }
             }
-            let done = (number * CHUNK + chunk.len()).min(open.len());
+            let done = (number * together + chunk.len()).min(open.len());
             if tell(Told::Progress { depth, done, of: open.len() }).is_break() {
                 account.stopped = Stopped::Asked;
                 return Ok(account);

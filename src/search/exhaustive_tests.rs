@@ -65,7 +65,7 @@ impl Expansion for Ring {
     }
 }
 
-const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, drop: true };
+const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
 
 /// Sequences by unsafe state, and the calmest that leads there.
 type Unsafe = BTreeMap<(usize, i64, usize), (u64, u32, Vec<u8>)>;

@@ -35,6 +35,10 @@ pub struct Independent {
 impl Independent {
     /// Probability that `tries` tries all fail.
     fn fails(&self, tries: u32) -> f64 {
+        // The first try has not been made yet: nothing has failed, however sure a success is.
+        if tries == 0 {
+            return 1.0;
+        }
         libm::exp(f64::from(tries) * libm::log1p(-self.probability))
     }
 

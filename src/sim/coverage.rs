@@ -17,6 +17,8 @@ pub struct Coverage {
     pub arm_checks: u64,
     /// Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
     pub arm_checks_incomplete: u64,
+    /// Boxes of joint angles that all arm searches together looked at: what their work is measured in.
+    pub arm_boxes: u64,
     /// Smallest distance between trunk, head or legs and the robot, m; negative when they met.
     pub closest_approach_m: f64,
     /// Instants at which an arm could have bridged the distance to the robot, were nothing in between.
@@ -44,6 +46,7 @@ impl Coverage {
             contact_checks: 0,
             arm_checks: 0,
             arm_checks_incomplete: 0,
+            arm_boxes: 0,
             closest_approach_m: f64::MAX,
             checks_with_robot_in_arm_reach: 0,
             contacts_within_limits: 0,
@@ -62,6 +65,7 @@ impl Coverage {
         self.contact_checks += other.contact_checks;
         self.arm_checks += other.arm_checks;
         self.arm_checks_incomplete += other.arm_checks_incomplete;
+        self.arm_boxes += other.arm_boxes;
         self.closest_approach_m = self.closest_approach_m.min(other.closest_approach_m);
         self.checks_with_robot_in_arm_reach += other.checks_with_robot_in_arm_reach;
         self.contacts_within_limits += other.contacts_within_limits;

@@ -221,6 +221,7 @@ impl Encounter {
                 enough: NO_HAZARD.enough,
                 work_limit: NO_HAZARD.work_limit,
             });
+            coverage.arm_boxes += u64::from(outcome.boxes);
             outcome.complete && outcome.best.is_none()
         })
     }
@@ -321,6 +322,7 @@ impl Encounter {
                 enough: aim.enough,
                 work_limit: aim.work_limit,
             });
+            coverage.arm_boxes += u64::from(outcome.boxes);
             coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete);
             let Some(found) = outcome.best else { continue };
             let contact = arm_touch(person, frame, &found);

@@ -441,6 +441,16 @@ impl<P: Plant> Expansion for Expander<P> {
         self.robots.release(depth, |node| keep.contains(&node));
     }
 
+    /// Reaching through a light curtain costs many searches for each action.
+    fn together(&self) -> usize {
+        if self.world.curtains.is_empty() { 1024 } else { 64 }
+    }
+
+    /// Boxes of joint angles looked at.
+    fn work(&self) -> u64 {
+        self.coverage.arm_boxes
+    }
+
     fn bytes(&self) -> usize {
         self.robots.recall.bytes()
     }
