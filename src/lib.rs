@@ -39,13 +39,13 @@
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use fmi_hazard::scan::{ScanOptions, StateChoice, StrategyName, prepare::prepare, scan};
+//! use fmi_hazard::scan::{ScanOptions, StateChoice, StrategyName, prepare::prepare, run::Method, scan};
 //!
 //! # let dir = tempfile::tempdir()?;
 //! fmi_hazard::examples::export(dir.path())?;
 //! let cell = prepare(&dir.path().join("safety-fence/cell.toml"), None)?;
 //! let options = ScanOptions {
-//!     strategy: StrategyName::MctsDpw,
+//!     method: Method::Strategy(StrategyName::MctsDpw),
 //!     seed: 1,
 //!     iterations: 320,
 //!     stop_at_first: true,
