@@ -122,6 +122,27 @@ impl Solid {
         }
     }
 
+    /// The unit vector from the link to the nearest point of a segment or point, or from inside on outwards: the gradient
+    /// of the signed distance where they are nearest. None where they touch, and for a segment that enters a hull.
+    #[must_use]
+    pub fn outward(&self, near: &Closest) -> Option<Vec3> {
+        let towards = near.on_first - near.on_second;
+        match self {
+            Self::Hull(_) if near.distance <= 0.0 => None,
+            _ if near.distance > 0.0 => towards.try_normalize(),
+            _ => (-towards).try_normalize(),
+        }
+    }
+
+    /// Radius around the core of a capsule, m; a hull is all core.
+    #[must_use]
+    pub const fn core_radius(&self) -> f64 {
+        match self {
+            Self::Capsule(link) => link.radius,
+            Self::Hull(_) => 0.0,
+        }
+    }
+
     /// Centre and radius of a sphere around the link.
     #[must_use]
     pub fn bounding_sphere(&self) -> (Vec3, f64) {

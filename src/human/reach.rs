@@ -2,20 +2,21 @@
 //! angles.
 //!
 //! A box is judged by its middle configuration and by how far any point of the arm can move within the box. It is
-//! dropped when no contact in it can score more than what is known, when the arm certainly crosses an obstacle, or
-//! when it is outside the joint limits; otherwise its middle is tried, and it is split until the movement is below the
-//! tolerance.
+//! dropped when no contact in it can score more than what is known, when another part of the arm is certainly touched
+//! first, when the arm certainly crosses an obstacle, or when it is outside the joint limits; otherwise its middle is
+//! tried, and it is split until the movement is below the tolerance.
 //!
 //! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that is deeper than the
-//! tolerance and leaves as much clearance to obstacles and joint limits. The bounds hold because signed distances of
-//! convex shapes change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a
-//! thin panel is known to cross it for every configuration that differs by less than that.
+//! tolerance and leaves more than that of clearance to obstacles and joint limits. Contacts that are less deep, or in
+//! less room, are not looked for: around every shape there is a thin layer of them, and layers cost most. The bounds hold
+//! because signed distances of convex shapes change by no more than their points move, depths included: so a forearm
+//! that sticks 0.2 m through a thin panel is known to cross it for every configuration that differs by less than that.
 
 use super::Side;
 use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
 use crate::geometry::distance::point_segment;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
-use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Closest, Cuboid, Pose, Solid, Vec3};
 
 /// Part of the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,6 +147,17 @@ struct Open {
     beyond_elbow: Vec<u16>,
     /// For elbow and upper arm; looked at only where the others are settled.
     near_shoulder: Vec<u16>,
+}
+
+/// What a limb may have from a piece of a link within a box of joint angles.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Harm {
+    /// They cannot touch.
+    Apart,
+    /// Where they touch, the hand touches the link first, unless an obstacle keeps it away.
+    HandFirst,
+    /// It may be touched first.
+    Possible,
 }
 
 /// Drops pieces from the end of the list up to the first that may matter.
@@ -310,6 +322,37 @@ fn crosses(o: &Cuboid, ends: [Vec3; 2], radius: f64, along: impl Fn(Vec3) -> [f6
     })
 }
 
+/// Whether a line stays outside one of a box's faces for all ends that move no farther along a direction `n` than
+/// `along(n)` says.
+fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+    let half = o.half.to_array();
+    [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(half).any(|(axis, half)| {
+        let axis = o.rotation * axis;
+        let at = ends.map(|p| (p - o.centre).dot(axis));
+        // Both on the same side, outside.
+        if at[0] * at[1] <= 0.0 || at[0].abs() <= half || at[1].abs() <= half {
+            return false;
+        }
+        let moves = along(axis);
+        (0..2).all(|k| at[k].abs() - moves[k] > half)
+    })
+}
+
+/// How far the point of a solid that is nearest to a point outside can move along `n` when that point moves by `by`, m.
+///
+/// No farther than the point itself. On a capsule: its core's point moves along the core, and the direction from there
+/// turns the less the farther away the point is (both the nearest point of a convex set and the way from there move no
+/// farther than the point; unit vectors of v and w differ by at most 2 |v - w| / (|v| + |w|)).
+fn nearest_moves(solid: &Solid, near: &Closest, n: Vec3, by: f64) -> f64 {
+    let Solid::Capsule(capsule) = solid else { return by };
+    let from_core = near.distance + capsule.radius;
+    if from_core <= by {
+        return by;
+    }
+    let along_core = (capsule.b - capsule.a).normalize_or_zero().dot(n).abs() * by;
+    by.min(along_core + capsule.radius * by / (from_core - 0.5 * by))
+}
+
 fn widest(ranges: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
     ranges.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)))
 }
@@ -370,29 +413,69 @@ impl Movement {
     }
 }
 
-/// The least signed distance of a limb and a solid when the limb's ends move no farther than `at_most`, and along a
-/// direction `n` no farther than `along(n)` says; none if they cannot touch.
+/// A point of the arm: shoulder, elbow and wrist weighted, with the rest of one on the shoulder. It moves with them.
+#[derive(Clone, Copy)]
+struct Share {
+    elbow: f64,
+    wrist: f64,
+}
+
+impl Share {
+    const SHOULDER: Self = Self { elbow: 0.0, wrist: 0.0 };
+    const ELBOW: Self = Self { elbow: 1.0, wrist: 0.0 };
+
+    /// So far, as a fraction, from the elbow to the wrist.
+    const fn on_forearm(part: f64) -> Self {
+        Self { elbow: 1.0 - part, wrist: part }
+    }
+
+    const fn of(self, elbow: f64, wrist: f64) -> f64 {
+        self.elbow * elbow + self.wrist * wrist
+    }
+
+    fn at(self, placed: &Placed) -> Vec3 {
+        let Placed { shoulder, elbow, wrist, .. } = placed;
+        *shoulder + (*elbow - *shoulder) * self.elbow + (*wrist - *shoulder) * self.wrist
+    }
+
+    /// Movement along `n` with a joint, m/rad.
+    fn derivative(self, placed: &Placed, joint: usize, n: Vec3) -> f64 {
+        let [elbow, wrist] = placed.derivatives[joint];
+        self.of(elbow.dot(n), wrist.dot(n))
+    }
+}
+
+/// A limb near a convex solid: how near it may come within a box of joint angles.
+struct LimbNear {
+    /// The least signed distance in the box.
+    least: f64,
+    /// A plane the solid stays behind, if there is one: its normal, and the signed distances of the limb's ends from it in
+    /// the middle of the box. No end comes nearer to the solid than to the plane.
+    plane: Option<(Vec3, [f64; 2])>,
+}
+
+/// How near a limb, given by its ends, may come to a solid; none if they cannot overlap by `depth`.
 fn limb_may_touch(
     link: &Solid,
-    ends: [Vec3; 2],
-    radius: f64,
-    at_most: f64,
-    along: impl Fn(Vec3) -> [f64; 2],
-) -> Option<f64> {
+    limb: [Share; 2],
+    (radius, depth): (f64, f64),
+    placed: &Placed,
+    movement: &Movement,
+) -> Option<LimbNear> {
+    let ends = limb.map(|end| end.at(placed));
     let near = link.segment_distance(ends[0], ends[1]);
-    let least = near.distance - radius - at_most;
-    if least > 0.0 {
+    let at_most = limb.map(|end| end.of(movement.elbow, movement.wrist));
+    let least = near.distance - radius - at_most[0].max(at_most[1]);
+    if least > -depth {
         return None;
     }
-    let n = (near.on_first - near.on_second).normalize_or_zero();
-    if near.distance <= 0.0 || n == Vec3::ZERO {
-        return Some(least);
-    }
-    // A convex link stays behind the plane through its nearest point.
-    let moves = along(n);
-    let behind = |p: Vec3, m: f64| (p - near.on_second).dot(n) - m;
-    let least = least.max(behind(ends[0], moves[0]).min(behind(ends[1], moves[1])) - radius);
-    (least <= 0.0).then_some(least)
+    let Some(n) = link.outward(&near) else { return Some(LimbNear { least, plane: None }) };
+    // Signed distance from a convex solid is convex: it stays above its tangent plane.
+    let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - radius);
+    let (elbow, wrist) = movement.along(placed, n);
+    let nearest = |k: usize| plane[k] - limb[k].of(elbow, wrist);
+    let least = least.max(nearest(0).min(nearest(1)));
+    (least <= -depth).then_some(LimbNear { least, plane: Some((n, plane)) })
 }
 
 impl<S: ContactScore> Search<'_, S> {
@@ -412,8 +495,8 @@ impl<S: ContactScore> Search<'_, S> {
             boxes += 1;
             let Some(joint) = self.look_at(&next, &placed, &mut open) else { continue };
             let [mut far, mut near] = next.halves(joint).map(|b| (b, self.place(b.middle)));
-            // The half whose wrist is nearer to the robot last: it is taken first.
-            if self.wrist_to_links(&far.1, &open) < self.wrist_to_links(&near.1, &open) {
+            // The half that is nearer to harm last: it is taken first.
+            if self.distance_to_harm(&far.1, &open) < self.distance_to_harm(&near.1, &open) {
                 std::mem::swap(&mut far, &mut near);
             }
             stack.push((far.0, far.1, open.clone()));
@@ -430,12 +513,34 @@ impl<S: ContactScore> Search<'_, S> {
         Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
     }
 
-    fn wrist_to_links(&self, placed: &Placed, open: &Open) -> f64 {
-        let cutoff = self.cutoff();
-        let open = if open.beyond_elbow.is_empty() { &open.near_shoulder } else { &open.beyond_elbow };
-        let useful =
-            open.iter().map(|i| &self.pieces[usize::from(*i)]).filter(|p| p.bounds.iter().any(|b| *b > cutoff));
-        useful.map(|p| p.solid.point_distance(placed.wrist).distance).fold(f64::MAX, f64::min)
+    /// How far a configuration is from a contact that matters, m: of what may matter, the nearest, and as much farther
+    /// as the hand is touched before it.
+    fn distance_to_harm(&self, placed: &Placed, open: &Open) -> f64 {
+        let (cutoff, arm) = (self.cutoff(), self.query.arm);
+        let beyond_elbow = !open.beyond_elbow.is_empty();
+        let open = if beyond_elbow { &open.beyond_elbow } else { &open.near_shoulder };
+        let zone = self.end_of_elbow(placed);
+        let distance = |i: &u16| {
+            let piece = &self.pieces[usize::from(*i)];
+            let [upper, elbow, fore, hand] = piece.bounds;
+            let at_hand = piece.solid.point_distance(placed.wrist).distance - arm.hand_radius_m;
+            if beyond_elbow && hand > cutoff {
+                return at_hand;
+            }
+            let limb = |from: Vec3, to: Vec3, radius: f64| piece.solid.segment_distance(from, to).distance - radius;
+            let mut nearest = f64::MAX;
+            if beyond_elbow && fore > cutoff {
+                nearest = limb(zone, placed.wrist, arm.forearm_radius_m);
+            }
+            if !beyond_elbow && elbow > cutoff {
+                nearest = limb(placed.elbow, zone, arm.forearm_radius_m);
+            }
+            if !beyond_elbow && upper > cutoff {
+                nearest = nearest.min(limb(placed.shoulder, placed.elbow, arm.upper_arm_radius_m));
+            }
+            nearest.max(nearest - at_hand)
+        };
+        open.iter().map(distance).fold(f64::MAX, f64::min)
     }
 
     /// What a contact must score to matter.
@@ -480,7 +585,8 @@ impl<S: ContactScore> Search<'_, S> {
             // The nearest point of a convex link moves no farther than the wrist; a wrist inside is its own point.
             let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
             let bound = || self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around);
-            let gap = near.distance - arm.hand_radius_m;
+            // Contacts no deeper than the tolerance are not looked for.
+            let gap = near.distance - arm.hand_radius_m + self.query.tolerance_m;
             // A convex link stays behind the plane through its nearest point: only movement against it counts.
             let touches = gap <= movement.wrist && {
                 let n = (near.on_first - near.on_second).normalize_or_zero();
@@ -498,45 +604,51 @@ impl<S: ContactScore> Search<'_, S> {
         // Beyond the part that counts as elbow, as far as a forearm can be touched before its hand.
         let part = self.elbow_part();
         let forearm = |end: f64| match end > part {
-            true => self.forearm_may_touch(link, placed, movement, [part, end]),
-            false => None,
+            true => {
+                self.may_be_harmed(piece, [part, end].map(Share::on_forearm), arm.forearm_radius_m, placed, movement)
+            }
+            false => Harm::Apart,
         };
         fore > cutoff
-            && forearm(1.0).is_some()
-            && (forearm(self.never_first_from())
-                .is_some_and(|least| !self.hand_is_deeper(placed, piece.link, least, movement))
-                || !self.hand_certainly_free(placed, piece.link, movement))
+            && match forearm(self.never_first_from()) {
+                Harm::Possible => true,
+                // Touched before its hand only where an obstacle keeps the hand away, and then anywhere.
+                Harm::Apart | Harm::HandFirst => {
+                    !matches!(forearm(1.0), Harm::Apart) && !self.hand_certainly_free(placed, piece.link, movement)
+                }
+            }
     }
 
     /// The same of the upper arm and of what counts as elbow.
     fn elbow_or_upper_arm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
-        let (cutoff, link) = (self.cutoff(), &piece.solid);
+        let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let [upper, elbow, _, _] = piece.bounds;
-        let upper_arm = || {
-            let moves = |n: Vec3| [0.0, movement.along(placed, n).0];
-            let radius = self.query.arm.upper_arm_radius_m;
-            limb_may_touch(link, [placed.shoulder, placed.elbow], radius, movement.elbow, moves)
+        let limb = |bound: f64, limb: [Share; 2], radius: f64| match bound > cutoff {
+            true => self.may_be_harmed(piece, limb, radius, placed, movement),
+            false => Harm::Apart,
         };
-        let at_elbow = || self.forearm_may_touch(link, placed, movement, [0.0, self.elbow_part()]);
-        let least = [(elbow > cutoff).then(at_elbow), (upper > cutoff).then(upper_arm)].into_iter().flatten().flatten();
-        least.reduce(f64::min).is_some_and(|least| {
-            !self.hand_is_deeper(placed, piece.link, least, movement)
-                || !self.hand_certainly_free(placed, piece.link, movement)
-        })
+        let harms = [
+            limb(elbow, [Share::ELBOW, Share::on_forearm(self.elbow_part())], arm.forearm_radius_m),
+            limb(upper, [Share::SHOULDER, Share::ELBOW], arm.upper_arm_radius_m),
+        ];
+        harms.contains(&Harm::Possible)
+            || (harms.contains(&Harm::HandFirst) && !self.hand_certainly_free(placed, piece.link, movement))
     }
 
-    /// The least signed distance within the box of a part of the forearm, given as fractions from elbow to wrist, and a
-    /// solid; none if they cannot touch.
-    fn forearm_may_touch(&self, link: &Solid, placed: &Placed, movement: &Movement, part: [f64; 2]) -> Option<f64> {
-        let ends = part.map(|p| placed.elbow + (placed.wrist - placed.elbow) * p);
-        // A point between elbow and wrist moves with both, in parts.
-        let between = |elbow: f64, wrist: f64| part.map(|p| (1.0 - p) * elbow + p * wrist);
-        let [near, far] = between(movement.elbow, movement.wrist);
-        let moves = |n: Vec3| {
-            let (elbow, wrist) = movement.along(placed, n);
-            between(elbow, wrist)
-        };
-        limb_may_touch(link, ends, self.query.arm.forearm_radius_m, near.max(far), moves)
+    /// What a limb, given by its ends, may have from a piece within the box.
+    fn may_be_harmed(
+        &self,
+        piece: &Piece,
+        limb: [Share; 2],
+        radius: f64,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> Harm {
+        match limb_may_touch(&piece.solid, limb, (radius, self.query.tolerance_m), placed, movement) {
+            None => Harm::Apart,
+            Some(near) if self.hand_is_deeper(placed, piece.link, limb, &near, movement) => Harm::HandFirst,
+            Some(_) => Harm::Possible,
+        }
     }
 
     /// From which part of the forearm on the hand is always touched before it, unless an obstacle keeps the hand away: a
@@ -547,21 +659,56 @@ impl<S: ContactScore> Search<'_, S> {
         1.0 - (arm.hand_radius_m - arm.forearm_radius_m).max(0.0) / arm.forearm_m
     }
 
-    /// Whether the hand overlaps a link more than a limb whose signed distance is at least `least`, in the whole box: then
-    /// the limb is never what is touched first, unless an obstacle keeps the hand away.
-    fn hand_is_deeper(&self, placed: &Placed, link: usize, least: f64, movement: &Movement) -> bool {
-        let wrist = self.query.links[link].point_distance(placed.wrist).distance;
-        wrist + movement.wrist - self.query.arm.hand_radius_m < least
+    /// Whether the hand overlaps a link more than a limb does, in the whole box: then the limb is never what is touched
+    /// first, unless an obstacle keeps the hand away.
+    fn hand_is_deeper(
+        &self,
+        placed: &Placed,
+        link: usize,
+        limb: [Share; 2],
+        near: &LimbNear,
+        movement: &Movement,
+    ) -> bool {
+        let solid = &self.query.links[link];
+        let wrist = solid.point_distance(placed.wrist);
+        let hand = wrist.distance - self.query.arm.hand_radius_m;
+        if hand + movement.wrist < near.least {
+            return true;
+        }
+        // Limb and hand move together: what counts is how the difference of their distances changes. The limb's is at
+        // least that of one of its ends from the plane. The hand's is at most that from the point of the link's core (its
+        // surface, for a hull) that is nearest now: |v + d| <= |v| + d v/|v| + d^2 / (2 |v|).
+        let (Some((n, plane)), Some(to_wrist)) = (near.plane, solid.outward(&wrist)) else { return false };
+        let from_core = wrist.distance + solid.core_radius();
+        if from_core <= 0.0 {
+            return false;
+        }
+        let curved = movement.wrist * movement.wrist / (2.0 * from_core);
+        (0..2).all(|k| {
+            let change = |joint: usize| {
+                let wrist = placed.derivatives[joint][1].dot(to_wrist);
+                (wrist - limb[k].derivative(placed, joint, n)).abs() * movement.half[joint]
+            };
+            let rest = movement.wrist_rest + limb[k].of(movement.elbow_rest, movement.wrist_rest) + curved;
+            hand - plane[k] + (0..4).map(change).sum::<f64>() + rest < 0.0
+        })
     }
 
-    /// Whether the line from the wrist to the nearest point of a link is free in the whole box. That point moves no
-    /// farther than the wrist does.
+    /// Whether the line from the wrist to the nearest point of a link is free in the whole box.
     fn hand_certainly_free(&self, placed: &Placed, link: usize, movement: &Movement) -> bool {
-        let near = self.query.links[link].point_distance(placed.wrist);
-        let to = if near.distance > 0.0 { near.on_second } else { placed.wrist };
+        let solid = &self.query.links[link];
+        let near = solid.point_distance(placed.wrist);
+        let inside = near.distance <= 0.0;
         // A wrist that may be inside the link in a part of the box needs no line there.
-        self.obstacles_near(placed.wrist, to, movement.wrist)
-            .all(|o| segment_cuboid(placed.wrist, to, o).distance > movement.wrist)
+        let to = if inside { placed.wrist } else { near.on_second };
+        let moves = |n: Vec3| {
+            let nearest = if inside { movement.wrist } else { nearest_moves(solid, &near, n, movement.wrist) };
+            [movement.along(placed, n).1, nearest]
+        };
+        self.obstacles_near(placed.wrist, to, movement.wrist).all(|o| {
+            segment_cuboid(placed.wrist, to, o).distance > movement.wrist
+                || stays_before_a_face(o, [placed.wrist, to], moves)
+        })
     }
 
     /// The part of the forearm that counts as elbow.
@@ -587,7 +734,8 @@ impl<S: ContactScore> Search<'_, S> {
     fn certainly_blocked(&self, placed: &Placed, movement: &Movement) -> bool {
         let arm = self.query.arm;
         let at_most = movement.elbow.max(movement.wrist);
-        let (r_fore, r_upper) = (arm.forearm_radius_m, arm.upper_arm_radius_m);
+        // Configurations that leave no more room than the tolerance are not looked for.
+        let [r_fore, r_upper] = [arm.forearm_radius_m, arm.upper_arm_radius_m].map(|r| r + self.query.tolerance_m);
         let from = self.clear_of_shoulder(placed);
         self.obstacles_near(placed.elbow, placed.wrist, r_fore).any(|o| {
             // The half next to the elbow moves less than the whole.

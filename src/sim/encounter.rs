@@ -27,7 +27,7 @@ struct Aim {
 }
 
 /// Is there a contact above the limit? The guarantee of the method.
-const ANY_HAZARD: Aim = Aim { threshold: 1.0, enough: 1.0, work_limit: 400_000, must_complete: true };
+const ANY_HAZARD: Aim = Aim { threshold: 1.0, enough: 1.0, work_limit: 2_000_000, must_complete: true };
 
 /// The worst contact, for the record; good enough when the work limit ends it, because what it
 /// found is a real contact and nothing is excluded by it.
@@ -37,7 +37,7 @@ const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_0
 const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
 /// The same for many instants together: when that takes long, they are looked at in smaller groups.
-const NO_HAZARD: Aim = Aim { work_limit: 50_000, ..ANY_HAZARD };
+const NO_HAZARD: Aim = Aim { work_limit: 10_000, ..ANY_HAZARD };
 
 /// The person at one instant.
 #[derive(Clone, Debug)]
