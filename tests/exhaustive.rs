@@ -103,7 +103,7 @@ impl<'a> Enumeration<'a> {
         }
         for &action in self.actions {
             let walked = self.world.walk(place, action);
-            let sensed = self.world.sense(delays, &walked, action.posture());
+            let sensed = self.world.sense(delays, &self.world.sights(&walked, action.posture()));
             let steps = self.world.cell.steps_per_action;
             let Advanced::To(to) = self.recall.advance(node, steps, &sensed.inputs).unwrap() else { panic!("a fault") };
             let rows = self.recall.outputs(to).chunks(self.world.binding.outputs.len());

@@ -42,6 +42,12 @@ impl Strike {
         self.ratio_per_speed[region as usize] * speed_m_s
     }
 
+    /// Whether any contact with a robot point no faster than this could be unsafe: [`Contact::class`] asks both.
+    #[must_use]
+    pub fn may_harm(&self, speed_m_s: f64) -> bool {
+        speed_m_s > STANDSTILL_M_S || self.largest_ratio(speed_m_s) > 1.0
+    }
+
     /// The largest ratio of any region at this speed.
     #[must_use]
     pub fn largest_ratio(&self, speed_m_s: f64) -> f64 {
@@ -198,5 +204,6 @@ mod tests {
         assert_eq!(Contact::new(&touch(BodyRegion::Face, Vec3::ZERO), &strike).class(), None);
         let chest = Contact::new(&touch(BodyRegion::Chest, Vec3::new(0.02, 0.0, 0.0)), &strike);
         assert_eq!(chest.class(), None);
+        assert!(strike.may_harm(0.02) && !strike.may_harm(0.0));
     }
 }

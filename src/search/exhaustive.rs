@@ -165,7 +165,7 @@ pub struct Account {
     pub excluded: BigUint,
     /// The simulator could not finish them.
     pub not_evaluated: BigUint,
-    /// Levels, from the start; the last one is not expanded.
+    /// Levels from the start; where the sequences end, states are not told apart any more.
     pub levels: Vec<Level>,
     /// All sequences of so many actions have been looked at.
     pub depth: usize,
@@ -254,6 +254,7 @@ pub fn exhaust<E: Expansion>(
             for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
                 for (action, effect) in expanded.effects.into_iter().enumerate() {
                     match effect {
+                        Effect::To(_) if depth + 1 == horizon => account.harmless += &prefixes.count,
                         Effect::To(index) => {
                             let longer = Prefixes {
                                 count: prefixes.count.clone(),
@@ -287,8 +288,6 @@ pub fn exhaust<E: Expansion>(
         level = next;
         environment.release_before(depth + 1);
     }
-    account.levels.push(Level { states: level.len(), dropped: 0 });
-    account.harmless = level.into_values().map(|p| p.count).sum();
     Ok(account)
 }
 

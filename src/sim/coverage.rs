@@ -19,7 +19,8 @@ pub struct Coverage {
     pub arm_checks_incomplete: u64,
     /// Boxes of joint angles that all arm searches together looked at: what their work is measured in.
     pub arm_boxes: u64,
-    /// Smallest distance between trunk, head or legs and the robot, m; negative when they met.
+    /// Smallest distance between trunk, head or legs and the robot, m; negative when they met. An exhaustive search takes
+    /// no notice of robots too slow to harm anyone.
     pub closest_approach_m: f64,
     /// Instants at which an arm could have bridged the distance to the robot, were nothing in between.
     pub checks_with_robot_in_arm_reach: u64,

@@ -21,7 +21,7 @@ use super::bound::RobotBounds;
 use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
 use super::simulation::Fault;
-use super::world::{Earlier, Frames, Hit, Sensed, Stance, World};
+use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -70,6 +70,14 @@ struct Transition {
     sensed: Sensed,
 }
 
+/// Where the actions from a place lead, and what there is for the sensors to see on the way.
+struct Ahead {
+    /// By walk.
+    walks: Vec<WalkTrace>,
+    /// By walk and posture; one posture only where the sensors see all alike.
+    sights: Vec<Vec<Vec<Sight>>>,
+}
+
 /// What is not known yet of an action from a state.
 struct Pending {
     /// Index of the state, of the walk, of the transition among those of the state.
@@ -81,6 +89,8 @@ struct Pending {
 
 /// The robots at an instant, and as they would be had a light curtain been broken some samples before.
 struct Situation {
+    /// Whether any of them is fast enough to harm.
+    may_harm: bool,
     frames: Frames,
     i: usize,
     /// For each light curtain, by samples.
@@ -92,6 +102,16 @@ impl Earlier for &Situation {
 
     fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Infallible> {
         Ok(self.earlier[c].get(samples).cloned().flatten())
+    }
+}
+
+impl Ahead {
+    fn new(world: &World, place: Place) -> Self {
+        let walk = |w| world.walk(place, Action::new(w, Posture::Upright));
+        let walks: Vec<WalkTrace> = Walk::ALL.into_iter().map(walk).collect();
+        let told_apart = if world.posture_is_unseen() { &Posture::ALL[..1] } else { &Posture::ALL };
+        let sights = |walked: &WalkTrace| told_apart.iter().map(|&bent| world.sights(walked, bent)).collect();
+        Self { sights: walks.iter().map(sights).collect(), walks }
     }
 }
 
@@ -215,19 +235,19 @@ impl<P: Plant> Expander<P> {
         index: usize,
         depth: usize,
         state: &State,
-        walks: &[WalkTrace],
+        ahead: &Ahead,
         pending: &mut Vec<Pending>,
     ) -> Result<(Expanded<State, Finding>, Vec<Transition>), PlantError> {
         let mut expanded = Expanded { next: Vec::new(), effects: Vec::new() };
         let mut transitions: Vec<Transition> = Vec::new();
         let per_action = self.world.cell.steps_per_action;
+        let last = depth + 1 == self.horizon();
         for (w, walk) in Walk::ALL.into_iter().enumerate() {
             // Postures that the sensors see alike share everything but the contacts.
             let mut alike: Vec<(Sensed, Option<(usize, usize)>)> = Vec::new();
-            for posture in Posture::ALL {
+            for (p, posture) in Posture::ALL.into_iter().enumerate() {
                 let action = Action::new(walk, posture);
-                let own = (alike.is_empty() || !self.world.posture_is_unseen())
-                    .then(|| self.world.sense(&state.delays, &walks[w], posture));
+                let own = ahead.sights[w].get(p).map(|sights| self.world.sense(&state.delays, sights));
                 let known = match &own {
                     None => alike.first().map(|(_, to)| *to),
                     Some(own) => alike.iter().find(|(s, _)| s.same(own)).map(|(_, to)| *to),
@@ -242,12 +262,13 @@ impl<P: Plant> Expander<P> {
                                 None
                             }
                             Advanced::To(node) => {
-                                let representative = self.representative(node)?;
-                                let place = walks[w].end();
+                                // Where the sequences end, nothing depends on which state it is.
+                                let representative = if last { node } else { self.representative(node)? };
+                                let place = ahead.walks[w].end();
                                 let delays = sensed.delays.clone().into_boxed_slice();
                                 expanded.next.push(State { place, node: representative, delays });
                                 let frames = self.robots.frames(node);
-                                self.look(&walks[w], &sensed, &frames);
+                                self.look(&ahead.walks[w], &sensed, &frames);
                                 transitions.push(Transition { node, frames, sensed: sensed.clone() });
                                 Some((expanded.next.len() - 1, transitions.len() - 1))
                             }
@@ -287,15 +308,15 @@ impl<P: Plant> Expander<P> {
         }
     }
 
-    /// The number of the situation after step `i` of a transition, for a person in this stance.
+    /// The number of the situation after step `i` of a transition, for a person at this place.
     fn situation(
         &mut self,
         transition: &Transition,
         i: usize,
-        stance: &Stance,
+        place: &Place,
         situations: &mut Situations,
     ) -> Result<usize, PlantError> {
-        let samples = self.world.samples_that_may_matter(&stance.place);
+        let samples = self.world.samples_that_may_matter(place);
         if let Some(number) = situations.known.get(&(transition.node, i, samples)) {
             return Ok(*number);
         }
@@ -314,7 +335,9 @@ impl<P: Plant> Expander<P> {
         }
         let all = &mut situations.all;
         let number = *situations.numbers.entry(key).or_insert_with(|| {
-            all.push(Situation { frames: Arc::clone(&transition.frames), i, earlier });
+            let before = earlier.iter().flatten().flatten();
+            let may_harm = std::iter::once(&transition.frames).chain(before).any(|frames| frames[i].may_harm);
+            all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
             all.len() - 1
         });
         situations.known.insert((transition.node, i, samples), number);
@@ -386,15 +409,12 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn expand(&mut self, depth: usize, states: &[&State]) -> Result<Vec<Expanded<State, Finding>>, PlantError> {
-        let mut walks: BTreeMap<Place, Vec<WalkTrace>> = BTreeMap::new();
+        let mut ahead: BTreeMap<Place, Ahead> = BTreeMap::new();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
             let world = &self.world;
-            let walks = walks.entry(state.place).or_insert_with(|| {
-                let walk = |w| world.walk(state.place, Action::new(w, Posture::Upright));
-                Walk::ALL.into_iter().map(walk).collect()
-            });
-            let (one, own) = self.advance(index, depth, state, walks, &mut pending)?;
+            let ahead = ahead.entry(state.place).or_insert_with(|| Ahead::new(world, state.place));
+            let (one, own) = self.advance(index, depth, state, ahead, &mut pending)?;
             expanded.push(one);
             transitions.push(own);
         }
@@ -404,11 +424,21 @@ impl<P: Plant> Expansion for Expander<P> {
             let mut questions = Vec::with_capacity(pending.len());
             for p in &pending {
                 let transition = &transitions[p.state][p.transition];
-                let walked = &walks[&states[p.state].place][p.walk];
+                let walked = &ahead[&states[p.state].place].walks[p.walk];
+                // Without light curtains nothing but the present matters.
+                let harmless = self.world.curtains.is_empty() && !transition.frames[i].may_harm;
+                let situation = match harmless {
+                    true => None,
+                    false => Some(self.situation(transition, i, &walked.places[i], &mut situations)?),
+                };
+                let Some(situation) = situation.filter(|s| situations.all[*s].may_harm) else {
+                    self.coverage.contact_checks += 1;
+                    questions.push(None);
+                    continue;
+                };
                 let stance = self.world.stance(walked, i, p.action.posture(), &transition.sensed);
-                let situation = self.situation(transition, i, &stance, &mut situations)?;
                 asked.entry(stance.clone()).or_default().insert(situation);
-                questions.push((stance, situation));
+                questions.push(Some((stance, situation)));
             }
             let asked: Vec<(Stance, Vec<usize>)> =
                 asked.into_iter().map(|(stance, situations)| (stance, situations.into_iter().collect())).collect();
@@ -420,7 +450,8 @@ impl<P: Plant> Expansion for Expander<P> {
             };
             let mut questions = questions.iter();
             pending.retain(|p| {
-                let Some((question, hit)) = questions.next().and_then(|q| Some((q, find(q)?))) else { return true };
+                let asked = questions.next().and_then(Option::as_ref);
+                let Some((question, hit)) = asked.and_then(|q| Some((q, find(q)?))) else { return true };
                 let transition = &transitions[p.state][p.transition];
                 let readings = &transition.sensed.readings[i];
                 let frame = &transition.frames[i];

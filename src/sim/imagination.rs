@@ -183,7 +183,7 @@ impl Imagination {
         if let Some(known) = self.sensed.get(&key) {
             return Arc::clone(known);
         }
-        remember(&mut self.sensed, key, Arc::new(world.sense(delays, walked, posture)))
+        remember(&mut self.sensed, key, Arc::new(world.sense(delays, &world.sights(walked, posture))))
     }
 
     /// The state that the FMU reaches, if this run has seen it do so.

@@ -19,6 +19,8 @@ pub struct RobotFrame {
     pub speed_bounds: Vec<f64>,
     /// Largest entry of `speed_bounds`, m/s.
     pub fastest: f64,
+    /// Whether any contact at all could be above its limit: by the speed bounds, whatever is touched.
+    pub may_harm: bool,
     /// Index of each shape's robot.
     robot_of: Vec<usize>,
     /// Effective mass and force ratios of each robot.
@@ -43,13 +45,16 @@ impl RobotFrame {
         let strike = |(robot, b): (&Robot, &RobotBinding)| Strike::new(robot.moving_mass_kg, b.payload.read(outputs));
         #[expect(clippy::cast_possible_truncation, reason = "an FMI integer")]
         let phase = |b: &RobotBinding| b.phase.as_ref().map(|r| r.read(outputs) as i64);
+        let strikes: Vec<Strike> = cell.robots.iter().zip(&binding.robots).map(strike).collect();
+        let harms = |(link, bound): (&Link, &f64)| strikes[link.robot].may_harm(*bound);
         Self {
+            may_harm: cell.links.iter().zip(&speed_bounds).any(harms),
             links,
             twists,
             speed_bounds,
             fastest,
             robot_of: cell.links.iter().map(|l| l.robot).collect(),
-            strikes: cell.robots.iter().zip(&binding.robots).map(strike).collect(),
+            strikes,
             phases: binding.robots.iter().map(phase).collect(),
             outputs: outputs.to_vec(),
         }

@@ -243,7 +243,7 @@ impl<P: Plant> Simulation<P> {
         coverage.actions = 1;
         let walked = self.world.walk(self.state.place, action);
         coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
-        let sensed = self.world.sense(&self.state.delays, &walked, action.posture());
+        let sensed = self.world.sense(&self.state.delays, &self.world.sights(&walked, action.posture()));
         self.robots.take_reached();
         let node = match self.robots.advance(self.state.node, &sensed.inputs)? {
             Advanced::To(node) => node,
@@ -313,7 +313,7 @@ impl<P: Plant> Simulation<P> {
             let found = if self.world.posture_is_unseen() {
                 self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
-                let own = self.world.sense(&self.state.delays, walked, posture);
+                let own = self.world.sense(&self.state.delays, &self.world.sights(walked, posture));
                 let advanced = self.robots.advance(self.state.node, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };
                 self.first_unsafe(walked, sibling, &own, node, coverage)?

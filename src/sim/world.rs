@@ -25,6 +25,15 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
 
+/// What there is to see at the start of a step, whatever was seen before.
+#[derive(Clone, Debug)]
+pub struct Sight {
+    /// The person, without the body.
+    seen: Seen,
+    /// What each sensor sees.
+    raw: Vec<bool>,
+}
+
 /// Sensors and inputs over one action.
 #[derive(Clone, Debug)]
 pub struct Sensed {
@@ -210,22 +219,33 @@ impl World {
         Seen { feet: self.body().feet(position, heading_rad), body, position, heading_rad }
     }
 
+    /// What there is for the sensors to see at the start of each step.
+    #[must_use]
+    pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
+        let steps = walked.places.len();
+        let sight = |place: &Place| {
+            let seen = self.seen(place, bent);
+            let raw = self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect();
+            Sight { seen: Seen { body: None, ..seen }, raw }
+        };
+        std::iter::once(&walked.start).chain(&walked.places).take(steps).map(sight).collect()
+    }
+
     /// Sensor readings at the start of each step, and the FMU inputs that follow.
     #[must_use]
-    pub fn sense(&self, delays: &[DelayLine], walked: &WalkTrace, bent: Posture) -> Sensed {
-        let steps = walked.places.len();
+    pub fn sense(&self, delays: &[DelayLine], sights: &[Sight]) -> Sensed {
+        let steps = sights.len();
         let mut sensed = Sensed {
             inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
             delays: delays.to_vec(),
             readings: Vec::with_capacity(steps),
             broken: Vec::with_capacity(steps),
         };
-        for before in std::iter::once(&walked.start).chain(&walked.places).take(steps) {
-            let seen = self.seen(before, bent);
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays);
+        for Sight { seen, raw } in sights {
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw);
             let readings: Vec<bool> =
-                sensors.map(|(sensor, line)| line.push(sees(sensor, &seen), sensor.delay_steps)).collect();
-            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut sensed.inputs);
+                sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, seen, &mut sensed.inputs);
             sensed.readings.push(readings);
             sensed.broken.push(self.curtains.iter().map(|(s, _)| sensed.delays[*s].first_seen()).collect());
         }
