@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::model::{Certificate, ScanReport, Verdict};
+use super::model::{Certificate, Residual, ScanReport, Verdict};
 use crate::hazard::Class;
 use crate::human::Action;
 
@@ -16,6 +16,9 @@ pub fn render(report: &ScanReport) -> String {
     hazard_table(report, &mut out);
     if let Some(certificate) = &report.certificate {
         certified(report, certificate, &mut out);
+    }
+    if let Some(figures) = &report.residual {
+        residual(figures, &mut out);
     }
     coverage(report, &mut out);
     for fault in &report.faults {
@@ -172,6 +175,32 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
             random.iterations
         );
     }
+}
+
+/// What random sequences say about what is left.
+fn residual(r: &Residual, out: &mut String) {
+    let not_evaluated =
+        if r.not_evaluated > 0 { format!(", {} not evaluated", r.not_evaluated) } else { String::new() };
+    let share = match r.hazardous {
+        0 => format!("below {:.2e} (one-sided)", r.hazardous_share_below),
+        _ => {
+            format!("{:.2e} to {:.2e} (Clopper-Pearson)", r.hazardous_share_interval[0], r.hazardous_share_interval[1])
+        }
+    };
+    let _ = writeln!(
+        out,
+        "  Residual  {} of {} uniformly random sequences hazardous{not_evaluated}: share of all sequences {share}",
+        r.hazardous, r.random_sequences
+    );
+    if let Some(u) = &r.unlisted {
+        let _ = writeln!(
+            out,
+            "            one more ends in a hazard not listed here with probability below {:.2e} ({} of {} later ones did; \
+             Good-Turing estimate without the chosen sequences {:.2e})",
+            u.probability_below, u.met_others, u.checked, u.good_turing_estimate
+        );
+    }
+    let _ = writeln!(out, "            95 % confidence each; for {}", r.holds_for);
 }
 
 fn coverage(report: &ScanReport, out: &mut String) {
