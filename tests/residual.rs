@@ -95,7 +95,33 @@ fn only_random_sequences_of_a_search_that_ran_as_fixed_are_counted_each_by_its_o
     assert_eq!(scan(&["hybrid"]).0["random_sequences"], 20);
     assert!(scan(&["mcts-dpw"]).0.is_null(), "what a tree search chooses is no random sample");
     assert!(scan(&["random", "--stop-at", "first"]).0.is_null(), "it stopped because of what it met");
-    let (cut, text) = scan(&["auto", "--max-states", "1"]);
-    assert_eq!(cut["random_sequences"], 20);
-    assert!(text.contains("of 20 uniformly random sequences"), "{text}");
+}
+
+#[test]
+fn a_scan_by_default_says_whether_it_is_complete() {
+    let dir = examples();
+    let text = std::fs::read_to_string(dir.path().join("heavy-workpiece/cell.toml")).unwrap();
+    let near = text.replace("xy_m = [1.6, -1.2]", "xy_m = [1.3, -1.1]") + "\n[search]\nactions = 4\niterations = 50\n";
+    write(&dir.path().join("heavy-workpiece"), "near.toml", &near);
+    let scan = |more: &[&str]| {
+        let arguments = ["scan", "heavy-workpiece/near.toml", "--out", "out"];
+        let output = fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1).get_output().clone();
+        (scan_json(&dir.path().join("out")), String::from_utf8(output.stdout).unwrap())
+    };
+    let (all, text) = scan(&[]);
+    assert_eq!((&all["settings"]["strategy"], &all["certificate"]["complete"]), (&"auto".into(), &true.into()));
+    assert!(text.contains("Complete: all 1,679,616 sequences are accounted for"), "{text}");
+    assert!(all["residual"].is_null() && !text.contains("Residual"), "{text}");
+    let (cut, text) = scan(&["--max-states", "1"]);
+    assert_eq!(cut["residual"]["random_sequences"], 10);
+    assert!(text.contains("of 10 uniformly random sequences"), "{text}");
+    assert!(
+        text.contains("Not complete: a quick search of 50 sequences, and all beginnings of 1 of 4 actions"),
+        "{text}"
+    );
+    assert!(text.contains("not proof of safety; the residual figures above bound what is left"), "{text}");
+    let (first, text) = scan(&["--stop-at", "first"]);
+    assert!(first["certificate"].is_null() && first["residual"].is_null());
+    assert_eq!(first["settings"]["strategy"], "auto");
+    assert!(text.contains("Not complete: a quick search of") && text.contains("sequences alone"), "{text}");
 }

@@ -31,7 +31,7 @@ enum Format {
 /// When a scan is over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum StopAt {
-    /// At the first hazard.
+    /// At the first hazard; auto then ends with its quick part, if that found one.
     First,
     /// When the budget is spent.
     #[default]
@@ -51,7 +51,7 @@ pub(super) struct Arguments {
     /// Seed of the random generator (default: the cell's, else 1)
     #[arg(long)]
     seed: Option<u64>,
-    /// Sequences to try (default: the cell's, else 320 as in the paper)
+    /// Sequences to try; for auto, in its quick part (default: the cell's, else 320 as in the paper)
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: Option<u32>,
     /// When to stop
@@ -77,9 +77,9 @@ pub(super) struct Arguments {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Choice {
     /// First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes
+    #[default]
     Auto,
     /// Monte Carlo tree search with double progressive widening, the paper's method made to work
-    #[default]
     MctsDpw,
     /// The same with the parameters of the cited algorithm (adaptive stress testing)
     MctsDpwLee,
@@ -142,21 +142,21 @@ impl Arguments {
                 let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
                 let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
                 let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
-                return if auto { Method::Auto(StrategyName::Hybrid, how) } else { Method::Exhaustive(how) };
+                return if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) };
             }
         })
     }
 }
 
 impl Arguments {
-    /// What the demo runs.
-    pub(super) fn for_demo(path: PathBuf, out: PathBuf) -> Self {
+    /// What the demo runs: the quick search alone, `iterations` sequences.
+    pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
         Self {
             path,
             cell: None,
-            strategy: Choice::default(),
+            strategy: Choice::Hybrid,
             seed: None,
-            iterations: None,
+            iterations: Some(iterations),
             stop_at: StopAt::default(),
             out: Some(out),
             format: Format::default(),

@@ -28,7 +28,6 @@ use crate::standards::provenance::tables;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum StrategyName {
     /// Monte Carlo tree search with double progressive widening, the paper's method made to work.
-    #[default]
     MctsDpw,
     /// The same with the parameters of the cited algorithm (adaptive stress testing).
     MctsDpwLee,
@@ -41,6 +40,7 @@ pub enum StrategyName {
     /// Sequences imagined from the robot motion seen so far, then verified.
     Plan,
     /// Plan and quality diversity, and every fifth sequence random.
+    #[default]
     Hybrid,
 }
 
@@ -162,7 +162,7 @@ pub fn scan(
         Method::Auto(name, how) => {
             let quick = search(prepared, name, options, &links, &mut groups, tell)?;
             if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
-                quick
+                Searched { name: AUTO, ..quick }
             } else {
                 let mut all = Groups::default();
                 let searched = Searched::all(census(prepared, options.state, how, &links, &mut all, tell)?);
@@ -251,6 +251,9 @@ pub fn scan(
     Ok(Scanned { report })
 }
 
+/// Name of [`Method::Auto`].
+const AUTO: &str = "auto";
+
 /// What a search gives besides its groups.
 struct Searched {
     name: &'static str,
@@ -283,7 +286,7 @@ impl Searched {
         let mut faults = quick.faults;
         faults.extend(self.faults);
         Self {
-            name: "auto",
+            name: AUTO,
             iterations: quick.iterations,
             figures: quick.figures,
             coverage,
