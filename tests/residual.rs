@@ -106,6 +106,13 @@ fn a_scan_by_default_says_whether_it_is_complete() {
     let scan = |more: &[&str]| {
         let arguments = ["scan", "heavy-workpiece/near.toml", "--out", "out"];
         let output = fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1).get_output().clone();
+        let told = String::from_utf8(output.stderr).unwrap();
+        let mut ids: Vec<&str> =
+            told.lines().filter_map(|l| l.trim().strip_prefix("Found ")?.split_whitespace().next()).collect();
+        let lines = ids.len();
+        ids.sort_unstable();
+        ids.dedup();
+        assert!(lines > 0 && ids.len() == lines, "a hazard is told once, though two searches meet it: {told}");
         (scan_json(&dir.path().join("out")), String::from_utf8(output.stdout).unwrap())
     };
     let (all, text) = scan(&[]);

@@ -90,6 +90,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             let done: usize = before + done;
             progress.lock().unwrap_or_else(PoisonError::into_inner).at(done as u64, cell);
         };
+        if arguments.truth {
+            output::note(&format!("  Looking at every sequence of {cell}, then at what strategies find of it"));
+        }
         let comparison = comparison::run(&prepared, &options, &tell)?;
         comparison.notes.iter().for_each(|note| output::note(&format!("  Note      {note}")));
         comparisons.push(comparison);

@@ -1,5 +1,6 @@
 //! `fmi-hazard scan`: search a cell for hazards.
 
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -191,6 +192,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let stop = stop_flag();
     let iterating = !matches!(options.method, Method::Exhaustive(_));
     let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
+    let mut logged = BTreeSet::new();
     let mut levels = Levels::new(prepared.cell.search.actions);
     let mut tell = |event: scan::Progress<'_>| {
         match event {
@@ -198,19 +200,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
             }
             scan::Progress::Level { depth, done, of, hazards } => {
+                progress.finish();
                 let s = if hazards == 1 { "" } else { "s" };
                 levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
             }
-            scan::Progress::Found(hazard) if !iterating => {
-                // One line each would bury the terminal: an exhaustive search finds hundreds.
-                let line = serde_json::to_string(hazard).unwrap_or_default();
-                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
-            }
             scan::Progress::Found(hazard) => {
-                progress.line(&found(hazard));
-                // A full disk must not end the search: scan.json at the end reports the problem.
-                let line = serde_json::to_string(hazard).unwrap_or_default();
-                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+                // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
+                // hundreds; what auto found before is not told again.
+                if hazard.first_iteration > 0 {
+                    progress.line(&found(hazard));
+                }
+                if logged.insert(hazard.id.clone()) {
+                    // A full disk must not end the search: scan.json at the end reports the problem.
+                    let line = serde_json::to_string(hazard).unwrap_or_default();
+                    let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+                }
             }
         }
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

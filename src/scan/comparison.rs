@@ -1,5 +1,6 @@
 //! Strategies compared: what each spends until its first hazard, and how many different hazards it finds with a whole
-//! budget, beside the complete list if that is asked for. Over many seeds, on all cores; the result does not depend on how many.
+//! budget, beside the complete list if that is asked for. Over many seeds, on all cores; the result does not depend on
+//! how many.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
