@@ -117,7 +117,7 @@ fn a_state_that_lies_is_not_used_and_the_result_is_the_same() {
         .iter()
         .map(|&kind| {
             let dir = faulty(kind, 0);
-            let _ = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).output();
+            let _ = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"]).output();
             let scan = scan_json(&dir.path().join("o"));
             let restore = scan["self_test"]["restore"]["result"].as_str().unwrap().to_owned();
             assert_eq!(restore == "exact", kind == 0 || kind == 8, "fault {kind}: {restore}");

@@ -18,7 +18,7 @@ fn faulty(kind: i32, step: i32) -> tempfile::TempDir {
 }
 
 fn coverage(dir: &Path) -> serde_json::Value {
-    let _ = fmi_hazard(dir).args(["scan", "cell.toml", "--out", "o"]).output().unwrap();
+    let _ = fmi_hazard(dir).args(["scan", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"]).output().unwrap();
     scan_json(&dir.join("o"))["coverage"].clone()
 }
 
@@ -32,7 +32,12 @@ fn an_early_return_is_stepped_on_and_changes_nothing() {
 fn an_fmu_that_ends_the_simulation_or_lies_about_its_time_is_exit_code_3() {
     for (kind, words) in [(3, "iscard"), (11, "asked to end the simulation"), (13, "0.1")] {
         let dir = faulty(kind, 5);
-        let output = fmi_hazard(dir.path()).args(["scan", "cell.toml"]).assert().code(3).get_output().clone();
+        let output = fmi_hazard(dir.path())
+            .args(["scan", "cell.toml", "--strategy", "mcts-dpw"])
+            .assert()
+            .code(3)
+            .get_output()
+            .clone();
         let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(words) && text.contains("selftest"), "fault {kind}: {text}");
     }
@@ -101,7 +106,7 @@ fn array_elements_can_be_bound_and_other_types_are_refused_in_words() {
     write(dir.path(), "array.toml", &angle("sized_array[1]"));
     let of = |file: &str| {
         let out = file.replace(".toml", "-out");
-        let _ = fmi_hazard(dir.path()).args(["scan", file, "--out", &out]).output().unwrap();
+        let _ = fmi_hazard(dir.path()).args(["scan", file, "--strategy", "mcts-dpw", "--out", &out]).output().unwrap();
         scan_json(&dir.path().join(out))["coverage"].clone()
     };
     // The first element is q itself.

@@ -80,7 +80,7 @@ fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
     let mut near = f64::MAX;
     for seed in 1..=10 {
         let seed = seed.to_string();
-        let args = ["scan", "safety-fence/fixed.toml", "--seed", &seed, "--out", "o"];
+        let args = ["scan", "safety-fence/fixed.toml", "--strategy", "mcts-dpw", "--seed", &seed, "--out", "o"];
         fmi_hazard(dir.path()).args(args).assert().code(0);
         let scan = scan_json(&dir.path().join("o"));
         let coverage = &scan["coverage"];

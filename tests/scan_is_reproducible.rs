@@ -11,7 +11,10 @@ const CELL: &str = "safety-fence/cell.toml";
 fn twice_the_same_scan_gives_the_same_bytes() {
     let dir = examples();
     for out in ["a", "b"] {
-        fmi_hazard(dir.path()).args(["scan", CELL, "--iterations", "60", "--out", out]).assert().code(1);
+        fmi_hazard(dir.path())
+            .args(["scan", CELL, "--strategy", "mcts-dpw", "--iterations", "60", "--out", out])
+            .assert()
+            .code(1);
     }
     for file in ["scan.json", "hazards.jsonl"] {
         let read = |out: &str| std::fs::read(dir.path().join(out).join(file)).unwrap();
@@ -41,7 +44,10 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
 #[test]
 fn every_recorded_hazard_replays_to_the_last_bit() {
     let dir = examples();
-    fmi_hazard(dir.path()).args(["scan", CELL, "--iterations", "200", "--out", "o"]).assert().code(1);
+    fmi_hazard(dir.path())
+        .args(["scan", CELL, "--strategy", "mcts-dpw", "--iterations", "200", "--out", "o"])
+        .assert()
+        .code(1);
     let scan = scan_json(&dir.path().join("o"));
     let hazards = scan["hazards"].as_array().unwrap();
     assert!(!hazards.is_empty());

@@ -86,3 +86,37 @@ fn what_is_imagined_with_certainty_is_what_happens() {
     }
     assert!(safe > 10 && hits > 5, "{safe} {hits}");
 }
+
+#[test]
+fn recall_is_counted_against_the_complete_list() {
+    let dir = examples();
+    let bench = |format: &str, more: &[&str]| {
+        let args = ["bench", "strategies", "--cells", "heavy-workpiece", "--strategies", "hybrid,random"];
+        let rest = ["--seeds", "2", "--coverage-seeds", "2", "--iterations", "40", "--format", format];
+        let output = fmi_hazard(dir.path()).args(args).args(rest).args(more).assert().code(0).get_output().clone();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: serde_json::Value = serde_json::from_str(&bench("json", &["--truth"])).unwrap();
+    let cell = &json[0];
+    assert_eq!((&cell["checkpoints"], &cell["notes"]), (&serde_json::json!([10, 20, 40]), &serde_json::json!([])));
+    let all = cell["all_hazards"].as_f64().unwrap();
+    assert!(all > 10.0);
+    for row in cell["rows"].as_array().unwrap() {
+        for run in row["runs"].as_array().unwrap() {
+            let of = |name: &str| -> Vec<f64> {
+                run["growth"][name].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+            };
+            let (groups, recall, weighted) = (of("groups"), of("recall"), of("weighted_recall"));
+            // Every hazard found is on the list, so the part of it follows from the number.
+            assert!(groups.iter().zip(&recall).all(|(n, part)| (n / all - part).abs() < 1e-12), "{run}");
+            assert!(recall.is_sorted() && weighted.is_sorted() && weighted.iter().all(|w| *w <= 1.0 + 1e-12), "{run}");
+            assert!(run["growth"]["unknown"].as_array().unwrap().is_empty());
+        }
+    }
+    let at_40 = |row: usize| cell["rows"][row]["recall_at"][2]["mean"].as_f64().unwrap();
+    assert!(at_40(0) > at_40(1), "hybrid finds more of all hazards than random search: {} {}", at_40(0), at_40(1));
+    let (text, csv, markdown) = (bench("table", &[]), bench("csv", &[]), bench("md", &[]));
+    assert!(text.contains("Different hazards after so many iterations") && text.contains("at 20"), "{text}");
+    assert!(csv.starts_with("cell,strategy,") && csv.contains("weighted_recall_at_40\n"), "{csv}");
+    assert_eq!(markdown.lines().filter(|line| line.starts_with("| heavy-workpiece")).count(), 2, "{markdown}");
+}

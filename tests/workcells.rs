@@ -91,7 +91,8 @@ fn each_flaw_is_the_one_its_readme_names() {
     let dir = examples();
     for flaw in FLAWS {
         let cell = format!("{}/cell.toml", flaw.cell);
-        let result = scan(dir.path(), &cell, &["--seed", flaw.seed, "--iterations", flaw.iterations]);
+        let result =
+            scan(dir.path(), &cell, &["--strategy", "mcts-dpw", "--seed", flaw.seed, "--iterations", flaw.iterations]);
         let hazards = result["hazards"].as_array().unwrap();
         assert!(!hazards.is_empty(), "{}: nothing found", flaw.cell);
         let mut as_named = 0;
@@ -158,7 +159,7 @@ fn fmi_2_and_fmi_3_give_the_same_bytes() {
         let run = |version: &str| {
             let fmu = format!("{0}/{0}{version}.fmu", flaw.cell);
             let cell = format!("{}/cell.toml", flaw.cell);
-            let arguments = ["--cell", &cell, "--iterations", "25", "--seed", "3"];
+            let arguments = ["--cell", &cell, "--strategy", "mcts-dpw", "--iterations", "25", "--seed", "3"];
             let mut result = scan(dir.path(), &fmu, &arguments);
             let version = result["subject"]["fmus"][0]["fmi_version"].clone();
             result.as_object_mut().unwrap().remove("subject");
@@ -231,7 +232,7 @@ fn fmus_that_break_promises_about_states_give_the_same_hazards() {
 fn an_fmu_for_one_instance_in_a_process_says_so() {
     let dir = examples();
     std::fs::copy(test_fmus().join("sensor-mat-once.fmu"), dir.path().join("once.fmu")).unwrap();
-    let arguments = ["scan", "once.fmu", "--cell", "sensor-mat/cell.toml"];
+    let arguments = ["scan", "once.fmu", "--cell", "sensor-mat/cell.toml", "--strategy", "mcts-dpw"];
     let output = fmi_hazard(dir.path()).args(arguments).output().unwrap();
     let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
     assert_ne!(output.status.code(), Some(0));

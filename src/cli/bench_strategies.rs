@@ -6,11 +6,13 @@ use std::sync::{Mutex, PoisonError};
 use super::bench::Format;
 use super::exit::{Failure, NO_HAZARD};
 use super::output::{self, Progress};
-use crate::report::comparison::{CSV_HEADER, Comparison, table};
+use crate::report::comparison::{Comparison, csv_header, growth_table, table};
 use crate::report::paper;
-use crate::scan::StrategyName;
 use crate::scan::comparison::{self, ComparisonOptions};
 use crate::scan::prepare::prepare;
+use crate::scan::{Exhaustive, StrategyName};
+use crate::search::exhaustive::Budget;
+use crate::sim::expansion::Merge;
 
 const ALL: [StrategyName; 5] = [
     StrategyName::Hybrid,
@@ -19,6 +21,9 @@ const ALL: [StrategyName; 5] = [
     StrategyName::MctsDpw,
     StrategyName::Random,
 ];
+
+/// Limits of the search for all hazards: memory alone.
+const TRUTH_BUDGET: Budget = Budget { states: 20_000_000, bytes: 4_000_000_000, work: u64::MAX, drop: true };
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -40,6 +45,10 @@ pub(super) struct Arguments {
     /// Budget of each run, in iterations
     #[arg(long, default_value_t = 320, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: u32,
+    /// First look at every sequence of each cell, and say which part of all hazards the strategies find; takes minutes a
+    /// cell, and long for cells with a light curtain
+    #[arg(long)]
+    truth: bool,
     /// Check all six postures per walk, as `scan` does
     #[arg(long)]
     posture_sweep: bool,
@@ -58,6 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     let wanted = |cell: &&str| arguments.cells.is_empty() || arguments.cells.iter().any(|c| c == cell);
     let cells: Vec<&str> = known.into_iter().filter(wanted).collect();
+    let workers = arguments.workers.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
     let options = ComparisonOptions {
         strategies: arguments.strategies.clone(),
         reference: StrategyName::MctsDpw,
@@ -65,8 +75,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         seeds: arguments.seeds,
         coverage_seeds: arguments.coverage_seeds,
         iterations: arguments.iterations,
+        truth: arguments.truth.then_some(Exhaustive { budget: TRUTH_BUDGET, merge: Merge::default(), workers }),
         posture_sweep: arguments.posture_sweep,
-        workers: arguments.workers.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into)),
+        workers,
     };
     let folder = tempfile::tempdir().map_err(Failure::unusable)?;
     crate::examples::export(folder.path()).map_err(Failure::unusable)?;
@@ -79,7 +90,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             let done: usize = before + done;
             progress.lock().unwrap_or_else(PoisonError::into_inner).at(done as u64, cell);
         };
-        comparisons.push(comparison::run(&prepared, &options, &tell)?);
+        if arguments.truth {
+            output::note(&format!("  Looking at every sequence of {cell}, then at what strategies find of it"));
+        }
+        let comparison = comparison::run(&prepared, &options, &tell)?;
+        comparison.notes.iter().for_each(|note| output::note(&format!("  Note      {note}")));
+        comparisons.push(comparison);
     }
     progress.lock().unwrap_or_else(PoisonError::into_inner).finish();
     output::result(&render(&comparisons, arguments)?);
@@ -89,15 +105,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 fn render(comparisons: &[Comparison], arguments: &Arguments) -> Result<String, Failure> {
     Ok(match arguments.format {
         Format::Json => serde_json::to_string_pretty(comparisons).map_err(Failure::unusable)? + "\n",
-        Format::Csv => CSV_HEADER.to_owned() + &comparisons.iter().map(Comparison::csv).collect::<String>(),
-        Format::Md => table(comparisons, true),
+        Format::Csv => csv_header(arguments.iterations) + &comparisons.iter().map(Comparison::csv).collect::<String>(),
+        Format::Md => table(comparisons, true) + "\n" + &growth_table(comparisons, true),
         Format::Table => {
             let head = format!(
                 "Cost of the first hazard, {} seeds from {}, at most {} iterations; hazards: different ones after all of \
                  them, {} seeds.\n\n",
                 arguments.seeds, arguments.first_seed, arguments.iterations, arguments.coverage_seeds
             );
-            head + &table(comparisons, false)
+            let growth = match (arguments.coverage_seeds, arguments.truth) {
+                (0, _) => String::new(),
+                (seeds, true) => format!(
+                    "\nPart of all hazards found after so many iterations, {seeds} seeds; in brackets the part of all \
+                     hazardous sequences that begin with one of them.\n\n"
+                ),
+                (seeds, false) => format!("\nDifferent hazards after so many iterations, {seeds} seeds.\n\n"),
+            };
+            head + &table(comparisons, false) + &growth + &growth_table(comparisons, false)
         }
     })
 }

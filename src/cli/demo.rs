@@ -6,6 +6,9 @@ use super::exit::Failure;
 use super::{output, scan};
 use crate::examples;
 
+/// Enough for several hazards within seconds; looking at every sequence, as a scan does by default, takes minutes.
+const ITERATIONS: u32 = 20;
+
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Where the example and the results go
@@ -18,6 +21,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     examples::export(&cells).map_err(|e| Failure::unusable(format!("cannot write to {}: {e}", cells.display())))?;
     let fmu = cells.join("safety-fence/safety-fence.fmu");
     output::note(&format!("  Exported the example cells to {}", cells.display()));
-    output::note(&format!("   Running fmi-hazard scan {}", fmu.display()));
-    scan::run(&scan::Arguments::for_demo(fmu, arguments.out.join("safety-fence")))
+    let command = format!("fmi-hazard scan {} --strategy hybrid --iterations {ITERATIONS}", fmu.display());
+    output::note(&format!("   Running {command}"));
+    scan::run(&scan::Arguments::for_demo(fmu, arguments.out.join("safety-fence"), ITERATIONS))
 }

@@ -1,5 +1,6 @@
 //! `fmi-hazard scan`: search a cell for hazards.
 
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -31,7 +32,7 @@ enum Format {
 /// When a scan is over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum StopAt {
-    /// At the first hazard.
+    /// At the first hazard; auto then ends with its quick part, if that found one.
     First,
     /// When the budget is spent.
     #[default]
@@ -51,7 +52,7 @@ pub(super) struct Arguments {
     /// Seed of the random generator (default: the cell's, else 1)
     #[arg(long)]
     seed: Option<u64>,
-    /// Sequences to try (default: the cell's, else 320 as in the paper)
+    /// Sequences to try; for auto, in its quick part (default: the cell's, else 320 as in the paper)
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: Option<u32>,
     /// When to stop
@@ -77,9 +78,9 @@ pub(super) struct Arguments {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Choice {
     /// First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes
+    #[default]
     Auto,
     /// Monte Carlo tree search with double progressive widening, the paper's method made to work
-    #[default]
     MctsDpw,
     /// The same with the parameters of the cited algorithm (adaptive stress testing)
     MctsDpwLee,
@@ -142,21 +143,21 @@ impl Arguments {
                 let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
                 let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
                 let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
-                return if auto { Method::Auto(StrategyName::Hybrid, how) } else { Method::Exhaustive(how) };
+                return if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) };
             }
         })
     }
 }
 
 impl Arguments {
-    /// What the demo runs.
-    pub(super) fn for_demo(path: PathBuf, out: PathBuf) -> Self {
+    /// What the demo runs: the quick search alone, `iterations` sequences.
+    pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
         Self {
             path,
             cell: None,
-            strategy: Choice::default(),
+            strategy: Choice::Hybrid,
             seed: None,
-            iterations: None,
+            iterations: Some(iterations),
             stop_at: StopAt::default(),
             out: Some(out),
             format: Format::default(),
@@ -191,6 +192,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let stop = stop_flag();
     let iterating = !matches!(options.method, Method::Exhaustive(_));
     let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
+    let mut logged = BTreeSet::new();
     let mut levels = Levels::new(prepared.cell.search.actions);
     let mut tell = |event: scan::Progress<'_>| {
         match event {
@@ -198,19 +200,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
             }
             scan::Progress::Level { depth, done, of, hazards } => {
+                progress.finish();
                 let s = if hazards == 1 { "" } else { "s" };
                 levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
             }
-            scan::Progress::Found(hazard) if !iterating => {
-                // One line each would bury the terminal: an exhaustive search finds hundreds.
-                let line = serde_json::to_string(hazard).unwrap_or_default();
-                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
-            }
             scan::Progress::Found(hazard) => {
-                progress.line(&found(hazard));
-                // A full disk must not end the search: scan.json at the end reports the problem.
-                let line = serde_json::to_string(hazard).unwrap_or_default();
-                let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+                // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
+                // hundreds; what auto found before is not told again.
+                if hazard.first_iteration > 0 {
+                    progress.line(&found(hazard));
+                }
+                if logged.insert(hazard.id.clone()) {
+                    // A full disk must not end the search: scan.json at the end reports the problem.
+                    let line = serde_json::to_string(hazard).unwrap_or_default();
+                    let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+                }
             }
         }
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -176,6 +176,11 @@ impl Groups {
         self.groups.iter_mut()
     }
 
+    /// What tells the hazards apart.
+    pub fn identities(&self) -> impl Iterator<Item = &Identity> {
+        self.groups.keys()
+    }
+
     /// Number of hazards.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -5,9 +5,11 @@
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`campaign`]: many seeds of several strategies side by side
 //! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
+//! - [`growth`]: how the number of hazards found grows with the iterations
 
 pub mod campaign;
 pub mod comparison;
+pub mod growth;
 pub mod model;
 pub mod paper;
 pub mod terminal;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::hazard::{Class, Group};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
+use crate::search::residual::Figures;
 use crate::sim::Coverage;
 use crate::standards::BodyRegion;
 use crate::standards::provenance::Table;
@@ -33,6 +34,9 @@ pub struct ScanReport {
     pub hazards: Vec<Hazard>,
     /// What an exhaustive search covered.
     pub certificate: Option<Certificate>,
+    /// What random sequences say about what is left; none if every sequence was looked at, if the strategy keeps no
+    /// random sequences apart, or if the search ended early, because of what it met or by wish.
+    pub residual: Option<Residual>,
     /// What was seen.
     pub coverage: Coverage,
     /// What it cost.
@@ -287,6 +291,67 @@ pub struct RandomSearch {
     pub sigma: f64,
     /// Probability to find nothing.
     pub miss_probability: f64,
+}
+
+/// What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
+/// that a strategy chose are never counted. See [`crate::search::residual`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Residual {
+    /// What the figures hold for.
+    pub holds_for: &'static str,
+    /// Uniformly random sequences.
+    pub random_sequences: u64,
+    /// Of these, hazardous by their own end; findings in other postures of their walks do not count.
+    pub hazardous: u64,
+    /// Of these, not evaluated, because the FMU could not finish them; upper bounds count them as the worse.
+    pub not_evaluated: u64,
+    /// Clopper-Pearson interval, two-sided, of the share of all sequences that is hazardous: what an exhaustive search
+    /// gives as `hazardous / sequences`.
+    pub hazardous_share_interval: [f64; 2],
+    /// Upper bound, one-sided, of the same share.
+    pub hazardous_share_below: f64,
+    /// About hazards that are not listed; none if no hazard is, as the share above is then the answer.
+    pub unlisted: Option<Unlisted>,
+}
+
+/// How often a random sequence ends in a hazard that is not listed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Unlisted {
+    /// Random sequences after the first quarter of the search, each checked against the hazards known by then.
+    pub checked: u64,
+    /// Of these, ended in a hazard not known then, or not evaluated.
+    pub met_others: u64,
+    /// Upper bound, one-sided, of the probability that one more random sequence ends in a hazard that is not listed.
+    pub probability_below: f64,
+    /// Good-Turing estimate, no bound, from the random sequences alone: the probability that one more ends in a hazard
+    /// that none of them ended in.
+    pub good_turing_estimate: f64,
+}
+
+impl Residual {
+    /// What figures are about.
+    pub const HOLDS_FOR: &'static str = "uniformly random sequences of these actions, horizon and start in this model; \
+                                         not how likely a person is hurt";
+
+    /// The record of figures; `listed`: whether any hazard was found.
+    #[must_use]
+    pub fn new(f: &Figures, listed: bool) -> Self {
+        let unlisted = Unlisted {
+            checked: f.checked,
+            met_others: f.unlisted,
+            probability_below: f.unlisted_below,
+            good_turing_estimate: f.good_turing,
+        };
+        Self {
+            holds_for: Self::HOLDS_FOR,
+            random_sequences: f.sequences,
+            hazardous: f.hazardous,
+            not_evaluated: f.not_evaluated,
+            hazardous_share_interval: [f.share.low, f.share.high],
+            hazardous_share_below: f.share_below,
+            unlisted: listed.then_some(unlisted),
+        }
+    }
 }
 
 /// The touching arm.

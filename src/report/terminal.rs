@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::model::{Certificate, ScanReport, Verdict};
+use super::model::{Certificate, Residual, ScanReport, Verdict};
 use crate::hazard::Class;
 use crate::human::Action;
 
@@ -16,6 +16,9 @@ pub fn render(report: &ScanReport) -> String {
     hazard_table(report, &mut out);
     if let Some(certificate) = &report.certificate {
         certified(report, certificate, &mut out);
+    }
+    if let Some(figures) = &report.residual {
+        residual(figures, &mut out);
     }
     coverage(report, &mut out);
     for fault in &report.faults {
@@ -174,6 +177,32 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
     }
 }
 
+/// What random sequences say about what is left.
+fn residual(r: &Residual, out: &mut String) {
+    let not_evaluated =
+        if r.not_evaluated > 0 { format!(", {} not evaluated", r.not_evaluated) } else { String::new() };
+    let share = match r.hazardous {
+        0 => format!("below {:.2e} (one-sided)", r.hazardous_share_below),
+        _ => {
+            format!("{:.2e} to {:.2e} (Clopper-Pearson)", r.hazardous_share_interval[0], r.hazardous_share_interval[1])
+        }
+    };
+    let _ = writeln!(
+        out,
+        "  Residual  {} of {} uniformly random sequences hazardous{not_evaluated}: share of all sequences {share}",
+        r.hazardous, r.random_sequences
+    );
+    if let Some(u) = &r.unlisted {
+        let _ = writeln!(
+            out,
+            "            one more ends in a hazard not listed here with probability below {:.2e} ({} of {} later ones did; \
+             Good-Turing estimate without the chosen sequences {:.2e})",
+            u.probability_below, u.met_others, u.checked, u.good_turing_estimate
+        );
+    }
+    let _ = writeln!(out, "            95 % confidence each; for {}", r.holds_for);
+}
+
 fn coverage(report: &ScanReport, out: &mut String) {
     let c = &report.coverage;
     let sequences = match &report.certificate {
@@ -205,40 +234,54 @@ fn coverage(report: &ScanReport, out: &mut String) {
     let _ = writeln!(out, "            sensors {text}");
 }
 
+/// Which sequences were looked at.
+fn looked_at(report: &ScanReport) -> String {
+    let (spent, settings) = (&report.spent, &report.settings);
+    let auto = settings.strategy == "auto";
+    match &report.certificate {
+        Some(c) if c.complete => format!("all {} sequences", grouped(&c.sequences)),
+        Some(c) => {
+            let quick =
+                if auto { format!("a quick search of {} sequences, and ", spent.iterations) } else { String::new() };
+            format!("{quick}all beginnings of {} of {} actions", c.complete_for_actions, c.horizon)
+        }
+        None if auto => format!("a quick search of {} sequences alone, with seed {}", spent.iterations, settings.seed),
+        None => format!("{} iterations of {} with seed {}", spent.iterations, settings.strategy, settings.seed),
+    }
+}
+
 fn sentence(report: &ScanReport) -> String {
-    let within = match &report.certificate {
-        Some(c) => format!("all sequences of {} actions", c.complete_for_actions),
-        None => format!(
-            "{} iterations of {} with seed {}",
-            report.spent.iterations, report.settings.strategy, report.settings.seed
-        ),
+    let within = looked_at(report);
+    let complete = report.certificate.as_ref().is_some_and(|c| c.complete);
+    let left = if report.residual.is_some() { "; the residual figures above bound what is left" } else { "" };
+    let scope = match complete {
+        true => format!("Complete: {within} are accounted for."),
+        false => format!("Not complete: {within}. Not finding more is not proof of safety{left}."),
     };
     match report.verdict {
         Verdict::HazardsFound => {
             let n = report.hazards.len();
             let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
             let s = if n == 1 { "" } else { "s" };
-            let more = match &report.certificate {
-                Some(c) if c.complete => "There are no others within the stated actions and horizon, in this model.",
-                _ => "Not finding more is not proof of safety.",
+            let others = match complete {
+                true => " There are no others within the stated actions and horizon, in this model.",
+                false => "",
             };
-            format!("{n} possible hazard{s}, {confirmed} confirmed by a fresh replay. {more}")
+            format!("{n} possible hazard{s}, {confirmed} confirmed by a fresh replay.\n {scope}{others}")
         }
-        Verdict::NoneFound if report.certificate.as_ref().is_some_and(|c| c.complete) => {
-            "No sequence of the stated actions and horizon is hazardous, in this model. A statement about the model, not \
-             about the real cell."
-                .to_owned()
+        Verdict::NoneFound if complete => {
+            format!(
+                "No sequence of the stated actions and horizon is hazardous, in this model.\n {scope} A statement about the \
+                 model, not about the real cell."
+            )
         }
-        Verdict::NoneFound if report.certificate.is_some() => {
-            "No hazard found in what was covered. This is not proof of safety.".to_owned()
-        }
-        Verdict::NoneFound => format!("No hazard found in {within}. This is not proof of safety."),
+        Verdict::NoneFound => format!("No hazard found.\n {scope}"),
         Verdict::Inconclusive => {
             "Inconclusive: nothing was found, but nothing could have been. See the note above.".to_owned()
         }
         Verdict::FmuFailed => {
             "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()
         }
-        Verdict::Interrupted => format!("Interrupted after {within}; nothing found so far."),
+        Verdict::Interrupted => format!("Interrupted; nothing found so far in {within}."),
     }
 }

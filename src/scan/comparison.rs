@@ -1,14 +1,21 @@
 //! Strategies compared: what each spends until its first hazard, and how many different hazards it finds with a whole
-//! budget. Over many seeds, on all cores; the result does not depend on how many.
+//! budget, beside the complete list if that is asked for. Over many seeds, on all cores; the result does not depend on
+//! how many.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use num_bigint::BigUint;
+use num_traits::ToPrimitive as _;
+
+use super::exhaustive::{Exhaustive, census};
 use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
-use crate::hazard::Groups;
+use crate::hazard::{Group, Groups};
 use crate::host::System;
 use crate::report::comparison::{Comparison, Spent};
+use crate::report::growth::{Cost, Growth, Truth, checkpoints};
 use crate::search::Rng;
 use crate::sim::Simulation;
 
@@ -27,6 +34,8 @@ pub struct ComparisonOptions {
     pub coverage_seeds: u64,
     /// Budget of each run.
     pub iterations: u32,
+    /// First look at every sequence, for the complete list of hazards.
+    pub truth: Option<Exhaustive>,
     /// Check all six postures per walk.
     pub posture_sweep: bool,
     /// Threads.
@@ -42,6 +51,9 @@ pub fn run(
     options: &ComparisonOptions,
     tell: &(dyn Fn(usize) + Sync),
 ) -> Result<Comparison, ScanError> {
+    let truth = options.truth.map(|how| complete(prepared, how)).transpose()?;
+    let truth_missing = truth.as_ref().and_then(|truth| truth.as_ref().err().cloned());
+    let truth = truth.and_then(Result::ok);
     let seeds = options.seeds.max(options.coverage_seeds);
     let jobs: Vec<(StrategyName, u64)> =
         options.strategies.iter().flat_map(|&s| (0..seeds).map(move |i| (s, i))).collect();
@@ -55,7 +67,7 @@ pub fn run(
         loop {
             let job = next.fetch_add(1, Ordering::Relaxed);
             let Some(&(strategy, seed)) = jobs.get(job) else { return Ok(()) };
-            let result = one(prepared, &mut simulation, strategy, seed, options)?;
+            let result = one(prepared, &mut simulation, (strategy, seed), options, truth.as_ref())?;
             results.lock().unwrap_or_else(PoisonError::into_inner)[job] = Some(result);
             tell(ended.fetch_add(1, Ordering::Relaxed) + 1);
         }
@@ -72,16 +84,40 @@ pub fn run(
     let runs: Vec<(String, Vec<Spent>)> =
         options.strategies.iter().map(name).zip(results.chunks(per_strategy).map(<[Spent]>::to_vec)).collect();
     let settings = (options.first_seed, counted, options.iterations, options.posture_sweep);
-    Ok(Comparison::new(&prepared.cell.name, settings, &runs, &name(&options.reference)))
+    let all = truth.as_ref().map(Truth::len);
+    let mut comparison = Comparison::new(&prepared.cell.name, settings, &runs, &name(&options.reference), all);
+    comparison.notes.extend(truth_missing);
+    Ok(comparison)
+}
+
+/// Every hazard of the cell; or why it is not known.
+fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String>, ScanError> {
+    let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
+    let mut groups = Groups::default();
+    let census = census(prepared, StateChoice::Auto, how, &links, &mut groups, &mut |_| ControlFlow::Continue(()))?;
+    if let Some(cause) = census.broken {
+        return Err(ScanError { cause });
+    }
+    let reasons = match census.certificate {
+        Some(certificate) if certificate.complete => {
+            let sequences = |group: &Group| group.sequences.as_ref().and_then(BigUint::to_f64).unwrap_or(0.0);
+            let groups = groups.ranked();
+            let all: f64 = groups.iter().map(|group| sequences(group)).sum();
+            return Ok(Ok(groups.into_iter().map(|group| (group.id.clone(), sequences(group) / all)).collect()));
+        }
+        Some(certificate) => certificate.reasons.join("; "),
+        None => "the FMU failed".to_owned(),
+    };
+    Ok(Err(format!("{}: no recall, because the exhaustive search is not complete: {reasons}", prepared.cell.name)))
 }
 
 /// One run: what it spends until its first hazard, and if it goes on, the number of different hazards.
 fn one(
     prepared: &Prepared,
     simulation: &mut Simulation<System>,
-    strategy: StrategyName,
-    number: u64,
+    (strategy, number): (StrategyName, u64),
     options: &ComparisonOptions,
+    truth: Option<&Truth>,
 ) -> Result<Spent, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     simulation.begin_run();
@@ -95,13 +131,19 @@ fn one(
         iterations,
         actions: simulation.coverage().actions,
         fmu_steps: simulation.fmu_steps_of_run(),
-        hazards: None,
+        growth: None,
     };
+    let checkpoints = checkpoints(options.iterations);
+    let mut growth = Growth::default();
     for iteration in 1..=options.iterations {
         strategy.iterate(simulation, &mut rng).map_err(|cause| ScanError { cause })?;
         for finding in simulation.take_findings() {
-            groups.add(finding, u64::from(iteration), &links);
+            if let Some(id) = groups.add(finding, u64::from(iteration), &links) {
+                growth.met(id, truth);
+            }
         }
+        let Spent { iterations, actions, fmu_steps, .. } = spent(simulation, iteration, true);
+        growth.after(Cost { iterations, actions, fmu_steps }, &checkpoints, truth);
         if first.is_none() && !groups.is_empty() {
             first = Some(spent(simulation, iteration, true));
         }
@@ -110,6 +152,6 @@ fn one(
         }
     }
     let mut result = first.unwrap_or_else(|| spent(simulation, options.iterations, false));
-    result.hazards = whole.then_some(groups.len());
+    result.growth = whole.then_some(growth);
     Ok(result)
 }

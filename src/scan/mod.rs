@@ -6,6 +6,7 @@
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
+//! - [`residual`]: what the random sequences of a search say about hazards that are left
 //! - [`picture`]: the top view of one hazard
 
 pub mod campaign;
@@ -14,6 +15,7 @@ pub mod exhaustive;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
+pub mod residual;
 pub mod run;
 
 pub use exhaustive::Exhaustive;

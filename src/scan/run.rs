@@ -8,14 +8,16 @@ use thiserror::Error;
 use super::exhaustive::{Census, Exhaustive, census};
 use super::minimise::minimise;
 use super::prepare::{Prepared, StateChoice};
+use super::residual::Watch;
 use crate::hazard::{Finding, Groups};
 use crate::host::PlantError;
 use crate::host::System;
 use crate::human::action::ACTION_S;
 use crate::report::model::{
-    Certificate, FaultRecord, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
+    Certificate, FaultRecord, Hazard, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::search::mcts_dpw::Parameters;
+use crate::search::residual::Figures;
 use crate::search::{Hybrid, MctsDpw, Plan, Profile, QualityDiversity, Random, Rng, Strategy};
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
@@ -26,7 +28,6 @@ use crate::standards::provenance::tables;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum StrategyName {
     /// Monte Carlo tree search with double progressive widening, the paper's method made to work.
-    #[default]
     MctsDpw,
     /// The same with the parameters of the cited algorithm (adaptive stress testing).
     MctsDpwLee,
@@ -39,6 +40,7 @@ pub enum StrategyName {
     /// Sequences imagined from the robot motion seen so far, then verified.
     Plan,
     /// Plan and quality diversity, and every fifth sequence random.
+    #[default]
     Hybrid,
 }
 
@@ -160,7 +162,7 @@ pub fn scan(
         Method::Auto(name, how) => {
             let quick = search(prepared, name, options, &links, &mut groups, tell)?;
             if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
-                quick
+                Searched { name: AUTO, ..quick }
             } else {
                 let mut all = Groups::default();
                 let searched = Searched::all(census(prepared, options.state, how, &links, &mut all, tell)?);
@@ -176,6 +178,7 @@ pub fn scan(
         interrupted,
         broken,
         certificate,
+        figures,
         coverage,
         mut faults,
         fmu_steps,
@@ -218,6 +221,8 @@ pub fn scan(
     if let (Some(reason), true) = (vacuous, hazards.is_empty()) {
         warnings.push(format!("{reason}: this result says nothing about the cell"));
     }
+    // Where every sequence was looked at, the truth is known.
+    let figures = figures.filter(|_| !certificate.as_ref().is_some_and(|c| c.complete));
     let spent = Spent {
         iterations,
         actions: coverage.actions,
@@ -232,6 +237,7 @@ pub fn scan(
         verdict,
         subject: prepared.subject.clone(),
         settings: settings(prepared, options, name),
+        residual: figures.map(|f| Residual::new(&f, !hazards.is_empty())),
         hazards,
         certificate,
         coverage,
@@ -245,6 +251,9 @@ pub fn scan(
     Ok(Scanned { report })
 }
 
+/// Name of [`Method::Auto`].
+const AUTO: &str = "auto";
+
 /// What a search gives besides its groups.
 struct Searched {
     name: &'static str,
@@ -252,6 +261,8 @@ struct Searched {
     interrupted: bool,
     broken: Option<PlantError>,
     certificate: Option<Certificate>,
+    /// From random sequences, if the number of iterations was the one fixed beforehand.
+    figures: Option<Figures>,
     coverage: Coverage,
     faults: Vec<FaultRecord>,
     fmu_steps: u64,
@@ -275,8 +286,9 @@ impl Searched {
         let mut faults = quick.faults;
         faults.extend(self.faults);
         Self {
-            name: "auto",
+            name: AUTO,
             iterations: quick.iterations,
+            figures: quick.figures,
             coverage,
             faults,
             fmu_steps: quick.fmu_steps + self.fmu_steps,
@@ -294,6 +306,7 @@ impl Searched {
             interrupted,
             broken,
             certificate,
+            figures: None,
             coverage,
             faults,
             fmu_steps,
@@ -317,11 +330,16 @@ fn search(
         prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
     let mut strategy = strategy.build();
     let mut rng = Rng::new(options.seed);
+    let mut watch = Watch::new(options.iterations);
     let (mut done, mut interrupted, mut broken) = (0, false, None);
     while done < options.iterations {
         let outcome = strategy.iterate(&mut simulation, &mut rng);
         done += 1;
-        for finding in simulation.take_findings() {
+        let findings = simulation.take_findings();
+        if let Ok(iteration) = &outcome {
+            watch.after(iteration, &findings, groups, links);
+        }
+        for finding in findings {
             let Some(id) = groups.add(finding, u64::from(done), links) else { continue };
             if let Some(group) = groups.get(&id) {
                 interrupted |= tell(Progress::Found(&Hazard::new(group, links, &sensors))).is_break();
@@ -336,6 +354,8 @@ fn search(
             break;
         }
     }
+    // A search that ended because of what it met would give figures about itself.
+    let stopped = interrupted || broken.is_some() || (options.stop_at_first && !groups.is_empty());
     let coverage = simulation.coverage().clone();
     let faults = simulation.faults().iter();
     let faults = faults.map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() }).collect();
@@ -354,6 +374,7 @@ fn search(
         interrupted,
         broken,
         certificate: None,
+        figures: watch.figures().filter(|_| !stopped),
         coverage,
         faults,
         fmu_steps,

@@ -68,7 +68,8 @@ impl<S: Clone> Trodden<S> {
             if let Some(end) = step.end {
                 let ending = if end == End::NotEvaluated { None } else { environment.ending() };
                 self.ended.insert(taken.clone());
-                return Ok(Episode { actions: taken, iteration: Iteration { end, total_reward }, ending });
+                let iteration = Iteration { end, total_reward, random: false };
+                return Ok(Episode { actions: taken, iteration, ending });
             }
             if self.states.len() < STATES_KEPT {
                 self.states.entry(taken.clone()).or_insert_with(|| (environment.save(), total_reward));

@@ -7,7 +7,7 @@
 use super::episode::{Trodden, random_sequence};
 use super::plan::{Imagine, Planner, Proposal};
 use super::quality_diversity::Archive;
-use super::{End, Iteration, RandomShare, Rng, Strategy};
+use super::{Iteration, Rng, Strategy};
 
 /// What an iteration does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,6 @@ const TURNS: [Turn; 5] = [Turn::Plan, Turn::Plan, Turn::Vary, Turn::Plan, Turn::
 #[derive(Clone, Debug)]
 pub struct Hybrid<S> {
     iterations: usize,
-    random: RandomShare,
     planner: Planner,
     archive: Archive,
     trodden: Trodden<S>,
@@ -33,13 +32,7 @@ pub struct Hybrid<S> {
 
 impl<S> Default for Hybrid<S> {
     fn default() -> Self {
-        Self {
-            iterations: 0,
-            random: RandomShare::default(),
-            planner: Planner::default(),
-            archive: Archive::default(),
-            trodden: Trodden::default(),
-        }
+        Self { iterations: 0, planner: Planner::default(), archive: Archive::default(), trodden: Trodden::default() }
     }
 }
 
@@ -65,15 +58,7 @@ impl<E: Imagine> Strategy<E> for Hybrid<E::Snapshot> {
         let episode = self.trodden.follow(environment, &actions, rng)?;
         self.archive.observe(&episode);
         self.planner.observe(&episode);
-        if turn == Turn::Random {
-            self.random.random_iterations += 1;
-            self.random.random_hits += u64::from(episode.iteration.end == End::Unsafe);
-        }
-        Ok(episode.iteration)
-    }
-
-    fn random_share(&self) -> Option<RandomShare> {
-        Some(self.random)
+        Ok(Iteration { random: turn == Turn::Random, ..episode.iteration })
     }
 }
 

@@ -193,7 +193,7 @@ impl<E: Environment> Strategy<E> for MctsDpw<E::Snapshot> {
                 node.edges.push(Edge { action, visits: 0, mean: 0.0, reward: step.reward, end: step.end, child: None });
                 path.push((at, node.edges.len() - 1));
                 break match step.end {
-                    Some(end) => Iteration { end, total_reward: 0.0 },
+                    Some(end) => Iteration { end, total_reward: 0.0, random: false },
                     None => {
                         let snapshot = environment.save();
                         let child = self.nodes.len();
@@ -209,7 +209,7 @@ impl<E: Environment> Strategy<E> for MctsDpw<E::Snapshot> {
             let edge = &self.nodes[at].edges[edge];
             match (edge.end, edge.child) {
                 (None, Some(child)) => at = child,
-                (end, _) => break Iteration { end: end.unwrap_or(End::Horizon), total_reward: 0.0 },
+                (end, _) => break Iteration { end: end.unwrap_or(End::Horizon), total_reward: 0.0, random: false },
             }
         };
         // Backup: q is the undiscounted reward from each edge on.
@@ -222,7 +222,7 @@ impl<E: Environment> Strategy<E> for MctsDpw<E::Snapshot> {
             let n = edge.visits as f64;
             edge.mean += (q - edge.mean) / n;
         }
-        Ok(Iteration { end: leaf.end, total_reward: q })
+        Ok(Iteration { end: leaf.end, total_reward: q, random: false })
     }
 }
 

@@ -12,7 +12,8 @@
 //! - [`episode`]: episodes that are resumed where they leave those that are known
 //! - [`exhaustive`]: all sequences, level by level, equal states once
 //! - [`rng`]: the one door for randomness
-//! - [`statistics`]: capped means, intervals and misses over many seeds
+//! - [`residual`]: what uniformly random sequences say about the hazards that are left
+//! - [`statistics`]: capped means, intervals and misses over many seeds, binomial bounds
 
 pub mod environment;
 pub mod episode;
@@ -22,6 +23,7 @@ pub mod mcts_dpw;
 pub mod plan;
 pub mod quality_diversity;
 pub mod random;
+pub mod residual;
 pub mod rng;
 pub mod statistics;
 
@@ -40,16 +42,9 @@ pub struct Iteration {
     pub end: End,
     /// Undiscounted sum of its rewards.
     pub total_reward: f64,
-}
-
-/// Episodes of a strategy that were drawn uniformly at random, whatever else it does: what holds for random search holds
-/// for them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct RandomShare {
-    /// How many.
-    pub random_iterations: u64,
-    /// Of these, how many ended in an unsafe state.
-    pub random_hits: u64,
+    /// Whether its actions were drawn uniformly at random, and that this would be so was settled beforehand: what holds
+    /// for random search holds for such episodes, whatever else a strategy does.
+    pub random: bool,
 }
 
 /// A way of choosing which action sequences to try.
@@ -63,9 +58,4 @@ pub trait Strategy<E: Environment> {
     /// Passes on what the environment reports as fatal to the whole search; an episode that merely could not be
     /// evaluated ends with [`End::NotEvaluated`] instead.
     fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error>;
-
-    /// The episodes that are kept apart as random, for strategies that do so.
-    fn random_share(&self) -> Option<RandomShare> {
-        None
-    }
 }

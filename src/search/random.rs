@@ -13,7 +13,7 @@ impl<E: Environment> Strategy<E> for Random {
 
     fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error> {
         environment.reset()?;
-        rollout(environment, rng)
+        Ok(Iteration { random: true, ..rollout(environment, rng)? })
     }
 }
 
@@ -25,7 +25,7 @@ pub(super) fn rollout<E: Environment>(environment: &mut E, rng: &mut Rng) -> Res
         let step = environment.step(action)?;
         total_reward += step.reward;
         if let Some(end) = step.end {
-            return Ok(Iteration { end, total_reward });
+            return Ok(Iteration { end, total_reward, random: false });
         }
     }
 }

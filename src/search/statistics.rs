@@ -159,6 +159,49 @@ pub fn wilson(hits: usize, n: usize) -> Interval {
     Interval { low: (centre - half).max(0.0), high: (centre + half).min(1.0) }
 }
 
+/// Exact two-sided 95 % interval for `hits` of `n` (Clopper and Pearson, Biometrika 26, 1934).
+#[must_use]
+pub fn clopper_pearson(hits: u64, n: u64) -> Interval {
+    let hits = hits.min(n);
+    Interval { low: 1.0 - binomial_upper(n - hits, n, 0.025), high: binomial_upper(hits, n, 0.025) }
+}
+
+/// Exact one-sided upper bound for `hits` of `n` with confidence `1 - alpha`: the probability of a hit with which so few
+/// hits, or fewer, have the probability `alpha`. For no hit that is `1 - alpha^(1/n)`.
+#[must_use]
+pub fn binomial_upper(hits: u64, n: u64, alpha: f64) -> f64 {
+    if hits >= n {
+        return 1.0;
+    }
+    // The sum falls from a half or so at `hits / n` to 0 at 1: halve until no number lies between.
+    let (mut low, mut high) = (hits as f64 / n as f64, 1.0);
+    loop {
+        let middle = f64::midpoint(low, high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if at_most(hits, n, middle) > alpha {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+/// Probability of at most `hits` hits in `n` tries, `hits / n < p < 1`: the terms fall from that of `hits` downwards.
+fn at_most(hits: u64, n: u64, p: f64) -> f64 {
+    let (k, all) = (hits as f64, n as f64);
+    let ways = libm::lgamma(all + 1.0) - libm::lgamma(k + 1.0) - libm::lgamma(all - k + 1.0);
+    let mut term = libm::exp(ways + k * libm::log(p) + (all - k) * libm::log1p(-p));
+    let (mut sum, mut i) = (term, k);
+    while i > 0.0 && term > sum * f64::EPSILON {
+        term *= i * (1.0 - p) / ((all - i + 1.0) * p);
+        sum += term;
+        i -= 1.0;
+    }
+    sum
+}
+
 /// Percentile-bootstrap interval of a mean.
 #[must_use]
 pub fn mean_interval(x: &[f64], seed: u64) -> Interval {
@@ -238,6 +281,34 @@ mod tests {
         assert!((i.low - 0.2553).abs() < 5e-5 && (i.high - 0.3662).abs() < 5e-5, "{i:?}");
         let i = wilson(0, 20);
         assert!(i.low.abs() < 1e-12 && (i.high - 0.1611).abs() < 5e-5, "{i:?}");
+    }
+
+    #[test]
+    fn clopper_pearson_agrees_with_published_values() {
+        // Newcombe (1998), Table I, method 5.
+        for (hits, n, low, high) in
+            [(81, 263, 0.2527, 0.3676), (15, 148, 0.0578, 0.1617), (0, 20, 0.0, 0.1684), (1, 29, 0.0009, 0.1776)]
+        {
+            let i = clopper_pearson(hits, n);
+            assert!((i.low - low).abs() < 5e-5 && (i.high - high).abs() < 5e-5, "{hits} of {n}: {i:?}");
+        }
+        assert_eq!(clopper_pearson(0, 0), Interval { low: 0.0, high: 1.0 });
+        assert_eq!(clopper_pearson(7, 7).high.to_bits(), 1.0_f64.to_bits());
+    }
+
+    #[test]
+    fn binomial_bounds_in_closed_form() {
+        // No hit: (1 - p)^n = alpha. All but one: 1 - p^n = alpha. Half of two: p^2 = 1 - alpha.
+        for n in [1, 2, 64, 320, 1_000_000] {
+            let tries = n as f64;
+            let none = -libm::expm1(libm::log(0.05) / tries);
+            assert!((binomial_upper(0, n, 0.05) / none - 1.0).abs() < 1e-9, "{n}");
+            let all_but_one = libm::exp(libm::log(0.95) / tries);
+            assert!((binomial_upper(n - 1, n, 0.05) - all_but_one).abs() < 1e-9, "{n}");
+        }
+        // Far from the ends, by the normal approximation with continuity correction.
+        let i = clopper_pearson(500_000, 1_000_000);
+        assert!((i.high - 0.500_980_5).abs() < 1e-6 && (i.low - 0.499_019_5).abs() < 1e-6, "{i:?}");
     }
 
     #[test]

@@ -1,0 +1,48 @@
+//! What the random sequences of a search met, for the figures of [`crate::search::residual`].
+
+use crate::hazard::{Finding, Groups, Identity};
+use crate::search::residual::{Figures, Met, RandomSample};
+use crate::search::{End, Iteration};
+
+/// Follows a search with a fixed number of iterations. After a quarter of them, random sequences are checked against
+/// the hazards known by then: what is not known by then is rare, and three quarters bound it well.
+#[derive(Clone, Debug)]
+pub struct Watch {
+    sample: RandomSample<Identity>,
+    quarter: u32,
+    done: u32,
+}
+
+impl Watch {
+    /// Of a search of so many iterations.
+    #[must_use]
+    pub fn new(iterations: u32) -> Self {
+        Self { sample: RandomSample::default(), quarter: iterations / 4, done: 0 }
+    }
+
+    /// Takes in an iteration and the findings that came with it; `groups` is what was known before it.
+    ///
+    /// A sequence counts by its own end alone. What the other postures of its walks met is in the list but is no sample:
+    /// these are other sequences, and where a beginning is restored instead of simulated they are not met again.
+    pub fn after(&mut self, iteration: &Iteration, findings: &[Finding], groups: &Groups, links: &[String]) {
+        if self.done == self.quarter {
+            self.sample.check_against(groups.identities().cloned().collect());
+        }
+        self.done += 1;
+        if !iteration.random {
+            return;
+        }
+        self.sample.observe(match (iteration.end, findings.last()) {
+            // The contact that ends a sequence comes last, after those of the other postures.
+            (End::Unsafe, Some(own)) => Met::Group(Identity::of(own, links)),
+            (End::Unsafe, None) | (End::NotEvaluated, _) => Met::Unknown,
+            (End::Horizon, _) => Met::Nothing,
+        });
+    }
+
+    /// The figures; none without a random sequence.
+    #[must_use]
+    pub fn figures(&self) -> Option<Figures> {
+        self.sample.figures()
+    }
+}
