@@ -92,7 +92,7 @@ enum Choice {
     QualityDiversity,
     /// Sequences imagined from the robot motion seen so far, then verified
     Plan,
-    /// Plan and quality diversity, and every fifth sequence random
+    /// Plan, and every fifth sequence random
     Hybrid,
     /// Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none in the
     /// model

@@ -338,19 +338,26 @@ fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64
     })
 }
 
-/// How far the point of a solid that is nearest to a point outside can move along `n` when that point moves by `by`, m.
+/// A capsule as a point outside sees it, to tell how far the nearest point of its surface can move when that point does.
 ///
-/// No farther than the point itself. On a capsule: its core's point moves along the core, and the direction from there
-/// turns the less the farther away the point is (both the nearest point of a convex set and the way from there move no
-/// farther than the point; unit vectors of v and w differ by at most 2 |v - w| / (|v| + |w|)).
-fn nearest_moves(solid: &Solid, near: &Closest, n: Vec3, by: f64) -> f64 {
-    let Solid::Capsule(capsule) = solid else { return by };
-    let from_core = near.distance + capsule.radius;
-    if from_core <= by {
-        return by;
+/// No farther than the point itself, as for any convex set. Besides, the core's nearest point moves along the core, and
+/// the direction from there turns the less the farther away the point is: the way from a convex set to a point changes by
+/// no more than the point moves, and unit vectors of v and w differ by at most 2 |v - w| / (|v| + |w|).
+struct NearestMoves {
+    /// Direction of the core; zero for a ball.
+    core: Vec3,
+    /// How far the surface point moves because the direction turns, m.
+    turning: f64,
+}
+
+impl NearestMoves {
+    /// For a point that moves by `by`; nothing better than that is known of hulls, and of points that may be on the core.
+    fn new(solid: &Solid, near: &Closest, by: f64) -> Option<Self> {
+        let Solid::Capsule(capsule) = solid else { return None };
+        let from_core = near.distance + capsule.radius;
+        let core = (capsule.b - capsule.a).normalize_or_zero();
+        (from_core > by).then(|| Self { core, turning: capsule.radius * by / (from_core - 0.5 * by) })
     }
-    let along_core = (capsule.b - capsule.a).normalize_or_zero().dot(n).abs() * by;
-    by.min(along_core + capsule.radius * by / (from_core - 0.5 * by))
 }
 
 fn widest(ranges: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
@@ -582,9 +589,18 @@ impl<S: ContactScore> Search<'_, S> {
         let [_, _, fore, hand] = piece.bounds;
         if hand > cutoff {
             let near = link.point_distance(placed.wrist);
-            // The nearest point of a convex link moves no farther than the wrist; a wrist inside is its own point.
-            let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
-            let bound = || self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around);
+            let bound = || {
+                let around = if near.distance > movement.wrist {
+                    // The nearest point of a convex link moves no farther than the wrist.
+                    let moves = NearestMoves::new(link, &near, movement.wrist);
+                    let moves = moves.map(|m| movement.along(placed, m.core).1 + m.turning);
+                    movement.wrist.min(moves.unwrap_or(f64::MAX))
+                } else {
+                    // A wrist inside is its own point.
+                    2.0 * movement.wrist + (-near.distance).max(0.0)
+                };
+                self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around)
+            };
             // Contacts no deeper than the tolerance are not looked for.
             let gap = near.distance - arm.hand_radius_m + self.query.tolerance_m;
             // A convex link stays behind the plane through its nearest point: only movement against it counts.
@@ -701,9 +717,10 @@ impl<S: ContactScore> Search<'_, S> {
         let inside = near.distance <= 0.0;
         // A wrist that may be inside the link in a part of the box needs no line there.
         let to = if inside { placed.wrist } else { near.on_second };
+        let nearest = NearestMoves::new(solid, &near, movement.wrist).filter(|_| !inside);
         let moves = |n: Vec3| {
-            let nearest = if inside { movement.wrist } else { nearest_moves(solid, &near, n, movement.wrist) };
-            [movement.along(placed, n).1, nearest]
+            let nearest = nearest.as_ref().map(|m| m.core.dot(n).abs() * movement.wrist + m.turning);
+            [movement.along(placed, n).1, movement.wrist.min(nearest.unwrap_or(f64::MAX))]
         };
         self.obstacles_near(placed.wrist, to, movement.wrist).all(|o| {
             segment_cuboid(placed.wrist, to, o).distance > movement.wrist

@@ -39,7 +39,7 @@ pub enum StrategyName {
     QualityDiversity,
     /// Sequences imagined from the robot motion seen so far, then verified.
     Plan,
-    /// Plan and quality diversity, and every fifth sequence random.
+    /// Plan, and every fifth sequence random.
     #[default]
     Hybrid,
 }

@@ -1,38 +1,27 @@
-//! Plan, quality diversity and random episodes in turn.
+//! Planning, and every fifth sequence random.
 //!
-//! Planning is quick where the world moves on as it was seen to; the archive finds what depends on reactions that were
-//! not seen yet; and every fifth episode is drawn uniformly at random, whatever the others found, so that statistics of
-//! random sampling hold for these. All of them learn from all episodes.
+//! Planning finds most with least, but what it runs depends on what it saw, so no statistics of random sampling hold for
+//! it. Every fifth sequence is drawn uniformly at random, whatever the others found: for these such statistics hold, and
+//! they see what planning has no reason to look for. Planning learns from all of them.
 
 use super::episode::{Trodden, random_sequence};
-use super::plan::{Imagine, Planner, Proposal};
-use super::quality_diversity::Archive;
+use super::plan::{Imagine, Planner};
 use super::{Iteration, Rng, Strategy};
 
-/// What an iteration does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Turn {
-    /// Plan; where nothing new is promised, vary an elite.
-    Plan,
-    Vary,
-    Random,
-}
-
-/// The turns, over and over.
-const TURNS: [Turn; 5] = [Turn::Plan, Turn::Plan, Turn::Vary, Turn::Plan, Turn::Random];
+/// One sequence of so many is random.
+const RANDOM_EVERY: usize = 5;
 
 /// The strategy.
 #[derive(Clone, Debug)]
 pub struct Hybrid<S> {
     iterations: usize,
     planner: Planner,
-    archive: Archive,
     trodden: Trodden<S>,
 }
 
 impl<S> Default for Hybrid<S> {
     fn default() -> Self {
-        Self { iterations: 0, planner: Planner::default(), archive: Archive::default(), trodden: Trodden::default() }
+        Self { iterations: 0, planner: Planner::default(), trodden: Trodden::default() }
     }
 }
 
@@ -42,23 +31,16 @@ impl<E: Imagine> Strategy<E> for Hybrid<E::Snapshot> {
     }
 
     fn iterate(&mut self, environment: &mut E, rng: &mut Rng) -> Result<Iteration, E::Error> {
-        let turn = TURNS[self.iterations % TURNS.len()];
         self.iterations += 1;
-        let planned = match turn {
-            Turn::Plan => match self.planner.propose(environment, &self.trodden, rng) {
-                Proposal::Promising(actions, 0) => Some(actions),
-                // The first episode of all.
-                Proposal::Unknown(actions) if self.iterations == 1 => Some(actions),
-                _ => None,
-            },
-            Turn::Vary => None,
-            Turn::Random => Some(random_sequence(environment, rng)),
+        let random = self.iterations.is_multiple_of(RANDOM_EVERY);
+        let actions = if random {
+            random_sequence(environment, rng)
+        } else {
+            self.planner.propose(environment, &self.trodden, rng).actions().to_vec()
         };
-        let actions = planned.unwrap_or_else(|| self.archive.propose(environment, &self.trodden, rng));
         let episode = self.trodden.follow(environment, &actions, rng)?;
-        self.archive.observe(&episode);
         self.planner.observe(&episode);
-        Ok(Iteration { random: turn == Turn::Random, ..episode.iteration })
+        Ok(Iteration { random, ..episode.iteration })
     }
 }
 

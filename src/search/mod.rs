@@ -8,7 +8,7 @@
 //! - [`mcts_dpw`]: Monte Carlo tree search with double progressive widening, in three profiles
 //! - [`quality_diversity`]: the most dangerous sequence of each kind of ending, and variations of them (MAP-Elites)
 //! - [`plan`]: sequences imagined from what was observed so far, then verified
-//! - [`hybrid`]: both, and a fixed share of random episodes
+//! - [`hybrid`]: planning, and a fixed share of random episodes
 //! - [`episode`]: episodes that are resumed where they leave those that are known
 //! - [`exhaustive`]: all sequences, level by level, equal states once
 //! - [`rng`]: the one door for randomness
