@@ -6,11 +6,12 @@
 //! first, when the arm certainly crosses an obstacle, or when it is outside the joint limits; otherwise its middle is
 //! tried, and it is split until the movement is below the tolerance.
 //!
-//! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that is deeper than the
-//! tolerance and leaves more than that of clearance to obstacles and joint limits. Contacts that are less deep, or in
-//! less room, are not looked for: around every shape there is a thin layer of them, and layers cost most. The bounds hold
-//! because signed distances of convex shapes change by no more than their points move, depths included: so a forearm
-//! that sticks 0.2 m through a thin panel is known to cross it for every configuration that differs by less than that.
+//! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that stays one when the arm
+//! moves by the tolerance: deeper than that, with more than that of clearance to obstacles and joint limits, touched first
+//! by as much, and on a link whose points within the tolerance are above the threshold too. Others are not looked for:
+//! they lie in thin layers around shapes, and layers cost most. The bounds hold because signed distances of convex shapes
+//! change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a thin panel is known
+//! to cross it for every configuration that differs by less than that.
 
 use super::Side;
 use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
@@ -599,6 +600,8 @@ impl<S: ContactScore> Search<'_, S> {
                     // A wrist inside is its own point.
                     2.0 * movement.wrist + (-near.distance).max(0.0)
                 };
+                // Above the limit only where the link's points are no farther than the tolerance: not looked for.
+                let around = (around - self.query.tolerance_m).max(0.0);
                 self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around)
             };
             // Contacts no deeper than the tolerance are not looked for.
