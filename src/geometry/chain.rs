@@ -40,6 +40,18 @@ impl Twist {
     pub fn velocity_at(&self, point: Vec3) -> Vec3 {
         self.linear_at_origin + self.angular.cross(point)
     }
+
+    /// No point that is `point` moved no farther than `at_most`, and along a unit vector no farther than `along` says, is
+    /// faster, m/s: `|v + w x d| <= |v| + v/|v| (w x d) + |w x d|^2 / (2 |v|)`.
+    #[must_use]
+    pub fn speed_bound(&self, point: Vec3, at_most: f64, along: &dyn Fn(Vec3) -> f64) -> f64 {
+        let velocity = self.velocity_at(point);
+        let (speed, across) = (velocity.length(), self.angular.length() * at_most);
+        let Some(unit) = velocity.try_normalize() else { return speed + across };
+        let gradient = unit.cross(self.angular);
+        let first = gradient.try_normalize().map_or(0.0, |n| gradient.length() * along(n));
+        (speed + across).min(speed + first + across * across / (2.0 * speed))
+    }
 }
 
 /// A chain at given joint angles.

@@ -43,6 +43,20 @@ pub trait ContactScore {
     /// No contact of this segment with a point of this link within `radius` metres of `point` (world) scores more.
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64;
 
+    /// No contact of this segment with a point of this link scores more that is `point` (world) moved no farther than
+    /// `at_most`, and along a unit vector no farther than `along` says.
+    fn upper_bound_moved(
+        &self,
+        segment: ArmSegment,
+        link: usize,
+        point: Vec3,
+        at_most: f64,
+        along: &dyn Fn(Vec3) -> f64,
+    ) -> f64 {
+        let _ = along;
+        self.upper_bound_near(segment, link, point, at_most)
+    }
+
     /// Score of a contact at the link's surface point `on_link` (world).
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64;
 }
@@ -185,41 +199,10 @@ const SEGMENTS: [ArmSegment; 4] = [ArmSegment::UpperArm, ArmSegment::Elbow, ArmS
 /// Searches all configurations of one arm.
 #[must_use]
 pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
-    let shoulder = query.world_from_shoulder.translation;
-    let far = query.arm.reach();
-    let in_reach = |link: &Solid| {
-        let (centre, radius) = link.bounding_sphere();
-        (centre - shoulder).length() - radius <= far && link.point_distance(shoulder).distance <= far
-    };
-    let matters = |i: usize| SEGMENTS.iter().any(|s| query.score.upper_bound(*s, i) > query.threshold);
-    let links: Vec<usize> = (0..query.links.len()).filter(|&i| matters(i) && in_reach(&query.links[i])).collect();
-    let pieces: Vec<Piece> = links
-        .iter()
-        .flat_map(|&link| cut(&query.links[link]).into_iter().map(move |solid| (link, solid)))
-        .filter(|(_, solid)| in_reach(solid))
-        .map(|(link, solid)| {
-            let (centre, radius) = solid.bounding_sphere();
-            let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, centre, radius));
-            Piece { link, solid, bounds }
-        })
-        .filter(|piece| piece.bounds.iter().any(|b| *b > query.threshold))
-        .collect();
-    if pieces.is_empty() {
+    let mut search = Search::new(query);
+    if search.pieces.is_empty() {
         return Reach { best: None, complete: true, boxes: 0 };
     }
-    let obstacles = query
-        .obstacles
-        .iter()
-        .map(|o| (*o, o.half.length()))
-        .filter(|(o, radius)| (o.centre - shoulder).length() - radius <= far)
-        .collect();
-    let sphere = |link: usize| {
-        let (centre, radius) = query.links[link].bounding_sphere();
-        (link, centre, radius)
-    };
-    let instants = links.chunk_by(|a, b| a / query.links_per_instant == b / query.links_per_instant);
-    let links = instants.map(|links| links.iter().map(|&link| sphere(link)).collect()).collect();
-    let mut search = Search { query, shoulder, links, pieces, obstacles, best: None };
     let (complete, boxes) = search.run();
     Reach { best: search.best, complete, boxes }
 }
@@ -339,25 +322,71 @@ fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64
     })
 }
 
-/// A capsule as a point outside sees it, to tell how far the nearest point of its surface can move when that point does.
+/// How far the point of a solid that is nearest to the wrist can move within a box of joint angles.
 ///
-/// No farther than the point itself, as for any convex set. Besides, the core's nearest point moves along the core, and
-/// the direction from there turns the less the farther away the point is: the way from a convex set to a point changes by
-/// no more than the point moves, and unit vectors of v and w differ by at most 2 |v - w| / (|v| + |w|).
-struct NearestMoves {
-    /// Direction of the core; zero for a ball.
-    core: Vec3,
-    /// How far the surface point moves because the direction turns, m.
-    turning: f64,
+/// No farther than the wrist, as for any convex set. On a capsule of radius R it is c + R u: the core's nearest point c
+/// moves along the core's direction only, as far as the wrist does along it; and u, the direction of v from there to the
+/// wrist, turns the less the farther away the wrist is. The way v changes by no more than the wrist moves, so with d for
+/// that movement u differs by at most d / (|v| - d / 2), and from its first order, the part of the movement across u over
+/// |v|, by at most 0.58 (d / (|v| - d))^2: half its second derivative, whose norm is below 1.155 / |v|^2.
+struct NearestMoves<'a> {
+    placed: &'a Placed,
+    movement: &'a Movement,
+    capsule: Option<SeenCapsule>,
 }
 
-impl NearestMoves {
-    /// For a point that moves by `by`; nothing better than that is known of hulls, and of points that may be on the core.
-    fn new(solid: &Solid, near: &Closest, by: f64) -> Option<Self> {
-        let Solid::Capsule(capsule) = solid else { return None };
-        let from_core = near.distance + capsule.radius;
-        let core = (capsule.b - capsule.a).normalize_or_zero();
-        (from_core > by).then(|| Self { core, turning: capsule.radius * by / (from_core - 0.5 * by) })
+/// See [`NearestMoves`].
+struct SeenCapsule {
+    /// Direction of the core; zero for a ball.
+    core: Vec3,
+    /// How far the wrist moves along it, m.
+    along_core: f64,
+    outward: Vec3,
+    /// R / |v|.
+    ratio: f64,
+    /// Most that turning moves the surface point, m.
+    turning: f64,
+    /// What its first order leaves out, m.
+    rest: f64,
+}
+
+impl<'a> NearestMoves<'a> {
+    /// Of a solid and a wrist outside it.
+    fn new(solid: &Solid, near: &Closest, placed: &'a Placed, movement: &'a Movement) -> Self {
+        let by = movement.wrist;
+        let capsule = match (solid, solid.outward(near)) {
+            (Solid::Capsule(c), Some(outward)) if near.distance + c.radius > by => {
+                let from_core = near.distance + c.radius;
+                let core = (c.b - c.a).normalize_or_zero();
+                let beyond = by / (from_core - by);
+                Some(SeenCapsule {
+                    core,
+                    along_core: if core == Vec3::ZERO { 0.0 } else { movement.along(placed, core).1 },
+                    outward,
+                    ratio: c.radius / from_core,
+                    turning: c.radius * by / (from_core - 0.5 * by),
+                    rest: 0.58 * c.radius * beyond * beyond,
+                })
+            }
+            _ => None,
+        };
+        Self { placed, movement, capsule }
+    }
+
+    /// Along the unit vector `n`, m.
+    fn along(&self, n: Vec3) -> f64 {
+        let by = self.movement.wrist;
+        let Some(c) = &self.capsule else { return by };
+        let across = n - c.outward * n.dot(c.outward);
+        let wrist = self.movement.along(self.placed, across).1;
+        let turning = c.ratio * (wrist + across.dot(c.core).abs() * c.along_core) + c.rest;
+        by.min(c.core.dot(n).abs() * c.along_core + turning.min(c.turning))
+    }
+
+    /// In any direction, m.
+    fn at_most(&self) -> f64 {
+        let by = self.movement.wrist;
+        self.capsule.as_ref().map_or(by, |c| by.min(c.along_core + c.turning))
     }
 }
 
@@ -486,7 +515,42 @@ fn limb_may_touch(
     (least <= -depth).then_some(LimbNear { least, plane: Some((n, plane)) })
 }
 
-impl<S: ContactScore> Search<'_, S> {
+impl<'a, S: ContactScore> Search<'a, S> {
+    fn new(query: &'a ReachQuery<'a, S>) -> Self {
+        let shoulder = query.world_from_shoulder.translation;
+        let far = query.arm.reach();
+        let in_reach = |link: &Solid| {
+            let (centre, radius) = link.bounding_sphere();
+            (centre - shoulder).length() - radius <= far && link.point_distance(shoulder).distance <= far
+        };
+        let matters = |i: usize| SEGMENTS.iter().any(|s| query.score.upper_bound(*s, i) > query.threshold);
+        let links: Vec<usize> = (0..query.links.len()).filter(|&i| matters(i) && in_reach(&query.links[i])).collect();
+        let pieces: Vec<Piece> = links
+            .iter()
+            .flat_map(|&link| cut(&query.links[link]).into_iter().map(move |solid| (link, solid)))
+            .filter(|(_, solid)| in_reach(solid))
+            .map(|(link, solid)| {
+                let (centre, radius) = solid.bounding_sphere();
+                let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, centre, radius));
+                Piece { link, solid, bounds }
+            })
+            .filter(|piece| piece.bounds.iter().any(|b| *b > query.threshold))
+            .collect();
+        let obstacles = query
+            .obstacles
+            .iter()
+            .map(|o| (*o, o.half.length()))
+            .filter(|(o, radius)| (o.centre - shoulder).length() - radius <= far)
+            .collect();
+        let sphere = |link: usize| {
+            let (centre, radius) = query.links[link].bounding_sphere();
+            (link, centre, radius)
+        };
+        let instants = links.chunk_by(|a, b| a / query.links_per_instant == b / query.links_per_instant);
+        let links = instants.map(|links| links.iter().map(|&link| sphere(link)).collect()).collect();
+        Self { query, shoulder, links, pieces, obstacles, best: None }
+    }
+
     fn run(&mut self) -> (bool, u32) {
         let whole = JointBox::whole();
         let all: Vec<u16> = (0..self.pieces.len()).filter_map(|i| u16::try_from(i).ok()).collect();
@@ -591,18 +655,19 @@ impl<S: ContactScore> Search<'_, S> {
         if hand > cutoff {
             let near = link.point_distance(placed.wrist);
             let bound = || {
-                let around = if near.distance > movement.wrist {
-                    // The nearest point of a convex link moves no farther than the wrist.
-                    let moves = NearestMoves::new(link, &near, movement.wrist);
-                    let moves = moves.map(|m| movement.along(placed, m.core).1 + m.turning);
-                    movement.wrist.min(moves.unwrap_or(f64::MAX))
+                let (score, at) = (self.query.score, near.on_second);
+                // Above the limit only where the link's points are no farther than the tolerance: not looked for.
+                let less = |by: f64| (by - self.query.tolerance_m).max(0.0);
+                if near.distance > movement.wrist {
+                    let moves = NearestMoves::new(link, &near, placed, movement);
+                    score.upper_bound_moved(ArmSegment::Hand, piece.link, at, less(moves.at_most()), &|n| {
+                        less(moves.along(n))
+                    })
                 } else {
                     // A wrist inside is its own point.
-                    2.0 * movement.wrist + (-near.distance).max(0.0)
-                };
-                // Above the limit only where the link's points are no farther than the tolerance: not looked for.
-                let around = (around - self.query.tolerance_m).max(0.0);
-                self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, near.on_second, around)
+                    let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
+                    score.upper_bound_near(ArmSegment::Hand, piece.link, at, less(around))
+                }
             };
             // Contacts no deeper than the tolerance are not looked for.
             let gap = near.distance - arm.hand_radius_m + self.query.tolerance_m;
@@ -720,11 +785,8 @@ impl<S: ContactScore> Search<'_, S> {
         let inside = near.distance <= 0.0;
         // A wrist that may be inside the link in a part of the box needs no line there.
         let to = if inside { placed.wrist } else { near.on_second };
-        let nearest = NearestMoves::new(solid, &near, movement.wrist).filter(|_| !inside);
-        let moves = |n: Vec3| {
-            let nearest = nearest.as_ref().map(|m| m.core.dot(n).abs() * movement.wrist + m.turning);
-            [movement.along(placed, n).1, movement.wrist.min(nearest.unwrap_or(f64::MAX))]
-        };
+        let nearest = NearestMoves::new(solid, &near, placed, movement);
+        let moves = |n: Vec3| [movement.along(placed, n).1, if inside { movement.wrist } else { nearest.along(n) }];
         self.obstacles_near(placed.wrist, to, movement.wrist).all(|o| {
             segment_cuboid(placed.wrist, to, o).distance > movement.wrist
                 || stays_before_a_face(o, [placed.wrist, to], moves)

@@ -4,6 +4,7 @@ use parry3d_f64::query;
 use parry3d_f64::shape;
 
 use super::*;
+use crate::geometry::chain::Twist;
 use crate::geometry::{Rotation, rotation_about};
 use crate::human::arm::{flexion_range, rotation_range};
 use crate::search::Rng;
@@ -271,4 +272,108 @@ fn enough_is_enough_and_a_work_limit_is_told() {
     assert!(some.complete && some.best.is_some() && some.boxes <= all.boxes);
     let cut = reach(&ReachQuery { work_limit: 1, ..scene.query(&arm, Side::Left) });
     assert!(!cut.complete);
+}
+
+/// Links that turn about axes: what a point scores is how fast it is, and how tender the segment.
+struct Turning(Vec<Twist>);
+
+const TENDER: [f64; 4] = [1.3, 1.3, 1.15, 1.0];
+
+impl Turning {
+    fn tender(segment: ArmSegment) -> f64 {
+        SEGMENTS.iter().position(|s| *s == segment).map_or(0.0, |i| TENDER[i])
+    }
+}
+
+impl ContactScore for Turning {
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
+        self.upper_bound_near(segment, link, Vec3::ZERO, 3.0)
+    }
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
+        let twist = &self.0[link];
+        Self::tender(segment) * (twist.velocity_at(point).length() + twist.angular.length() * radius)
+    }
+    fn upper_bound_moved(
+        &self,
+        segment: ArmSegment,
+        link: usize,
+        point: Vec3,
+        at_most: f64,
+        along: &dyn Fn(Vec3) -> f64,
+    ) -> f64 {
+        Self::tender(segment) * self.0[link].speed_bound(point, at_most, along)
+    }
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
+        self.upper_bound_near(segment, link, on_link, 0.0)
+    }
+}
+
+/// Boxes of all sizes that are dropped, and configurations in them: none has a contact that was promised to be found.
+#[test]
+fn no_promised_contact_is_in_a_box_that_is_dropped() {
+    let (mut rng, arm) = (Rng::new(21), ArmModel::default());
+    let (mut dropped, mut kept, mut dropped_in_touch) = (0, 0, 0);
+    for i in 0..120 {
+        let scene = if i % 2 == 0 { random_scene(&mut rng, 3) } else { fence_scene(&mut rng) };
+        let twist = |_: &Solid| Twist { angular: vector(&mut rng, 1.0), linear_at_origin: vector(&mut rng, 0.3) };
+        let score = Turning(scene.links.iter().map(twist).collect());
+        let side = Side::BOTH[i % 2];
+        let query = ReachQuery {
+            arm: &arm,
+            side,
+            world_from_shoulder: scene.world_from_shoulder,
+            links: &scene.links,
+            links_per_instant: scene.links.len(),
+            obstacles: &scene.obstacles,
+            score: &score,
+            threshold: uniform(&mut rng, 0.3, 0.9),
+            tolerance_m: TOLERANCE,
+            enough: f64::INFINITY,
+            work_limit: 0,
+        };
+        let search = Search::new(&query);
+        if search.pieces.is_empty() {
+            continue;
+        }
+        for _ in 0..150 {
+            let whole = JointBox::whole();
+            let size = uniform(&mut rng, 0.0, 1.0).powi(2);
+            let mut b = whole;
+            for joint in 0..4 {
+                b.half[joint] = (0.01 + 0.5 * size * uniform(&mut rng, 0.1, 1.0)).min(whole.half[joint]);
+                let room = whole.half[joint] - b.half[joint];
+                b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
+            }
+            let (placed, movement) = (search.place(b.middle), Movement::of(&arm, &b));
+            let open = search.pieces.iter().any(|p| {
+                search.hand_or_forearm_may_matter(p, &placed, &movement)
+                    || search.elbow_or_upper_arm_may_matter(p, &placed, &movement)
+            });
+            let drop = !open || search.certainly_blocked(&placed, &movement);
+            for _ in 0..12 {
+                let mut config = b.middle;
+                (0..4).for_each(|j| config[j] += uniform(&mut rng, -b.half[j], b.half[j]));
+                if clamped(config) != config {
+                    continue;
+                }
+                let there = search.place(config);
+                let Some(contact) = search.first_touched(config, &there, 0) else { continue };
+                dropped_in_touch += usize::from(drop);
+                // Promised: deeper, in more room, and faster by what the tolerance makes of speeds.
+                let least = query.threshold + TENDER[0] * score.0[contact.link].angular.length() * TOLERANCE;
+                let (a, w) = (search.clear_of_shoulder(&there), there.wrist);
+                let room = |o: &Cuboid| {
+                    !segment_hits_cuboid(there.shoulder, there.elbow, o)
+                        && segment_cuboid(a, there.elbow, o).distance > arm.upper_arm_radius_m + TOLERANCE
+                        && segment_cuboid(there.elbow, w, o).distance > arm.forearm_radius_m + TOLERANCE
+                };
+                if contact.signed_distance < -TOLERANCE && contact.score > least && scene.obstacles.iter().all(room) {
+                    assert!(!drop, "scene {i}: {contact:?} in {:?} +- {:?}", b.middle, b.half);
+                    kept += 1;
+                }
+            }
+            dropped += usize::from(drop);
+        }
+    }
+    assert!(dropped > 3000 && kept > 500 && dropped_in_touch > 100, "{dropped} {kept} {dropped_in_touch}");
 }

@@ -112,6 +112,17 @@ impl ContactScore for ArmScore<'_> {
         self.0.ratio(arm_region(segment), link, self.0.speed_bound_near(link, point, radius))
     }
 
+    fn upper_bound_moved(
+        &self,
+        segment: ArmSegment,
+        link: usize,
+        point: Vec3,
+        at_most: f64,
+        along: &dyn Fn(Vec3) -> f64,
+    ) -> f64 {
+        self.0.ratio(arm_region(segment), link, self.0.speed_bound_moved(link, point, at_most, along))
+    }
+
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
         self.0.ratio(arm_region(segment), link, self.0.velocity(link, on_link).length())
     }
@@ -140,6 +151,18 @@ impl ContactScore for ManyScores<'_> {
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
         let (score, link) = self.at(link);
         score.upper_bound_near(segment, link, point, radius)
+    }
+
+    fn upper_bound_moved(
+        &self,
+        segment: ArmSegment,
+        link: usize,
+        point: Vec3,
+        at_most: f64,
+        along: &dyn Fn(Vec3) -> f64,
+    ) -> f64 {
+        let (score, link) = self.at(link);
+        score.upper_bound_moved(segment, link, point, at_most, along)
     }
 
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {

@@ -73,6 +73,13 @@ impl RobotFrame {
         near.min(self.speed_bounds[link])
     }
 
+    /// The same of points that are `point` moved no farther than `at_most`, and along a unit vector no farther than
+    /// `along` says, m/s.
+    #[must_use]
+    pub fn speed_bound_moved(&self, link: usize, point: Vec3, at_most: f64, along: &dyn Fn(Vec3) -> f64) -> f64 {
+        self.twists[link].speed_bound(point, at_most, along).min(self.speed_bounds[link])
+    }
+
     /// How hard the robot of shape `link` strikes.
     #[must_use]
     pub fn strike(&self, link: usize) -> &Strike {
