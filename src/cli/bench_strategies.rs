@@ -14,13 +14,7 @@ use crate::scan::{Exhaustive, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::expansion::Merge;
 
-const ALL: [StrategyName; 5] = [
-    StrategyName::Hybrid,
-    StrategyName::Plan,
-    StrategyName::QualityDiversity,
-    StrategyName::MctsDpw,
-    StrategyName::Random,
-];
+const ALL: [StrategyName; 4] = [StrategyName::Hybrid, StrategyName::Plan, StrategyName::MctsDpw, StrategyName::Random];
 
 /// Limits of the search for all hazards: memory alone.
 const TRUTH_BUDGET: Budget = Budget { states: 20_000_000, bytes: 4_000_000_000, work: u64::MAX, drop: true };

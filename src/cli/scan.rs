@@ -88,8 +88,6 @@ enum Choice {
     MctsDpwLiteral,
     /// Uniform random sequences, the paper's baseline
     Random,
-    /// Variations of the most dangerous sequence of each kind of ending (MAP-Elites)
-    QualityDiversity,
     /// Sequences imagined from the robot motion seen so far, then verified
     Plan,
     /// Plan, and every fifth sequence random
@@ -134,7 +132,6 @@ impl Arguments {
             Choice::MctsDpwLee => StrategyName::MctsDpwLee,
             Choice::MctsDpwLiteral => StrategyName::MctsDpwLiteral,
             Choice::Random => StrategyName::Random,
-            Choice::QualityDiversity => StrategyName::QualityDiversity,
             Choice::Plan => StrategyName::Plan,
             Choice::Hybrid => StrategyName::Hybrid,
             Choice::Auto | Choice::Exhaustive => {

@@ -18,7 +18,7 @@ use crate::report::model::{
 };
 use crate::search::mcts_dpw::Parameters;
 use crate::search::residual::Figures;
-use crate::search::{Hybrid, MctsDpw, Plan, Profile, QualityDiversity, Random, Rng, Strategy};
+use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Rng, Strategy};
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
 use crate::sim::{Coverage, Simulation};
@@ -35,8 +35,6 @@ pub enum StrategyName {
     MctsDpwLiteral,
     /// Uniform random sequences, the paper's baseline.
     Random,
-    /// Variations of the most dangerous sequence of each kind of ending (MAP-Elites).
-    QualityDiversity,
     /// Sequences imagined from the robot motion seen so far, then verified.
     Plan,
     /// Plan, and every fifth sequence random.
@@ -65,7 +63,6 @@ impl StrategyName {
             Self::MctsDpwLee => mcts(Profile::Lee),
             Self::MctsDpwLiteral => mcts(Profile::PaperLiteral),
             Self::Random => Box::new(Random),
-            Self::QualityDiversity => Box::new(QualityDiversity::<Snapshot>::default()),
             Self::Plan => Box::new(Plan::<Snapshot>::default()),
             Self::Hybrid => Box::new(Hybrid::<Snapshot>::default()),
         }

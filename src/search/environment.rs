@@ -20,19 +20,6 @@ pub struct Step {
     pub end: Option<End>,
 }
 
-/// What kind of end an episode came to. Opaque to a search: equal numbers are the same kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Niche(pub [i64; 5]);
-
-/// The end of an episode, for strategies that look for different ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ending {
-    /// Its kind.
-    pub niche: Niche,
-    /// How near it came to harm; more is worse, and unsafe states are worse than all others.
-    pub danger: f64,
-}
-
 /// A deterministic simulation that can be steered, saved and brought back.
 pub trait Environment {
     /// Everything needed to come back to a state.
@@ -42,18 +29,6 @@ pub trait Environment {
 
     /// Number of actions; the same in every state.
     fn actions(&self) -> usize;
-
-    /// An action is one choice out of `factors()[0]` and one out of `factors()[1]`: action `a` is choice
-    /// `a / factors()[1]` of the first and `a % factors()[1]` of the second.
-    fn factors(&self) -> [usize; 2] {
-        [self.actions(), 1]
-    }
-
-    /// What the last episode came to, where the environment tells kinds of ends apart. Asked after a step that ended
-    /// an episode.
-    fn ending(&self) -> Option<Ending> {
-        None
-    }
 
     /// Longest episode, in actions.
     fn horizon(&self) -> usize;

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{End, Ending, Environment, Iteration, Rng};
+use super::{Environment, Iteration, Rng};
 
 /// Most states kept; later ones are not added.
 const STATES_KEPT: usize = 200_000;
@@ -17,8 +17,6 @@ pub struct Episode {
     pub actions: Vec<usize>,
     /// How it ended, and its reward.
     pub iteration: Iteration,
-    /// What it came to.
-    pub ending: Option<Ending>,
 }
 
 /// Ways that have been gone.
@@ -66,10 +64,9 @@ impl<S: Clone> Trodden<S> {
             taken.push(action);
             total_reward += step.reward;
             if let Some(end) = step.end {
-                let ending = if end == End::NotEvaluated { None } else { environment.ending() };
                 self.ended.insert(taken.clone());
                 let iteration = Iteration { end, total_reward, random: false };
-                return Ok(Episode { actions: taken, iteration, ending });
+                return Ok(Episode { actions: taken, iteration });
             }
             if self.states.len() < STATES_KEPT {
                 self.states.entry(taken.clone()).or_insert_with(|| (environment.save(), total_reward));

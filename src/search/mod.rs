@@ -6,7 +6,6 @@
 //! - [`environment`]: the trait that `sim` implements
 //! - [`random`]: the paper's baseline, uniform actions from the start
 //! - [`mcts_dpw`]: Monte Carlo tree search with double progressive widening, in three profiles
-//! - [`quality_diversity`]: the most dangerous sequence of each kind of ending, and variations of them (MAP-Elites)
 //! - [`plan`]: sequences imagined from what was observed so far, then verified
 //! - [`hybrid`]: planning, and a fixed share of random episodes
 //! - [`episode`]: episodes that are resumed where they leave those that are known
@@ -21,17 +20,15 @@ pub mod exhaustive;
 pub mod hybrid;
 pub mod mcts_dpw;
 pub mod plan;
-pub mod quality_diversity;
 pub mod random;
 pub mod residual;
 pub mod rng;
 pub mod statistics;
 
-pub use environment::{End, Ending, Environment, Niche, Step};
+pub use environment::{End, Environment, Step};
 pub use hybrid::Hybrid;
 pub use mcts_dpw::{MctsDpw, Profile};
-pub use plan::{Imagine, Plan};
-pub use quality_diversity::QualityDiversity;
+pub use plan::{Imagine, Niche, Plan};
 pub use random::Random;
 pub use rng::Rng;
 

@@ -8,13 +8,17 @@
 use std::collections::BTreeMap;
 
 use super::episode::{Episode, Trodden, random_sequence};
-use super::{End, Environment, Iteration, Niche, Rng, Strategy};
+use super::{End, Environment, Iteration, Rng, Strategy};
 
 /// Most sequences imagined for one that is run, as long as no unsafe state was met.
 pub const IMAGINED_BEFORE: usize = 400;
 
 /// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
 pub const IMAGINED_AFTER: usize = 12;
+
+/// What kind of ending an unsafe state is. Opaque to a search: equal numbers are the same kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Niche(pub [i64; 5]);
 
 /// An unsafe state that was imagined.
 #[derive(Clone, Debug, PartialEq)]

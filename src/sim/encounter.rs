@@ -63,15 +63,6 @@ pub struct Encounter {
     pub worst: bool,
 }
 
-/// How near an instant is to harm, and what is nearest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearness {
-    /// How near.
-    pub proximity: Proximity,
-    /// Body region and index of the robot link that touch, or would touch first; none where nothing is near.
-    pub pair: Option<(BodyRegion, usize)>,
-}
-
 /// A contact, and the arm pose if an arm makes it.
 pub type Encountered = (Contact, Option<ArmPose>);
 
@@ -251,13 +242,13 @@ impl Encounter {
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
     #[must_use]
-    pub fn nearness(
+    pub fn proximity(
         &self,
         person: &Person,
         frame: &RobotFrame,
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
-    ) -> Nearness {
+    ) -> Proximity {
         let nearest = nearest(&person.body, frame);
         let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n));
         let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
@@ -266,16 +257,15 @@ impl Encounter {
         });
         let worse = |a: Contact, b: Contact| if b.ratio() > a.ratio() { b } else { a };
         if let Some(contact) = touched.into_iter().chain(arm).reduce(worse) {
-            let pair = Some((contact.region, contact.link));
-            return Nearness { proximity: Proximity::Contact { ratio: contact.ratio() }, pair };
+            return Proximity::Contact { ratio: contact.ratio() };
         }
-        let mut best = Nearness { proximity: Proximity::Far, pair: None };
+        let mut best = Proximity::Far;
         let mut closest = f64::MAX;
         let mut consider = |distance_m: f64, region: BodyRegion, link: usize, from: Vec3, to: Vec3| {
             if distance_m < closest && !self.blocked(from, to) {
                 closest = distance_m;
                 let ratio = frame.ratio(region, link, frame.velocity(link, to).length());
-                best = Nearness { proximity: Proximity::Near { distance_m, ratio }, pair: Some((region, link)) };
+                best = Proximity::Near { distance_m, ratio };
             }
         };
         for (link, solid) in frame.links.iter().enumerate() {

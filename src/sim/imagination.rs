@@ -17,10 +17,10 @@ use std::sync::Arc;
 use super::Coverage;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::simulation::niche;
-use super::world::{Earlier, Frames, Sensed, World};
+use super::world::{Earlier, Frames, Hit, Sensed, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
+use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Posture};
@@ -314,8 +314,7 @@ impl Imagination {
             let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
             let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
             if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some()) {
-                let pair = Some((hit.contact.region, hit.contact.link));
-                met = Some(niche(pair, world.position(&stance.place), hit.phase));
+                met = Some(niche(&hit, world.position(&stance.place)));
                 break;
             }
         }
@@ -343,4 +342,11 @@ impl Earlier for IfBroken<'_> {
         let number = usize::try_from(first - EARLIEST).ok();
         Ok(number.and_then(|n| shadows.get(n).cloned().flatten()))
     }
+}
+
+/// Endings of one kind: body region and robot link that meet, where the person stands, and the programme phase.
+fn niche(hit: &Hit, person: Vec3) -> Niche {
+    let (x, y) = place_cell(person);
+    let link = hit.contact.link.cast_signed() as i64;
+    Niche([hit.contact.region as i64, link, x, y, hit.phase.unwrap_or(i64::MIN)])
 }

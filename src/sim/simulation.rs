@@ -18,12 +18,10 @@ use crate::cell::{Binding, Workcell};
 use crate::geometry::{Capsule, Vec3};
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
-use crate::hazard::group::place_cell;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Walk};
-use crate::search::{End, Ending, Environment, Niche, Step};
-use crate::standards::BodyRegion;
+use crate::human::{Action, Place, Posture};
+use crate::search::{End, Environment, Step};
 
 /// Settings of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,8 +64,6 @@ struct Outcome {
     to: Option<(NodeId, Place, Vec<DelayLine>)>,
     reward: f64,
     end: Option<End>,
-    /// What the end, if it is one, came to.
-    ending: Option<Ending>,
     /// States of the FMU that had to be reached to work this out.
     reached: BTreeSet<NodeId>,
     /// Findings with the last action only; the sequence that led here goes in front.
@@ -92,7 +88,6 @@ pub struct Simulation<P: Plant> {
     state: Snapshot,
     /// Where the person stood before the last action.
     from: Place,
-    ending: Option<Ending>,
     coverage: Coverage,
     findings: Vec<Finding>,
     faults: Vec<Fault>,
@@ -118,7 +113,6 @@ impl<P: Plant> Simulation<P> {
             state: root.clone(),
             root,
             from: place,
-            ending: None,
             findings: Vec::new(),
             faults: Vec::new(),
         })
@@ -198,7 +192,6 @@ impl<P: Plant> Simulation<P> {
         let outcome = self.outcome(action)?;
         self.coverage.merge(&outcome.coverage);
         self.imagination.add_reached(&outcome.reached);
-        self.ending = outcome.ending;
         let mut actions = self.state.actions.clone();
         for finding in &outcome.findings {
             let mut finding = finding.clone();
@@ -253,7 +246,6 @@ impl<P: Plant> Simulation<P> {
                     to: None,
                     reward: Proximity::Far.reward(),
                     end: Some(End::NotEvaluated),
-                    ending: None,
                     reached: BTreeSet::new(),
                     findings: Vec::new(),
                     fault: Some(fault.message.clone()),
@@ -273,28 +265,21 @@ impl<P: Plant> Simulation<P> {
         }
         let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
         let last = walked.places.len() - 1;
-        let (reward, end, ending) = if let Some(finding) = hit {
-            let contact = &finding.contact;
-            let niche = niche(Some((contact.region, contact.link)), finding.person, finding.phase);
-            // Contacts within the limits have at most 1.
-            let danger = 1.0 + contact.ratio();
+        let (reward, end) = if let Some(finding) = hit {
             findings.push(finding);
-            (UNSAFE_REWARD, Some(End::Unsafe), Some(Ending { niche, danger }))
+            (UNSAFE_REWARD, Some(End::Unsafe))
         } else if self.state.actions.len() + 1 < self.horizon() {
-            (0.0, None, None)
+            (0.0, None)
         } else {
             let person = self.world.person(&self.world.stance(&walked, last, action.posture(), &sensed));
             let walls = self.world.unbroken();
             let space = ArmSpace { walls: &walls, links: None };
-            let near = self.world.encounter.nearness(&person, &frames[last], &space, &mut coverage);
-            let phase = near.pair.and_then(|(_, link)| frames[last].phase(link));
-            let niche = niche(near.pair, self.world.position(&walked.places[last]), phase);
-            let danger = near.proximity.danger_level();
-            (near.proximity.reward(), Some(End::Horizon), Some(Ending { niche, danger }))
+            let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
+            (proximity.reward(), Some(End::Horizon))
         };
         let to = Some((node, walked.places[last], sensed.delays));
         let reached = self.robots.take_reached();
-        Ok(Outcome { to, reward, end, ending, reached, findings, fault: None, coverage })
+        Ok(Outcome { to, reward, end, reached, findings, fault: None, coverage })
     }
 
     /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
@@ -346,28 +331,12 @@ impl<P: Plant> Simulation<P> {
     }
 }
 
-/// Endings of one kind: body region and robot link that meet or are nearest, where the person stands, and the programme
-/// phase.
-pub(super) fn niche(pair: Option<(BodyRegion, usize)>, person: Vec3, phase: Option<i64>) -> Niche {
-    let (region, link) = pair.map_or((-1, -1), |(region, link)| (region as i64, link.cast_signed() as i64));
-    let (x, y) = place_cell(person);
-    Niche([region, link, x, y, phase.unwrap_or(i64::MIN)])
-}
-
 impl<P: Plant> Environment for Simulation<P> {
     type Snapshot = Snapshot;
     type Error = PlantError;
 
     fn actions(&self) -> usize {
         Action::COUNT
-    }
-
-    fn factors(&self) -> [usize; 2] {
-        [Walk::ALL.len(), Posture::ALL.len()]
-    }
-
-    fn ending(&self) -> Option<Ending> {
-        self.ending
     }
 
     fn horizon(&self) -> usize {
