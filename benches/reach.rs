@@ -7,6 +7,7 @@
 use std::sync::LazyLock;
 
 use divan::{Bencher, black_box};
+use fmi_hazard::geometry::chain::Neighbourhood;
 use fmi_hazard::geometry::distance::segment_segment;
 use fmi_hazard::geometry::segment_cuboid::{segment_cuboid, segment_hits_cuboid};
 use fmi_hazard::geometry::{Capsule, Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
@@ -26,7 +27,7 @@ impl ContactScore for Any {
     fn upper_bound(&self, _: ArmSegment, _: usize) -> f64 {
         1.0
     }
-    fn upper_bound_near(&self, _: ArmSegment, _: usize, _: Vec3, _: f64) -> f64 {
+    fn upper_bound_near(&self, _: ArmSegment, _: usize, _: &Neighbourhood<'_>) -> f64 {
         1.0
     }
     fn score(&self, _: ArmSegment, _: usize, _: Vec3) -> f64 {

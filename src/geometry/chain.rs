@@ -41,16 +41,34 @@ impl Twist {
         self.linear_at_origin + self.angular.cross(point)
     }
 
-    /// No point that is `point` moved no farther than `at_most`, and along a unit vector no farther than `along` says, is
-    /// faster, m/s: `|v + w x d| <= |v| + v/|v| (w x d) + |w x d|^2 / (2 |v|)`.
+    /// No body's point among these is faster, m/s: `|v + w x d| <= |v| + v/|v| (w x d) + |w x d|^2 / (2 |v|)`.
     #[must_use]
-    pub fn speed_bound(&self, point: Vec3, at_most: f64, along: &dyn Fn(Vec3) -> f64) -> f64 {
-        let velocity = self.velocity_at(point);
-        let (speed, across) = (velocity.length(), self.angular.length() * at_most);
-        let Some(unit) = velocity.try_normalize() else { return speed + across };
+    pub fn speed_bound(&self, points: &Neighbourhood<'_>) -> f64 {
+        let velocity = self.velocity_at(points.centre);
+        let (speed, across) = (velocity.length(), self.angular.length() * points.radius);
+        let (Some(unit), Some(along)) = (velocity.try_normalize(), points.along) else { return speed + across };
         let gradient = unit.cross(self.angular);
         let first = gradient.try_normalize().map_or(0.0, |n| gradient.length() * along(n));
         (speed + across).min(speed + first + across * across / (2.0 * speed))
+    }
+}
+
+/// Points around a centre, world.
+#[derive(Clone, Copy)]
+pub struct Neighbourhood<'a> {
+    /// The centre.
+    pub centre: Vec3,
+    /// No point is farther from it, m.
+    pub radius: f64,
+    /// Nor farther along a unit vector than this says, m, if that is known.
+    pub along: Option<&'a dyn Fn(Vec3) -> f64>,
+}
+
+impl Neighbourhood<'_> {
+    /// A ball.
+    #[must_use]
+    pub const fn ball(centre: Vec3, radius: f64) -> Self {
+        Self { centre, radius, along: None }
     }
 }
 

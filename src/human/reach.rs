@@ -15,6 +15,7 @@
 
 use super::Side;
 use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
+use crate::geometry::chain::Neighbourhood;
 use crate::geometry::distance::point_segment;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
 use crate::geometry::{Capsule, Closest, Cuboid, Pose, Solid, Vec3};
@@ -40,22 +41,8 @@ pub trait ContactScore {
     /// No contact of this segment with this link scores more.
     fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64;
 
-    /// No contact of this segment with a point of this link within `radius` metres of `point` (world) scores more.
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64;
-
-    /// No contact of this segment with a point of this link scores more that is `point` (world) moved no farther than
-    /// `at_most`, and along a unit vector no farther than `along` says.
-    fn upper_bound_moved(
-        &self,
-        segment: ArmSegment,
-        link: usize,
-        point: Vec3,
-        at_most: f64,
-        along: &dyn Fn(Vec3) -> f64,
-    ) -> f64 {
-        let _ = along;
-        self.upper_bound_near(segment, link, point, at_most)
-    }
+    /// No contact of this segment with one of these points of this link scores more.
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64;
 
     /// Score of a contact at the link's surface point `on_link` (world).
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64;
@@ -531,7 +518,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             .filter(|(_, solid)| in_reach(solid))
             .map(|(link, solid)| {
                 let (centre, radius) = solid.bounding_sphere();
-                let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, centre, radius));
+                let points = Neighbourhood::ball(centre, radius);
+                let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, &points));
                 Piece { link, solid, bounds }
             })
             .filter(|piece| piece.bounds.iter().any(|b| *b > query.threshold))
@@ -655,18 +643,20 @@ impl<'a, S: ContactScore> Search<'a, S> {
         if hand > cutoff {
             let near = link.point_distance(placed.wrist);
             let bound = || {
-                let (score, at) = (self.query.score, near.on_second);
+                let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
                 // Above the limit only where the link's points are no farther than the tolerance: not looked for.
                 let less = |by: f64| (by - self.query.tolerance_m).max(0.0);
                 if near.distance > movement.wrist {
                     let moves = NearestMoves::new(link, &near, placed, movement);
-                    score.upper_bound_moved(ArmSegment::Hand, piece.link, at, less(moves.at_most()), &|n| {
-                        less(moves.along(n))
+                    let along = |n| less(moves.along(n));
+                    bound(&Neighbourhood {
+                        along: Some(&along),
+                        ..Neighbourhood::ball(near.on_second, less(moves.at_most()))
                     })
                 } else {
                     // A wrist inside is its own point.
                     let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
-                    score.upper_bound_near(ArmSegment::Hand, piece.link, at, less(around))
+                    bound(&Neighbourhood::ball(near.on_second, less(around)))
                 }
             };
             // Contacts no deeper than the tolerance are not looked for.

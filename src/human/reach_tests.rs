@@ -18,7 +18,7 @@ impl ContactScore for ByLink {
     fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
         self.0[link] * if segment == ArmSegment::Hand { 0.9 } else { 1.0 }
     }
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, _point: Vec3, _radius: f64) -> f64 {
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, _points: &Neighbourhood<'_>) -> f64 {
         self.upper_bound(segment, link)
     }
     fn score(&self, segment: ArmSegment, link: usize, _on_link: Vec3) -> f64 {
@@ -287,24 +287,13 @@ impl Turning {
 
 impl ContactScore for Turning {
     fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
-        self.upper_bound_near(segment, link, Vec3::ZERO, 3.0)
+        self.upper_bound_near(segment, link, &Neighbourhood::ball(Vec3::ZERO, 3.0))
     }
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
-        let twist = &self.0[link];
-        Self::tender(segment) * (twist.velocity_at(point).length() + twist.angular.length() * radius)
-    }
-    fn upper_bound_moved(
-        &self,
-        segment: ArmSegment,
-        link: usize,
-        point: Vec3,
-        at_most: f64,
-        along: &dyn Fn(Vec3) -> f64,
-    ) -> f64 {
-        Self::tender(segment) * self.0[link].speed_bound(point, at_most, along)
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
+        Self::tender(segment) * self.0[link].speed_bound(points)
     }
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
-        self.upper_bound_near(segment, link, on_link, 0.0)
+        Self::tender(segment) * self.0[link].velocity_at(on_link).length()
     }
 }
 

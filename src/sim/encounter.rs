@@ -6,6 +6,7 @@
 
 use super::Coverage;
 use super::robot::RobotFrame;
+use crate::geometry::chain::Neighbourhood;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
 use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::hazard::Contact;
@@ -99,19 +100,8 @@ impl ContactScore for ArmScore<'_> {
         self.0.ratio(arm_region(segment), link, self.0.speed_bounds[link])
     }
 
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
-        self.0.ratio(arm_region(segment), link, self.0.speed_bound_near(link, point, radius))
-    }
-
-    fn upper_bound_moved(
-        &self,
-        segment: ArmSegment,
-        link: usize,
-        point: Vec3,
-        at_most: f64,
-        along: &dyn Fn(Vec3) -> f64,
-    ) -> f64 {
-        self.0.ratio(arm_region(segment), link, self.0.speed_bound_moved(link, point, at_most, along))
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
+        self.0.ratio(arm_region(segment), link, self.0.speed_bound_near(link, points))
     }
 
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
@@ -139,21 +129,9 @@ impl ContactScore for ManyScores<'_> {
         score.upper_bound(segment, link)
     }
 
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, point: Vec3, radius: f64) -> f64 {
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
         let (score, link) = self.at(link);
-        score.upper_bound_near(segment, link, point, radius)
-    }
-
-    fn upper_bound_moved(
-        &self,
-        segment: ArmSegment,
-        link: usize,
-        point: Vec3,
-        at_most: f64,
-        along: &dyn Fn(Vec3) -> f64,
-    ) -> f64 {
-        let (score, link) = self.at(link);
-        score.upper_bound_moved(segment, link, point, at_most, along)
+        score.upper_bound_near(segment, link, points)
     }
 
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {

@@ -3,7 +3,7 @@
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
 use crate::cell::validate::{Link, Robot};
 use crate::cell::{Binding, Workcell};
-use crate::geometry::chain::Twist;
+use crate::geometry::chain::{Neighbourhood, Twist};
 use crate::geometry::{Pose, Rotation, Solid, Vec3};
 use crate::hazard::Strike;
 use crate::standards::BodyRegion;
@@ -66,18 +66,10 @@ impl RobotFrame {
         self.twists[link].velocity_at(point)
     }
 
-    /// Upper bound on the speed of points of shape `link` within `radius` of `point`, m/s.
+    /// Upper bound on the speed of these points of shape `link`, m/s.
     #[must_use]
-    pub fn speed_bound_near(&self, link: usize, point: Vec3, radius: f64) -> f64 {
-        let near = self.velocity(link, point).length() + self.twists[link].angular.length() * radius;
-        near.min(self.speed_bounds[link])
-    }
-
-    /// The same of points that are `point` moved no farther than `at_most`, and along a unit vector no farther than
-    /// `along` says, m/s.
-    #[must_use]
-    pub fn speed_bound_moved(&self, link: usize, point: Vec3, at_most: f64, along: &dyn Fn(Vec3) -> f64) -> f64 {
-        self.twists[link].speed_bound(point, at_most, along).min(self.speed_bounds[link])
+    pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
+        self.twists[link].speed_bound(points).min(self.speed_bounds[link])
     }
 
     /// How hard the robot of shape `link` strikes.
