@@ -53,7 +53,7 @@ fn the_number_of_workers_does_not_matter() {
     let one = bench("1");
     assert!(one == bench("3"));
     let comparison: serde_json::Value = serde_json::from_slice(&one).unwrap();
-    assert_eq!(comparison[0]["rows"].as_array().unwrap().len(), 5);
+    assert_eq!(comparison[0]["rows"].as_array().unwrap().len(), 4);
 }
 
 #[test]

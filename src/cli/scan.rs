@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use super::exit::{self, Failure};
 use super::output::{self, Levels, Progress};
@@ -47,7 +48,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     cell: Option<PathBuf>,
     /// How sequences are chosen
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value = "auto")]
     strategy: Choice,
     /// Seed of the random generator (default: the cell's, else 1)
     #[arg(long)]
@@ -74,27 +75,35 @@ pub(super) struct Arguments {
     exhaustive: ExhaustiveArguments,
 }
 
-/// Strategies of a scan.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+/// How a scan searches: one of the strategies, all sequences, or both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Choice {
-    /// First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes
-    #[default]
     Auto,
-    /// Monte Carlo tree search with double progressive widening, the paper's method made to work
-    MctsDpw,
-    /// The same with the parameters of the cited algorithm (adaptive stress testing)
-    MctsDpwLee,
-    /// The paper to the letter
-    MctsDpwLiteral,
-    /// Uniform random sequences, the paper's baseline
-    Random,
-    /// Sequences imagined from the robot motion seen so far, then verified
-    Plan,
-    /// Plan, and every fifth sequence random
-    Hybrid,
-    /// Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none in the
-    /// model
     Exhaustive,
+    One(StrategyName),
+}
+
+impl ValueEnum for Choice {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<Choice>> = LazyLock::new(|| {
+            let strategies = StrategyName::value_variants().iter().map(|&name| Choice::One(name));
+            [Choice::Auto, Choice::Exhaustive].into_iter().chain(strategies).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::Auto => Some(PossibleValue::new("auto").help(
+                "First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes",
+            )),
+            Self::Exhaustive => Some(PossibleValue::new("exhaustive").help(
+                "Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none \
+                 in the model",
+            )),
+            Self::One(name) => name.to_possible_value(),
+        }
+    }
 }
 
 #[derive(Debug, clap::Args)]
@@ -127,22 +136,15 @@ impl Default for ExhaustiveArguments {
 impl Arguments {
     fn method(&self) -> Method {
         let cores = || std::thread::available_parallelism().map_or(1, Into::into);
-        Method::Strategy(match self.strategy {
-            Choice::MctsDpw => StrategyName::MctsDpw,
-            Choice::MctsDpwLee => StrategyName::MctsDpwLee,
-            Choice::MctsDpwLiteral => StrategyName::MctsDpwLiteral,
-            Choice::Random => StrategyName::Random,
-            Choice::Plan => StrategyName::Plan,
-            Choice::Hybrid => StrategyName::Hybrid,
-            Choice::Auto | Choice::Exhaustive => {
-                let own = &self.exhaustive;
-                let auto = self.strategy == Choice::Auto;
-                let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
-                let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
-                let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
-                return if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) };
-            }
-        })
+        if let Choice::One(name) = self.strategy {
+            return Method::Strategy(name);
+        }
+        let own = &self.exhaustive;
+        let auto = self.strategy == Choice::Auto;
+        let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
+        let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
+        let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
+        if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
     }
 }
 
@@ -152,7 +154,7 @@ impl Arguments {
         Self {
             path,
             cell: None,
-            strategy: Choice::Hybrid,
+            strategy: Choice::One(StrategyName::Hybrid),
             seed: None,
             iterations: Some(iterations),
             stop_at: StopAt::default(),

@@ -3,8 +3,6 @@
 //! how many.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
@@ -12,6 +10,7 @@ use num_traits::ToPrimitive as _;
 use super::exhaustive::{Exhaustive, census};
 use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
+use super::seeds::{self, SeedRuns};
 use crate::hazard::{Group, Groups};
 use crate::host::System;
 use crate::report::comparison::{Comparison, Spent};
@@ -54,35 +53,18 @@ pub fn run(
     let truth = options.truth.map(|how| complete(prepared, how)).transpose()?;
     let truth_missing = truth.as_ref().and_then(|truth| truth.as_ref().err().cloned());
     let truth = truth.and_then(Result::ok);
-    let seeds = options.seeds.max(options.coverage_seeds);
-    let jobs: Vec<(StrategyName, u64)> =
-        options.strategies.iter().flat_map(|&s| (0..seeds).map(move |i| (s, i))).collect();
-    let (next, ended) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let results = Mutex::new(vec![None; jobs.len()]);
-    let work = || -> Result<(), ScanError> {
-        // What an action does from a state is worked out once for all runs of a thread; what a run spends is counted as
-        // if it were alone.
-        let mut simulation =
-            prepared.simulation(StateChoice::Auto, options.posture_sweep).map_err(|cause| ScanError { cause })?;
-        loop {
-            let job = next.fetch_add(1, Ordering::Relaxed);
-            let Some(&(strategy, seed)) = jobs.get(job) else { return Ok(()) };
-            let result = one(prepared, &mut simulation, (strategy, seed), options, truth.as_ref())?;
-            results.lock().unwrap_or_else(PoisonError::into_inner)[job] = Some(result);
-            tell(ended.fetch_add(1, Ordering::Relaxed) + 1);
-        }
+    let runs = SeedRuns {
+        strategies: &options.strategies,
+        first_seed: options.first_seed,
+        seeds: options.seeds.max(options.coverage_seeds),
+        posture_sweep: options.posture_sweep,
+        workers: options.workers,
     };
-    std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..options.workers.max(1)).map(|_| scope.spawn(work)).collect();
-        threads.into_iter().try_for_each(|t| t.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-    })?;
-    let results: Vec<Spent> =
-        results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().flatten().collect();
-    let per_strategy = usize::try_from(seeds).unwrap_or(1).max(1);
+    let one = |simulation: &mut _, strategy, seed| one(prepared, simulation, (strategy, seed), options, truth.as_ref());
+    let results = seeds::run(prepared, &runs, tell, one)?;
     let counted = usize::try_from(options.seeds).unwrap_or(1).max(1);
     let name = |s: &StrategyName| s.build().name().to_owned();
-    let runs: Vec<(String, Vec<Spent>)> =
-        options.strategies.iter().map(name).zip(results.chunks(per_strategy).map(<[Spent]>::to_vec)).collect();
+    let runs: Vec<(String, Vec<Spent>)> = results.into_iter().map(|(s, spent)| (name(&s), spent)).collect();
     let settings = (options.first_seed, counted, options.iterations, options.posture_sweep);
     let all = truth.as_ref().map(Truth::len);
     let mut comparison = Comparison::new(&prepared.cell.name, settings, &runs, &name(&options.reference), all);
@@ -115,17 +97,16 @@ fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String
 fn one(
     prepared: &Prepared,
     simulation: &mut Simulation<System>,
-    (strategy, number): (StrategyName, u64),
+    (strategy, seed): (StrategyName, u64),
     options: &ComparisonOptions,
     truth: Option<&Truth>,
 ) -> Result<Spent, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    simulation.begin_run();
     let mut strategy = strategy.build();
-    let mut rng = Rng::new(options.first_seed + number);
+    let mut rng = Rng::new(seed);
     let mut groups = Groups::default();
     let mut first: Option<Spent> = None;
-    let whole = number < options.coverage_seeds;
+    let whole = seed - options.first_seed < options.coverage_seeds;
     let spent = |simulation: &Simulation<System>, iterations: u32, hit: bool| Spent {
         hit,
         iterations,

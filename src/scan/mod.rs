@@ -7,6 +7,7 @@
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
 //! - [`residual`]: what the random sequences of a search say about hazards that are left
+//! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
 
 pub mod campaign;
@@ -17,6 +18,7 @@ pub mod picture;
 pub mod prepare;
 pub mod residual;
 pub mod run;
+mod seeds;
 
 pub use exhaustive::Exhaustive;
 pub use prepare::{PrepareError, Prepared, StateChoice};
