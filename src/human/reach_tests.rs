@@ -324,7 +324,7 @@ fn no_promised_contact_is_in_a_box_that_is_dropped() {
         if search.pieces.is_empty() {
             continue;
         }
-        for _ in 0..150 {
+        for _ in 0..3000 {
             let whole = JointBox::whole();
             let size = uniform(&mut rng, 0.0, 1.0).powi(2);
             let mut b = whole;
@@ -364,5 +364,39 @@ fn no_promised_contact_is_in_a_box_that_is_dropped() {
             dropped += usize::from(drop);
         }
     }
-    assert!(dropped > 3000 && kept > 500 && dropped_in_touch > 100, "{dropped} {kept} {dropped_in_touch}");
+    assert!(dropped > 60_000 && kept > 10_000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
+}
+
+/// The point of a capsule that is nearest to the wrist moves no farther than told, and sometimes nearly as far.
+#[test]
+fn nearest_points_move_no_farther_than_told() {
+    let (mut rng, arm) = (Rng::new(31), ArmModel::default());
+    let mut closest: f64 = 0.0;
+    for _ in 0..20_000 {
+        let scene = random_scene(&mut rng, 0);
+        let query = scene.query(&arm, Side::Left);
+        let (search, link) = (Search::new(&query), &scene.links[0]);
+        let whole = JointBox::whole();
+        let half = uniform(&mut rng, 0.005, 0.15);
+        let b = JointBox {
+            middle: std::array::from_fn(|j| whole.middle[j] + uniform(&mut rng, -0.5, 0.5) * whole.half[j]),
+            half: [half; 4],
+        };
+        let (placed, movement) = (search.place(b.middle), Movement::of(&arm, &b));
+        let near = link.point_distance(placed.wrist);
+        if near.distance <= movement.wrist {
+            continue;
+        }
+        let moves = NearestMoves::new(link, &near, &placed, &movement);
+        for _ in 0..4 {
+            // Corners move most.
+            let corner: Config = std::array::from_fn(|j| b.middle[j] + if rng.below(2) == 0 { half } else { -half });
+            let moved = link.point_distance(search.place(corner).wrist).on_second - near.on_second;
+            let n = vector(&mut rng, 1.0).normalize_or(Vec3::X);
+            assert!(moved.length() <= moves.at_most() + 1e-12, "{moved} {}", moves.at_most());
+            assert!(moved.dot(n).abs() <= moves.along(n) + 1e-12, "{moved} along {n}: {}", moves.along(n));
+            closest = closest.max(moved.dot(n).abs() / moves.along(n));
+        }
+    }
+    assert!(closest > 0.8, "{closest}: the bounds are loose");
 }
