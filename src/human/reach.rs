@@ -13,12 +13,19 @@
 //! change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a thin panel is known
 //! to cross it for every configuration that differs by less than that.
 
+mod joint_box;
+mod movement;
+mod obstructed;
+
+use self::joint_box::JointBox;
+use self::movement::{LimbNear, Movement, NearestMoves, Placed, Share, limb_may_touch};
+use self::obstructed::{crosses, ends_inside, stays_before_a_face};
 use super::Side;
-use super::arm::{ABDUCTION, ArmModel, Config, ELBOW, clamped, flexion_range, rotation_range};
+use super::arm::{ArmModel, Config, clamped};
 use crate::geometry::chain::Neighbourhood;
 use crate::geometry::distance::point_segment;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
-use crate::geometry::{Capsule, Closest, Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 
 /// Part of the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,13 +122,6 @@ const SLACK: f64 = 1.05;
 /// against a wall.
 const SHOULDER_CLEARANCE_M: f64 = 0.02;
 
-/// A box of joint angles: middle and half widths.
-#[derive(Clone, Copy)]
-struct JointBox {
-    middle: Config,
-    half: [f64; 4],
-}
-
 /// A part of a link: the score's bound is tighter for it than for the whole link.
 struct Piece {
     link: usize,
@@ -131,16 +131,6 @@ struct Piece {
 
 /// Longest core of a piece, m.
 const PIECE_M: f64 = 0.08;
-
-/// The arm in one configuration, world.
-#[derive(Clone, Copy)]
-struct Placed {
-    shoulder: Vec3,
-    elbow: Vec3,
-    wrist: Vec3,
-    /// Movement of elbow and wrist with each joint, world, m/rad.
-    derivatives: [[Vec3; 2]; 4],
-}
 
 /// Pieces that may still matter in a box: what is settled for a box is settled for all its parts.
 #[derive(Clone)]
@@ -202,304 +192,6 @@ fn cut(link: &Solid) -> Vec<Solid> {
     let count = (length / PIECE_M).ceil().clamp(1.0, 32.0) as u32;
     let at = |i: u32| capsule.a + (capsule.b - capsule.a) * (f64::from(i) / f64::from(count));
     (0..count).map(|i| Solid::Capsule(Capsule { a: at(i), b: at(i + 1), radius: capsule.radius })).collect()
-}
-
-impl JointBox {
-    /// All configurations: the limits of flexion and rotation at their widest.
-    fn whole() -> Self {
-        let flexion = (flexion_range(ABDUCTION.0).0, flexion_range(ABDUCTION.0).1);
-        let corners = [ABDUCTION.0, ABDUCTION.1].into_iter().flat_map(|a| {
-            let (low, high) = flexion_range(a);
-            [rotation_range(a, low), rotation_range(a, high)]
-        });
-        let rotation = corners.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)));
-        let ranges = [ABDUCTION, flexion, rotation, ELBOW];
-        Self { middle: ranges.map(|(l, h)| 0.5 * (l + h)), half: ranges.map(|(l, h)| 0.5 * (h - l)) }
-    }
-
-    fn low(&self, joint: usize) -> f64 {
-        self.middle[joint] - self.half[joint]
-    }
-
-    fn high(&self, joint: usize) -> f64 {
-        self.middle[joint] + self.half[joint]
-    }
-
-    /// Whether no configuration of the box is within the joint limits. The bounds are linear or bilinear, so their
-    /// extremes over the box are at its corners.
-    fn outside_limits(&self) -> bool {
-        let abduction = [self.low(0), self.high(0)];
-        let (low, high) = widest(abduction.iter().map(|&a| flexion_range(a)));
-        if self.high(1) < low || self.low(1) > high {
-            return true;
-        }
-        let corners = abduction.iter().flat_map(|&a| [self.low(1), self.high(1)].map(|f| rotation_range(a, f)));
-        let (low, high) = widest(corners);
-        self.high(2) < low || self.low(2) > high
-    }
-
-    fn halves(&self, joint: usize) -> [Self; 2] {
-        let mut half = self.half;
-        half[joint] *= 0.5;
-        [-1.0, 1.0].map(|sign| {
-            let mut middle = self.middle;
-            middle[joint] += sign * half[joint];
-            Self { middle, half }
-        })
-    }
-}
-
-/// Whether a limb of this radius that ends at `end` certainly has that end in a box, or within its radius of a face,
-/// for all ends that move no farther along a direction `n` than `along(n)` says.
-fn ends_inside(o: &Cuboid, end: Vec3, radius: f64, along: impl Fn(Vec3) -> f64) -> bool {
-    let local = o.rotation.inverse() * (end - o.centre);
-    let outside = (local.abs() - o.half).to_array();
-    if outside.iter().any(|d| *d > radius) {
-        return false;
-    }
-    let face = (1..3).fold(0, |f, i| if outside[i] > outside[f] { i } else { f });
-    let axes = [Vec3::X, Vec3::Y, Vec3::Z];
-    (0..3).all(|i| outside[i] + along(o.rotation * axes[i]) <= if i == face { radius } else { 0.0 })
-}
-
-/// Whether a limb certainly passes through a flat box from one side to the other, for all ends that move no farther
-/// along a direction `n` than `along(n)` says.
-///
-/// The ends stay on opposite sides of the middle plane of the box's thinnest direction, so the limb crosses that
-/// plane, at a point that is no farther from the present line than the ends move: if the part of the present line near
-/// the plane is that much inside the face, the crossing is in the box. A limb of some radius may miss the face by a
-/// little and still touch (0.7 of the radius along both edges stays within the radius at the corner).
-fn crosses(o: &Cuboid, ends: [Vec3; 2], radius: f64, along: impl Fn(Vec3) -> [f64; 2]) -> bool {
-    let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| o.rotation * axis);
-    let half = o.half.to_array();
-    let thin = (1..3).fold(0, |t, i| if half[i] < half[t] { i } else { t });
-    let local = ends.map(|p| axes.map(|axis| (p - o.centre).dot(axis)));
-    let (a, b) = (local[0][thin], local[1][thin]);
-    if a * b >= 0.0 {
-        return false;
-    }
-    let moves = along(axes[thin]);
-    if a.abs() <= moves[0] || b.abs() <= moves[1] {
-        return false;
-    }
-    // Parameters at which the present line is within the movement of the plane.
-    let margin = moves[0].max(moves[1]);
-    let at = |level: f64| ((level - a) / (b - a)).clamp(0.0, 1.0);
-    let part = [at(-margin), at(margin)];
-    (0..3).filter(|&i| i != thin).all(|i| {
-        let moves = along(axes[i]);
-        let room = half[i] + 0.7 * radius - moves[0].max(moves[1]);
-        part.iter().all(|t| (local[0][i] + t * (local[1][i] - local[0][i])).abs() < room)
-    })
-}
-
-/// Whether a line stays outside one of a box's faces for all ends that move no farther along a direction `n` than
-/// `along(n)` says.
-fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64; 2]) -> bool {
-    let half = o.half.to_array();
-    [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(half).any(|(axis, half)| {
-        let axis = o.rotation * axis;
-        let at = ends.map(|p| (p - o.centre).dot(axis));
-        // Both on the same side, outside.
-        if at[0] * at[1] <= 0.0 || at[0].abs() <= half || at[1].abs() <= half {
-            return false;
-        }
-        let moves = along(axis);
-        (0..2).all(|k| at[k].abs() - moves[k] > half)
-    })
-}
-
-/// How far the point of a solid that is nearest to the wrist can move within a box of joint angles.
-///
-/// No farther than the wrist, as for any convex set. On a capsule of radius R it is c + R u: the core's nearest point c
-/// moves along the core's direction only, as far as the wrist does along it; and u, the direction of v from there to the
-/// wrist, turns the less the farther away the wrist is. The way v changes by no more than the wrist moves, so with d for
-/// that movement u differs by at most d / (|v| - d / 2), and from its first order, the part of the movement across u over
-/// |v|, by at most 0.58 (d / (|v| - d))^2: half its second derivative, whose norm is below 1.155 / |v|^2.
-struct NearestMoves<'a> {
-    placed: &'a Placed,
-    movement: &'a Movement,
-    capsule: Option<SeenCapsule>,
-}
-
-/// See [`NearestMoves`].
-struct SeenCapsule {
-    /// Direction of the core; zero for a ball.
-    core: Vec3,
-    /// How far the wrist moves along it, m.
-    along_core: f64,
-    outward: Vec3,
-    /// R / |v|.
-    ratio: f64,
-    /// Most that turning moves the surface point, m.
-    turning: f64,
-    /// What its first order leaves out, m.
-    rest: f64,
-}
-
-impl<'a> NearestMoves<'a> {
-    /// Of a solid and a wrist outside it.
-    fn new(solid: &Solid, near: &Closest, placed: &'a Placed, movement: &'a Movement) -> Self {
-        let by = movement.wrist;
-        let capsule = match (solid, solid.outward(near)) {
-            (Solid::Capsule(c), Some(outward)) if near.distance + c.radius > by => {
-                let from_core = near.distance + c.radius;
-                let core = (c.b - c.a).normalize_or_zero();
-                let beyond = by / (from_core - by);
-                Some(SeenCapsule {
-                    core,
-                    along_core: if core == Vec3::ZERO { 0.0 } else { movement.along(placed, core).1 },
-                    outward,
-                    ratio: c.radius / from_core,
-                    turning: c.radius * by / (from_core - 0.5 * by),
-                    rest: 0.58 * c.radius * beyond * beyond,
-                })
-            }
-            _ => None,
-        };
-        Self { placed, movement, capsule }
-    }
-
-    /// Along the unit vector `n`, m.
-    fn along(&self, n: Vec3) -> f64 {
-        let by = self.movement.wrist;
-        let Some(c) = &self.capsule else { return by };
-        let across = n - c.outward * n.dot(c.outward);
-        let wrist = self.movement.along(self.placed, across).1;
-        let turning = c.ratio * (wrist + across.dot(c.core).abs() * c.along_core) + c.rest;
-        by.min(c.core.dot(n).abs() * c.along_core + turning.min(c.turning))
-    }
-
-    /// In any direction, m.
-    fn at_most(&self) -> f64 {
-        let by = self.movement.wrist;
-        self.capsule.as_ref().map_or(by, |c| by.min(c.along_core + c.turning))
-    }
-}
-
-fn widest(ranges: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
-    ranges.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)))
-}
-
-/// How far elbow and wrist can be from where they are in the middle of a box, joint by joint, m.
-struct Movement {
-    elbow: f64,
-    wrist_by_joint: [f64; 4],
-    wrist: f64,
-    half: [f64; 4],
-    /// What the first-order movement of elbow and wrist leaves out, at most, m.
-    elbow_rest: f64,
-    wrist_rest: f64,
-}
-
-impl Movement {
-    fn of(arm: &ArmModel, b: &JointBox) -> Self {
-        let (upper, fore) = (arm.upper_arm_m, arm.forearm_m);
-        // The wrist is farthest from the shoulder with the elbow as straight as the box allows, and farthest from the
-        // upper arm's axis with the elbow as near the right angle as it allows.
-        let straightest = b.low(3).max(0.0);
-        let from_shoulder = (upper * upper + fore * fore + 2.0 * upper * fore * libm::cos(straightest)).sqrt();
-        let right_angle = std::f64::consts::FRAC_PI_2.clamp(b.low(3), b.high(3));
-        let from_axis = fore * libm::sin(right_angle).abs();
-        // A point at distance r that turns by an angle h moves along an arc, by a chord of 2 r sin(h / 2).
-        let chord = |r: f64, h: f64| 2.0 * r * libm::sin(0.5 * h.min(std::f64::consts::PI));
-        let wrist_by_joint = [
-            chord(from_shoulder, b.half[0]),
-            chord(from_shoulder, b.half[1]),
-            chord(from_axis, b.half[2]),
-            chord(fore, b.half[3]),
-        ];
-        // Taylor: the second derivative by two joints is at most the lever of the inner one, because the inner joint
-        // moves the point and the outer only turns that movement.
-        let lever = [from_shoulder, from_shoulder, from_axis, fore];
-        let pairs = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
-        let wrist_rest = 0.5 * pairs.map(|(i, j)| b.half[i] * b.half[j] * lever[i.max(j)]).sum::<f64>();
-        let shoulder = b.half[0] + b.half[1];
-        Self {
-            elbow: chord(upper, b.half[0]) + chord(upper, b.half[1]),
-            wrist: wrist_by_joint.iter().sum(),
-            wrist_by_joint,
-            half: b.half,
-            elbow_rest: 0.5 * upper * shoulder * shoulder,
-            wrist_rest,
-        }
-    }
-
-    /// How far elbow and wrist can move along the unit vector `n`, m: first order plus the rest.
-    fn along(&self, placed: &Placed, n: Vec3) -> (f64, f64) {
-        let sum = |point: usize| (0..4).map(|j| placed.derivatives[j][point].dot(n).abs() * self.half[j]).sum::<f64>();
-        ((sum(0) + self.elbow_rest).min(self.elbow), (sum(1) + self.wrist_rest).min(self.wrist))
-    }
-
-    /// The joint whose halving shrinks the movement most.
-    fn widest_joint(&self) -> usize {
-        (1..4).fold(0, |best, j| if self.wrist_by_joint[j] > self.wrist_by_joint[best] { j } else { best })
-    }
-}
-
-/// A point of the arm: shoulder, elbow and wrist weighted, with the rest of one on the shoulder. It moves with them.
-#[derive(Clone, Copy)]
-struct Share {
-    elbow: f64,
-    wrist: f64,
-}
-
-impl Share {
-    const SHOULDER: Self = Self { elbow: 0.0, wrist: 0.0 };
-    const ELBOW: Self = Self { elbow: 1.0, wrist: 0.0 };
-
-    /// So far, as a fraction, from the elbow to the wrist.
-    const fn on_forearm(part: f64) -> Self {
-        Self { elbow: 1.0 - part, wrist: part }
-    }
-
-    const fn of(self, elbow: f64, wrist: f64) -> f64 {
-        self.elbow * elbow + self.wrist * wrist
-    }
-
-    fn at(self, placed: &Placed) -> Vec3 {
-        let Placed { shoulder, elbow, wrist, .. } = placed;
-        *shoulder + (*elbow - *shoulder) * self.elbow + (*wrist - *shoulder) * self.wrist
-    }
-
-    /// Movement along `n` with a joint, m/rad.
-    fn derivative(self, placed: &Placed, joint: usize, n: Vec3) -> f64 {
-        let [elbow, wrist] = placed.derivatives[joint];
-        self.of(elbow.dot(n), wrist.dot(n))
-    }
-}
-
-/// A limb near a convex solid: how near it may come within a box of joint angles.
-struct LimbNear {
-    /// The least signed distance in the box.
-    least: f64,
-    /// A plane the solid stays behind, if there is one: its normal, and the signed distances of the limb's ends from it in
-    /// the middle of the box. No end comes nearer to the solid than to the plane.
-    plane: Option<(Vec3, [f64; 2])>,
-}
-
-/// How near a limb, given by its ends, may come to a solid; none if they cannot overlap by `depth`.
-fn limb_may_touch(
-    link: &Solid,
-    limb: [Share; 2],
-    (radius, depth): (f64, f64),
-    placed: &Placed,
-    movement: &Movement,
-) -> Option<LimbNear> {
-    let ends = limb.map(|end| end.at(placed));
-    let near = link.segment_distance(ends[0], ends[1]);
-    let at_most = limb.map(|end| end.of(movement.elbow, movement.wrist));
-    let least = near.distance - radius - at_most[0].max(at_most[1]);
-    if least > -depth {
-        return None;
-    }
-    let Some(n) = link.outward(&near) else { return Some(LimbNear { least, plane: None }) };
-    // Signed distance from a convex solid is convex: it stays above its tangent plane.
-    let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - radius);
-    let (elbow, wrist) = movement.along(placed, n);
-    let nearest = |k: usize| plane[k] - limb[k].of(elbow, wrist);
-    let least = least.max(nearest(0).min(nearest(1)));
-    (least <= -depth).then_some(LimbNear { least, plane: Some((n, plane)) })
 }
 
 impl<'a, S: ContactScore> Search<'a, S> {

@@ -6,7 +6,7 @@ use parry3d_f64::shape;
 use super::*;
 use crate::geometry::chain::Twist;
 use crate::geometry::{Rotation, rotation_about};
-use crate::human::arm::{flexion_range, rotation_range};
+use crate::human::arm::{ABDUCTION, ELBOW, flexion_range, rotation_range};
 use crate::search::Rng;
 
 const TOLERANCE: f64 = 0.02;

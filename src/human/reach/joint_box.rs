@@ -1,0 +1,59 @@
+//! A box of joint angles of an arm, the thing that the search for contacts bounds, drops and splits.
+
+use crate::human::arm::{ABDUCTION, Config, ELBOW, flexion_range, rotation_range};
+
+/// A box of joint angles: middle and half widths.
+#[derive(Clone, Copy)]
+pub(super) struct JointBox {
+    pub(super) middle: Config,
+    pub(super) half: [f64; 4],
+}
+
+impl JointBox {
+    /// All configurations: the limits of flexion and rotation at their widest.
+    pub(super) fn whole() -> Self {
+        let flexion = (flexion_range(ABDUCTION.0).0, flexion_range(ABDUCTION.0).1);
+        let corners = [ABDUCTION.0, ABDUCTION.1].into_iter().flat_map(|a| {
+            let (low, high) = flexion_range(a);
+            [rotation_range(a, low), rotation_range(a, high)]
+        });
+        let rotation = corners.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)));
+        let ranges = [ABDUCTION, flexion, rotation, ELBOW];
+        Self { middle: ranges.map(|(l, h)| 0.5 * (l + h)), half: ranges.map(|(l, h)| 0.5 * (h - l)) }
+    }
+
+    pub(super) fn low(&self, joint: usize) -> f64 {
+        self.middle[joint] - self.half[joint]
+    }
+
+    pub(super) fn high(&self, joint: usize) -> f64 {
+        self.middle[joint] + self.half[joint]
+    }
+
+    /// Whether no configuration of the box is within the joint limits. The bounds are linear or bilinear, so their
+    /// extremes over the box are at its corners.
+    pub(super) fn outside_limits(&self) -> bool {
+        let abduction = [self.low(0), self.high(0)];
+        let (low, high) = widest(abduction.iter().map(|&a| flexion_range(a)));
+        if self.high(1) < low || self.low(1) > high {
+            return true;
+        }
+        let corners = abduction.iter().flat_map(|&a| [self.low(1), self.high(1)].map(|f| rotation_range(a, f)));
+        let (low, high) = widest(corners);
+        self.high(2) < low || self.low(2) > high
+    }
+
+    pub(super) fn halves(&self, joint: usize) -> [Self; 2] {
+        let mut half = self.half;
+        half[joint] *= 0.5;
+        [-1.0, 1.0].map(|sign| {
+            let mut middle = self.middle;
+            middle[joint] += sign * half[joint];
+            Self { middle, half }
+        })
+    }
+}
+
+fn widest(ranges: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
+    ranges.fold((f64::MAX, f64::MIN), |(l, h), (low, high)| (l.min(low), h.max(high)))
+}

@@ -1,0 +1,63 @@
+//! When a limb is certainly in an obstacle, or certainly clear of it, wherever its ends are within what they can move.
+
+use crate::geometry::{Cuboid, Vec3};
+
+/// Whether a limb of this radius that ends at `end` certainly has that end in a box, or within its radius of a face,
+/// for all ends that move no farther along a direction `n` than `along(n)` says.
+pub(super) fn ends_inside(o: &Cuboid, end: Vec3, radius: f64, along: impl Fn(Vec3) -> f64) -> bool {
+    let local = o.rotation.inverse() * (end - o.centre);
+    let outside = (local.abs() - o.half).to_array();
+    if outside.iter().any(|d| *d > radius) {
+        return false;
+    }
+    let face = (1..3).fold(0, |f, i| if outside[i] > outside[f] { i } else { f });
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+    (0..3).all(|i| outside[i] + along(o.rotation * axes[i]) <= if i == face { radius } else { 0.0 })
+}
+
+/// Whether a limb certainly passes through a flat box from one side to the other, for all ends that move no farther
+/// along a direction `n` than `along(n)` says.
+///
+/// The ends stay on opposite sides of the middle plane of the box's thinnest direction, so the limb crosses that
+/// plane, at a point that is no farther from the present line than the ends move: if the part of the present line near
+/// the plane is that much inside the face, the crossing is in the box. A limb of some radius may miss the face by a
+/// little and still touch (0.7 of the radius along both edges stays within the radius at the corner).
+pub(super) fn crosses(o: &Cuboid, ends: [Vec3; 2], radius: f64, along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| o.rotation * axis);
+    let half = o.half.to_array();
+    let thin = (1..3).fold(0, |t, i| if half[i] < half[t] { i } else { t });
+    let local = ends.map(|p| axes.map(|axis| (p - o.centre).dot(axis)));
+    let (a, b) = (local[0][thin], local[1][thin]);
+    if a * b >= 0.0 {
+        return false;
+    }
+    let moves = along(axes[thin]);
+    if a.abs() <= moves[0] || b.abs() <= moves[1] {
+        return false;
+    }
+    // Parameters at which the present line is within the movement of the plane.
+    let margin = moves[0].max(moves[1]);
+    let at = |level: f64| ((level - a) / (b - a)).clamp(0.0, 1.0);
+    let part = [at(-margin), at(margin)];
+    (0..3).filter(|&i| i != thin).all(|i| {
+        let moves = along(axes[i]);
+        let room = half[i] + 0.7 * radius - moves[0].max(moves[1]);
+        part.iter().all(|t| (local[0][i] + t * (local[1][i] - local[0][i])).abs() < room)
+    })
+}
+
+/// Whether a line stays outside one of a box's faces for all ends that move no farther along a direction `n` than
+/// `along(n)` says.
+pub(super) fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64; 2]) -> bool {
+    let half = o.half.to_array();
+    [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(half).any(|(axis, half)| {
+        let axis = o.rotation * axis;
+        let at = ends.map(|p| (p - o.centre).dot(axis));
+        // Both on the same side, outside.
+        if at[0] * at[1] <= 0.0 || at[0].abs() <= half || at[1].abs() <= half {
+            return false;
+        }
+        let moves = along(axis);
+        (0..2).all(|k| at[k].abs() - moves[k] > half)
+    })
+}
