@@ -152,12 +152,17 @@ impl Expansion for Upright {
     fn may_matter(&self, state: &State, remaining: usize) -> bool {
         self.0.may_matter(state, remaining)
     }
-    fn expand(&mut self, depth: usize, states: &[&State]) -> Result<Vec<Expanded<State, Finding>>, PlantError> {
-        let mut all = self.0.expand(depth, states)?;
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&State],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
+        let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
         for one in &mut all {
             one.effects = one.effects.iter().step_by(6).cloned().collect();
         }
-        Ok(all)
+        Ok(Some(all))
     }
     fn release_before(&mut self, depth: usize) {
         self.0.release_before(depth);

@@ -2,6 +2,7 @@
 
 use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -83,8 +84,11 @@ impl Progress {
 pub(super) struct Levels {
     bar: Option<ProgressBar>,
     horizon: u32,
-    told: Option<usize>,
+    told: Option<(usize, Instant)>,
 }
+
+/// Between two lines about one level, where nobody watches a bar.
+const BETWEEN_LINES: Duration = Duration::from_secs(15);
 
 impl Levels {
     /// Levels up to `horizon` actions.
@@ -104,17 +108,21 @@ impl Levels {
                     Err(_) => bar,
                 }
             });
-            if self.told != Some(depth) {
+            if self.told.is_none_or(|(told, _)| told != depth) {
                 bar.reset();
                 bar.set_length(of as u64);
                 bar.set_prefix(format!("Action {number} of {horizon}"));
             }
             bar.set_position(done as u64);
             bar.set_message(message.to_owned());
-        } else if self.told != Some(depth) || done == of {
-            note(&format!("  action {number} of {horizon}: {done}/{of} states  {message}"));
+            self.told = Some((depth, Instant::now()));
+            return;
         }
-        self.told = Some(depth);
+        let lately = self.told.is_some_and(|(told, when)| told == depth && when.elapsed() < BETWEEN_LINES);
+        if !lately || done == of {
+            note(&format!("  action {number} of {horizon}: {done}/{of} states  {message}"));
+            self.told = Some((depth, Instant::now()));
+        }
     }
 
     /// The work is over.

@@ -195,6 +195,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let mut levels = Levels::new(prepared.cell.search.actions);
     let mut tell = |event: scan::Progress<'_>| {
         match event {
+            scan::Progress::Working => {}
             scan::Progress::Iteration { done, hazards } => {
                 progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
             }

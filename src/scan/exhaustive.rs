@@ -71,6 +71,7 @@ pub(super) fn census(
                 .get(&id)
                 .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
         }
+        Told::Working => tell(Progress::Working),
         Told::Progress { depth, done, of } => tell(Progress::Level { depth, done, of, hazards: groups.len() }),
     });
     let (account, broken) = match outcome {

@@ -120,6 +120,8 @@ pub enum Progress<'a> {
         /// Hazards so far.
         hazards: usize,
     },
+    /// Nothing new.
+    Working,
     /// A hazard that was not met before; not confirmed yet.
     Found(&'a Hazard),
 }

@@ -62,11 +62,17 @@ pub trait Expansion {
     /// Whether an unsafe state may be met from `state` in `remaining` actions. `false` needs proof.
     fn may_matter(&self, state: &Self::State, remaining: usize) -> bool;
 
-    /// All actions from each of `states`, which are `depth` actions from the start.
+    /// All actions from each of `states`, which are `depth` actions from the start; nothing if `go_on`, asked now and
+    /// then, says no.
     ///
     /// # Errors
     /// When the simulation cannot go on at all.
-    fn expand(&mut self, depth: usize, states: &[&Self::State]) -> Result<ExpandedBy<Self>, Self::Error>;
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&Self::State],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<ExpandedBy<Self>>, Self::Error>;
 
     /// States of less than `depth` actions are not asked for again.
     fn release_before(&mut self, depth: usize);
@@ -119,6 +125,8 @@ pub struct Met<'a, U> {
 
 /// What is told while the search runs.
 pub enum Told<'a, U> {
+    /// Nothing new.
+    Working,
     /// An unsafe state.
     Met(Met<'a, U>),
     /// So many states of a level have been expanded.
@@ -203,7 +211,7 @@ pub struct Budget {
 /// Bytes that a state takes besides itself, about: its prefixes and its place in the map.
 const STATE_BYTES: usize = 120;
 
-/// Searches all sequences; `tell` hears what is found and may end the search between chunks.
+/// Searches all sequences; `tell` hears what is found and may end the search.
 ///
 /// # Errors
 /// Passes on what the environment reports as fatal; unsafe states told so far are real.
@@ -250,7 +258,10 @@ pub fn exhaust<E: Expansion>(
                 return Ok(account);
             }
             let states: Vec<&E::State> = chunk.iter().map(|(state, _)| state).collect();
-            let expanded = environment.expand(depth, &states)?;
+            let Some(expanded) = environment.expand(depth, &states, &mut || tell(Told::Working).is_continue())? else {
+                account.stopped = Stopped::Asked;
+                return Ok(account);
+            };
             for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
                 for (action, effect) in expanded.effects.into_iter().enumerate() {
                     match effect {

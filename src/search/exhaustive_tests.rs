@@ -51,13 +51,21 @@ impl Expansion for Ring {
     fn may_matter(&self, state: &i64, remaining: usize) -> bool {
         self.drop_beyond.is_none_or(|_| !(remaining == 1 && state % 5 != 0))
     }
-    fn expand(&mut self, depth: usize, states: &[&i64]) -> Result<Vec<Expanded<i64, (usize, i64, usize)>>, ()> {
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&i64],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<ExpandedBy<Self>>, ()> {
+        if !go_on() {
+            return Ok(None);
+        }
         self.expanded += states.len();
         let expand = |field: i64| Expanded {
             next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
             effects: (0..MOVES.len()).map(|a| Self::effect(depth, field, a)).collect(),
         };
-        Ok(states.iter().map(|s| expand(**s)).collect())
+        Ok(Some(states.iter().map(|s| expand(**s)).collect()))
     }
     fn release_before(&mut self, _: usize) {}
     fn bytes(&self) -> usize {
@@ -154,6 +162,15 @@ fn a_budget_or_a_wish_ends_it_with_what_is_known() {
     });
     let account = account.unwrap();
     assert_eq!((account.stopped, account.depth), (Stopped::Asked, 3));
+    // In the middle of a level as well: what it had begun is not counted.
+    let mut asked = 0;
+    let account = exhaust(&mut Ring::new(8), BUDGET, &mut |told| {
+        asked += i32::from(matches!(told, Told::Working));
+        if asked > 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let account = account.unwrap();
+    assert_eq!((account.stopped, account.depth), (Stopped::Asked, 5));
+    assert!(account.covered() < account.total);
 }
 
 #[test]

@@ -14,7 +14,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::Coverage;
 use super::bound::RobotBounds;
@@ -345,15 +345,24 @@ impl<P: Plant> Expander<P> {
     }
 
     /// Answers all questions: each stance with the situations it is asked about.
-    fn answer(&mut self, questions: &[(Stance, Vec<usize>)], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
+    fn answer(
+        &mut self,
+        questions: &[(Stance, Vec<usize>)],
+        situations: &[Situation],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Vec<Vec<Option<Hit>>>> {
         self.questions += questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
         let next = AtomicUsize::new(0);
         let (world, sensors) = (&self.world, self.world.cell.sensors.len());
-        let work = || {
+        let stopped = AtomicBool::new(false);
+        let work = |go_on: &mut dyn FnMut() -> bool| {
             let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
             loop {
                 let from = next.fetch_add(BLOCK, Ordering::Relaxed);
-                if from >= questions.len() {
+                if !go_on() {
+                    stopped.store(true, Ordering::Relaxed);
+                }
+                if from >= questions.len() || stopped.load(Ordering::Relaxed) {
                     return (answers, coverage);
                 }
                 for (number, (stance, asked)) in questions.iter().enumerate().skip(from).take(BLOCK) {
@@ -365,8 +374,8 @@ impl<P: Plant> Expander<P> {
             }
         };
         let found: Vec<Answered> = std::thread::scope(|scope| {
-            let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(work)).collect();
-            let own = work();
+            let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(|| work(&mut || true))).collect();
+            let own = work(go_on);
             let joined = threads.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
             std::iter::once(own).chain(joined).collect()
         });
@@ -377,7 +386,7 @@ impl<P: Plant> Expander<P> {
                 all[number] = hits;
             }
         }
-        all
+        (!stopped.into_inner()).then_some(all)
     }
 }
 
@@ -408,7 +417,12 @@ impl<P: Plant> Expansion for Expander<P> {
         self.bounds.may_meet(self.world.position(&state.place), self.world.reach_m(), remaining)
     }
 
-    fn expand(&mut self, depth: usize, states: &[&State]) -> Result<Vec<Expanded<State, Finding>>, PlantError> {
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&State],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         let mut ahead: BTreeMap<Place, Ahead> = BTreeMap::new();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
@@ -442,7 +456,7 @@ impl<P: Plant> Expansion for Expander<P> {
             }
             let asked: Vec<(Stance, Vec<usize>)> =
                 asked.into_iter().map(|(stance, situations)| (stance, situations.into_iter().collect())).collect();
-            let answers = self.answer(&asked, &situations.all);
+            let Some(answers) = self.answer(&asked, &situations.all, go_on) else { return Ok(None) };
             let find = |(stance, situation): &(Stance, usize)| -> Option<&Hit> {
                 let q = asked.binary_search_by(|(s, _)| s.cmp(stance)).ok()?;
                 let s = asked[q].1.binary_search(situation).ok()?;
@@ -462,7 +476,7 @@ impl<P: Plant> Expansion for Expander<P> {
                 false
             });
         }
-        Ok(expanded)
+        Ok(Some(expanded))
     }
 
     fn release_before(&mut self, depth: usize) {
