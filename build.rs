@@ -1,7 +1,8 @@
 //! Builds the example FMUs (and the C part of the FMI floor) into the build folder.
 //!
 //! The library of the example FMUs is compiled once, by the compiler of this build and with no dependencies, and
-//! packed under each model's name. Equal sources and an equal compiler give equal bytes, wherever the checkout lies.
+//! packed under each model's name. Equal sources and an equal compiler give equal bytes, wherever the checkout lies. The
+//! FMU that does harm on purpose is written in C and packed alike.
 #![allow(clippy::print_stdout, reason = "this is how a build script talks to cargo")]
 
 use std::error::Error;
@@ -26,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-changed=fmus/src");
+    println!("cargo:rerun-if-changed=fmus/hostile");
     println!("cargo:rerun-if-changed=scenarios");
     println!("cargo:rerun-if-changed=src/fmi");
 
@@ -39,12 +41,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&fmus)?;
     let scenarios = root.join("scenarios");
     for model in interface::all() {
-        let cell_files = cell_files(&scenarios.join(&model.name))?;
-        let version = env::var("CARGO_PKG_VERSION")?;
-        let two = Contents::new(&model, interface::description::xml(&model, &version), platform2()?)?;
-        fs::write(fmus.join(format!("{}.fmu", model.name)), pack(&two, &binary, &cell_files)?)?;
-        let three = Contents::new(&model, interface::description3::xml3(&model, &version), platform3()?)?;
-        fs::write(fmus.join(format!("{}-fmi3.fmu", model.name)), pack(&three, &binary, &cell_files)?)?;
+        write_both(&fmus, &model, &binary, &cell_files(&scenarios.join(&model.name))?)?;
+    }
+    if env::var_os("CARGO_CFG_UNIX").is_some() {
+        let hostile = compressed(&fs::read(compile_hostile(&root, &out)?)?)?;
+        write_both(&fmus, &interface::hostile::interface(), &hostile, &[])?;
     }
     let types = Contents {
         identifier: interface::types3::IDENTIFIER.to_owned(),
@@ -104,6 +105,40 @@ fn compile_library(root: &Path, out: &Path) -> Result<PathBuf, Box<dyn Error>> {
     Ok(library)
 }
 
+/// Compiles the library of the FMU that does harm on purpose and returns where it is.
+fn compile_hostile(root: &Path, out: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    let library = out.join("fmi_hazard_hostile.bin");
+    let mut sources = Vec::new();
+    for entry in fs::read_dir(root.join("fmus/hostile"))? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "c") {
+            sources.push(Path::new("fmus/hostile").join(path.file_name().ok_or("a source without a name")?));
+        }
+    }
+    sources.sort();
+    // The same on every machine with this compiler: no optimisation levels of the profile, nothing that holds a path.
+    let mut command = cc::Build::new().opt_level(1).debug(false).try_get_compiler()?.to_command();
+    command.args([
+        "-std=c11",
+        "-fPIC",
+        "-shared",
+        "-fvisibility=hidden",
+        "-ffp-contract=off",
+        "-g0",
+        "-Wall",
+        "-Wextra",
+    ]);
+    let output = command.arg("-o").arg(&library).args(sources).args(["-lm", "-lpthread"]).current_dir(root).output()?;
+    let message = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("the library of the hostile FMU does not compile:\n{message}").into());
+    }
+    for line in message.lines() {
+        println!("cargo:warning={line}");
+    }
+    Ok(library)
+}
+
 /// The cell files of a scenario by name; none if there is no `cell.toml`.
 fn cell_files(folder: &Path) -> Result<Vec<(String, PathBuf)>, Box<dyn Error>> {
     let mut files = Vec::new();
@@ -135,6 +170,21 @@ fn compressed(library: &[u8]) -> Result<Vec<u8>, Box<dyn Error>> {
     archive.start_file("library", options())?;
     archive.write_all(library)?;
     Ok(archive.finish()?.into_inner())
+}
+
+/// Packs a model for FMI 2.0 and for FMI 3.0.
+fn write_both(
+    fmus: &Path,
+    model: &Interface,
+    binary: &[u8],
+    cell_files: &[(String, PathBuf)],
+) -> Result<(), Box<dyn Error>> {
+    let version = env::var("CARGO_PKG_VERSION")?;
+    let two = Contents::new(model, interface::description::xml(model, &version), platform2()?)?;
+    fs::write(fmus.join(format!("{}.fmu", model.name)), pack(&two, binary, cell_files)?)?;
+    let three = Contents::new(model, interface::description3::xml3(model, &version), platform3()?)?;
+    fs::write(fmus.join(format!("{}-fmi3.fmu", model.name)), pack(&three, binary, cell_files)?)?;
+    Ok(())
 }
 
 /// What is in an FMU besides the library and the cell files.

@@ -9,6 +9,7 @@ pub mod description3;
 pub mod faulty;
 pub mod head_collision;
 pub mod heavy_workpiece;
+pub mod hostile;
 pub mod light_curtain;
 pub mod robots;
 pub mod safety_fence;
@@ -31,7 +32,8 @@ pub const WORKCELLS: [&Spec; 6] = [
     &heavy_workpiece::SPEC,
 ];
 
-/// Builds the interfaces of all models and their variants, in a fixed order. FMI 3.0 has `types3` as well.
+/// Builds the interfaces of all models in the library and their variants, in a fixed order. FMI 3.0 has `types3` as
+/// well; `hostile` has a library of its own.
 pub fn all() -> Vec<Interface> {
     let workcells =
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
