@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use common::{examples, write};
+use common::{examples, test_fmus, write};
 use fmi_hazard::fmi::{Causality, Fmu, Handle, Plan, Variable, VariableType};
 
 fn python() -> PathBuf {
@@ -110,4 +110,12 @@ fn our_master_and_fmpy_give_the_same_bits_for_every_example_in_both_versions() {
     }
     // Six cells and the three parts of one of them, in FMI 2.0 and FMI 3.0.
     assert_eq!(checked, 18);
+}
+
+#[test]
+fn the_hostile_fmu_is_an_honest_one_to_fmpy_until_it_is_told_otherwise() {
+    let dir = tempfile::TempDir::new().unwrap();
+    for name in ["hostile.fmu", "hostile-fmi3.fmu"] {
+        compare(dir.path(), &test_fmus().join(name));
+    }
 }

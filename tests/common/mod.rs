@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 
+pub mod hostile;
+
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
