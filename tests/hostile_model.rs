@@ -196,6 +196,20 @@ fn what_only_looks_dangerous_passes() {
     assert_eq!(result["bytes_per_state"], (10 << 20) + 9 * 8);
 }
 
+#[test]
+fn memory_is_taken_until_there_is_none() {
+    // 20 MB in each of 100 steps: a limit of 1 GB on the address space ends it, not the machine.
+    for hostile in Hostile::both().map(|hostile| hostile.what("leak").size(20_000_000)) {
+        let dir = TempDir::new().unwrap();
+        hostile.write(dir.path());
+        let command =
+            format!("ulimit -v 1000000; exec '{}' selftest {FMU} --steps 100", env!("CARGO_BIN_EXE_fmi-hazard"));
+        let output = std::process::Command::new("sh").args(["-c", &command]).current_dir(dir.path()).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(3) && text.contains("SIGSEGV"), "{text}");
+    }
+}
+
 /// qd after the third step, in this process: 1 if the deed could be done.
 fn done(hostile: &Hostile) -> f64 {
     let dir = TempDir::new().unwrap();

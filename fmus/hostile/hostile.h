@@ -4,8 +4,7 @@
  * versions of FMI have in common; fmi2.c and fmi3.c are the two interfaces; deeds.c reads `resources/behaviour` and
  * does what it asks for; outside.c has the deeds that touch the machine rather than the process itself.
  *
- * The file `behaviour` holds lines of `key = value`. Each line `what = ...` begins another deed; the keys after it,
- * `where`, `at`, `size`, `path` and `port`, belong to that deed. Without the file the FMU is honest. */
+ * What the file may hold is in README.md. Without it the FMU is honest. */
 #ifndef HOSTILE_H
 #define HOSTILE_H
 

@@ -8,7 +8,7 @@
 //! code; `component` keeps the rules of FMI; `types3` adds the types of variables that only FMI 3.0 has; `model` is
 //! what they ask of a cell; `cells` are the models, made from `path` (the robot's programme), `drive` (the
 //! safety controller) and `kinematics`; [`interface`] holds the cells as data and the tables of variables. `trig` and
-//! `bytes` serve all.
+//! `bytes` serve all. The FMU that does harm on purpose is not here but in `hostile/`, in C.
 
 mod bytes;
 mod cells;

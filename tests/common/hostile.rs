@@ -5,8 +5,8 @@
 //! Hostile::v3().what("signal-handlers").at("load", 1).what("hang").at("step", 3).write(dir);
 //! ```
 //!
-//! Behaviours and places are listed in `fmus/hostile/deeds.c`. Steps are counted from 0 in each run, all other calls
-//! from 1 in each process.
+//! `fmus/hostile/README.md` lists behaviours and calls. Steps are counted from 0 in each run, all other calls from 1 in
+//! each process.
 
 use std::fmt::Write as _;
 use std::io::{Cursor, Read as _, Write as _};
