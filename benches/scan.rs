@@ -62,7 +62,7 @@ fn a_bare_c_abi_action(bencher: Bencher) {
 /// The same action through the plant: trace in, trace out, outputs checked for NaN.
 #[divan::bench]
 fn b_plant_action(bencher: Bencher) {
-    let mut plant = CELL.plant();
+    let mut plant = CELL.plant(StateChoice::Auto);
     plant.restart().expect("a start");
     let inputs = CELL.binding.constants.repeat(STEPS);
     bencher.bench_local(|| black_box(plant.advance(STEPS, &inputs).expect("an action")));
@@ -71,7 +71,7 @@ fn b_plant_action(bencher: Bencher) {
 /// A state saved and restored.
 #[divan::bench]
 fn c_save_and_restore(bencher: Bencher) {
-    let mut plant = CELL.plant();
+    let mut plant = CELL.plant(StateChoice::Auto);
     plant.restart().expect("a start");
     bencher.bench_local(|| {
         let state = plant.save().expect("a state");
@@ -82,7 +82,7 @@ fn c_save_and_restore(bencher: Bencher) {
 /// Forward kinematics, link speeds and force coefficients of one action's ten rows.
 #[divan::bench]
 fn d_robot_frames_of_an_action(bencher: Bencher) {
-    let mut plant = CELL.plant();
+    let mut plant = CELL.plant(StateChoice::Auto);
     plant.restart().expect("a start");
     let trace = plant.advance(STEPS, &CELL.binding.constants.repeat(STEPS)).expect("an action");
     let width = CELL.binding.outputs.len();

@@ -107,8 +107,18 @@ fn an_fmu_that_fails_from_the_start_is_exit_code_3() {
 }
 
 #[test]
-fn an_fmu_that_does_not_repeat_itself_is_refused() {
-    fails(faulty(5, 0).path(), "cell.toml", 3, &["different outputs for the same inputs", "deterministic"]);
+fn an_fmu_that_does_not_repeat_itself_in_a_process_gets_fresh_ones_or_is_refused() {
+    let dir = faulty(5, 0);
+    let scan = |extra: &[&str]| {
+        let output = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).args(extra).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, text) = scan(&["--in-process"]);
+    assert!(code == 3 && text.contains("different outputs for the same inputs"), "{text}");
+    assert!(text.contains("deterministic"), "{text}");
+    let (code, text) = scan(&["--strategy", "random"]);
+    assert!(code != 3 && text.contains("fresh process and replay"), "{text}");
+    assert_eq!(common::json(&dir.path().join("o/run.json"))["states_by"], "processes");
 }
 
 #[test]

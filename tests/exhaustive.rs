@@ -10,7 +10,7 @@ use std::path::Path;
 
 use common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
-use fmi_hazard::host::{Advanced, NodeId, PlantError, Recall, System};
+use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
 use fmi_hazard::human::{Action, Place, Posture};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
@@ -43,9 +43,10 @@ fn key(finding: &Finding) -> String {
     format!("{:?} {:?}", finding.actions.last(), Finding { actions: Vec::new(), ..finding.clone() })
 }
 
-fn expander(prepared: &Prepared, merge: Merge) -> Expander<System> {
+fn expander(prepared: &Prepared, merge: Merge) -> Expander<Hosted> {
     let (cell, binding) = (prepared.cell.clone(), prepared.binding.clone());
-    Expander::new(cell, binding, prepared.plant(), prepared.policy(StateChoice::Auto), merge, 2).unwrap()
+    Expander::new(cell, binding, prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto), merge, 2)
+        .unwrap()
 }
 
 fn exhausted<E: Expansion<Unsafe = Finding>>(expansion: &mut E, budget: Budget) -> (Account, Unsafe)
@@ -77,7 +78,7 @@ impl Earlier for NoCurtain {
 /// beginnings of sequences. Only whether a person so placed can touch robots so placed is asked once each.
 struct Enumeration<'a> {
     world: World,
-    recall: Recall<System>,
+    recall: Recall<Hosted>,
     actions: &'a [Action],
     horizon: u32,
     found: Unsafe,
@@ -88,7 +89,7 @@ struct Enumeration<'a> {
 impl<'a> Enumeration<'a> {
     fn of(prepared: &Prepared, actions: &'a [Action], horizon: u32) -> Self {
         let world = World::new(prepared.cell.clone(), prepared.binding.clone());
-        let recall = Recall::new(prepared.plant(), prepared.policy(StateChoice::Auto)).unwrap();
+        let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
         let (start, delays) = (world.start(), world.delays_at_start());
         let mut all =
             Self { world, recall, actions, horizon, found: Unsafe::new(), harmless: 0, answers: BTreeMap::new() };
@@ -130,7 +131,7 @@ impl<'a> Enumeration<'a> {
 }
 
 /// A person who walks upright only.
-struct Upright(Expander<System>);
+struct Upright(Expander<Hosted>);
 
 impl Expansion for Upright {
     type State = State;

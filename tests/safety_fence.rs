@@ -3,6 +3,8 @@
 
 mod common;
 
+use fmi_hazard::scan::StateChoice;
+
 use common::{examples, fmi_hazard, scan_json};
 
 #[test]
@@ -38,7 +40,7 @@ fn the_gripper_follows_the_programme_of_the_scenario() {
 
     let dir = examples();
     let cell = fmi_hazard::scan::prepare::prepare(&dir.path().join("safety-fence/cell.toml"), None).unwrap();
-    let mut plant = cell.plant();
+    let mut plant = cell.plant(StateChoice::Auto);
     let mut rows = plant.restart().unwrap();
     let steps = 100;
     rows.extend(plant.advance(steps, &cell.binding.constants.repeat(steps)).unwrap());

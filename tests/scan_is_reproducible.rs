@@ -30,13 +30,13 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
             let out = format!("{strategy}-{state}");
             let args = ["scan", CELL, "--iterations", "60", "--strategy", strategy, "--state", state, "--out", &out];
             fmi_hazard(dir.path()).args(args).args(extra).assert().code(1);
-            scan_json(&dir.path().join(out))
+            let read = |file: &str| std::fs::read_to_string(dir.path().join(&out).join(file)).unwrap();
+            (read("scan.json"), serde_json::from_str::<serde_json::Value>(&read("run.json")).unwrap())
         };
-        let (saved, replayed) = (scan("fmu", &[]), scan("replay", &[]));
-        assert_eq!(saved["hazards"], replayed["hazards"], "{strategy}");
-        assert_eq!(saved["coverage"], replayed["coverage"], "{strategy}");
+        let ((saved_result, saved), (replayed_result, replayed)) = (scan("fmu", &[]), scan("replay", &[]));
+        assert!(saved_result == replayed_result, "{strategy}");
         // It really was done another way: without memory every action of every sequence is stepped.
-        let steps = |v: &serde_json::Value| v["spent"]["fmu_steps"].as_u64().unwrap();
+        let steps = |v: &serde_json::Value| v["fmu"]["steps"].as_u64().unwrap();
         assert!(steps(&replayed) > 10 * steps(&saved), "{} {}", steps(&replayed), steps(&saved));
     }
 }

@@ -8,12 +8,13 @@ use clap::ValueEnum;
 
 use super::bench_strategies;
 use super::exit::{Failure, NO_HAZARD};
+use super::hosting::HostingArguments;
 use super::output::{self, Progress};
 use crate::report::campaign::{CSV_HEADER, Campaign, beside_the_paper};
 use crate::report::paper;
 use crate::scan::StrategyName;
 use crate::scan::campaign::{self, CampaignOptions};
-use crate::scan::prepare::{Prepared, prepare};
+use crate::scan::prepare::{Prepared, prepare, prepare_in};
 use crate::search::Profile;
 use crate::search::mcts_dpw::Parameters;
 
@@ -59,6 +60,8 @@ pub(super) struct Arguments {
     /// How to print the result
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    #[command(flatten)]
+    hosting: HostingArguments,
 }
 
 #[derive(Debug, clap::Subcommand)]
@@ -85,7 +88,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         parameters,
         workers,
     };
-    let (cells, _folder) = cells(path)?;
+    let (cells, _folder) = cells(path, &arguments.hosting)?;
     let total = options.seeds * options.strategies.len() as u64;
     let progress = Mutex::new(Progress::new(total * cells.len() as u64, "runs"));
     let mut campaigns = Vec::with_capacity(cells.len());
@@ -102,9 +105,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 }
 
 /// The cells to run; the folder holds the built-in ones as long as they are used.
-fn cells(path: &Path) -> Result<(Vec<Prepared>, Option<tempfile::TempDir>), Failure> {
+fn cells(path: &Path, hosting: &HostingArguments) -> Result<(Vec<Prepared>, Option<tempfile::TempDir>), Failure> {
     if path != Path::new("paper") {
-        return Ok((vec![prepare(path, None)?], None));
+        return Ok((vec![prepare_in(path, None, &hosting.hosting()?)?], None));
     }
     let folder = tempfile::tempdir().map_err(Failure::unusable)?;
     crate::examples::export(folder.path()).map_err(Failure::unusable)?;

@@ -5,6 +5,7 @@ mod bench_strategies;
 mod demo;
 mod examples;
 pub mod exit;
+mod hosting;
 mod inspect;
 mod output;
 mod replay;
@@ -43,6 +44,12 @@ enum Command {
     Examples(examples::Arguments),
     /// Print the JSON Schema of the cell file
     Schema,
+    /// Serve as a process in which FMUs run: started by this program
+    #[command(hide = true)]
+    Worker {
+        /// File descriptor of the shared memory
+        channel: i32,
+    },
 }
 
 /// Parses the arguments, runs the command, reports an error once; never panics at the user.
@@ -66,6 +73,7 @@ pub fn main() -> ExitCode {
         Command::Bench(a) => bench::run(&a),
         Command::Examples(a) => examples::run(&a),
         Command::Schema => schema::run(),
+        Command::Worker { channel } => Ok(crate::host::isolation::serve(channel)),
     };
     match outcome {
         Ok(code) => ExitCode::from(code),

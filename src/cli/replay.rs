@@ -6,10 +6,12 @@ use std::sync::Arc;
 use serde::Deserialize;
 
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
+use super::hosting::HostingArguments;
 use super::output;
 use crate::cell::error::nearest;
 use crate::report::model::{FmuSubject, Hazard, SCHEMA_VERSION};
-use crate::scan::prepare::prepare;
+use crate::scan::StateChoice;
+use crate::scan::prepare::prepare_in;
 use crate::sim::replay::replay;
 
 #[derive(Debug, clap::Args)]
@@ -21,6 +23,8 @@ pub(super) struct Arguments {
     /// The cell file or FMU, when it is no longer where it was
     #[arg(long)]
     cell: Option<PathBuf>,
+    #[command(flatten)]
+    hosting: HostingArguments,
 }
 
 /// The parts of scan.json that a replay needs.
@@ -61,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         return Err(Failure::unusable_with_help(format!("there is no hazard {} in {file}", arguments.id), help));
     }
     let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
-    let prepared = prepare(path, None)?;
+    let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
     if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
         output::note("   Warning the cell file has changed since the scan");
     }
@@ -72,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let mut still_there = false;
     for hazard in wanted {
         let cell = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-        let again = match replay(cell.0, cell.1, prepared.plant(), &hazard.actions) {
+        let again = match replay(cell.0, cell.1, prepared.plant(StateChoice::Replay), &hazard.actions) {
             Ok(again) => again,
             Err(error) => {
                 output::note(&format!("   {} the FMU failed: {error}", hazard.id));

@@ -11,10 +11,12 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use super::exit::{self, Failure};
+use super::hosting::HostingArguments;
 use super::output::{self, Levels, Progress};
+use crate::host::Effort;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::{terminal, topview};
-use crate::scan::prepare::prepare;
+use crate::scan::prepare::prepare_in;
 use crate::scan::run::Method;
 use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName, picture};
 use crate::search::exhaustive::Budget;
@@ -71,6 +73,8 @@ pub(super) struct Arguments {
     /// How FMU states are brought back; the results are the same
     #[arg(long, value_enum, default_value_t)]
     state: StateChoice,
+    #[command(flatten)]
+    hosting: HostingArguments,
     #[command(flatten)]
     exhaustive: ExhaustiveArguments,
 }
@@ -162,6 +166,7 @@ impl Arguments {
             format: Format::default(),
             paper_iterations: false,
             state: StateChoice::default(),
+            hosting: HostingArguments::default(),
             exhaustive: ExhaustiveArguments::default(),
         }
     }
@@ -174,7 +179,7 @@ const AUTO_WORK: u64 = 600;
 const PICTURES: usize = 10;
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let prepared = prepare(&arguments.path, arguments.cell.as_deref())?;
+    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     introduce(&prepared, arguments.state);
     let options = ScanOptions {
         method: arguments.method(),
@@ -219,12 +224,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let report = scan::scan(&prepared, options, &mut tell)?.report;
+    let scan::Scanned { report, effort } = scan::scan(&prepared, options, &mut tell)?;
     progress.finish();
     levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
     let json = serde_json::to_string_pretty(&report).map_err(Failure::unusable)? + "\n";
     output::write_file(&out.join("scan.json"), &json)?;
+    write_run(&prepared, effort, &out)?;
     // The log is rewritten with what confirmation added, in the order of scan.json.
     let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
     let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
@@ -239,6 +245,27 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     conclude(&report, &out);
     Ok(code(&report, interrupted))
+}
+
+/// How the scan went, which is no result: run.json, and what the FMU printed.
+fn write_run(prepared: &Prepared, effort: Effort, out: &Path) -> Result<(), Failure> {
+    let (printed, bytes) = prepared.printed();
+    let run = serde_json::json!({
+        "states_by": prepared.rung,
+        "fmu": effort,
+        "missing_protection": prepared.missing_protection,
+        "fmu_printed_bytes": bytes,
+    });
+    let text = serde_json::to_string_pretty(&run).map_err(Failure::unusable)? + "\n";
+    output::write_file(&out.join("run.json"), &text)?;
+    if bytes > 0 {
+        output::write_file(&out.join("fmu.log"), &printed)?;
+        output::note(&format!(
+            "   Note    the FMU printed {bytes} bytes, the first megabyte of it is in {}",
+            out.join("fmu.log").display()
+        ));
+    }
+    Ok(())
 }
 
 fn code(report: &ScanReport, interrupted: bool) -> u8 {
@@ -268,12 +295,17 @@ fn introduce(prepared: &Prepared, state: StateChoice) {
         output::note(&format!("           {coupling}"));
     }
     let how = match state {
-        StateChoice::Auto => prepared.self_test.choice(),
+        StateChoice::Auto => prepared.self_test.because(prepared.rung),
         StateChoice::Fmu => "saved FMU states, as asked".to_owned(),
+        StateChoice::Fork => "copies of the FMU's process, as asked".to_owned(),
+        StateChoice::Process => "a fresh process and replay, as asked".to_owned(),
         StateChoice::Replay => "every sequence from a fresh instance, as asked".to_owned(),
     };
     let bytes = prepared.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
     output::note(&format!("   States  {how}{bytes}"));
+    for missing in &prepared.missing_protection {
+        output::note(&format!("   Warning protection against the FMU: {missing}"));
+    }
     for warning in &prepared.binding.warnings {
         output::note(&format!("   Warning {warning}"));
     }

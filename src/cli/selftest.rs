@@ -1,22 +1,21 @@
 //! `fmi-hazard selftest`: what an FMU's promises about its state are worth, for any FMU.
 //!
-//! The FMU runs in a process of its own: when it crashes or hangs in one stage, that is a finding, and the other stages
-//! are run again without it.
+//! The FMU runs in a worker: when it crashes or hangs in one stage, that is a finding, and the other stages are run again
+//! without it.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
 
-use clap::ValueEnum as _;
-
-use super::exit::{FMU_FAILED, Failure, NO_HAZARD, UNUSABLE};
+use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
+use super::hosting::HostingArguments;
 use super::output;
 use crate::fmi::{Causality, Fmu, ModelDescription, Variability, Variable};
+use crate::host::activity::Activity;
+use crate::host::isolation::{Examination, Launcher, examine};
 use crate::host::port::Port;
-use crate::host::selftest::{Agreement, SelfTest, Stage, selftest};
-use crate::host::{SystemSetup, UnitPort};
+use crate::host::selftest::{SelfTest, selftest};
+use crate::host::{PlantError, SystemSetup, UnitPort};
+use crate::scan::Hosting;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -31,12 +30,8 @@ pub(super) struct Arguments {
     /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Leave stages out (used by the process that watches over this one)
-    #[arg(long, value_enum, hide = true)]
-    skip: Vec<Stage>,
-    /// Write stages and outcome to this file (used by the process that watches over this one)
-    #[arg(long, hide = true)]
-    child_result: Option<PathBuf>,
+    #[command(flatten)]
+    hosting: HostingArguments,
 }
 
 fn positive(text: &str) -> Result<f64, String> {
@@ -47,108 +42,39 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    if let Some(result) = &arguments.child_result {
-        return child(arguments, result);
-    }
-    // The file is read here first, so that what is wrong with it is said once and plainly.
-    let name = Fmu::open(&arguments.fmu)?.description().model_name.clone();
-    let mut crashed: Vec<(Stage, String)> = Vec::new();
-    let mut result = loop {
-        match in_child(arguments, &crashed)? {
-            Ended::Result(result) => break *result,
-            Ended::Code(code) => return Ok(code),
-            Ended::Crash(Stage::FirstRun, how) => {
-                return Err(Failure::running(format!("the FMU {how} in its first plain run")));
+    let fmu = Fmu::open(&arguments.fmu)?;
+    let setup = setup(fmu.description(), arguments.step)?;
+    let steps = usize::try_from(arguments.steps).unwrap_or(80);
+    let failed = |e: PlantError| match e.not_loaded {
+        true => Failure::unusable(e.message),
+        false => Failure::running(format!("the FMU failed in its first plain run: {e}")),
+    };
+    let result = match arguments.hosting.hosting()? {
+        Hosting::InProcess => {
+            let slave = fmu.load()?;
+            selftest(&[slave], &setup, steps, &[], Activity::unseen(), &mut |_| {}).map_err(failed)?
+        }
+        Hosting::Workers { program, guard, limits } => {
+            let launcher = Launcher::new(program, vec![fmu.folder().to_owned()], setup, guard, limits);
+            let Examination { result, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
+            for missing in missing {
+                output::note(&format!("   Warning protection against the FMU: {missing}"));
             }
-            Ended::Crash(stage, how) => crashed.push((stage, how)),
+            result
         }
     };
-    for (stage, how) in crashed {
-        let failed = Agreement::Failed { reason: format!("the FMU {how}") };
-        match stage {
-            Stage::FirstRun | Stage::Deterministic => result.deterministic = failed,
-            Stage::SecondInstance => result.second_instance = failed,
-            Stage::Restore => result.restore = failed,
-            Stage::Serialize => result.serialize = failed,
-            Stage::Reset => result.reset = failed,
-        }
-    }
     if arguments.json {
         let text = serde_json::to_string_pretty(&result).map_err(Failure::unusable)?;
         output::result(&(text + "\n"));
     } else {
-        output::result(&render(&name, &result));
+        output::result(&render(&fmu.description().model_name, &result));
     }
     Ok(if result.repeatable() { NO_HAZARD } else { FMU_FAILED })
 }
 
-/// How a child process ended.
-enum Ended {
-    /// With a result.
-    Result(Box<SelfTest>),
-    /// With a message of its own.
-    Code(u8),
-    /// Killed by the FMU in this stage, and how.
-    Crash(Stage, String),
-}
-
-/// Longest time for all stages together.
-const LIMIT: Duration = Duration::from_secs(120);
-
-/// Runs the stages that have not crashed in a process of their own. What the FMU prints does not reach the result.
-fn in_child(arguments: &Arguments, crashed: &[(Stage, String)]) -> Result<Ended, Failure> {
-    let cannot = |e: std::io::Error| Failure::unusable(format!("cannot start a process for the self-test: {e}"));
-    let file = tempfile::NamedTempFile::new().map_err(cannot)?;
-    let mut command = Command::new(std::env::current_exe().map_err(cannot)?);
-    command.arg("selftest").arg(&arguments.fmu).args(["--steps", &arguments.steps.to_string()]);
-    if let Some(step) = arguments.step {
-        command.args(["--step", &step.to_string()]);
-    }
-    for (stage, _) in crashed {
-        let name = stage.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
-        command.args(["--skip", &name]);
-    }
-    command.arg("--child-result").arg(file.path()).stdin(Stdio::null()).stdout(Stdio::null());
-    let mut child = command.spawn().map_err(cannot)?;
-    let started = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait().map_err(cannot)? {
-            break Some(status);
-        }
-        if started.elapsed() > LIMIT {
-            let _ = child.kill();
-            let _ = child.wait();
-            break None;
-        }
-        std::thread::sleep(Duration::from_millis(5));
-    };
-    let text = std::fs::read_to_string(file.path()).map_err(cannot)?;
-    let mut stage = Stage::FirstRun;
-    for line in text.lines() {
-        if let Ok(result) = serde_json::from_str::<SelfTest>(line) {
-            return Ok(Ended::Result(Box::new(result)));
-        }
-        stage = serde_json::from_str(line).unwrap_or(stage);
-    }
-    Ok(match status {
-        None => Ended::Crash(stage, format!("gave no answer within {} s", LIMIT.as_secs())),
-        // It said itself what is wrong.
-        Some(status) if status.code().is_some_and(|c| c == i32::from(UNUSABLE) || c == i32::from(FMU_FAILED)) => {
-            Ended::Code(u8::try_from(status.code().unwrap_or(0)).unwrap_or(FMU_FAILED))
-        }
-        Some(status) => Ended::Crash(stage, format!("ended the process ({status})")),
-    })
-}
-
-/// The stages in this process; each is written to `result` before it begins, the outcome at the end, one JSON a line.
-fn child(arguments: &Arguments, result: &Path) -> Result<u8, Failure> {
-    let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write {}: {e}", result.display()));
-    let mut log = std::fs::OpenOptions::new().append(true).open(result).map_err(cannot)?;
-    let fmu = Fmu::open(&arguments.fmu)?;
-    let slave = fmu.load()?;
-    let description = fmu.description();
+/// All its inputs are moved, all its outputs compared.
+fn setup(description: &ModelDescription, step_s: Option<f64>) -> Result<SystemSetup, Failure> {
     let default_step = description.default_experiment.step_size.filter(|h| h.is_finite() && *h > 0.0);
-    let step_s = arguments.step.or(default_step).unwrap_or(0.02);
     let (inputs, initial_inputs) = inputs(description);
     let outputs = outputs(description);
     if outputs.is_empty() {
@@ -158,23 +84,14 @@ fn child(arguments: &Arguments, result: &Path) -> Result<u8, Failure> {
         ));
     }
     let alone = |ports: Vec<Port>| ports.into_iter().map(|port| UnitPort { unit: 0, port }).collect();
-    let setup = SystemSetup {
+    Ok(SystemSetup {
         names: vec![String::new()],
         inputs: alone(inputs),
         initial_inputs,
         outputs: alone(outputs),
-        step_s,
+        step_s: step_s.or(default_step).unwrap_or(0.02),
         ..SystemSetup::default()
-    };
-    let steps = usize::try_from(arguments.steps).unwrap_or(80);
-    let mut announce = |stage: Stage| {
-        let _ = writeln!(log, "{}", serde_json::to_string(&stage).unwrap_or_default());
-    };
-    let outcome = selftest(&[slave], &setup, steps, &arguments.skip, &mut announce)
-        .map_err(|e| Failure::running(format!("the FMU failed in its first plain run: {e}")))?;
-    let text = serde_json::to_string(&outcome).map_err(Failure::unusable)?;
-    writeln!(log, "{text}").map_err(cannot)?;
-    Ok(NO_HAZARD)
+    })
 }
 
 fn render(name: &str, r: &SelfTest) -> String {
@@ -188,6 +105,8 @@ fn render(name: &str, r: &SelfTest) -> String {
         ("two fresh instances agree", &r.deterministic),
         ("a second instance beside it", &r.second_instance),
         ("restored state, two held at once", &r.restore),
+        ("two fresh processes agree", &r.fresh_process),
+        ("a copy of its process as a state", &r.fork),
         ("reset against a fresh instance", &r.reset),
         ("serialised state in another instance", &r.serialize),
     ] {
@@ -197,7 +116,7 @@ fn render(name: &str, r: &SelfTest) -> String {
     let _ = writeln!(text, "  {:<38} {bytes}", "bytes in a state");
     let _ = writeln!(text, "  {:<38} {:.4}", "largest movement of an output", r.output_range);
     let conclusion = if r.repeatable() {
-        format!("A scan brings states back by: {}", r.choice())
+        format!("A scan brings states back by: {}", r.because(r.rung(false)))
     } else {
         "A scan is not possible: findings could not be replayed".to_owned()
     };

@@ -7,10 +7,10 @@ use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest as _, Sha256};
-use tempfile::TempDir;
 use zip::ZipArchive;
 
 use super::error::Error;
+use super::temporary::Folder;
 
 /// Limits against archives that unpack to more than anybody wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,9 +35,8 @@ const SMALL: u64 = 1 << 20;
 
 /// An unpacked archive.
 pub(super) struct Unpacked {
-    pub(super) files: TempDir,
+    pub(super) files: Folder,
     pub(super) sha256: String,
-    pub(super) names: Vec<String>,
 }
 
 /// Checks and unpacks `path`.
@@ -48,7 +47,7 @@ pub(super) fn unpack(path: &Path, limits: &ArchiveLimits) -> Result<Unpacked, Er
     let file = File::open(path).map_err(cannot_read)?;
     let mut archive = ZipArchive::new(BufReader::new(file)).map_err(|e| damaged(format!("not a zip archive ({e})")))?;
     let entries = check(path, &mut archive, limits)?;
-    let files = tempfile::Builder::new().prefix("fmi-hazard-").tempdir().map_err(cannot_read)?;
+    let files = Folder::new("fmu-").map_err(cannot_read)?;
     let mut left = limits.total_bytes;
     for entry in &entries {
         let target = files.path().join(&entry.relative);
@@ -70,8 +69,7 @@ pub(super) fn unpack(path: &Path, limits: &ArchiveLimits) -> Result<Unpacked, Er
         left -= written;
         out.flush().map_err(cannot_read)?;
     }
-    let names = entries.into_iter().filter(|e| !e.folder).map(|e| e.name).collect();
-    Ok(Unpacked { files, sha256, names })
+    Ok(Unpacked { files, sha256 })
 }
 
 struct Entry {

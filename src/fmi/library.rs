@@ -8,15 +8,14 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use libloading::os::unix::{Library, RTLD_GLOBAL, RTLD_LOCAL, RTLD_NOW};
-use object::read::elf::{ElfFile64, FileHeader as _};
-use object::{Endianness, Object as _, ObjectSection as _};
-use tempfile::TempDir;
-
+use super::Files;
 use super::abi::Common;
 use super::description::{Capabilities, FmiVersion, ModelDescription};
 use super::error::Error;
 use super::{abi2, abi3};
+use libloading::os::unix::{Library, RTLD_GLOBAL, RTLD_LOCAL, RTLD_NOW};
+use object::read::elf::{ElfFile64, FileHeader as _};
+use object::{Endianness, Object as _, ObjectSection as _};
 
 /// A loaded FMU binary from which instances are made. Cheap to clone; keeps the extracted files alive.
 #[derive(Clone)]
@@ -40,7 +39,7 @@ struct Inner {
     array_starts: BTreeMap<u32, Vec<f64>>,
     prefers_event_mode: AtomicBool,
     poisoned: AtomicBool,
-    _files: Arc<TempDir>,
+    _files: Arc<Files>,
 }
 
 impl Slave {
@@ -118,7 +117,7 @@ const fn platform(version: FmiVersion) -> &'static str {
 
 /// Loads `binaries/<platform>/<identifier>.so` below `root`.
 pub(super) fn load(
-    files: &Arc<TempDir>,
+    files: &Arc<Files>,
     platforms: &[String],
     version: FmiVersion,
     description: &ModelDescription,

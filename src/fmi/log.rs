@@ -9,6 +9,9 @@ use super::abi::{self, StatusCode};
 /// Log lines kept for error messages.
 const LOG_LINES: usize = 10;
 
+/// Characters of a line that are kept.
+const LONGEST: usize = 2000;
+
 /// What the log callbacks write to; lives as long as the instance.
 #[derive(Default)]
 pub(super) struct Environment {
@@ -86,8 +89,8 @@ unsafe fn record(environment: *mut c_void, status: StatusCode, category: *const 
     if status == abi::OK && !category.to_lowercase().contains("err") {
         return;
     }
-    let text: String =
-        message.to_string_lossy().trim_end().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let text = message.to_string_lossy();
+    let text: String = text.trim_end().chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
     let mut lines = lock(&environment.lines);
     if lines.len() == LOG_LINES {
         lines.remove(0);

@@ -50,13 +50,12 @@ mod raw;
 mod raw2;
 mod raw3;
 mod read_xml;
+pub(crate) mod temporary;
 mod values;
 mod variable;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-use tempfile::TempDir;
 
 pub use archive::ArchiveLimits;
 pub use description::{Capabilities, CoSimulation, DefaultExperiment, FmiVersion, MOST_VALUES, ModelDescription};
@@ -69,11 +68,28 @@ pub use read_xml::Warning;
 pub use values::{Number, Values};
 pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
 
+/// The unpacked files of an FMU.
+enum Files {
+    /// Removed with the last one who needs them.
+    Own(temporary::Folder),
+    /// Somebody else's.
+    Others(PathBuf),
+}
+
+impl Files {
+    fn path(&self) -> &Path {
+        match self {
+            Self::Own(folder) => folder.path(),
+            Self::Others(folder) => folder,
+        }
+    }
+}
+
 /// An FMU that was opened and read. Nothing of it is loaded or run.
 pub struct Fmu {
     path: PathBuf,
     sha256: String,
-    files: Arc<TempDir>,
+    files: Arc<Files>,
     description: ModelDescription,
     warnings: Vec<Warning>,
     platforms: Vec<String>,
@@ -94,7 +110,20 @@ impl Fmu {
     /// As [`Fmu::open`].
     pub fn open_with(path: &Path, limits: &ArchiveLimits) -> Result<Self, Error> {
         let unpacked = archive::unpack(path, limits)?;
-        let xml = unpacked.files.path().join("modelDescription.xml");
+        Self::read(path, unpacked.sha256, Files::Own(unpacked.files))
+    }
+
+    /// An FMU that [`Fmu::open`] has unpacked to `folder` before, maybe in another process. The folder stays with its
+    /// owner; the checksum is not known here.
+    ///
+    /// # Errors
+    /// As [`Fmu::open`].
+    pub fn reopen(folder: &Path) -> Result<Self, Error> {
+        Self::read(folder, String::new(), Files::Others(folder.to_owned()))
+    }
+
+    fn read(path: &Path, sha256: String, files: Files) -> Result<Self, Error> {
+        let xml = files.path().join("modelDescription.xml");
         let bytes = std::fs::read(&xml).map_err(|error| Error::Read { path: path.to_owned(), error })?;
         let at = |text: &str, offset: usize, message: String| {
             let (line, column) = read_xml::line_and_column(text, offset);
@@ -107,15 +136,13 @@ impl Fmu {
         let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
         let (description, warnings) = read_xml::read(text).map_err(|p| at(text, p.offset, p.message))?;
         supported(&description)?;
-        let mut platforms: Vec<String> = unpacked
-            .names
-            .iter()
-            .filter_map(|n| Some(n.strip_prefix("binaries/")?.split_once('/')?.0.to_owned()))
+        let entries = std::fs::read_dir(files.path().join("binaries")).into_iter().flatten().flatten();
+        let mut platforms: Vec<String> = entries
+            .filter(|entry| entry.path().is_dir())
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
             .collect();
         platforms.sort();
-        platforms.dedup();
-        let files = Arc::new(unpacked.files);
-        Ok(Self { path: path.to_owned(), sha256: unpacked.sha256, files, description, warnings, platforms })
+        Ok(Self { path: path.to_owned(), sha256, files: Arc::new(files), description, warnings, platforms })
     }
 
     /// Where it was opened from.
@@ -146,6 +173,12 @@ impl Fmu {
     #[must_use]
     pub fn platforms(&self) -> &[String] {
         &self.platforms
+    }
+
+    /// The folder of the unpacked files; it lives as long as this FMU and what was loaded from it.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        self.files.path()
     }
 
     /// The unpacked file with this path inside the FMU, if there is one.

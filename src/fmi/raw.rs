@@ -12,6 +12,9 @@ use super::error::{CallFailure, Error, Log, Status};
 use super::library::{Slave, Table};
 use super::log::{Environment, lock};
 
+/// Most bytes of a serialised state.
+const LARGEST_STATE: usize = 1 << 30;
+
 /// Handles that no [`State`] holds any more.
 #[derive(Default)]
 struct FreeList {
@@ -254,6 +257,9 @@ impl Raw {
         // SAFETY: the handle was given by this instance; `size` is written during the call.
         let status = unsafe { size_of(self.component, handle, &raw mut size) };
         self.check(names.serialized_size, status)?;
+        if size > LARGEST_STATE {
+            return Err(Error::StateSize(size));
+        }
         let mut bytes = vec![0_u8; size];
         // SAFETY: the buffer has the size that the FMU asked for.
         let status = unsafe { serialize(self.component, handle, bytes.as_mut_ptr(), size) };

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::description::FmiVersion;
 
 /// A variable: one value, or an array of them.
@@ -147,7 +149,7 @@ pub enum Dimension {
 
 /// Type of one value in the C interface. FMI 2.0's Real, Integer and Enumeration are `Float64` and `Int32`, FMI 3.0's
 /// Enumeration is `Int64`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "the names of the standard")]
 pub enum Scalar {
     Float64,
@@ -192,7 +194,7 @@ impl fmt::Display for Scalar {
 }
 
 /// One value of a variable in the C interface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Handle {
     /// The variable.
     pub value_reference: u32,

@@ -1,7 +1,9 @@
 //! An FMU in this process, as a [`Plant`].
 
+use super::activity::{Activity, Call};
 use super::plant::{Plant, PlantError};
 use super::port::Port;
+use super::rounding;
 use crate::fmi::{self, Handle, Initializing, Instance, Instantiated, Plan, Slave, State, Stepping};
 
 /// What to write to and read from an FMU, and at which steps.
@@ -34,6 +36,7 @@ pub struct InProcess {
     instance: Option<Instance<Stepping>>,
     /// Communication steps taken since time zero; time is `step * step_s`, never accumulated.
     step: u64,
+    activity: Activity,
 }
 
 /// A saved FMU state together with the master's own clock.
@@ -54,7 +57,12 @@ impl InProcess {
     #[must_use]
     pub fn new(slave: Slave, setup: Setup) -> Self {
         let (inputs, outputs) = (plan(&slave, &setup.inputs), plan(&slave, &setup.outputs));
-        Self { slave, setup, inputs, outputs, instance: None, step: 0 }
+        Self { slave, setup, inputs, outputs, instance: None, step: 0, activity: Activity::unseen() }
+    }
+
+    /// From now on `activity` is told what is being done.
+    pub(super) fn watch(&mut self, activity: Activity) {
+        self.activity = activity;
     }
 
     /// Replaces the input values for initialisation.
@@ -70,6 +78,7 @@ impl InProcess {
 
     /// Makes the instance ready to step: parameters, inputs, initialisation.
     fn initialise(&mut self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, fmi::Error> {
+        self.activity.begin(Call::Initialise, 0);
         let ports = self.setup.parameters.iter().map(|(port, _)| port);
         let values: Vec<f64> = self.setup.parameters.iter().map(|(_, value)| *value).collect();
         plan(&self.slave, ports).write(&mut instance, &values)?;
@@ -82,15 +91,14 @@ impl InProcess {
         let time_s = self.time_s();
         let mut row = vec![0.0; self.setup.outputs.len()];
         let Some(instance) = self.instance.as_mut() else { return Err(not_started()) };
-        self.outputs.read(instance, &mut row).map_err(|e| failure(&e, time_s))?;
+        self.activity.begin(Call::Read, self.step.saturating_sub(1));
+        let read = self.outputs.read(instance, &mut row);
+        rounding::restore();
+        read.map_err(|e| failure(&e, time_s))?;
         if let Some(bad) = row.iter().position(|v| !v.is_finite()) {
             let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
             let name = &self.setup.outputs[bad].name;
-            return Err(PlantError {
-                message: format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s"),
-                time_s: Some(time_s),
-                fatal: false,
-            });
+            return Err(PlantError::of(format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s")).at(time_s));
         }
         Ok(row)
     }
@@ -106,6 +114,7 @@ impl InProcess {
     /// When the FMU refuses.
     pub(super) fn reset(&mut self) -> Result<Vec<f64>, PlantError> {
         let instance = self.instance.take().ok_or_else(not_started)?;
+        self.activity.begin(Call::Reset, self.step);
         let instance = instance.reset().map_err(|e| failure(&e, 0.0))?;
         self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
         self.step = 0;
@@ -119,6 +128,7 @@ impl InProcess {
     pub(super) fn serialize(&mut self, checkpoint: &Checkpoint) -> Result<Vec<u8>, PlantError> {
         let time_s = self.time_s();
         let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        self.activity.begin(Call::Serialize, self.step);
         instance.serialize(&checkpoint.state).map_err(|e| failure(&e, time_s))
     }
 
@@ -128,21 +138,18 @@ impl InProcess {
     /// When the FMU refuses.
     pub(super) fn deserialize(&mut self, bytes: &[u8], step: u64) -> Result<Checkpoint, PlantError> {
         let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        self.activity.begin(Call::Serialize, self.step);
         let state = instance.deserialize(bytes).map_err(|e| failure(&e, 0.0))?;
         Ok(Checkpoint { state, step })
     }
 }
 
 fn not_started() -> PlantError {
-    PlantError {
-        message: "the FMU is not running: it has to be restarted first".to_owned(),
-        time_s: None,
-        fatal: false,
-    }
+    PlantError::of("the FMU is not running: it has to be restarted first")
 }
 
 fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
-    PlantError { message: error.to_string(), time_s: Some(time_s), fatal: error.is_fatal() }
+    PlantError { fatal: error.is_fatal(), ..PlantError::of(error.to_string()).at(time_s) }
 }
 
 impl Plant for InProcess {
@@ -158,8 +165,10 @@ impl Plant for InProcess {
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
         // The old instance goes first: some FMUs cannot have two.
+        self.activity.begin(Call::Free, self.step);
         self.instance = None;
         self.step = 0;
+        self.activity.begin(Call::Instantiate, 0);
         let instance = self.slave.instantiate("cell").map_err(|e| failure(&e, 0.0))?;
         self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
         self.read_row()
@@ -171,8 +180,11 @@ impl Plant for InProcess {
         for i in 0..steps {
             let time_s = self.time_s();
             let instance = self.instance.as_mut().ok_or_else(not_started)?;
+            self.activity.begin(Call::Write, self.step);
             self.inputs.write(instance, &inputs[i * width..(i + 1) * width]).map_err(|e| failure(&e, time_s))?;
+            self.activity.begin(Call::Step, self.step);
             instance.do_step(time_s, self.setup.step_s).map_err(|e| failure(&e, time_s))?;
+            rounding::restore();
             self.step += 1;
             trace.extend(self.read_row()?);
         }
@@ -182,6 +194,7 @@ impl Plant for InProcess {
     fn save(&mut self) -> Result<Checkpoint, PlantError> {
         let (time_s, step) = (self.time_s(), self.step);
         let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        self.activity.begin(Call::Save, self.step);
         let state = instance.save().map_err(|e| failure(&e, time_s))?;
         Ok(Checkpoint { state, step })
     }
@@ -189,6 +202,7 @@ impl Plant for InProcess {
     fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
         let time_s = self.time_s();
         let instance = self.instance.as_mut().ok_or_else(not_started)?;
+        self.activity.begin(Call::Restore, self.step);
         instance.restore(&checkpoint.state).map_err(|e| failure(&e, time_s))?;
         self.step = checkpoint.step;
         Ok(())

@@ -1,19 +1,27 @@
 //! Where an FMU runs, and how its state is brought back.
 //!
 //! - [`plant`]: the trait between the simulation and a running FMU; one action, one message
+//! - [`hosted`]: FMUs, wherever they run
 //! - [`port`]: bound variables
 //! - [`in_process`]: an FMU in this process
+//! - [`isolation`]: FMUs in a process of their own
+//! - [`activity`]: what a plant is doing just now
 //! - [`system`]: one FMU or several coupled ones
 //! - [`recall`]: states by input history and the ladder of ways back to them
 //! - [`selftest`]: what an FMU's promises about its state are worth
 
+pub mod activity;
+pub mod hosted;
 pub mod in_process;
+pub mod isolation;
 pub mod plant;
 pub mod port;
 pub mod recall;
+mod rounding;
 pub mod selftest;
 pub mod system;
 
+pub use hosted::Hosted;
 pub use plant::{Plant, PlantError};
-pub use recall::{Advanced, NodeId, Policy, Recall};
+pub use recall::{Advanced, Effort, NodeId, Policy, Recall};
 pub use system::{System, SystemSetup, UnitPort};

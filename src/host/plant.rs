@@ -5,6 +5,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// A running workcell model, in this process or elsewhere.
 ///
 /// Traces are row-major: one row per communication step, one column per bound variable (Booleans as 0 and 1).
@@ -49,10 +51,15 @@ pub trait Plant {
     /// # Errors
     /// When the FMU fails.
     fn restore(&mut self, checkpoint: &Self::Checkpoint) -> Result<(), PlantError>;
+
+    /// Whether a saved state can still be restored; some are lost with the process that held them.
+    fn holds(&self, _checkpoint: &Self::Checkpoint) -> bool {
+        true
+    }
 }
 
 /// The serialised state of a plant, in short.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {
     /// SHA-256 of its bytes.
     pub digest: [u8; 32],
@@ -61,7 +68,7 @@ pub struct Fingerprint {
 }
 
 /// What went wrong in a plant.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlantError {
     /// What happened, in words, with the FMU's own last log lines.
     pub message: String,
@@ -69,6 +76,33 @@ pub struct PlantError {
     pub time_s: Option<f64>,
     /// The FMU must not be called any more: the search has to end.
     pub fatal: bool,
+    /// The process in which the FMU ran is gone, and all its states. The next call meets a fresh one. This need not be
+    /// the FMU's doing.
+    pub lost: bool,
+    /// With `lost`: this program ended it, because it gave no answer or took too much.
+    pub ended_by_us: bool,
+    /// The FMU could not be loaded: nothing of it has run.
+    pub not_loaded: bool,
+}
+
+impl PlantError {
+    /// A failure of one call; the plant can be restarted.
+    #[must_use]
+    pub fn of(message: impl Into<String>) -> Self {
+        Self { message: message.into(), ..Self::default() }
+    }
+
+    /// The same at a simulation time.
+    #[must_use]
+    pub fn at(self, time_s: f64) -> Self {
+        Self { time_s: Some(time_s), ..self }
+    }
+
+    /// The same, and nothing can go on.
+    #[must_use]
+    pub fn fatal(self) -> Self {
+        Self { fatal: true, ..self }
+    }
 }
 
 impl fmt::Display for PlantError {

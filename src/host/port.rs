@@ -1,9 +1,11 @@
 //! A bound FMU variable as the host sees it: one value of it and a type. All values travel as `f64`.
 
+use serde::{Deserialize, Serialize};
+
 use crate::fmi::{Handle, Scalar};
 
 /// Type of a bound variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum PortKind {
     /// Floating point.
     Real,
@@ -34,7 +36,7 @@ impl PortKind {
 }
 
 /// A bound FMU variable, or an element of one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Port {
     /// Name, for messages.
     pub name: String,

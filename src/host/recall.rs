@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::plant::{Fingerprint, Plant, PlantError};
+use super::plant::{Plant, PlantError};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -61,6 +61,54 @@ fn values_of(edge: &[u64]) -> (usize, Vec<f64>) {
     (usize::try_from(steps).unwrap_or(0), inputs.iter().map(|bits| f64::from_bits(*bits)).collect())
 }
 
+/// What an FMU really did. Depends on how states are brought back and on what happened on the way, so it is no result.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Effort {
+    /// Communication steps.
+    pub steps: u64,
+    /// Fresh instances.
+    pub restarts: u64,
+    /// Saved states restored.
+    pub restores: u64,
+    /// Worker processes that had to be replaced.
+    pub workers_replaced: u64,
+}
+
+impl Effort {
+    /// Both together.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            restarts: self.restarts + other.restarts,
+            restores: self.restores + other.restores,
+            workers_replaced: self.workers_replaced + other.workers_replaced,
+        }
+    }
+}
+
+/// What is known of a state that was just reached.
+struct Arrival<C> {
+    /// Its serialised bytes, in short, with its depth.
+    digest: Option<(usize, [u8; 32])>,
+    /// A node that is in the same state.
+    same: Option<NodeId>,
+    checkpoint: Option<C>,
+}
+
+impl<C> Default for Arrival<C> {
+    fn default() -> Self {
+        Self { digest: None, same: None, checkpoint: None }
+    }
+}
+
+/// Fresh processes in which an action is tried before its failure counts as the FMU's own.
+const TRIES: u32 = 3;
+/// The same, when it has to be ended because it gave no answer or took too much, which takes long.
+const TRIES_BLOCKED: u32 = 2;
+/// Restores in a row that may end the process before saved states are given up.
+const RESTORES_LOST: u32 = 3;
+
 /// What merging equal states did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Merges {
@@ -96,9 +144,13 @@ pub struct Recall<P: Plant> {
     /// Bytes of one serialised state, where known.
     state_bytes: usize,
     bytes: usize,
+    /// Steps of transitions that were new.
     steps: u64,
+    /// All steps that were made.
+    steps_made: u64,
     restarts: u64,
     restores: u64,
+    restores_lost: u32,
 }
 
 impl<P: Plant> Recall<P> {
@@ -136,8 +188,10 @@ impl<P: Plant> Recall<P> {
             state_bytes: 0,
             bytes: 0,
             steps: 0,
+            steps_made: 0,
             restarts: 1,
             restores: 0,
+            restores_lost: 0,
         })
     }
 
@@ -172,7 +226,7 @@ impl<P: Plant> Recall<P> {
     }
 
     /// From now on, nodes of the same depth with equal serialised states are taken as one state. Returns whether that is
-    /// possible: it needs serialised states, and saved states to try merges out.
+    /// possible: it needs serialised states.
     ///
     /// # Errors
     /// When the FMU cannot be brought back to its start.
@@ -180,11 +234,9 @@ impl<P: Plant> Recall<P> {
         self.go_to(NodeId::ROOT)?;
         // An FMU that refuses to serialise is no failure: then histories are told apart.
         let Ok(Some(print)) = self.plant.fingerprint() else { return Ok(false) };
-        if self.nodes[0].checkpoint.is_some() {
-            self.state_bytes = print.bytes;
-            self.known = Some(BTreeMap::from([((0, print.digest), NodeId::ROOT)]));
-        }
-        Ok(self.known.is_some())
+        self.state_bytes = print.bytes;
+        self.known = Some(BTreeMap::from([((0, print.digest), NodeId::ROOT)]));
+        Ok(true)
     }
 
     /// What merging equal states did so far.
@@ -218,22 +270,29 @@ impl<P: Plant> Recall<P> {
         NODE_BYTES + 8 * node.edge.len() + 8 * node.outputs.len() + state
     }
 
-    /// Communication steps the FMU really took so far.
+    /// Communication steps of all different transitions so far, however often they were repeated to come back to a
+    /// state: the same on every rung of the ladder.
     #[must_use]
     pub const fn steps(&self) -> u64 {
         self.steps
+    }
+
+    /// What the FMU really did so far.
+    #[must_use]
+    pub const fn effort(&self) -> Effort {
+        Effort { steps: self.steps_made, restarts: self.restarts, restores: self.restores, workers_replaced: 0 }
+    }
+
+    /// The plant, to ask it something.
+    #[must_use]
+    pub const fn plant(&self) -> &P {
+        &self.plant
     }
 
     /// Number of distinct states met.
     #[must_use]
     pub const fn states(&self) -> usize {
         self.nodes.len()
-    }
-
-    /// Fresh instances made, and saved states restored.
-    #[must_use]
-    pub const fn restarts_and_restores(&self) -> (u64, u64) {
-        (self.restarts, self.restores)
     }
 
     /// Where `steps` communication steps from `node` with `inputs` (row-major) lead, if they were taken before; nothing
@@ -268,11 +327,10 @@ impl<P: Plant> Recall<P> {
             self.nodes[node.0].children.insert(edge, child.clone());
             return Ok(child.map_or_else(Advanced::Fault, Advanced::To));
         }
-        self.go_to(node)?;
-        let outcome = self.plant.advance(steps, inputs);
-        self.steps += steps as u64;
-        let outputs = match outcome {
-            Ok(outputs) => outputs,
+        self.steps += if known.is_none() { steps as u64 } else { 0 };
+        let stepped = self.step_from(node, &edge, steps, inputs, known.is_none());
+        let (outputs, arrival) = match stepped {
+            Ok(reached) => reached,
             Err(fault) => {
                 self.at = None;
                 if fault.fatal {
@@ -294,86 +352,124 @@ impl<P: Plant> Recall<P> {
             self.at = Some(child);
             return Ok(Advanced::To(child));
         }
-        let child = self.arrive(node, edge, outputs.into())?;
-        Ok(Advanced::To(child))
+        Ok(Advanced::To(self.add(node, edge, outputs.into(), arrival)))
     }
 
-    /// Takes in the state that the plant has just reached from `parent`.
-    fn arrive(&mut self, parent: NodeId, edge: Arc<[u64]>, outputs: Arc<[f64]>) -> Result<NodeId, PlantError> {
-        let child = NodeId(self.nodes.len());
-        let depth = self.nodes[parent.0].depth + 1;
-        let print = if self.known.is_some() { self.plant.fingerprint()? } else { None };
-        let mut same = child;
-        if let (Some(Fingerprint { digest, .. }), Some(known)) = (print, &mut self.known) {
-            same = *known.entry((depth, digest)).or_insert(child);
-        }
-        let mut checkpoint = None;
-        if same == child {
-            checkpoint = match self.policy {
-                Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints => {
-                    self.checkpoints += 1;
-                    Some(self.plant.save()?)
+    /// Brings the plant to `node`, steps it, and takes stock of the state it reaches if that is `new`. When the process
+    /// of the FMU is gone this is done again with a fresh one: whether the FMU or something else ended it shows in
+    /// whether it happens again.
+    fn step_from(
+        &mut self,
+        node: NodeId,
+        edge: &Arc<[u64]>,
+        steps: usize,
+        inputs: &[f64],
+        new: bool,
+    ) -> Result<(Vec<f64>, Arrival<P::Checkpoint>), PlantError> {
+        let mut tries = 0;
+        loop {
+            // What went well before must go well again.
+            if let Err(error) = self.go_to(node) {
+                tries += 1;
+                if error.lost && tries < TRIES {
+                    continue;
                 }
-                _ => None,
-            };
-        } else {
-            self.merges.merged += 1;
-            if self.merges.merged <= FIRST_TRIED_OUT || self.merges.merged.is_power_of_two() {
-                self.try_out(same, &edge)?;
+                let message = format!("what the FMU did before cannot be repeated: {}", error.message);
+                return Err(PlantError { message, fatal: true, ..error });
+            }
+            self.at = None;
+            self.steps_made += steps as u64;
+            let depth = self.nodes[node.0].depth + 1;
+            let stepped = self.plant.advance(steps, inputs).and_then(|outputs| {
+                let arrival = if new { self.arrive(depth, edge)? } else { Arrival::default() };
+                Ok((outputs, arrival))
+            });
+            match stepped {
+                Err(error) if error.lost => {
+                    tries += 1;
+                    if tries >= if error.ended_by_us { TRIES_BLOCKED } else { TRIES } {
+                        return Err(error);
+                    }
+                }
+                stepped => return stepped,
             }
         }
+    }
+
+    /// Takes stock of the state that the plant has just reached with its `depth`th action.
+    fn arrive(&mut self, depth: usize, edge: &[u64]) -> Result<Arrival<P::Checkpoint>, PlantError> {
+        let print = if self.known.is_some() { self.plant.fingerprint()? } else { None };
+        let digest = print.map(|print| (depth, print.digest));
+        let same = digest.and_then(|digest| self.known.as_ref()?.get(&digest).copied());
+        let mut checkpoint = None;
+        if let Some(same) = same {
+            let merged = self.merges.merged + 1;
+            if merged <= FIRST_TRIED_OUT || merged.is_power_of_two() {
+                self.try_out(same, edge)?;
+            }
+        } else if matches!(self.policy, Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints) {
+            checkpoint = Some(self.plant.save()?);
+        }
+        Ok(Arrival { digest, same, checkpoint })
+    }
+
+    /// A node below `parent` for a state that was reached.
+    fn add(
+        &mut self,
+        parent: NodeId,
+        edge: Arc<[u64]>,
+        outputs: Arc<[f64]>,
+        arrival: Arrival<P::Checkpoint>,
+    ) -> NodeId {
+        let child = NodeId(self.nodes.len());
+        let Arrival { digest, same, checkpoint } = arrival;
+        if let (Some(digest), Some(known)) = (digest, &mut self.known) {
+            known.entry(digest).or_insert(child);
+        }
+        self.merges.merged += u64::from(same.is_some());
+        self.checkpoints += usize::from(checkpoint.is_some());
+        let same = same.unwrap_or(child);
+        let depth = self.nodes[parent.0].depth + 1;
         let node =
             Node { parent, depth, edge: Arc::clone(&edge), outputs, same, checkpoint, children: BTreeMap::new() };
         self.bytes += self.bytes_of(&node);
         self.nodes.push(node);
         self.nodes[parent.0].children.insert(edge, Ok(child));
         self.at = Some(same);
-        Ok(child)
+        child
     }
 
     /// Steps on from where the plant is and from `other`, which is said to be the same state, with the inputs of
     /// `edge`. The plant is in that state afterwards.
     fn try_out(&mut self, other: NodeId, edge: &[u64]) -> Result<(), PlantError> {
-        if self.nodes[other.0].checkpoint.is_none() {
-            return Ok(());
-        }
-        let here = self.ahead(edge);
-        self.back_to(other)?;
-        let there = self.ahead(edge);
-        self.back_to(other)?;
+        let here = self.ahead(edge)?;
+        self.go_to(other)?;
+        let there = self.ahead(edge)?;
+        self.go_to(other)?;
         let equal = match (&here, &there) {
             (Ok(a), Ok(b)) => same_bits(a, b),
             (a, b) => a == b,
         };
         if !equal {
-            return Err(PlantError {
-                message:
-                    "two states of the FMU have the same serialised bytes but went on differently: its serialised \
-                          state does not hold everything, so equal states cannot be told by it. Use `--merge history`"
-                        .to_owned(),
-                time_s: None,
-                fatal: true,
-            });
+            return Err(PlantError::of(
+                "two states of the FMU have the same serialised bytes but went on differently: its serialised \
+                          state does not hold everything, so equal states cannot be told by it. Use `--merge history`",
+            )
+            .fatal());
         }
         self.merges.tried_out += 1;
         Ok(())
     }
 
-    /// Steps the plant on with the inputs of an edge.
-    fn ahead(&mut self, edge: &[u64]) -> Result<Vec<f64>, String> {
+    /// Steps the plant on with the inputs of an edge; nothing when its process is gone.
+    fn ahead(&mut self, edge: &[u64]) -> Result<Result<Vec<f64>, String>, PlantError> {
         let (steps, inputs) = values_of(edge);
         self.at = None;
-        self.steps += steps as u64;
-        self.plant.advance(steps, &inputs).map_err(|e| e.message)
-    }
-
-    /// Restores the saved state of `node`, if it has one.
-    fn back_to(&mut self, node: NodeId) -> Result<(), PlantError> {
-        if let Some(checkpoint) = &self.nodes[node.0].checkpoint {
-            self.plant.restore(checkpoint)?;
-            self.restores += 1;
+        self.steps_made += steps as u64;
+        match self.plant.advance(steps, &inputs) {
+            Err(error) if error.lost => Err(error),
+            stepped => Ok(stepped.map_err(|e| e.message)),
         }
-        Ok(())
     }
 
     /// A node below `parent` for the transition that led to `child` from the same state.
@@ -402,20 +498,27 @@ impl<P: Plant> Recall<P> {
         // The path back to the nearest saved state, or to the start.
         let mut path = Vec::with_capacity(self.nodes[node.0].depth);
         let mut from = node;
-        while self.nodes[from.0].checkpoint.is_none() && from != NodeId::ROOT {
+        while !self.holds(from) && from != NodeId::ROOT {
             path.push(from);
             from = self.nodes[self.nodes[from.0].parent.0].same;
         }
         self.at = None;
         let restored = match &self.nodes[from.0].checkpoint {
-            Some(checkpoint) => self.plant.restore(checkpoint).map(|()| true),
-            None => Ok(false),
+            Some(checkpoint) if self.plant.holds(checkpoint) => self.plant.restore(checkpoint).map(|()| true),
+            _ => Ok(false),
         };
-        if restored.as_ref().is_err_and(|e| !e.fatal) {
-            // An instance that refuses to come back (after an error, say) is given up with all its saved states.
-            self.nodes.iter_mut().for_each(|n| n.checkpoint = None);
-            self.checkpoints = usize::MAX;
-            return self.go_to(node);
+        match &restored {
+            Ok(done) => self.restores_lost *= u32::from(!done),
+            Err(error) if error.fatal => {}
+            Err(error) => {
+                self.restores_lost += 1;
+                if !error.lost || self.restores_lost >= RESTORES_LOST {
+                    // Who refuses to come back (after an error, say) is given up with all saved states.
+                    self.nodes.iter_mut().for_each(|n| n.checkpoint = None);
+                    self.checkpoints = usize::MAX;
+                }
+                return self.go_to(node);
+            }
         }
         if restored? {
             self.restores += 1;
@@ -425,18 +528,33 @@ impl<P: Plant> Recall<P> {
             if !same_bits(&self.nodes[from.0].outputs, &outputs) {
                 return Err(not_repeatable(Some(0.0)));
             }
+            self.save_again(from)?;
         }
         for step in path.into_iter().rev() {
             let Node { edge, outputs, .. } = &self.nodes[step.0];
             let (steps, inputs) = values_of(edge);
             let again = self.plant.advance(steps, &inputs)?;
-            self.steps += steps as u64;
+            self.steps_made += steps as u64;
             // Traces of long ago may have been forgotten.
             if !outputs.is_empty() && !same_bits(outputs, &again) {
                 return Err(not_repeatable(None));
             }
+            self.save_again(step)?;
         }
         self.at = Some(node);
+        Ok(())
+    }
+
+    /// Whether `node` has a saved state that can be restored.
+    fn holds(&self, node: NodeId) -> bool {
+        self.nodes[node.0].checkpoint.as_ref().is_some_and(|checkpoint| self.plant.holds(checkpoint))
+    }
+
+    /// Saves the present state for `node`, which is in it, if its saved state was lost with a process.
+    fn save_again(&mut self, node: NodeId) -> Result<(), PlantError> {
+        if self.nodes[node.0].checkpoint.is_some() && !self.holds(node) {
+            self.nodes[node.0].checkpoint = Some(self.plant.save()?);
+        }
         Ok(())
     }
 }
@@ -446,13 +564,12 @@ fn same_bits(a: &[f64], b: &[f64]) -> bool {
 }
 
 fn not_repeatable(time_s: Option<f64>) -> PlantError {
-    PlantError {
-        message: "the FMU gave different outputs for the same inputs: its results depend on something else, so \
-                  findings could not be replayed. Run `fmi-hazard selftest` on it"
-            .to_owned(),
-        time_s,
-        fatal: true,
-    }
+    let error = PlantError::of(
+        "the FMU gave different outputs for the same inputs: its results depend on something else, so \
+                  findings could not be replayed. Run `fmi-hazard selftest` on it",
+    )
+    .fatal();
+    PlantError { time_s, ..error }
 }
 
 #[cfg(test)]

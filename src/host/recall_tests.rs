@@ -1,6 +1,7 @@
 //! Recall on a small integrator whose outputs are known, with and without saved states.
 
 use super::*;
+use crate::host::plant::Fingerprint;
 
 /// `x += u` per step; fails when `x` exceeds a limit; optionally forgets to restore.
 #[derive(Default)]
@@ -31,7 +32,7 @@ impl Plant for Integrator {
         for u in inputs.iter().take(steps) {
             self.x += u + if self.drifts { f64::from(self.restarts) } else { 0.0 };
             if self.limit.is_some_and(|l| self.x > l) {
-                return Err(PlantError { message: "over the limit".into(), time_s: None, fatal: false });
+                return Err(PlantError::of("over the limit"));
             }
             out.push(self.x);
         }
@@ -86,10 +87,10 @@ fn a_known_transition_costs_no_step_with_states_and_every_step_with_replay() {
             let a = to(recall.advance(NodeId::ROOT, 2, &[1.0, 2.0]).unwrap());
             to(recall.advance(a, 2, &[1.0, 2.0]).unwrap());
         }
-        recall.steps()
+        (recall.steps(), recall.effort().steps)
     };
-    assert_eq!(count(STATES), 4);
-    assert_eq!(count(Policy::Replay), 12);
+    assert_eq!(count(STATES), (4, 4));
+    assert_eq!(count(Policy::Replay), (4, 12));
 }
 
 #[test]
@@ -123,9 +124,9 @@ fn equal_states_are_stepped_once_under_every_history() {
     assert_eq!((&**recall.outputs(a), &**recall.outputs(b)), (&[1.0, 3.0][..], &[2.0, 3.0][..]));
     assert_eq!(recall.merges(), Merges { merged: 1, tried_out: 1 });
     let ahead = to(recall.advance(a, 1, &[4.0]).unwrap());
-    let steps = recall.steps();
+    let steps = recall.effort().steps;
     let same = to(recall.advance(b, 1, &[4.0]).unwrap());
-    assert_eq!(recall.steps(), steps, "the step from the equal state is known");
+    assert_eq!(recall.effort().steps, steps, "the step from the equal state is known");
     assert_eq!((recall.same(same), recall.parent(same), &**recall.outputs(same)), (ahead, b, &[7.0][..]));
     // Equal values at another depth are another state: time is part of it.
     let later = to(recall.advance(b, 1, &[0.0]).unwrap());

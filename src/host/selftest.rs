@@ -9,9 +9,9 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::activity::Activity;
 use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
-use super::recall::Policy;
 use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
 
@@ -58,10 +58,34 @@ pub enum Stage {
     SecondInstance,
     /// Saved states on one instance.
     Restore,
+    /// How large a serialised state is.
+    StateSize,
     /// A serialised state in another instance.
     Serialize,
     /// `fmi2Reset`.
     Reset,
+}
+
+impl Stage {
+    const ALL: [Self; 7] = [
+        Self::FirstRun,
+        Self::Deterministic,
+        Self::SecondInstance,
+        Self::Restore,
+        Self::StateSize,
+        Self::Serialize,
+        Self::Reset,
+    ];
+
+    /// A number for it, from 1.
+    pub(super) fn number(self) -> u32 {
+        Self::ALL.iter().zip(1..).find(|(stage, _)| **stage == self).map_or(0, |(_, number)| number)
+    }
+
+    /// The stage with this number.
+    pub(super) fn numbered(number: u32) -> Option<Self> {
+        Self::ALL.get(usize::try_from(number).ok()?.checked_sub(1)?).copied()
+    }
 }
 
 /// The outcome of the self-test.
@@ -81,6 +105,10 @@ pub struct SelfTest {
     pub second_instance: Agreement,
     /// Restoring a state against the uninterrupted run: two states held, both returned to, the first one twice.
     pub restore: Agreement,
+    /// The same with copies of the FMU's process as states, for FMUs in workers.
+    pub fork: Agreement,
+    /// Two fresh processes, for FMUs in workers.
+    pub fresh_process: Agreement,
     /// `fmi2Reset` against a fresh instance.
     pub reset: Agreement,
     /// A serialised state brought back in another instance.
@@ -95,30 +123,68 @@ impl SelfTest {
     /// Whether results can be replayed at all.
     #[must_use]
     pub fn repeatable(&self) -> bool {
-        self.deterministic == Agreement::Exact
+        self.deterministic == Agreement::Exact || self.fresh_process == Agreement::Exact
     }
 
-    /// The way of bringing states back that this FMU deserves, holding at most `budget_bytes` of states.
+    /// The way of bringing states back that this FMU deserves. `fork_pays` where its actions cost more than a copy of its
+    /// process.
     #[must_use]
-    pub fn policy(&self, budget_bytes: usize) -> Policy {
+    pub fn rung(&self, fork_pays: bool) -> Rung {
+        match (&self.restore, &self.fork, &self.deterministic) {
+            (Agreement::Exact, _, Agreement::Exact) => Rung::SavedStates,
+            (_, Agreement::Exact, Agreement::Exact) if fork_pays => Rung::Copies,
+            (_, _, Agreement::Exact) => Rung::Instances,
+            // One instance in a process: its copies do, and so do fresh processes.
+            (_, Agreement::Exact, _) => Rung::Copies,
+            _ => Rung::Processes,
+        }
+    }
+
+    /// At most this many states may be kept within a budget.
+    #[must_use]
+    pub fn most_states(&self, budget_bytes: usize) -> usize {
         // Without serialisation the size is unknown; 64 KiB is above what small FMUs need.
         let size = self.bytes_per_state.unwrap_or(64 * 1024).max(256);
-        match self.restore {
-            Agreement::Exact => Policy::States { max_checkpoints: (budget_bytes / size).max(16) },
-            _ => Policy::States { max_checkpoints: 0 },
-        }
+        (budget_bytes / size).max(16)
     }
 
-    /// One line that says how states will be brought back and why.
+    /// Why states are brought back as they are.
     #[must_use]
-    pub fn choice(&self) -> String {
-        match &self.restore {
-            Agreement::Exact => "saved FMU states (restored exactly)".to_owned(),
-            Agreement::NotOffered => "fresh instance and replay (the FMU cannot save its state)".to_owned(),
+    pub fn because(&self, rung: Rung) -> String {
+        let saving = match &self.restore {
+            Agreement::Exact => "restored exactly",
+            Agreement::NotOffered => "the FMU cannot save its state",
             Agreement::Differs { .. } | Agreement::Failed { .. } => {
-                "fresh instance and replay (the FMU says it can save its state, but does not do it exactly)".to_owned()
+                "the FMU says it can save its state, but does not do it exactly"
             }
-        }
+        };
+        let single = if self.deterministic == Agreement::Exact { "" } else { ", and runs once in a process" };
+        format!("{rung} ({saving}{single})")
+    }
+}
+
+/// A way of bringing states back. The results are the same, only the speed differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rung {
+    /// States saved by the FMU.
+    SavedStates,
+    /// Copies of the FMU's process.
+    Copies,
+    /// A fresh instance and the same inputs again.
+    Instances,
+    /// A fresh process and the same inputs again.
+    Processes,
+}
+
+impl fmt::Display for Rung {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SavedStates => "saved FMU states",
+            Self::Copies => "copies of the FMU's process",
+            Self::Instances => "fresh instance and replay",
+            Self::Processes => "fresh process and replay",
+        })
     }
 }
 
@@ -132,6 +198,7 @@ pub fn selftest(
     setup: &SystemSetup,
     steps: usize,
     skip: &[Stage],
+    activity: Activity,
     announce: &mut dyn FnMut(Stage),
 ) -> Result<SelfTest, PlantError> {
     let mut wanted = |stage: Stage| {
@@ -145,9 +212,9 @@ pub fn selftest(
     let moving = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
     let (main, other) = (moving(0), moving(1));
     let built = System::new(slaves, setup.clone());
-    built.map_err(|e| PlantError { message: e.to_string(), time_s: None, fatal: false })?;
+    built.map_err(|e| PlantError::of(e.to_string()))?;
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
-    let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop");
+    let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);
     let width = setup.inputs.len();
 
     let reference = first_run(slaves, || {
@@ -189,8 +256,8 @@ pub fn selftest(
         Agreement::NotOffered
     };
     let serialises = offers_states && slaves.iter().all(|slave| slave.capabilities().can_serialize_state);
-    let bytes_per_state = if serialises { state_size(fresh()).ok() } else { None };
-    let serialize = if serialises && wanted(Stage::Serialize) {
+    let bytes_per_state = if serialises && wanted(Stage::StateSize) { state_size(fresh()).ok() } else { None };
+    let serialize = if bytes_per_state.is_some() && wanted(Stage::Serialize) {
         serialize_test(&fresh, &reference, &main, steps, width, rows)
     } else {
         Agreement::NotOffered
@@ -222,6 +289,8 @@ pub fn selftest(
         deterministic,
         second_instance,
         restore,
+        fork: Agreement::NotOffered,
+        fresh_process: Agreement::NotOffered,
         reset,
         serialize,
         bytes_per_state,
@@ -249,8 +318,8 @@ fn first_run(slaves: &[Slave], run: impl Fn() -> Result<Vec<f64>, PlantError>) -
 }
 
 /// Two states held at once; other branches in between; the first state returned to twice.
-fn restore_test(
-    mut plant: System,
+pub(super) fn restore_test(
+    mut plant: impl Plant,
     reference: &[f64],
     main: &[f64],
     other: &[f64],
@@ -321,7 +390,7 @@ fn serialize_test(
     agreement(&reference[(1 + k) * rows..], outcome)
 }
 
-fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement {
+pub(super) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement {
     match run {
         Err(e) => Agreement::Failed { reason: e.message },
         Ok(run) if run.len() != reference.len() => Agreement::Failed { reason: "runs of different length".to_owned() },
@@ -340,7 +409,7 @@ fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement 
 ///
 /// In the main run (`seed` 0) Booleans stay at their start for the first three fifths, so that a cell which latches a
 /// protective stop still moves where states are saved; the other branch stops it early.
-fn input_row(setup: &SystemSetup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
+pub(super) fn input_row(setup: &SystemSetup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
     let quiet = seed == 0 && step * 5 < steps * 3;
     let sway = |column: usize| {
         // A triangle wave in -1..1 with a period that differs by column and seed.

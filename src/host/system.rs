@@ -8,15 +8,17 @@
 use std::collections::VecDeque;
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
+use super::activity::Activity;
 use super::in_process::{self, InProcess, Setup};
 use super::plant::{Fingerprint, Plant, PlantError};
 use super::port::Port;
 use crate::fmi::Slave;
 
 /// A variable of one of the FMUs.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UnitPort {
     /// Which FMU.
     pub unit: usize,
@@ -25,7 +27,7 @@ pub struct UnitPort {
 }
 
 /// An output that drives an input.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Connection {
     /// The output.
     pub from: UnitPort,
@@ -36,7 +38,7 @@ pub struct Connection {
 }
 
 /// What to write to and read from the FMUs, and at which steps.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct SystemSetup {
     /// Names of the FMUs, for messages.
     pub names: Vec<String>,
@@ -91,6 +93,19 @@ impl SystemSetup {
             }
         }
         Ok(order)
+    }
+
+    /// One line for each connection: what drives what, and what the coupling adds.
+    #[must_use]
+    pub fn couplings(&self) -> Vec<String> {
+        let step_ms = self.step_s * 1000.0;
+        let name = |p: &UnitPort| format!("{}:{}", self.names[p.unit], p.port.name);
+        let delay = |c: &Connection| match c.delay_steps {
+            0 => format!("within the step (a change inside a step acts up to {step_ms:.0} ms early, never late)"),
+            #[expect(clippy::cast_precision_loss, reason = "a few steps")]
+            n => format!("{:.0} ms later", n as f64 * step_ms),
+        };
+        self.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
     }
 
     /// The part of one FMU: its external inputs, then its connected inputs; its bound outputs, then what it passes on.
@@ -190,17 +205,11 @@ impl System {
         Ok(Self { order, units, wiring, lines: vec![VecDeque::new(); setup.connections.len()], setup })
     }
 
-    /// One line for each connection: what drives what, and what the coupling adds.
+    /// The same, telling `activity` what it does.
     #[must_use]
-    pub fn couplings(&self) -> Vec<String> {
-        let step_ms = self.setup.step_s * 1000.0;
-        let name = |p: &UnitPort| format!("{}:{}", self.setup.names[p.unit], p.port.name);
-        let delay = |c: &Connection| match c.delay_steps {
-            0 => format!("within the step (a change inside a step acts up to {step_ms:.0} ms early, never late)"),
-            #[expect(clippy::cast_precision_loss, reason = "a few steps")]
-            n => format!("{:.0} ms later", n as f64 * step_ms),
-        };
-        self.setup.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
+    pub(super) fn watched(mut self, activity: Activity) -> Self {
+        self.units.iter_mut().for_each(|unit| unit.watch(activity));
+        self
     }
 
     /// Begins again at time zero, each FMU by `begin`, in the order in which they are stepped.

@@ -133,7 +133,7 @@ pub struct Spent {
     pub iterations: u64,
     /// 200 ms actions simulated.
     pub actions: u64,
-    /// FMI communication steps.
+    /// FMI communication steps of all different transitions; what was repeated to come back to a state is in run.json.
     pub fmu_steps: u64,
     /// Different FMU states met.
     pub fmu_states: usize,

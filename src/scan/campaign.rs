@@ -3,7 +3,7 @@
 use super::prepare::Prepared;
 use super::run::{ScanError, StrategyName};
 use super::seeds::{self, SeedRuns};
-use crate::host::System;
+use crate::host::Hosted;
 use crate::report::campaign::Campaign;
 use crate::search::Rng;
 use crate::search::mcts_dpw::Parameters;
@@ -68,7 +68,7 @@ fn name(strategy: StrategyName) -> String {
 
 /// Iteration of the first hazard (from 1) and what was seen until then.
 fn first_hit(
-    simulation: &mut Simulation<System>,
+    simulation: &mut Simulation<Hosted>,
     strategy: StrategyName,
     seed: u64,
     options: &CampaignOptions,

@@ -12,7 +12,7 @@ use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
 use super::seeds::{self, SeedRuns};
 use crate::hazard::{Group, Groups};
-use crate::host::System;
+use crate::host::Hosted;
 use crate::report::comparison::{Comparison, Spent};
 use crate::report::growth::{Cost, Growth, Truth, checkpoints};
 use crate::search::Rng;
@@ -96,7 +96,7 @@ fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String
 /// One run: what it spends until its first hazard, and if it goes on, the number of different hazards.
 fn one(
     prepared: &Prepared,
-    simulation: &mut Simulation<System>,
+    simulation: &mut Simulation<Hosted>,
     (strategy, seed): (StrategyName, u64),
     options: &ComparisonOptions,
     truth: Option<&Truth>,
@@ -107,7 +107,7 @@ fn one(
     let mut groups = Groups::default();
     let mut first: Option<Spent> = None;
     let whole = seed - options.first_seed < options.coverage_seeds;
-    let spent = |simulation: &Simulation<System>, iterations: u32, hit: bool| Spent {
+    let spent = |simulation: &Simulation<Hosted>, iterations: u32, hit: bool| Spent {
         hit,
         iterations,
         actions: simulation.coverage().actions,

@@ -9,7 +9,7 @@ use num_traits::ToPrimitive as _;
 use super::prepare::{Prepared, StateChoice};
 use super::run::{Progress, ScanError};
 use crate::hazard::{Finding, Groups};
-use crate::host::{PlantError, System};
+use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch};
 use crate::search::exhaustive::{Account, Budget, Expansion as _, Stopped, Told, exhaust};
@@ -38,6 +38,7 @@ pub(super) struct Census {
     pub coverage: Coverage,
     pub fmu_steps: u64,
     pub fmu_states: usize,
+    pub effort: Effort,
     pub faults: Vec<FaultRecord>,
     /// The user ended the search.
     pub interrupted: bool,
@@ -57,7 +58,8 @@ pub(super) fn census(
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
     let policy = prepared.policy(state);
-    let mut expander = Expander::new(cell, binding, prepared.plant(), policy, options.merge, options.workers)
+    let merge = if prepared.tells_states_by_bytes() { options.merge } else { Merge::History };
+    let mut expander = Expander::new(cell, binding, prepared.plant(state), policy, merge, options.workers)
         .map_err(|cause| ScanError { cause })?;
     let outcome = exhaust(&mut expander, options.budget, &mut |told| match told {
         Told::Met(met) => {
@@ -84,6 +86,7 @@ pub(super) fn census(
         coverage: expander.coverage().clone(),
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
+        effort: expander.recall().effort_of_workers(),
         faults: expander
             .faults()
             .iter()
@@ -93,7 +96,7 @@ pub(super) fn census(
     })
 }
 
-fn certificate(expander: &Expander<System>, account: &Account, options: Exhaustive) -> Certificate {
+fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhaustive) -> Certificate {
     let mut reasons = Vec::new();
     match account.stopped {
         Stopped::Complete => {}

@@ -21,5 +21,5 @@ pub mod run;
 mod seeds;
 
 pub use exhaustive::Exhaustive;
-pub use prepare::{PrepareError, Prepared, StateChoice};
+pub use prepare::{Hosting, PrepareError, Prepared, StateChoice};
 pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan};

@@ -1,7 +1,8 @@
 //! From a path to a cell that can be simulated: open, bind, load, self-test.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 use thiserror::Error;
 
@@ -9,14 +10,23 @@ use crate::cell::binding::BoundUnit;
 use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
-use crate::host::selftest::{Agreement, SelfTest, Stage, selftest};
+use crate::host::activity::Activity;
+use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Limits, examine};
+use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
-use crate::host::{PlantError, Policy, System, SystemSetup};
+use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
 use crate::report::model::{FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
 /// Memory for saved FMU states, bytes.
 const STATE_BUDGET: usize = 512 * 1024 * 1024;
+
+/// An action that takes longer than this is worth a copy of the process: copying and coming back cost about as much as
+/// four of them, the mean of what a replay of eight repeats.
+const COPY_PAYS: Duration = Duration::from_micros(100);
+
+/// Most processes that are kept as states.
+const MOST_COPIES: usize = 1000;
 
 /// How FMU states are to be brought back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -26,8 +36,28 @@ pub enum StateChoice {
     Auto,
     /// Saved FMU states.
     Fmu,
+    /// A copy of the FMU's process for every state.
+    Fork,
     /// A fresh instance and all inputs again, for every sequence.
     Replay,
+    /// A fresh process and all inputs again.
+    Process,
+}
+
+/// Where FMUs run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Hosting {
+    /// In this process: a crash of theirs is one of ours.
+    InProcess,
+    /// In worker processes.
+    Workers {
+        /// The program that serves as a worker, see [`Launcher::new`].
+        program: PathBuf,
+        /// How the FMUs are guarded.
+        guard: Guard,
+        /// How much they may take.
+        limits: Limits,
+    },
 }
 
 /// Why a cell cannot be simulated.
@@ -49,6 +79,9 @@ pub enum PrepareError {
     /// The FMU could not be loaded.
     #[error(transparent)]
     Load(#[from] crate::fmi::Error),
+    /// The FMU could not be loaded into a worker.
+    #[error("{0}")]
+    NotLoaded(String),
     /// The FMU failed when it was first run.
     #[error("the FMU failed in its first run: {0}")]
     #[diagnostic(help("no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell"))]
@@ -63,8 +96,8 @@ pub enum PrepareError {
     /// The FMU runs once and not again.
     #[error("the FMU ran once and could not be run again: {0}")]
     #[diagnostic(help(
-        "a search runs it many times. FMUs that allow one instance in a process need a process for each run, which this \
-         version does not do yet"
+        "a search runs it many times. For FMUs that allow one instance in a process leave out --in-process: each run then \
+         has a process of its own"
     ))]
     RunsOnce(String),
     /// The person starts inside something.
@@ -79,6 +112,10 @@ pub enum PrepareError {
 }
 
 impl PrepareError {
+    fn first_run(error: PlantError) -> Self {
+        if error.not_loaded { Self::NotLoaded(error.message) } else { Self::FirstRun(error) }
+    }
+
     /// Whether the FMU failed while running, as opposed to a file that is wrong.
     #[must_use]
     pub fn while_running(&self) -> bool {
@@ -102,15 +139,32 @@ pub struct Prepared {
     pub subject: Subject,
     /// What the FMUs' promises are worth, together.
     pub self_test: SelfTest,
-    slaves: Vec<Slave>,
-    setup: SystemSetup,
+    /// How states are brought back unless asked otherwise.
+    pub rung: Rung,
+    /// What of the protection against the FMUs this machine lacks.
+    pub missing_protection: Vec<String>,
+    source: Source,
 }
 
-/// Opens, binds, loads and self-tests what `path` names: a cell file, or an FMU with its cell (`cell` if it is elsewhere).
+/// What plants are made of.
+enum Source {
+    Here { slaves: Vec<Slave>, setup: SystemSetup },
+    Apart(Launcher),
+}
+
+/// Opens, binds, loads (into this process) and self-tests what `path` names: a cell file, or an FMU with its cell (`cell` if it is elsewhere).
 ///
 /// # Errors
 /// [`PrepareError`].
 pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareError> {
+    prepare_in(path, cell, &Hosting::InProcess)
+}
+
+/// The same with a choice of where the FMUs run.
+///
+/// # Errors
+/// [`PrepareError`].
+pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
     let OpenedCell { cell, source, fmus, found } = open(path, cell)?;
     let file_name = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     let bound = |(name, fmu): &(String, Fmu)| (name.clone(), file_name(fmu));
@@ -126,13 +180,27 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let setup = binding.setup(&unit_names, world.initial_inputs(), cell.step_s);
     let order = setup.order()?;
-    let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
-    let couplings = System::new(&slaves, setup.clone())?.couplings();
+    let couplings = setup.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
     // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
-    let self_test =
-        selftest(&slaves, &setup, episode, &[Stage::Serialize], &mut |_| {}).map_err(PrepareError::FirstRun)?;
-    if let Agreement::Failed { reason } = &self_test.deterministic {
+    let skip = [Stage::Serialize];
+    let (self_test, missing_protection, fork_pays, source) = match hosting {
+        Hosting::InProcess => {
+            let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
+            let result = selftest(&slaves, &setup, episode, &skip, Activity::unseen(), &mut |_| {});
+            (result.map_err(PrepareError::FirstRun)?, Vec::new(), false, Source::Here { slaves, setup })
+        }
+        Hosting::Workers { program, guard, limits } => {
+            let folders = fmus.iter().map(|(_, fmu)| fmu.folder().to_owned()).collect();
+            let launcher = Launcher::new(program.clone(), folders, setup, *guard, *limits);
+            let Examination { result, launcher, missing, step_time } =
+                examine(&launcher, episode, &skip).map_err(PrepareError::first_run)?;
+            let action = step_time * u32::try_from(cell.steps_per_action).unwrap_or(1);
+            (result, missing, action > COPY_PAYS, Source::Apart(launcher))
+        }
+    };
+    let rung = self_test.rung(fork_pays);
+    if let (Agreement::Failed { reason }, false) = (&self_test.deterministic, self_test.repeatable()) {
         return Err(PrepareError::RunsOnce(reason.clone()));
     }
     if !self_test.repeatable() {
@@ -163,27 +231,66 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
         let start = world.position(&world.start());
         return Err(PrepareError::StartBlocked { x: start.x, y: start.y });
     }
-    Ok(Prepared { cell, binding, fmus, subject, self_test, slaves, setup })
+    Ok(Prepared { cell, binding, fmus, subject, self_test, rung, missing_protection, source })
 }
 
 impl Prepared {
-    /// The FMUs with new instances, not yet started.
+    /// The FMUs, not yet started, for states that are brought back as chosen.
     ///
     /// # Panics
     /// Never: preparing has shown that the connections form no loop.
     #[must_use]
-    #[expect(clippy::expect_used, reason = "the same setup was built when preparing")]
-    pub fn plant(&self) -> System {
-        System::new(&self.slaves, self.setup.clone()).expect("the connections form no loop")
+    #[expect(clippy::expect_used, reason = "the order was worked out when preparing")]
+    pub fn plant(&self, choice: StateChoice) -> Hosted {
+        match &self.source {
+            Source::Here { slaves, setup } => {
+                Hosted::Here(System::new(slaves, setup.clone()).expect("the connections form no loop"))
+            }
+            Source::Apart(launcher) => Hosted::Apart(Isolated::new(launcher.clone(), self.keeping(choice))),
+        }
+    }
+
+    fn keeping(&self, choice: StateChoice) -> Keeping {
+        match choice {
+            StateChoice::Auto => match self.rung {
+                Rung::SavedStates => Keeping::ByFmu,
+                Rung::Copies => Keeping::ByFork,
+                Rung::Instances => Keeping::Instances,
+                Rung::Processes => Keeping::Processes,
+            },
+            StateChoice::Fmu => Keeping::ByFmu,
+            StateChoice::Fork => Keeping::ByFork,
+            // Who allows one instance in a process gets a process for each.
+            StateChoice::Replay if self.self_test.deterministic == Agreement::Exact => Keeping::Instances,
+            StateChoice::Replay | StateChoice::Process => Keeping::Processes,
+        }
     }
 
     /// How states are brought back for a choice.
     #[must_use]
     pub fn policy(&self, choice: StateChoice) -> Policy {
-        match choice {
-            StateChoice::Auto => self.self_test.policy(STATE_BUDGET),
-            StateChoice::Fmu => Policy::States { max_checkpoints: usize::MAX },
-            StateChoice::Replay => Policy::Replay,
+        let max_checkpoints = match (choice, self.rung) {
+            (StateChoice::Replay, _) => return Policy::Replay,
+            (StateChoice::Fmu, _) => usize::MAX,
+            (StateChoice::Fork, _) | (StateChoice::Auto, Rung::Copies) => MOST_COPIES,
+            (StateChoice::Auto, Rung::SavedStates) => self.self_test.most_states(STATE_BUDGET),
+            (StateChoice::Process, _) | (StateChoice::Auto, Rung::Instances | Rung::Processes) => 0,
+        };
+        Policy::States { max_checkpoints }
+    }
+
+    /// Whether equal serialised states are equal states: only for FMUs that save them faithfully.
+    #[must_use]
+    pub fn tells_states_by_bytes(&self) -> bool {
+        self.self_test.restore == Agreement::Exact && self.self_test.bytes_per_state.is_some()
+    }
+
+    /// What the FMUs printed so far, and how many bytes it was; nothing is caught of those in this process.
+    #[must_use]
+    pub fn printed(&self) -> (String, u64) {
+        match &self.source {
+            Source::Here { .. } => (String::new(), 0),
+            Source::Apart(launcher) => launcher.printed(),
         }
     }
 
@@ -191,8 +298,8 @@ impl Prepared {
     ///
     /// # Errors
     /// When an FMU cannot be started.
-    pub fn simulation(&self, state: StateChoice, posture_sweep: bool) -> Result<Simulation<System>, PlantError> {
+    pub fn simulation(&self, state: StateChoice, posture_sweep: bool) -> Result<Simulation<Hosted>, PlantError> {
         let options = Options { policy: self.policy(state), posture_sweep };
-        Simulation::new(Arc::clone(&self.cell), Arc::clone(&self.binding), self.plant(), options)
+        Simulation::new(Arc::clone(&self.cell), Arc::clone(&self.binding), self.plant(state), options)
     }
 }

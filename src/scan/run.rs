@@ -10,8 +10,7 @@ use super::minimise::minimise;
 use super::prepare::{Prepared, StateChoice};
 use super::residual::Watch;
 use crate::hazard::{Finding, Groups};
-use crate::host::PlantError;
-use crate::host::System;
+use crate::host::{Effort, Hosted, PlantError};
 use crate::human::action::ACTION_S;
 use crate::report::model::{
     Certificate, FaultRecord, Hazard, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
@@ -56,7 +55,7 @@ pub enum Method {
 impl StrategyName {
     /// A fresh strategy.
     #[must_use]
-    pub fn build(self) -> Box<dyn Strategy<Simulation<System>>> {
+    pub fn build(self) -> Box<dyn Strategy<Simulation<Hosted>>> {
         let mcts = |profile| Box::new(MctsDpw::<Snapshot>::new(profile));
         match self {
             Self::MctsDpw => mcts(Profile::Paper),
@@ -72,7 +71,7 @@ impl StrategyName {
 impl StrategyName {
     /// A fresh strategy; a tree search with these parameters instead of its profile's.
     #[must_use]
-    pub fn build_with(self, parameters: Parameters) -> Box<dyn Strategy<Simulation<System>>> {
+    pub fn build_with(self, parameters: Parameters) -> Box<dyn Strategy<Simulation<Hosted>>> {
         let mcts = |profile| Box::new(MctsDpw::<Snapshot>::with_parameters(profile, parameters));
         match self {
             Self::MctsDpw => mcts(Profile::Paper),
@@ -137,8 +136,10 @@ pub struct ScanError {
 
 /// A finished scan.
 pub struct Scanned {
-    /// Its result.
+    /// Its result: the same wherever the FMU runs and however its states are brought back.
     pub report: ScanReport,
+    /// What the FMU did for it.
+    pub effort: Effort,
 }
 
 /// Searches, groups, confirms.
@@ -182,6 +183,7 @@ pub fn scan(
         mut faults,
         fmu_steps,
         fmu_states,
+        effort,
         notes,
     } = searched;
     let mut warnings = prepared.binding.warnings.clone();
@@ -247,7 +249,7 @@ pub fn scan(
         tables: tables().collect(),
         warnings,
     };
-    Ok(Scanned { report })
+    Ok(Scanned { report, effort })
 }
 
 /// Name of [`Method::Auto`].
@@ -266,6 +268,7 @@ struct Searched {
     faults: Vec<FaultRecord>,
     fmu_steps: u64,
     fmu_states: usize,
+    effort: Effort,
     notes: Vec<String>,
 }
 
@@ -292,13 +295,14 @@ impl Searched {
             faults,
             fmu_steps: quick.fmu_steps + self.fmu_steps,
             fmu_states: quick.fmu_states.max(self.fmu_states),
+            effort: quick.effort.and(self.effort),
             notes,
             ..self
         }
     }
 
     fn all(census: Census) -> Self {
-        let Census { certificate, coverage, fmu_steps, fmu_states, faults, interrupted, broken } = census;
+        let Census { certificate, coverage, fmu_steps, fmu_states, effort, faults, interrupted, broken } = census;
         Self {
             name: "exhaustive",
             iterations: 0,
@@ -310,6 +314,7 @@ impl Searched {
             faults,
             fmu_steps,
             fmu_states,
+            effort,
             notes: Vec::new(),
         }
     }
@@ -378,13 +383,19 @@ fn search(
         faults,
         fmu_steps,
         fmu_states,
+        effort: simulation.recall().effort_of_workers(),
         notes: Vec::new(),
     })
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit.
 fn confirm(prepared: &Prepared, finding: &Finding) -> bool {
-    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), prepared.plant(), &finding.actions);
+    let again = replay(
+        Arc::clone(&prepared.cell),
+        Arc::clone(&prepared.binding),
+        prepared.plant(StateChoice::Replay),
+        &finding.actions,
+    );
     again.is_ok_and(|again| again.as_ref() == Some(finding))
 }
 

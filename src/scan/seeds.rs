@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
-use crate::host::System;
+use crate::host::Hosted;
 use crate::sim::Simulation;
 
 /// What is to be run.
@@ -26,7 +26,7 @@ pub(super) fn run<T: Send>(
     prepared: &Prepared,
     runs: &SeedRuns<'_>,
     tell: &(dyn Fn(usize) + Sync),
-    one: impl Fn(&mut Simulation<System>, StrategyName, u64) -> Result<T, ScanError> + Sync,
+    one: impl Fn(&mut Simulation<Hosted>, StrategyName, u64) -> Result<T, ScanError> + Sync,
 ) -> Result<Vec<(StrategyName, Vec<T>)>, ScanError> {
     let seeds = runs.first_seed..runs.first_seed + runs.seeds;
     let jobs: Vec<(StrategyName, u64)> =

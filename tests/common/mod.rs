@@ -74,6 +74,11 @@ pub fn write(dir: &Path, name: &str, text: &str) -> PathBuf {
 
 /// `scan.json` of a results folder.
 pub fn scan_json(out: &Path) -> serde_json::Value {
-    let text = std::fs::read_to_string(out.join("scan.json")).expect("scan.json exists");
-    serde_json::from_str(&text).expect("scan.json is JSON")
+    json(&out.join("scan.json"))
+}
+
+/// A JSON file.
+pub fn json(path: &Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(path).expect("the file exists");
+    serde_json::from_str(&text).expect("it is JSON")
 }

@@ -1,0 +1,49 @@
+//! The options that say where FMUs run and what they may do there.
+
+use std::time::Duration;
+
+use super::exit::Failure;
+use super::output;
+use crate::host::isolation::{Guard, Limits};
+use crate::scan::Hosting;
+
+#[derive(Clone, Debug, Default, clap::Args)]
+#[command(next_help_heading = "Where the FMU runs")]
+pub(super) struct HostingArguments {
+    /// Run the FMU in this process, for debugging: a crash of it ends everything
+    #[arg(long, conflicts_with = "trust_fmu")]
+    in_process: bool,
+    /// Let the FMU do what you may do: read and write files, use the network, start programs. For FMUs that need a
+    /// licence server or another tool
+    #[arg(long)]
+    trust_fmu: bool,
+    /// Longest time of one call of the FMU, s
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..86_400))]
+    fmu_timeout: u64,
+    /// Most memory of a process in which the FMU runs, MB
+    #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u64).range(64..))]
+    fmu_memory: u64,
+}
+
+impl HostingArguments {
+    /// What `--in-process` and the like choose.
+    pub(super) fn hosting(&self) -> Result<Hosting, Failure> {
+        if self.in_process {
+            output::note(
+                "   Warning the FMU runs in this process: a crash of it ends everything, it may do what you may",
+            );
+            return Ok(Hosting::InProcess);
+        }
+        let program = std::env::current_exe()
+            .map_err(|e| Failure::unusable(format!("this program cannot find itself to start a worker: {e}")))?;
+        let guard = if self.trust_fmu { Guard::Trusted } else { Guard::Sandboxed };
+        if self.trust_fmu {
+            output::note(
+                "   Warning the FMU is trusted: it can read and write your files, use the network and start programs",
+            );
+        }
+        let call = Duration::from_secs(self.fmu_timeout);
+        let limits = Limits { call, memory: self.fmu_memory * 1_000_000, ..Limits::default() };
+        Ok(Hosting::Workers { program, guard, limits })
+    }
+}

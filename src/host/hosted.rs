@@ -1,0 +1,104 @@
+//! FMUs in this process or in a worker, as one [`Plant`].
+
+use super::isolation::{self, Isolated};
+use super::plant::{Fingerprint, Plant, PlantError};
+use super::recall::{Effort, Recall};
+use super::system::{self, System};
+
+/// FMUs, wherever they run.
+pub enum Hosted {
+    /// In this process.
+    Here(System),
+    /// In a process of their own.
+    Apart(Isolated),
+}
+
+/// A saved state of a [`Hosted`].
+pub enum Checkpoint {
+    /// In this process.
+    Here(system::Checkpoint),
+    /// In a process of their own.
+    Apart(isolation::Checkpoint),
+}
+
+impl Hosted {
+    /// Worker processes that had to be replaced so far.
+    #[must_use]
+    pub const fn replaced(&self) -> u64 {
+        match self {
+            Self::Here(_) => 0,
+            Self::Apart(plant) => plant.replaced(),
+        }
+    }
+}
+
+/// What the FMUs behind a tree of states did.
+impl Recall<Hosted> {
+    /// With the workers that had to be replaced.
+    #[must_use]
+    pub const fn effort_of_workers(&self) -> Effort {
+        Effort { workers_replaced: self.plant().replaced(), ..self.effort() }
+    }
+}
+
+impl Plant for Hosted {
+    type Checkpoint = Checkpoint;
+
+    fn input_count(&self) -> usize {
+        match self {
+            Self::Here(plant) => plant.input_count(),
+            Self::Apart(plant) => plant.input_count(),
+        }
+    }
+
+    fn output_count(&self) -> usize {
+        match self {
+            Self::Here(plant) => plant.output_count(),
+            Self::Apart(plant) => plant.output_count(),
+        }
+    }
+
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        match self {
+            Self::Here(plant) => plant.restart(),
+            Self::Apart(plant) => plant.restart(),
+        }
+    }
+
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        match self {
+            Self::Here(plant) => plant.advance(steps, inputs),
+            Self::Apart(plant) => plant.advance(steps, inputs),
+        }
+    }
+
+    fn save(&mut self) -> Result<Checkpoint, PlantError> {
+        match self {
+            Self::Here(plant) => plant.save().map(Checkpoint::Here),
+            Self::Apart(plant) => plant.save().map(Checkpoint::Apart),
+        }
+    }
+
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        match self {
+            Self::Here(plant) => plant.fingerprint(),
+            Self::Apart(plant) => plant.fingerprint(),
+        }
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        match (self, checkpoint) {
+            (Self::Here(plant), Checkpoint::Here(saved)) => plant.restore(saved),
+            (Self::Apart(plant), Checkpoint::Apart(saved)) => plant.restore(saved),
+            _ => Err(PlantError::of("this saved state belongs to another plant")),
+        }
+    }
+
+    fn holds(&self, checkpoint: &Checkpoint) -> bool {
+        match (self, checkpoint) {
+            (Self::Here(plant), Checkpoint::Here(saved)) => plant.holds(saved),
+            (Self::Apart(plant), Checkpoint::Apart(saved)) => plant.holds(saved),
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! FMUs in a worker process, as a [`Plant`]: a crash, a hang or too much memory is an error of one action, and the next
+//! question meets a fresh worker.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::launch::{Launcher, Worker};
+use super::message::{Answer, Question, Saving};
+use crate::host::plant::{Fingerprint, Plant, PlantError};
+
+/// How states are brought back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeping {
+    /// The FMU saves them.
+    ByFmu,
+    /// Copies of the process.
+    ByFork,
+    /// Not at all; each run has a fresh instance.
+    Instances,
+    /// Not at all; each run has a fresh process.
+    Processes,
+}
+
+/// A plant in a worker process.
+pub struct Isolated {
+    launcher: Launcher,
+    keeping: Keeping,
+    worker: Option<Worker>,
+    /// Raised whenever saved states are lost: with a worker, and with an instance that saved them.
+    generation: u64,
+    free: Arc<Mutex<Numbers>>,
+    replaced: u64,
+}
+
+/// Numbers of saved states.
+#[derive(Default)]
+struct Numbers {
+    next: u32,
+    /// Given back, with their generation.
+    back: Vec<(u64, u32)>,
+    unused: Vec<u32>,
+}
+
+/// A saved state of an [`Isolated`] plant.
+pub struct Checkpoint {
+    number: u32,
+    generation: u64,
+    home: Arc<Mutex<Numbers>>,
+}
+
+impl Drop for Checkpoint {
+    fn drop(&mut self) {
+        self.home.lock().unwrap_or_else(PoisonError::into_inner).back.push((self.generation, self.number));
+    }
+}
+
+impl Isolated {
+    /// A plant whose workers come from `launcher`; nothing is started yet.
+    #[must_use]
+    pub fn new(launcher: Launcher, keeping: Keeping) -> Self {
+        Self { launcher, keeping, worker: None, generation: 0, free: Arc::default(), replaced: 0 }
+    }
+
+    /// Workers replaced so far: because an FMU ended, blocked or filled one.
+    #[must_use]
+    pub const fn replaced(&self) -> u64 {
+        self.replaced
+    }
+
+    /// The process in which the FMU runs now and the one that watches it, if there is one: for tests.
+    #[must_use]
+    pub fn pids(&self) -> Option<[u32; 2]> {
+        self.worker.as_ref().map(Worker::pids)
+    }
+
+    /// Why copies of the FMU's process cannot stand for its states, if that is so: what lives outside of its memory is
+    /// not copied.
+    pub(super) fn reason_against_copies(&self) -> Option<String> {
+        self.worker.as_ref().and_then(Worker::not_in_memory)
+    }
+
+    fn saving(&self) -> Option<Saving> {
+        match self.keeping {
+            Keeping::ByFmu => Some(Saving::ByFmu),
+            Keeping::ByFork => Some(Saving::ByFork),
+            Keeping::Instances | Keeping::Processes => None,
+        }
+    }
+
+    /// All saved states are lost.
+    fn lose(&mut self) {
+        self.generation += 1;
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        *free = Numbers::default();
+    }
+
+    fn end(&mut self) {
+        self.worker = None;
+        self.lose();
+    }
+
+    fn ask(&mut self, question: &Question) -> Result<Answer, PlantError> {
+        let worker = match &mut self.worker {
+            Some(worker) => worker,
+            none => none.insert(self.launcher.start(self.keeping == Keeping::ByFork)?),
+        };
+        match worker.ask(question, &self.launcher.limits) {
+            // After a fatal error no instance of the FMU may be called; a fresh process has none.
+            Ok(Answer::Failed(error)) if error.fatal => {
+                self.replaced += 1;
+                self.end();
+                Err(PlantError { fatal: false, ..error })
+            }
+            Ok(Answer::Failed(error)) => Err(error),
+            Ok(answer) => Ok(answer),
+            Err(error) => {
+                self.replaced += 1;
+                self.end();
+                Err(error)
+            }
+        }
+    }
+
+    fn rows(&mut self, question: &Question) -> Result<Vec<f64>, PlantError> {
+        match self.ask(question)? {
+            Answer::Rows(rows) => Ok(rows),
+            _ => Err(unexpected()),
+        }
+    }
+
+    /// Tells the worker of states that nobody needs any more.
+    fn tidy(&mut self) -> Result<(), PlantError> {
+        let back = std::mem::take(&mut self.free.lock().unwrap_or_else(PoisonError::into_inner).back);
+        let numbers: Vec<u32> = back.into_iter().filter(|(g, _)| *g == self.generation).map(|(_, n)| n).collect();
+        if numbers.is_empty() {
+            return Ok(());
+        }
+        if let (Some(Saving::ByFork), Some(worker)) = (self.saving(), &self.worker) {
+            numbers.iter().for_each(|slot| worker.forget_parked(*slot));
+        } else {
+            self.ask(&Question::Forget(numbers.clone()))?;
+        }
+        self.free.lock().unwrap_or_else(PoisonError::into_inner).unused.extend(numbers);
+        Ok(())
+    }
+}
+
+fn unexpected() -> PlantError {
+    PlantError { message: "a worker gave an unexpected answer".to_owned(), lost: true, ..PlantError::default() }
+}
+
+impl Plant for Isolated {
+    type Checkpoint = Checkpoint;
+
+    fn input_count(&self) -> usize {
+        self.launcher.setup().inputs.len()
+    }
+
+    fn output_count(&self) -> usize {
+        self.launcher.setup().outputs.len()
+    }
+
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        let grown = self.worker.as_ref().is_some_and(|w| w.growth() > self.launcher.limits.growth);
+        if grown || self.keeping == Keeping::Processes {
+            self.end();
+        }
+        if self.keeping == Keeping::ByFmu {
+            // They belong to the instance that ends here.
+            self.lose();
+        }
+        self.rows(&Question::Restart)
+    }
+
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        let (width, rows) = (self.input_count().max(1), self.output_count().max(1));
+        // Long runs go in parts that fit into a message.
+        let part = (super::channel::AREA / 32 / width.max(rows)).max(1);
+        let mut trace = Vec::with_capacity(steps * rows);
+        let mut done = 0;
+        while done < steps {
+            let now = part.min(steps - done);
+            let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
+            trace.extend(self.rows(&Question::Advance { steps: now, inputs })?);
+            done += now;
+        }
+        Ok(trace)
+    }
+
+    fn save(&mut self) -> Result<Checkpoint, PlantError> {
+        let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
+        self.tidy()?;
+        let number = {
+            let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+            free.unused.pop().unwrap_or_else(|| {
+                free.next += 1;
+                free.next - 1
+            })
+        };
+        match self.ask(&Question::Save { number, how })? {
+            Answer::Done => Ok(Checkpoint { number, generation: self.generation, home: Arc::clone(&self.free) }),
+            _ => Err(unexpected()),
+        }
+    }
+
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        match self.ask(&Question::Fingerprint)? {
+            Answer::Print(print) => Ok(print),
+            _ => Err(unexpected()),
+        }
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
+        match self.ask(&Question::Restore { number: checkpoint.number, how })? {
+            Answer::Done => Ok(()),
+            _ => Err(unexpected()),
+        }
+    }
+
+    fn holds(&self, checkpoint: &Checkpoint) -> bool {
+        checkpoint.generation == self.generation
+            && self.worker.as_ref().is_some_and(|w| w.growth() <= self.launcher.limits.growth)
+    }
+}

@@ -1,0 +1,327 @@
+//! Starting a worker, asking it with a time limit, and ending it with all that it started.
+#![expect(unsafe_code, reason = "lets one file descriptor pass to the worker")]
+
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::os::fd::{AsRawFd as _, BorrowedFd, OwnedFd};
+use std::os::unix::process::CommandExt as _;
+use std::path::PathBuf;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use super::channel::Channel;
+use super::message::{Answer, Load, Question};
+use super::process::{self, Ended};
+use super::sandbox::Rules;
+use crate::fmi::temporary::Folder;
+use crate::host::activity::{Call, Doing};
+use crate::host::plant::PlantError;
+use crate::host::system::SystemSetup;
+
+/// How much an FMU may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Longest time of one call of the FMU.
+    pub call: Duration,
+    /// Most memory of a worker, bytes.
+    pub memory: u64,
+    /// A worker whose memory has grown by this much is replaced by a fresh one when it is convenient, bytes.
+    pub growth: u64,
+}
+
+impl Default for Limits {
+    /// 10 s a call, 4 GiB, replaced after growing by 256 MiB.
+    fn default() -> Self {
+        Self { call: Duration::from_secs(10), memory: 4 << 30, growth: 256 << 20 }
+    }
+}
+
+/// How an FMU is guarded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Guard {
+    /// No files but its own, no network, no other programs.
+    Sandboxed,
+    /// It may do what its user may do.
+    Trusted,
+}
+
+/// Starts workers for the FMUs of one cell.
+#[derive(Clone)]
+pub struct Launcher {
+    load: Arc<Load>,
+    guard: Guard,
+    /// Limits of each worker.
+    pub(super) limits: Limits,
+    /// The program to start.
+    program: PathBuf,
+    said: Arc<Mutex<Said>>,
+}
+
+/// What the FMUs wrote to standard output and standard error, as far as it is kept.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Said {
+    text: Vec<u8>,
+    bytes: u64,
+}
+
+/// Most that is kept of what FMUs print.
+const KEPT: usize = 1 << 20;
+
+impl Launcher {
+    /// For these unpacked FMUs. `program` is started as `program worker N` and must then call
+    /// [`serve`](super::serve)`(N)` before it does anything else, as `fmi-hazard` does.
+    #[must_use]
+    pub fn new(program: PathBuf, folders: Vec<PathBuf>, setup: SystemSetup, guard: Guard, limits: Limits) -> Self {
+        let load = Load { folders, setup, event_mode: None, sandbox: None };
+        Self { load: Arc::new(load), guard, limits, program, said: Arc::default() }
+    }
+
+    /// The same with the event modes that the self-test settled on.
+    pub(super) fn with_event_mode(mut self, event_mode: Vec<bool>) -> Self {
+        Arc::make_mut(&mut self.load).event_mode = Some(event_mode);
+        self
+    }
+
+    /// The setup of the FMUs.
+    #[must_use]
+    pub fn setup(&self) -> &SystemSetup {
+        &self.load.setup
+    }
+
+    /// What the FMUs printed so far, and how many bytes it was; only the first megabyte is kept.
+    #[must_use]
+    pub fn printed(&self) -> (String, u64) {
+        let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
+        (String::from_utf8_lossy(&said.text).into_owned(), said.bytes)
+    }
+
+    /// A worker with the FMUs loaded. With `fork` it may copy itself.
+    pub(super) fn start(&self, fork: bool) -> Result<Worker, PlantError> {
+        let ours = |what: &str, e: &dyn std::fmt::Display| PlantError {
+            message: format!("{what}: {e}. This concerns this machine, not the FMU"),
+            fatal: true,
+            ..PlantError::default()
+        };
+        let mut worker = Worker::spawn(self).map_err(|e| ours("a worker process cannot be started", &e))?;
+        let mut load = (*self.load).clone();
+        let own = worker.folder.path().to_owned();
+        load.sandbox =
+            (self.guard == Guard::Sandboxed).then(|| Rules { read: load.folders.clone(), write: vec![own], fork });
+        match worker.ask(&Question::Load(Box::new(load)), &self.limits)? {
+            Answer::Loaded { missing } => {
+                worker.missing = missing;
+                worker.resident_at_start = worker.resident();
+                Ok(worker)
+            }
+            Answer::NotLoaded { message, running } => {
+                Err(PlantError { message, fatal: true, not_loaded: !running, ..PlantError::default() })
+            }
+            other => Err(ours("a worker gave an unexpected answer", &format!("{other:?}"))),
+        }
+    }
+}
+
+/// A worker process; ended when dropped.
+pub(super) struct Worker {
+    channel: Channel,
+    keeper: Child,
+    /// Closing it kills the worker's process group.
+    life: Option<ChildStdin>,
+    printed: Option<std::thread::JoinHandle<()>>,
+    /// Working directory of the FMUs, and the only place where they may write.
+    folder: Folder,
+    /// What of the sandbox this machine lacks.
+    pub(super) missing: Vec<String>,
+    resident_at_start: u64,
+}
+
+/// How often a waiting program looks whether all is well.
+const LOOK: Duration = Duration::from_millis(50);
+
+impl Worker {
+    fn spawn(launcher: &Launcher) -> io::Result<Self> {
+        let (channel, file) = Channel::create()?;
+        let folder = Folder::new("worker-")?;
+        let (output, input) = rustix::pipe::pipe_with(rustix::pipe::PipeFlags::CLOEXEC)?;
+        let descriptor = file.as_raw_fd();
+        let mut command = Command::new(&launcher.program);
+        command
+            .arg("worker")
+            .arg(descriptor.to_string())
+            .current_dir(folder.path())
+            .env("LC_ALL", "C")
+            .env("TMPDIR", folder.path())
+            .process_group(0)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::from(input.try_clone()?))
+            .stderr(Stdio::from(input));
+        // SAFETY: between fork and exec only one system call is made, on a descriptor that stays open in this scope.
+        unsafe {
+            command.pre_exec(move || {
+                let file = BorrowedFd::borrow_raw(descriptor);
+                Ok(rustix::io::fcntl_setfd(file, rustix::io::FdFlags::empty())?)
+            });
+        }
+        let mut keeper = command.spawn()?;
+        drop(command);
+        drop(file);
+        let life = keeper.stdin.take();
+        let said = Arc::clone(&launcher.said);
+        let printed =
+            std::thread::Builder::new().name("fmu-output".to_owned()).spawn(move || collect(output, &said))?;
+        Ok(Self { channel, keeper, life, printed: Some(printed), folder, missing: Vec::new(), resident_at_start: 0 })
+    }
+
+    /// Asks and waits for the answer.
+    ///
+    /// # Errors
+    /// When the FMU ended or blocked the process, or took too much memory: this worker is of no use any more.
+    pub(super) fn ask(&mut self, question: &Question, limits: &Limits) -> Result<Answer, PlantError> {
+        let bytes = postcard::to_stdvec(question).unwrap_or_default();
+        if bytes.len() > super::channel::AREA {
+            return Err(PlantError::of("a message to the worker is too long: this is an error of this program"));
+        }
+        let number = self.channel.ask(&bytes);
+        let (mut stamp, mut since) = (0, Instant::now());
+        loop {
+            let rung = self.channel.rung();
+            if let Some(answer) = self.channel.answer_to(number) {
+                return postcard::from_bytes(&answer)
+                    .map_err(|_| self.gone("overwrote the memory in which it answers".to_owned(), true));
+            }
+            if let Some(ended) = Ended::of(self.channel.head().death.load(Ordering::Acquire)) {
+                return Err(self.gone(format!("ended its process ({ended})"), false));
+            }
+            self.channel.sleep(rung, LOOK);
+            if self.channel.rung() != rung {
+                continue;
+            }
+            if matches!(self.keeper.try_wait(), Ok(Some(_)) | Err(_)) && self.channel.answer_to(number).is_none() {
+                return Err(self.gone("ended its process".to_owned(), false));
+            }
+            let doing = self.doing();
+            if doing.stamp != stamp {
+                (stamp, since) = (doing.stamp, Instant::now());
+            } else if since.elapsed() > limits.call {
+                return Err(self.gone(format!("gave no answer for {} s", limits.call.as_secs()), true));
+            }
+            let resident = self.resident();
+            if resident > limits.memory {
+                return Err(self.gone(format!("took more than {} MB of memory", limits.memory / 1_000_000), true));
+            }
+        }
+    }
+
+    /// The error for a worker that is of no use any more.
+    fn gone(&self, how: String, by_us: bool) -> PlantError {
+        let doing = self.doing();
+        let place = match doing.call {
+            Call::Write | Call::Step | Call::Read => format!("{}, number {} of its run", doing.call, doing.step + 1),
+            call => call.to_string(),
+        };
+        PlantError {
+            message: format!("the FMU {how} {place}"),
+            lost: true,
+            ended_by_us: by_us,
+            ..PlantError::default()
+        }
+    }
+
+    fn doing(&self) -> Doing {
+        Doing::of(self.channel.head().activity.load(Ordering::Relaxed))
+    }
+
+    /// Number of the stage of the self-test that was begun last.
+    pub(super) fn stage(&self) -> u32 {
+        self.channel.head().stage.load(Ordering::Acquire)
+    }
+
+    /// Tells a parked process that nobody needs it any more.
+    pub(super) fn forget_parked(&self, slot: u32) {
+        self.channel.head().tell(slot, super::worker::GO);
+    }
+
+    /// Memory of the live process, bytes; 0 if it cannot be told.
+    pub(super) fn resident(&self) -> u64 {
+        let alive = self.channel.head().alive.load(Ordering::Acquire);
+        let pages = |text: String| text.split_whitespace().nth(1)?.parse::<u64>().ok();
+        let pages = std::fs::read_to_string(format!("/proc/{alive}/statm")).ok().and_then(pages);
+        pages.unwrap_or(0) * rustix::param::page_size() as u64
+    }
+
+    /// How much the live process has grown since the FMUs were loaded, bytes.
+    pub(super) fn growth(&self) -> u64 {
+        self.resident().saturating_sub(self.resident_at_start)
+    }
+
+    /// What the live process has besides its memory: threads, children, sockets.
+    pub(super) fn not_in_memory(&self) -> Option<String> {
+        let alive = self.channel.head().alive.load(Ordering::Acquire);
+        let process = PathBuf::from(format!("/proc/{alive}"));
+        let list = |what: &str| std::fs::read_dir(process.join(what)).into_iter().flatten().flatten();
+        let threads = list("task").count();
+        if threads != 1 {
+            return Some(format!("the FMU runs {} threads of its own, which a copy does not have", threads.max(1) - 1));
+        }
+        let children = std::fs::read_to_string(process.join(format!("task/{alive}/children"))).unwrap_or_default();
+        if !children.trim().is_empty() {
+            return Some("the FMU has started other processes, which are not copied".to_owned());
+        }
+        let target = |entry: std::fs::DirEntry| std::fs::read_link(entry.path()).ok();
+        list("fd")
+            .filter_map(target)
+            .any(|target| target.to_string_lossy().starts_with("socket:"))
+            .then(|| "the FMU has opened sockets, which copies would share".to_owned())
+    }
+
+    /// The process in which the FMU runs, and the one that watches it.
+    pub(super) fn pids(&self) -> [u32; 2] {
+        [self.channel.head().alive.load(Ordering::Acquire), self.keeper.id()]
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        // The keeper sees the live process end, clears the family away and goes.
+        let alive = self.channel.head().alive.load(Ordering::Acquire);
+        if let (Ok(alive), Ok(None)) = (i32::try_from(alive), self.keeper.try_wait()) {
+            process::kill(alive);
+        }
+        let since = Instant::now();
+        while matches!(self.keeper.try_wait(), Ok(None)) {
+            if since.elapsed() > Duration::from_secs(1) {
+                let _ = self.keeper.kill();
+            }
+            std::thread::sleep(Duration::from_micros(200));
+        }
+        // Whoever is left in the group goes with the pipe.
+        if let Ok(group) = i32::try_from(self.keeper.id()) {
+            process::kill(-group);
+        }
+        self.life = None;
+        // What a process that got away still prints is not waited for.
+        if let Some(printed) = self.printed.take_if(|_| since.elapsed() < Duration::from_secs(1)) {
+            let until = Instant::now() + Duration::from_millis(100);
+            while !printed.is_finished() && Instant::now() < until {
+                std::thread::sleep(Duration::from_micros(200));
+            }
+        }
+    }
+}
+
+/// Reads what the worker prints until all of its processes are gone.
+fn collect(output: OwnedFd, said: &Mutex<Said>) {
+    let mut output = File::from(output);
+    let mut part = vec![0; 64 << 10];
+    while let Ok(read) = output.read(&mut part) {
+        if read == 0 {
+            return;
+        }
+        let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
+        said.bytes += read as u64;
+        let room = KEPT.saturating_sub(said.text.len()).min(read);
+        said.text.extend_from_slice(&part[..room]);
+    }
+}

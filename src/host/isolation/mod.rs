@@ -1,0 +1,24 @@
+//! FMUs in a process of their own: whatever they do there, it costs one action.
+//!
+//! - [`channel`]: memory shared between the program and a worker
+//! - [`message`]: what they say to each other
+//! - [`process`]: forks, ends and signals
+//! - [`sandbox`]: what the worker must not do
+//! - [`worker`]: the worker's side
+//! - [`launch`]: starting and ending a worker, and asking it
+//! - [`isolated`]: the program's side, a [`Plant`](super::Plant)
+//! - [`examine`]: the self-test in a worker
+
+mod channel;
+mod examine;
+mod isolated;
+mod launch;
+mod message;
+mod process;
+mod sandbox;
+mod worker;
+
+pub use examine::{Examination, examine};
+pub use isolated::{Checkpoint, Isolated, Keeping};
+pub use launch::{Guard, Launcher, Limits};
+pub use worker::serve;

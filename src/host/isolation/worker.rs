@@ -1,0 +1,272 @@
+//! The worker's side: a keeper that watches, and the live process in which the FMU runs.
+#![expect(unsafe_code, reason = "takes over a file descriptor that the program left open for it")]
+
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::os::fd::{AsFd, BorrowedFd, FromRawFd as _};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use rustix::thread::futex;
+
+use super::channel::Channel;
+use super::message::{Answer, Load, Question, Saving};
+use super::process::{self, Ended, Fork};
+use super::sandbox;
+use crate::fmi::{Fmu, Slave};
+use crate::host::activity::{Activity, Call};
+use crate::host::plant::{Plant, PlantError};
+use crate::host::selftest::{Stage, selftest};
+use crate::host::system::{self, System};
+
+/// What a parked process is to do: nothing yet, or begin to live; anything else: go.
+const PARKED: u32 = 0;
+const LIVE: u32 = 1;
+/// What a parked process is told that nobody needs any more.
+pub(super) const GO: u32 = 2;
+
+/// Stands for the live process before there is one.
+const NOBODY_YET: u32 = u32::MAX;
+
+/// Exit code of a keeper that could not begin.
+const CANNOT_BEGIN: u8 = 70;
+
+/// Runs as a worker: `channel` is the number of the file descriptor of the shared memory, standard input the pipe that
+/// tells when the program is gone. Returns the exit code.
+#[must_use]
+pub fn serve(channel: i32) -> u8 {
+    begin(channel).map_or(CANNOT_BEGIN, |()| 0)
+}
+
+fn begin(channel: i32) -> io::Result<()> {
+    // SAFETY: the program left this descriptor open for this worker and says so by its number; nobody else uses it.
+    let file = unsafe { File::from_raw_fd(channel) };
+    let channel = Channel::open(file)?;
+    // The pipe moves away from standard input, which an FMU may read or close.
+    // SAFETY: standard input is open: the program made it.
+    let life = unsafe { BorrowedFd::borrow_raw(0) }.try_clone_to_owned()?;
+    let nothing = OpenOptions::new().read(true).open("/dev/null")?;
+    rustix::stdio::dup2_stdin(&nothing)?;
+    process::die_with(life.as_fd())?;
+    process::adopt_orphans();
+    // The mapping and the pipe stay for as long as the process.
+    let channel: &'static Channel = Box::leak(Box::new(channel));
+    std::mem::forget(life);
+    channel.head().alive.store(NOBODY_YET, Ordering::Release);
+    match process::fork()? {
+        Fork::Child => {
+            channel.head().alive.store(process::own_pid(), Ordering::Release);
+            live(channel)
+        }
+        Fork::Parent(child) => {
+            keep(channel, child);
+            Ok(())
+        }
+    }
+}
+
+/// The keeper: sees how the live process ends, tells it, and takes the whole family with it.
+fn keep(channel: &Channel, first: i32) {
+    let head = channel.head();
+    while let Some((child, ended)) = process::wait_for_any_child() {
+        let alive = head.alive.load(Ordering::Acquire);
+        // A live process that hands over to a parked one says so first, by putting 0 there.
+        if i32::try_from(alive) == Ok(child) || (alive == NOBODY_YET && child == first) {
+            head.death.store(ended.code(), Ordering::Release);
+            channel.ring();
+            clear_away();
+            return;
+        }
+    }
+    head.death.store(Ended::Exit(0).code(), Ordering::Release);
+    channel.ring();
+}
+
+/// Kills the children that are left, and the ones that they leave.
+fn clear_away() {
+    let path = format!("/proc/self/task/{}/children", process::own_pid());
+    while let Ok(children) = std::fs::read_to_string(&path) {
+        let children: Vec<i32> = children.split_whitespace().filter_map(|pid| pid.parse().ok()).collect();
+        if children.is_empty() {
+            return;
+        }
+        for child in children {
+            process::kill(child);
+        }
+        let _ = process::wait_for_any_child();
+    }
+}
+
+/// The live process: answers questions until it is killed.
+fn live(channel: &'static Channel) -> ! {
+    let mut server = Server { channel, activity: Activity::new(&channel.head().activity), hosted: None, last: 0 };
+    loop {
+        let (number, question) = channel.next_question(server.last);
+        server.last = number;
+        let answer = match postcard::from_bytes(&question) {
+            Ok(question) => server.answer(question),
+            Err(error) => Answer::NotLoaded { message: format!("not understood: {error}"), running: false },
+        };
+        server.activity.end();
+        let bytes = postcard::to_stdvec(&answer).unwrap_or_default();
+        channel.answer(server.last, &bytes);
+    }
+}
+
+/// The FMUs of a worker.
+struct Hosted {
+    load: Load,
+    slaves: Vec<Slave>,
+    plant: System,
+    /// States that the FMU saved.
+    saved: BTreeMap<u32, system::Checkpoint>,
+}
+
+struct Server {
+    channel: &'static Channel,
+    activity: Activity,
+    hosted: Option<Hosted>,
+    /// Number of the question that is being answered.
+    last: u32,
+}
+
+impl Server {
+    fn answer(&mut self, question: Question) -> Answer {
+        if let Question::Load(load) = question {
+            return self.load(*load);
+        }
+        let Some(hosted) = &mut self.hosted else { return not_loaded("nothing is loaded".to_owned(), false) };
+        let plant = &mut hosted.plant;
+        let rows = |result: Result<Vec<f64>, PlantError>| result.map_or_else(Answer::Failed, Answer::Rows);
+        match question {
+            Question::Load(_) => Answer::Done,
+            Question::Restart => {
+                hosted.saved.clear();
+                rows(plant.restart())
+            }
+            Question::Advance { steps, inputs } => rows(plant.advance(steps, &inputs)),
+            Question::Fingerprint => plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
+            Question::Save { number, how: Saving::ByFork } => self.park(number),
+            Question::Save { number, how: Saving::ByFmu } => match plant.save() {
+                Ok(saved) => {
+                    hosted.saved.insert(number, saved);
+                    Answer::Done
+                }
+                Err(error) => Answer::Failed(error),
+            },
+            Question::Restore { number, how: Saving::ByFork } => {
+                let head = self.channel.head();
+                head.alive.store(0, Ordering::Release);
+                head.tell(number, LIVE);
+                process::leave(0)
+            }
+            Question::Restore { number, how: Saving::ByFmu } => match hosted.saved.get(&number) {
+                Some(saved) => plant.restore(saved).map_or_else(Answer::Failed, |()| Answer::Done),
+                None => Answer::Failed(PlantError::of("this saved state is not known")),
+            },
+            Question::Forget(numbers) => {
+                hosted.saved.retain(|number, _| !numbers.contains(number));
+                Answer::Done
+            }
+            Question::SelfTest { steps, skip } => self.test(steps, &skip),
+        }
+    }
+
+    fn load(&mut self, load: Load) -> Answer {
+        // Initialisers of a library run while it is loaded, so the sandbox comes first.
+        let missing = match &load.sandbox {
+            None => Vec::new(),
+            Some(rules) => match sandbox::enter(rules) {
+                Ok(missing) => missing,
+                Err(error) => return not_loaded(format!("the sandbox cannot be set up: {error}"), false),
+            },
+        };
+        self.activity.begin(Call::Load, 0);
+        let slaves = load.folders.iter().map(|folder| Fmu::reopen(folder)?.load()).collect::<Result<Vec<_>, _>>();
+        let slaves = match slaves {
+            Ok(slaves) => slaves,
+            Err(error) => return not_loaded(error.to_string(), error.while_running()),
+        };
+        for (slave, prefer) in slaves.iter().zip(load.event_mode.iter().flatten()) {
+            slave.prefer_event_mode(*prefer);
+        }
+        match self.system(&slaves, &load) {
+            Ok(plant) => {
+                self.hosted = Some(Hosted { load, slaves, plant, saved: BTreeMap::new() });
+                Answer::Loaded { missing }
+            }
+            Err(answer) => answer,
+        }
+    }
+
+    fn system(&self, slaves: &[Slave], load: &Load) -> Result<System, Answer> {
+        let built = System::new(slaves, load.setup.clone());
+        built.map(|system| system.watched(self.activity)).map_err(|e| not_loaded(e.to_string(), false))
+    }
+
+    fn test(&mut self, steps: usize, skip: &[Stage]) -> Answer {
+        let Some(hosted) = &self.hosted else { return Answer::Done };
+        let head = self.channel.head();
+        let mut announce = |stage: Stage| head.stage.store(stage.number(), Ordering::Release);
+        match selftest(&hosted.slaves, &hosted.load.setup, steps, skip, self.activity, &mut announce) {
+            Ok(result) => Answer::tested(&result, hosted.slaves.iter().map(Slave::prefers_event_mode).collect()),
+            Err(error) => Answer::Failed(error),
+        }
+    }
+
+    /// Leaves a copy of this process behind that waits until it is needed.
+    fn park(&mut self, number: u32) -> Answer {
+        let Some(slot) = self.channel.head().slot(number) else {
+            return Answer::Failed(PlantError::of("too many states are kept as processes"));
+        };
+        slot.store(PARKED, Ordering::Release);
+        match process::fork() {
+            Ok(Fork::Parent(_)) => Answer::Done,
+            Ok(Fork::Child) => self.wait_at(slot),
+            Err(error) => Answer::Failed(PlantError::of(format!("the process cannot be copied: {error}"))),
+        }
+    }
+
+    /// A parked process: copies of it go on living as often as they are called.
+    fn wait_at(&mut self, slot: &AtomicU32) -> Answer {
+        let head = self.channel.head();
+        loop {
+            match slot.load(Ordering::Acquire) {
+                PARKED => {
+                    let _ = futex::wait(slot, futex::Flags::empty(), PARKED, None);
+                }
+                LIVE => {
+                    slot.store(PARKED, Ordering::Release);
+                    match process::fork() {
+                        // Once more, so that the one who lives is a child of the keeper.
+                        Ok(Fork::Child) => match process::fork() {
+                            Ok(Fork::Child) => break,
+                            Ok(Fork::Parent(_)) => process::leave(0),
+                            Err(_) => self.cannot_live(),
+                        },
+                        Ok(Fork::Parent(_)) => {
+                            let _ = process::wait_for_any_child();
+                        }
+                        Err(_) => self.cannot_live(),
+                    }
+                }
+                _ => process::leave(0),
+            }
+        }
+        head.alive.store(process::own_pid(), Ordering::Release);
+        // The question that woke this copy is the last one asked.
+        self.last = self.channel.asked();
+        Answer::Done
+    }
+
+    /// Tells that nobody lives any more.
+    fn cannot_live(&self) -> ! {
+        self.channel.head().death.store(Ended::Exit(CANNOT_BEGIN).code(), Ordering::Release);
+        self.channel.ring();
+        process::leave(i32::from(CANNOT_BEGIN))
+    }
+}
+
+fn not_loaded(message: String, running: bool) -> Answer {
+    Answer::NotLoaded { message, running }
+}
