@@ -187,7 +187,9 @@ pub fn bind(cell: &Workcell, source: &Source, units: &[BoundUnit<'_>]) -> Result
         let literal = literal.get_ref();
         let port = b.input(name, None)?;
         b.driven_once(name, &port, &inputs)?;
-        constants.push(b.literal(name, &port.port, *literal)?);
+        let value = b.literal(name, &port.port, *literal)?;
+        b.within_limits(&port, value);
+        constants.push(value);
         inputs.push(port);
     }
     let mut parameters = Vec::new();
@@ -201,6 +203,7 @@ pub fn bind(cell: &Workcell, source: &Source, units: &[BoundUnit<'_>]) -> Result
         }
         let port = b.port(name, unit, variable)?;
         let value = b.literal(name, &port.port, *literal)?;
+        b.within_limits(&port, value);
         parameters.push((port, value));
     }
     let mut connections: Vec<Connection> = Vec::new();
@@ -210,6 +213,7 @@ pub fn bind(cell: &Workcell, source: &Source, units: &[BoundUnit<'_>]) -> Result
         b.driven_once(&table.to, &connection.to, &taken)?;
         connections.push(connection);
     }
+    b.not_written_and_read(&inputs)?;
     Ok(Binding {
         parameters,
         inputs,
@@ -330,6 +334,36 @@ impl<'a> Binder<'a> {
         let message = format!("`{}` is driven by two things at once", name.get_ref());
         let help = Some("a sensor, the pose, a constant or a connection: remove one of the two".to_owned());
         Err(self.source.error(name.span(), "here", message, help))
+    }
+
+    /// Refuses results that are nothing but what is written: some exports give an output and an input one value
+    /// reference.
+    fn not_written_and_read(&self, inputs: &[UnitPort]) -> Result<(), Box<CellError>> {
+        let handle = |p: &UnitPort| (p.unit, p.port.handle.value_reference, p.port.handle.scalar);
+        for output in &self.outputs {
+            if let Some(input) = inputs.iter().find(|input| handle(input) == handle(output)) {
+                let message = format!(
+                    "`{}` and `{}` are one variable in the FMU (value reference {}): reading the one gives what was \
+                     written to the other",
+                    output.port.name, input.port.name, output.port.handle.value_reference
+                );
+                let help =
+                    Some("use another output, or have the FMU exported with a value reference for each".to_owned());
+                return Err(self.source.error(0..0, "", message, help));
+            }
+        }
+        Ok(())
+    }
+
+    /// A word about a value that the FMU's own limits forbid; some FMUs stop over one.
+    fn within_limits(&mut self, port: &UnitPort, value: f64) {
+        let found = self.units[port.unit].description.element(&port.port.name);
+        let Some(VariableType::Real { min, max, .. }) = found.map(|(variable, _, _)| &variable.kind) else { return };
+        let (low, high) = (min.unwrap_or(f64::NEG_INFINITY), max.unwrap_or(f64::INFINITY));
+        if value < low || value > high {
+            let name = &port.port.name;
+            self.warnings.push(format!("`{name}` is set to {value}, the FMU allows {low} to {high}"));
+        }
     }
 
     /// The FMU and variable that a name of the cell file means.

@@ -100,7 +100,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         campaigns.push(campaign::run(cell, &options, &tell)?);
     }
     progress.lock().unwrap_or_else(PoisonError::into_inner).finish();
-    output::result(&render(&campaigns, arguments.format)?);
+    let print = if matches!(arguments.format, Format::Json) { output::json } else { output::result };
+    print(&render(&campaigns, arguments.format)?);
     Ok(NO_HAZARD)
 }
 

@@ -92,7 +92,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         comparisons.push(comparison);
     }
     progress.lock().unwrap_or_else(PoisonError::into_inner).finish();
-    output::result(&render(&comparisons, arguments)?);
+    let print = if matches!(arguments.format, Format::Json) { output::json } else { output::result };
+    print(&render(&comparisons, arguments)?);
     Ok(NO_HAZARD)
 }
 

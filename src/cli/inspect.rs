@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
 use crate::cell::find::EXTRA_FOLDER;
-use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
+use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType, printable};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -30,10 +30,10 @@ fn render(fmu: &Fmu, all: bool) -> String {
     let d = fmu.description();
     let count = |c: Causality| d.variables.iter().filter(|v| v.causality == c).count();
     let mut text = String::new();
-    let _ = writeln!(text, "{}  FMI {}  \"{}\"", fmu.path().display(), d.fmi_version, d.model_name);
-    let _ = writeln!(text, "  exported by  {}", d.generation_tool.as_deref().unwrap_or("unknown"));
+    let _ = writeln!(text, "{}  FMI {}  \"{}\"", fmu.path().display(), d.fmi_version, printable(&d.model_name));
+    let _ = writeln!(text, "  exported by  {}", printable(d.generation_tool.as_deref().unwrap_or("unknown")));
     let _ = writeln!(text, "  sha256       {}", fmu.sha256());
-    let _ = writeln!(text, "  platforms    {}", fmu.platforms().join(", "));
+    let _ = writeln!(text, "  platforms    {}", printable(&fmu.platforms().join(", ")));
     let yes = |b: bool| if b { "yes" } else { "no" };
     match &d.co_simulation {
         Some(cs) => {
@@ -72,15 +72,14 @@ fn render(fmu: &Fmu, all: bool) -> String {
     );
     let shown = |v: &&Variable| all || matches!(v.causality, Causality::Input | Causality::Output);
     for v in d.variables.iter().filter(shown) {
-        // Names come from the vendor: control characters must not reach the terminal.
-        let name: String = v.name.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+        // What comes from the vendor may be of any length; its control characters are escaped where it is printed.
         let _ = writeln!(
             text,
             "    {:<12} {:<28} {:<10} {}",
             v.causality.to_string(),
-            name,
-            type_name(d, v),
-            v.description
+            printable(&v.name),
+            printable(&type_name(d, v)),
+            printable(&v.description)
         );
     }
     text

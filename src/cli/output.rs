@@ -7,20 +7,60 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::exit::Failure;
+use crate::fmi::{escaped, is_unsafe};
 
 /// Prints a result. A reader that has gone away (a closed pipe) is no failure.
 pub(super) fn result(text: &str) {
-    let _ = std::io::stdout().lock().write_all(text.as_bytes());
+    let _ = std::io::stdout().lock().write_all(safe(text).as_bytes());
+}
+
+/// Prints JSON, which has its own way of escaping.
+pub(super) fn json(text: &str) {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if c != '\n' && is_unsafe(c) {
+            c.encode_utf16(&mut [0; 2]).iter().for_each(|unit| out.push_str(&format!("\\u{unit:04x}")));
+        } else {
+            out.push(c);
+        }
+    }
+    let _ = std::io::stdout().lock().write_all(out.as_bytes());
 }
 
 /// Prints a message for the person at the terminal.
 pub(super) fn note(text: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "{text}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
 }
 
 /// Prints an error.
 pub(super) fn error(text: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "Error: {}", text.trim());
+    let _ = writeln!(std::io::stderr().lock(), "Error: {}", safe(text.trim()));
+}
+
+/// Text as it may reach a terminal. Names come from vendors, and cell files may travel inside FMUs: nothing in them may
+/// steer the terminal or turn text around. Our own line breaks and colours stay.
+fn safe(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(|c| c != '\n' && is_unsafe(c)) {
+        out.push_str(&rest[..at]);
+        rest = &rest[at..];
+        let length = colour(rest).unwrap_or_else(|| rest.chars().next().map_or(0, char::len_utf8));
+        if colour(rest).is_some() {
+            out.push_str(&rest[..length]);
+        } else {
+            out.push_str(&escaped(&rest[..length]));
+        }
+        rest = &rest[length..];
+    }
+    out + rest
+}
+
+/// Length of the escape sequence for a colour that `text` begins with.
+fn colour(text: &str) -> Option<usize> {
+    let parameters = text.strip_prefix("\u{1b}[")?;
+    let end = parameters.find(|c: char| !c.is_ascii_digit() && c != ';')?;
+    parameters[end..].starts_with('m').then_some(2 + end + 1)
 }
 
 /// Writes a file whole or not at all: into a temporary file beside it, then renamed.
@@ -57,7 +97,7 @@ impl Progress {
     pub(super) fn at(&mut self, done: u64, message: &str) {
         if let Some(bar) = &self.bar {
             bar.set_position(done);
-            bar.set_message(message.to_owned());
+            bar.set_message(safe(message));
         } else if done >= self.next_line && self.total > 1 {
             note(&format!("  {done}/{} {}  {message}", self.total, self.unit));
             self.next_line = done + self.total.div_ceil(10).max(1);
@@ -114,7 +154,7 @@ impl Levels {
                 bar.set_prefix(format!("Action {number} of {horizon}"));
             }
             bar.set_position(done as u64);
-            bar.set_message(message.to_owned());
+            bar.set_message(safe(message));
             self.told = Some((depth, Instant::now()));
             return;
         }
@@ -130,5 +170,18 @@ impl Levels {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_line_breaks_and_colours_reach_the_terminal() {
+        assert_eq!(safe("a\n\u{1b}[31;1mred\u{1b}[0m"), "a\n\u{1b}[31;1mred\u{1b}[0m");
+        assert_eq!(safe("\u{1b}[2J\u{1b}]0;x\u{7}\r\u{9b}2J"), "\\u{1b}[2J\\u{1b}]0;x\\u{7}\\r\\u{9b}2J");
+        assert_eq!(safe("\u{1b}["), "\\u{1b}[");
+        assert_eq!(safe("\u{202e}gnp.exe"), "\\u{202e}gnp.exe");
     }
 }

@@ -240,7 +240,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
     }
     match arguments.format {
-        Format::Json => output::result(&json),
+        Format::Json => output::json(&json),
         Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
     }
     conclude(&report, &out);

@@ -4,6 +4,6 @@ use super::exit::{Failure, NO_HAZARD};
 use super::output;
 
 pub(super) fn run() -> Result<u8, Failure> {
-    output::result(&format!("{:#}\n", crate::cell::json_schema()));
+    output::json(&format!("{:#}\n", crate::cell::json_schema()));
     Ok(NO_HAZARD)
 }

@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     };
     if arguments.json {
         let text = serde_json::to_string_pretty(&result).map_err(Failure::unusable)?;
-        output::result(&(text + "\n"));
+        output::json(&(text + "\n"));
     } else {
         output::result(&render(&fmu.description().model_name, &result));
     }

@@ -1,10 +1,11 @@
 //! What can go wrong with an FMU: each message says who is at fault and what to do.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::read_xml::DescriptionError;
 use super::variable::Scalar;
 
 /// Status values of FMI 2.0 and FMI 3.0 other than OK and warning.
@@ -96,6 +97,18 @@ pub enum Error {
         /// The system's reason.
         error: std::io::Error,
     },
+    /// There is no room, or no permission, to unpack it.
+    #[error(
+        "cannot unpack {path} into {folder}: {error}. Set the environment variable TMPDIR to a folder with room for it"
+    )]
+    Unpack {
+        /// The file.
+        path: PathBuf,
+        /// Where to.
+        folder: PathBuf,
+        /// The system's reason.
+        error: std::io::Error,
+    },
     /// The archive is damaged, or none at all.
     #[error("{path} is not a readable FMU: {reason}. Export or copy it again")]
     Archive {
@@ -126,16 +139,12 @@ pub enum Error {
         hint: String,
     },
     /// modelDescription.xml is wrong.
-    #[error("modelDescription.xml of {path}, line {line}, column {column}: {message}")]
+    #[error("modelDescription.xml of {path}, {problem}")]
     Description {
         /// The file.
         path: PathBuf,
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
-        /// What is wrong and what to do.
-        message: String,
+        /// What is wrong, and where.
+        problem: DescriptionError,
     },
     /// The FMU is of a kind that cannot be used.
     #[error("{0}")]
@@ -182,6 +191,16 @@ pub enum Error {
 }
 
 impl Error {
+    /// The same, saying which file is meant.
+    pub(super) fn of(self, path: &Path) -> Self {
+        let named = |text: String| format!("{}: {text}", path.display());
+        match self {
+            Self::Unsupported(text) => Self::Unsupported(named(text)),
+            Self::Binary(text) => Self::Binary(named(text)),
+            other => other,
+        }
+    }
+
     /// Whether the running FMU failed, as opposed to a file that is wrong.
     #[must_use]
     pub const fn while_running(&self) -> bool {

@@ -12,6 +12,7 @@ use super::Files;
 use super::abi::Common;
 use super::description::{Capabilities, FmiVersion, ModelDescription};
 use super::error::Error;
+use super::text::printable;
 use super::{abi2, abi3};
 use libloading::os::unix::{Library, RTLD_GLOBAL, RTLD_LOCAL, RTLD_NOW};
 use object::read::elf::{ElfFile64, FileHeader as _};
@@ -128,12 +129,16 @@ pub(super) fn load(
     let identifier = &capabilities.model_identifier;
     let path = folder.join(format!("{identifier}{}", std::env::consts::DLL_SUFFIX));
     if !path.is_file() {
-        return Err(Error::Binary(missing(&folder, wanted, identifier, platforms)));
+        let sources = files.path().join("sources").is_dir();
+        return Err(Error::Binary(missing(&folder, wanted, identifier, platforms, sources)));
     }
     check_header(&path, wanted)?;
     let library = open(&path)?;
     let lacks = |name: &str| {
-        Error::Binary(format!("the binary of this FMU lacks {name}, which every {version} co-simulation FMU must have"))
+        Error::Binary(format!(
+            "the binary of this FMU lacks {name}, which every {version} co-simulation FMU must have. Ask its maker for a \
+             complete export"
+        ))
     };
     let names = match version {
         FmiVersion::V2 => &abi2::NAMES,
@@ -181,7 +186,9 @@ fn check_version(common: &Common, table: &Table) -> Result<(), Error> {
         Some(unsafe { CStr::from_ptr(pointer) }.to_string_lossy().into_owned())
     };
     let differs = |what: &str, found: &str, expected: &str| {
-        Err(Error::Binary(format!("the binary is of FMI {what} \"{found}\", its XML says \"{expected}\"")))
+        Err(Error::Binary(format!(
+            "the binary is of FMI {what} \"{found}\", its XML says \"{expected}\". Export the FMU again"
+        )))
     };
     let found = text(common.get_version);
     match (table, found.as_deref()) {
@@ -212,21 +219,30 @@ fn resources(version: FmiVersion, files: &Path) -> Result<Option<String>, Error>
     }
 }
 
-fn missing(folder: &Path, wanted: &str, identifier: &str, platforms: &[String]) -> String {
+fn missing(folder: &Path, wanted: &str, identifier: &str, platforms: &[String], sources: bool) -> String {
     if !platforms.iter().any(|p| p == wanted) {
         let found = if platforms.is_empty() { "no binaries at all".to_owned() } else { platforms.join(", ") };
+        let compile = if sources { ", or compile the sources in it (`fmpy compile` does that)" } else { "" };
         return format!(
-            "this FMU has no binary for this machine: {wanted} is needed, it contains {found}. Ask its maker for a \
-             {wanted} export, or run this program on a machine it was made for"
+            "this FMU has no binary for this machine: {wanted} is needed, it contains {}. Ask its maker for a {wanted} \
+             export, or run this program on a machine it was made for{compile}",
+            printable(&found)
         );
     }
-    let there: Vec<String> = std::fs::read_dir(folder)
+    let mut there: Vec<String> = std::fs::read_dir(folder)
         .into_iter()
         .flatten()
         .flatten()
         .map(|e| e.file_name().to_string_lossy().into_owned())
         .collect();
-    format!("binaries/{wanted} has no {identifier}{}; it contains {}", std::env::consts::DLL_SUFFIX, there.join(", "))
+    there.sort();
+    let there = if there.is_empty() { "nothing".to_owned() } else { there.join(", ") };
+    format!(
+        "binaries/{wanted} has no {identifier}{}, the name that modelDescription.xml gives; it contains {}. Export the \
+         FMU again",
+        std::env::consts::DLL_SUFFIX,
+        printable(&there)
+    )
 }
 
 /// Reads the ELF header and the section table: a truncated or foreign file must not reach the loader, which may kill
@@ -239,11 +255,22 @@ fn check_header(path: &Path, platform: &str) -> Result<(), Error> {
     let bytes = std::fs::read(path).map_err(|error| Error::Read { path: path.to_owned(), error })?;
     let refuse =
         |why: &str| Err(Error::Binary(format!("{name} cannot be loaded: it {why}. Export the FMU for {platform}")));
+    // What the other systems' libraries begin with; those of macOS in either order of bytes.
+    let macos = [0xFEED_FACF_u32, 0xCAFE_BABE].map(u32::to_be_bytes);
+    let reversed = |mut magic: [u8; 4]| {
+        magic.reverse();
+        magic
+    };
+    if bytes.starts_with(b"MZ") {
+        return refuse("is a library for Windows");
+    }
+    if macos.iter().any(|magic| bytes.starts_with(magic) || bytes.starts_with(&reversed(*magic))) {
+        return refuse("is a library for macOS");
+    }
     match object::FileKind::parse(bytes.as_slice()) {
         Ok(object::FileKind::Elf64) => {}
         Ok(object::FileKind::Elf32) => return refuse("is a 32-bit library"),
-        Ok(_) => return refuse("is a library for another operating system"),
-        Err(_) => return refuse("is not a shared library"),
+        _ => return refuse("is not a shared library"),
     }
     let Ok(file) = ElfFile64::<Endianness>::parse(bytes.as_slice()) else { return refuse("is damaged") };
     let machine = file.elf_header().e_machine(file.endian());

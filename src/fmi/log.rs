@@ -5,6 +5,7 @@ use std::ffi::{CStr, c_char, c_int, c_void};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::abi::{self, StatusCode};
+use super::text::escaped;
 
 /// Log lines kept for error messages.
 const LOG_LINES: usize = 10;
@@ -90,10 +91,10 @@ unsafe fn record(environment: *mut c_void, status: StatusCode, category: *const 
         return;
     }
     let text = message.to_string_lossy();
-    let text: String = text.trim_end().chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let text: String = escaped(text.trim_end()).chars().take(LONGEST).collect();
     let mut lines = lock(&environment.lines);
     if lines.len() == LOG_LINES {
         lines.remove(0);
     }
-    lines.push(if category.is_empty() { text } else { format!("[{category}] {text}") });
+    lines.push(if category.is_empty() { text } else { format!("[{}] {text}", escaped(&category)) });
 }

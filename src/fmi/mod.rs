@@ -51,6 +51,7 @@ mod raw2;
 mod raw3;
 mod read_xml;
 pub(crate) mod temporary;
+mod text;
 mod values;
 mod variable;
 
@@ -64,7 +65,8 @@ pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};
 pub use library::Slave;
 pub use plan::Plan;
 pub use raw::State;
-pub use read_xml::Warning;
+pub use read_xml::{DescriptionError, Warning};
+pub use text::{escaped, is_unsafe, printable};
 pub use values::{Number, Values};
 pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
 
@@ -125,17 +127,9 @@ impl Fmu {
     fn read(path: &Path, sha256: String, files: Files) -> Result<Self, Error> {
         let xml = files.path().join("modelDescription.xml");
         let bytes = std::fs::read(&xml).map_err(|error| Error::Read { path: path.to_owned(), error })?;
-        let at = |text: &str, offset: usize, message: String| {
-            let (line, column) = read_xml::line_and_column(text, offset);
-            Error::Description { path: path.to_owned(), line, column, message }
-        };
-        let text = String::from_utf8(bytes).map_err(|e| {
-            let good = String::from_utf8_lossy(&e.as_bytes()[..e.utf8_error().valid_up_to()]).into_owned();
-            at(&good, good.len(), "this is not UTF-8, which FMI asks for. Save the file as UTF-8".to_owned())
-        })?;
-        let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-        let (description, warnings) = read_xml::read(text).map_err(|p| at(text, p.offset, p.message))?;
-        supported(&description)?;
+        let (description, warnings) = ModelDescription::from_xml(&bytes)
+            .map_err(|problem| Error::Description { path: path.to_owned(), problem })?;
+        supported(&description).map_err(|e| e.of(path))?;
         let entries = std::fs::read_dir(files.path().join("binaries")).into_iter().flatten().flatten();
         let mut platforms: Vec<String> = entries
             .filter(|entry| entry.path().is_dir())
@@ -193,9 +187,12 @@ impl Fmu {
     /// # Errors
     /// When there is none for this machine or it cannot be loaded.
     pub fn load(&self) -> Result<Slave, Error> {
-        let Some(co_simulation) = &self.description.co_simulation else { return Err(no_co_simulation()) };
-        let version = supported(&self.description)?;
-        library::load(&self.files, &self.platforms, version, &self.description, &co_simulation.capabilities)
+        let load = || {
+            let Some(co_simulation) = &self.description.co_simulation else { return Err(no_co_simulation()) };
+            let version = supported(&self.description)?;
+            library::load(&self.files, &self.platforms, version, &self.description, &co_simulation.capabilities)
+        };
+        load().map_err(|e| e.of(&self.path))
     }
 }
 

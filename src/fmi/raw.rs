@@ -113,6 +113,8 @@ impl Raw {
                 ": binary and modelDescription.xml come from different exports. Export the FMU again"
             } else if slave.capabilities().once_per_process {
                 ": it allows one instance in a process only"
+            } else if slave.capabilities().needs_execution_tool {
+                ": it needs the tool that made it (needsExecutionTool). Install and license that tool on this machine"
             } else {
                 ""
             };

@@ -2,17 +2,20 @@
 //! elsewhere. Unknown attributes and elements are warnings, vendor annotations are skipped.
 
 mod attributes;
+mod checks;
+mod encoding;
 mod fmi2;
 mod fmi3;
 mod model;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 use super::description::{FmiVersion, MOST_VALUES, ModelDescription};
+use super::text::printable;
 use super::variable::{Causality, Variable, VariableType};
 use attributes::Attributes;
 
@@ -31,29 +34,75 @@ impl fmt::Display for Warning {
     }
 }
 
+/// What keeps a modelDescription.xml from being used, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DescriptionError {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column, from 1.
+    pub column: usize,
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl DescriptionError {
+    fn new(text: &str, offset: usize, message: &str) -> Self {
+        let (line, column) = line_and_column(text, offset);
+        Self { line, column, message: printable(message) }
+    }
+}
+
+impl fmt::Display for DescriptionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}: {}", self.line, self.column, self.message)
+    }
+}
+
+impl std::error::Error for DescriptionError {}
+
+impl ModelDescription {
+    /// Reads the bytes of a modelDescription.xml of FMI 2.0 or FMI 3.0, in UTF-8 or UTF-16. Of other versions only
+    /// [`ModelDescription::fmi_version`] is filled in.
+    ///
+    /// # Errors
+    /// The first thing in it that cannot be read or would give wrong results, with its place.
+    pub fn from_xml(bytes: &[u8]) -> Result<(Self, Vec<Warning>), DescriptionError> {
+        let (text, utf16) = encoding::decode(bytes)?;
+        let text = text.as_ref();
+        let (description, mut warnings) = read(text).map_err(|p| DescriptionError::new(text, p.offset, &p.message))?;
+        if utf16 {
+            let message = "the file is UTF-16, FMI asks for UTF-8: other programs may not read it".to_owned();
+            warnings.insert(0, Warning { message, line: 1 });
+        }
+        Ok((description, warnings))
+    }
+}
+
 /// What keeps a description from being used, and where.
 #[derive(Debug)]
-pub(super) struct Problem {
-    pub(super) offset: usize,
-    pub(super) message: String,
+struct Problem {
+    offset: usize,
+    message: String,
 }
 
 /// Most warnings kept.
 const WARNINGS: usize = 50;
 
 /// Line and column, both from 1, of a byte offset.
-pub(super) fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = text.get(..offset.min(text.len())).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |i| i + 1);
     (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
 /// Reads the text of modelDescription.xml.
-pub(super) fn read(text: &str) -> Result<(ModelDescription, Vec<Warning>), Problem> {
+fn read(text: &str) -> Result<(ModelDescription, Vec<Warning>), Problem> {
     let mut parser = Parser {
         d: ModelDescription::default(),
         warnings: Vec::new(),
         types: BTreeMap::new(),
+        units: BTreeSet::new(),
+        references: BTreeMap::new(),
         type_name: None,
         lines: Lines::new(text),
         pending: None,
@@ -71,13 +120,13 @@ pub(super) fn read(text: &str) -> Result<(ModelDescription, Vec<Warning>), Probl
         match event {
             Event::Start(element) => {
                 let name = element.name().as_ref().to_owned();
-                let parent = path.iter().map(String::as_str).collect::<Vec<_>>();
+                let parent = nearest_root(&path);
                 parser.start(&parent, &name, &element, offset)?;
                 path.push(name);
             }
             Event::End(_) => {
                 path.pop();
-                parser.end(&path.iter().map(String::as_str).collect::<Vec<_>>());
+                parser.end(&nearest_root(&path))?;
             }
             Event::DocType(_) => {
                 let message = "a DOCTYPE, which FMUs never need and which can be abused; refused".to_owned();
@@ -95,6 +144,11 @@ pub(super) fn read(text: &str) -> Result<(ModelDescription, Vec<Warning>), Probl
     }
     parser.index()?;
     Ok((parser.d, parser.warnings))
+}
+
+/// The first elements of a path: nothing that lies deeper matters, and nesting without end must not cost more and more.
+fn nearest_root(path: &[String]) -> Vec<&str> {
+    path.iter().take(4).map(String::as_str).collect()
 }
 
 /// Byte offsets of line starts, so that a line number costs a binary search.
@@ -127,6 +181,10 @@ struct Parser {
     d: ModelDescription,
     warnings: Vec<Warning>,
     types: BTreeMap<String, Inherited>,
+    /// Units that are defined.
+    units: BTreeSet<String>,
+    /// FMI 3.0: the variable of each value reference, and its line.
+    references: BTreeMap<u32, (String, usize)>,
     type_name: Option<String>,
     lines: Lines,
     /// FMI 2.0: a `ScalarVariable` whose type element has not come yet.
@@ -138,6 +196,7 @@ struct Parser {
 impl Parser {
     fn warn(&mut self, offset: usize, message: String) {
         if self.warnings.len() < WARNINGS {
+            let message = printable(&message);
             self.warnings.push(Warning { message, line: self.lines.line(offset) });
         }
     }
@@ -157,9 +216,12 @@ impl Parser {
             return Ok(());
         }
         match (path, name) {
-            ([], "fmiModelDescription") => {
+            ([], "fmiModelDescription") if self.d.fmi_version.is_empty() => {
                 self.root(&mut a)?;
                 self.leftovers(&a);
+            }
+            ([], "fmiModelDescription") => {
+                return Err(a.problem("a second root element, the file must have one"));
             }
             ([], other) => {
                 let message = format!("the root element is <{other}>, it must be <fmiModelDescription>");
@@ -171,12 +233,10 @@ impl Parser {
             }
             (["fmiModelDescription"], "ModelExchange") => self.d.has_model_exchange = true,
             (["fmiModelDescription"], "DefaultExperiment") => {
-                self.d.default_experiment.start_time = a.number("startTime")?;
-                self.d.default_experiment.stop_time = a.number("stopTime")?;
-                self.d.default_experiment.step_size = a.number("stepSize")?;
-                a.take("tolerance");
+                self.experiment(&mut a)?;
                 self.leftovers(&a);
             }
+            (["fmiModelDescription", "UnitDefinitions"], "Unit") => self.units.extend(a.take("name")),
             (
                 ["fmiModelDescription"],
                 "TypeDefinitions" | "UnitDefinitions" | "LogCategories" | "VendorAnnotations" | "Annotations"
@@ -189,17 +249,20 @@ impl Parser {
         Ok(())
     }
 
-    fn end(&mut self, path: &[&str]) {
+    fn end(&mut self, path: &[&str]) -> Result<(), Problem> {
         if !matches!(path, [_, "ModelVariables"]) {
-            return;
+            return Ok(());
         }
         if let Some((variable, offset)) = self.pending.take() {
             let message = format!("variable `{}` has no type element and is left out", variable.name);
             self.warn(offset, message);
         }
         if let Some(done) = self.array.take() {
-            self.d.variables.extend(done.variables());
+            let line = self.lines.line(done.offset());
+            let offset = self.lines.start(line);
+            self.d.variables.extend(done.variables().map_err(|message| Problem { offset, message })?);
         }
+        Ok(())
     }
 
     /// Unit and limits of the type that a variable declares, if it does.
@@ -245,6 +308,7 @@ impl Parser {
             }
         }
         odd.into_iter().for_each(|(offset, message)| self.warn(offset, message));
+        self.look_for_oddities();
         Ok(())
     }
 }

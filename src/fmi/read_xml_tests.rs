@@ -6,7 +6,7 @@ use super::*;
 const HEAD: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" fmiVersion="2.0" modelName="Cell"
   guid="{1}" generationTool="Test" numberOfEventIndicators="0">
-  <CoSimulation modelIdentifier="Cell" canGetAndSetFMUstate="true"/>"#;
+  <CoSimulation modelIdentifier="Cell" canGetAndSetFMUstate="true"/><UnitDefinitions><Unit name="rad"/><Unit name="m"/></UnitDefinitions>"#;
 
 fn with_variables(variables: &str) -> String {
     format!(
@@ -96,7 +96,7 @@ const HEAD3: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <fmiModelDescription fmiVersion="3.0" modelName="Cell" instantiationToken="{3}" generationTool="Test">
   <CoSimulation modelIdentifier="Cell" canGetAndSetFMUState="true" hasEventMode="true" fixedInternalStepSize="1e-3"
     mightReturnEarlyFromDoStep="true" providesEvaluateDiscreteStates="false"/>
-  <TypeDefinitions><Float64Type name="Angle" unit="rad" min="-3"/><EnumerationType name="Mode"><Item name="a" value="1"/></EnumerationType></TypeDefinitions>"#;
+  <UnitDefinitions><Unit name="rad"/><Unit name="m"/></UnitDefinitions><TypeDefinitions><Float64Type name="Angle" unit="rad" min="-3"/><EnumerationType name="Mode"><Item name="a" value="1"/></EnumerationType></TypeDefinitions>"#;
 
 fn third(variables: &str) -> String {
     format!("{HEAD3}\n<ModelVariables>\n{variables}\n</ModelVariables><ModelStructure/></fmiModelDescription>")
@@ -223,6 +223,21 @@ fn what_is_wrong_in_fmi_3_is_told_with_its_line() {
     let (_, warnings) = read(&text).unwrap();
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(warnings, ["line 7: unknown attribute `colour` in <Int32>", "line 7: unknown element <Thing>"]);
+}
+
+#[test]
+fn what_would_cost_more_and_more_does_not() {
+    // Many other names, each with a copy of many start values.
+    let starts = "1 ".repeat(20_000);
+    let names: String = (0..1000).map(|i| format!("<Alias name=\"a{i}\"/>")).collect();
+    let variable = format!(
+        "<Float64 name=\"q\" valueReference=\"1\" start=\"{starts}\"><Dimension start=\"20000\"/>\n{names}</Float64>"
+    );
+    let (line, message) = problem(&third(&variable));
+    assert_eq!((line, message.as_str()), (7, "`q` has 20000 start values under 1001 names, which is refused"));
+    // A hundred thousand elements, one in another.
+    let (d, _) = read(&third(&format!("{}{}", "<a>".repeat(100_000), "</a>".repeat(100_000)))).unwrap();
+    assert_eq!(d.variables, []);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::activity::{Activity, Call};
 use super::plant::{Plant, PlantError};
-use super::port::Port;
+use super::port::{Port, PortKind};
 use super::rounding;
 use crate::fmi::{self, Handle, Initializing, Instance, Instantiated, Plan, Slave, State, Stepping};
 
@@ -77,14 +77,17 @@ impl InProcess {
     }
 
     /// Makes the instance ready to step: parameters, inputs, initialisation.
-    fn initialise(&mut self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, fmi::Error> {
+    fn initialise(&mut self, mut instance: Instance<Instantiated>) -> Result<Instance<Stepping>, PlantError> {
         self.activity.begin(Call::Initialise, 0);
         let ports = self.setup.parameters.iter().map(|(port, _)| port);
         let values: Vec<f64> = self.setup.parameters.iter().map(|(_, value)| *value).collect();
-        plan(&self.slave, ports).write(&mut instance, &values)?;
-        self.inputs.write(&mut instance, &self.setup.initial_inputs)?;
-        let initializing: Instance<Initializing> = instance.enter_initialization(0.0, None)?;
-        initializing.exit_initialization()
+        let written = plan(&self.slave, ports.clone()).write(&mut instance, &values);
+        written.map_err(|e| failure_of("setting", ports, &e, 0.0))?;
+        let written = self.inputs.write(&mut instance, &self.setup.initial_inputs);
+        written.map_err(|e| failure_of("setting", &self.setup.inputs, &e, 0.0))?;
+        let initializing: Instance<Initializing> =
+            instance.enter_initialization(0.0, None).map_err(|e| failure(&e, 0.0))?;
+        initializing.exit_initialization().map_err(|e| failure(&e, 0.0))
     }
 
     fn read_row(&mut self) -> Result<Vec<f64>, PlantError> {
@@ -94,7 +97,7 @@ impl InProcess {
         self.activity.begin(Call::Read, self.step.saturating_sub(1));
         let read = self.outputs.read(instance, &mut row);
         rounding::restore();
-        read.map_err(|e| failure(&e, time_s))?;
+        read.map_err(|e| failure_of("reading", &self.setup.outputs, &e, time_s))?;
         if let Some(bad) = row.iter().position(|v| !v.is_finite()) {
             let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
             let name = &self.setup.outputs[bad].name;
@@ -116,7 +119,7 @@ impl InProcess {
         let instance = self.instance.take().ok_or_else(not_started)?;
         self.activity.begin(Call::Reset, self.step);
         let instance = instance.reset().map_err(|e| failure(&e, 0.0))?;
-        self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
+        self.instance = Some(self.initialise(instance)?);
         self.step = 0;
         self.read_row()
     }
@@ -152,6 +155,33 @@ fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
     PlantError { fatal: error.is_fatal(), ..PlantError::of(error.to_string()).at(time_s) }
 }
 
+/// Names told in a failure.
+const NAMES: usize = 8;
+
+/// The failure of a call for a row of variables, which are named: the FMU says only that it refused.
+fn failure_of<'a>(
+    doing: &str,
+    ports: impl IntoIterator<Item = &'a Port>,
+    error: &fmi::Error,
+    time_s: f64,
+) -> PlantError {
+    let mut failed = failure(error, time_s);
+    let fmi::Error::Call(call) = error else { return failed };
+    let kind = match call.function {
+        name if name.contains("Real") || name.contains("Float") => PortKind::Real,
+        name if name.contains("Boolean") => PortKind::Boolean,
+        name if name.contains("Int") => PortKind::Integer,
+        _ => return failed,
+    };
+    let name = |p: &Port| format!("`{}` (value reference {})", p.name, p.handle.value_reference);
+    let mut names: Vec<String> = ports.into_iter().filter(|p| p.kind == kind).map(name).collect();
+    let more = names.len().saturating_sub(NAMES);
+    names.truncate(NAMES);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    failed.message = format!("{doing} {}{more}: {}", names.join(", "), failed.message);
+    failed
+}
+
 impl Plant for InProcess {
     type Checkpoint = Checkpoint;
 
@@ -170,7 +200,7 @@ impl Plant for InProcess {
         self.step = 0;
         self.activity.begin(Call::Instantiate, 0);
         let instance = self.slave.instantiate("cell").map_err(|e| failure(&e, 0.0))?;
-        self.instance = Some(self.initialise(instance).map_err(|e| failure(&e, 0.0))?);
+        self.instance = Some(self.initialise(instance)?);
         self.read_row()
     }
 
@@ -181,7 +211,8 @@ impl Plant for InProcess {
             let time_s = self.time_s();
             let instance = self.instance.as_mut().ok_or_else(not_started)?;
             self.activity.begin(Call::Write, self.step);
-            self.inputs.write(instance, &inputs[i * width..(i + 1) * width]).map_err(|e| failure(&e, time_s))?;
+            let written = self.inputs.write(instance, &inputs[i * width..(i + 1) * width]);
+            written.map_err(|e| failure_of("setting", &self.setup.inputs, &e, time_s))?;
             self.activity.begin(Call::Step, self.step);
             instance.do_step(time_s, self.setup.step_s).map_err(|e| failure(&e, time_s))?;
             rounding::restore();

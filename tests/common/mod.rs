@@ -1,6 +1,8 @@
 //! What the integration tests share: exported examples, variants of cell files, the command.
 
-#![allow(dead_code, reason = "each test binary uses its own part")]
+#![allow(dead_code, clippy::unwrap_used, reason = "each test binary uses its own part; a test fails by panicking")]
+
+pub mod archives;
 
 pub mod hostile;
 

@@ -58,18 +58,19 @@ impl Parser {
                 let inherited = self.inherited(a, &variable.name);
                 let (start, min, max): (Option<f64>, Option<f64>, Option<f64>) =
                     (a.number("start")?, a.number("min")?, a.number("max")?);
-                if start.is_some_and(|v| !v.is_finite()) {
-                    self.warn(a.offset, format!("the start value of `{}` is not finite", variable.name));
-                }
-                let kind = VariableType::Real {
-                    unit: a.take("unit").or(inherited.unit),
-                    start: start.into_iter().collect(),
-                    min: min.or(inherited.min),
-                    max: max.or(inherited.max),
-                };
+                let (start, min, max): (Vec<f64>, _, _) =
+                    (start.into_iter().collect(), min.or(inherited.min), max.or(inherited.max));
+                self.check_limits(a.offset, &variable.name, &start, min, max);
+                let kind = VariableType::Real { unit: a.take("unit").or(inherited.unit), start, min, max };
                 (Scalar::Float64, kind)
             }
-            "Integer" => (Scalar::Int32, VariableType::Integer { start: whole(a)? }),
+            "Integer" => {
+                let start = whole(a)?;
+                let numbers: Vec<f64> = start.iter().filter_map(|v| i32::try_from(*v).ok()).map(f64::from).collect();
+                let (min, max) = (a.number::<i32>("min")?.map(f64::from), a.number::<i32>("max")?.map(f64::from));
+                self.check_limits(a.offset, &variable.name, &numbers, min, max);
+                (Scalar::Int32, VariableType::Integer { start })
+            }
             "Boolean" => (Scalar::Boolean, VariableType::Boolean { start: a.boolean("start")?.into_iter().collect() }),
             "Enumeration" => (Scalar::Int32, VariableType::Enumeration { start: whole(a)? }),
             _ => (Scalar::String, VariableType::String { start: a.take("start").into_iter().collect() }),

@@ -37,21 +37,38 @@ const KNOWN: [&str; 25] = [
 /// A variable that is being read.
 pub(super) struct Pending {
     variable: Variable,
+    offset: usize,
     /// Name, description and line of the variable's other names.
     aliases: Vec<(String, String, usize)>,
 }
 
 impl Pending {
     /// The variable under all its names.
-    pub(super) fn variables(self) -> Vec<Variable> {
+    ///
+    /// # Errors
+    /// When start values times names are more than anybody means: each name has its own copy.
+    pub(super) fn variables(self) -> Result<Vec<Variable>, String> {
+        let (starts, names) = (self.variable.kind.starts(), self.aliases.len() + 1);
+        if starts.saturating_mul(names) > MOST_STARTS && names > 1 {
+            let name = &self.variable.name;
+            return Err(format!("`{name}` has {starts} start values under {names} names, which is refused"));
+        }
         let mut variables = vec![self.variable];
         for (name, description, line) in self.aliases {
             let original = variables[0].clone();
             variables.push(Variable { name, description, line, ..original });
         }
-        variables
+        Ok(variables)
+    }
+
+    /// Where the variable stands.
+    pub(super) const fn offset(&self) -> usize {
+        self.offset
     }
 }
+
+/// Most start values of a variable with all its other names.
+const MOST_STARTS: usize = 10_000_000;
 
 fn scalar(element: &str) -> Option<Scalar> {
     Some(match element {
@@ -100,6 +117,13 @@ impl Parser {
     fn variable3(&mut self, element: &str, scalar: Scalar, a: &mut Attributes) -> Result<(), Problem> {
         let name = a.required("name")?;
         let value_reference = a.reference(&name)?;
+        let line = self.lines.line(a.offset);
+        if let Some((other, line)) = self.references.insert(value_reference, (name.clone(), line)) {
+            return Err(a.problem(format_args!(
+                "`{name}` has the value reference {value_reference} of `{other}` (line {line}), in FMI 3.0 each variable \
+                 has its own"
+            )));
+        }
         let causality = a.causality(&name)?;
         let float = matches!(scalar, Scalar::Float64 | Scalar::Float32);
         let variability = a.variability(&name)?.unwrap_or(match causality {
@@ -115,9 +139,7 @@ impl Parser {
             Scalar::Float64 | Scalar::Float32 => {
                 let (min, max) = (a.number("min")?.or(inherited.min), a.number("max")?.or(inherited.max));
                 let start = a.list("start", |a, word| a.real("start", word))?;
-                if start.iter().any(|v| !v.is_finite()) {
-                    self.warn(a.offset, format!("the start value of `{name}` is not finite"));
-                }
+                self.check_limits(a.offset, &name, &start, min, max);
                 VariableType::Real { unit: a.take("unit").or(inherited.unit), start, min, max }
             }
             Scalar::Boolean => VariableType::Boolean { start: a.list("start", |a, word| a.truth("start", word))? },
@@ -138,11 +160,10 @@ impl Parser {
             a.take(known);
         }
         self.leftovers(a);
-        let line = self.lines.line(a.offset);
         let dimensions = Vec::new();
         let variable =
             Variable { name, value_reference, causality, variability, kind, scalar, dimensions, description, line };
-        self.array = Some(Pending { variable, aliases: Vec::new() });
+        self.array = Some(Pending { variable, offset: a.offset, aliases: Vec::new() });
         Ok(())
     }
 

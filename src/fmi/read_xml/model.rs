@@ -34,6 +34,9 @@ impl Parser {
     }
 
     pub(super) fn co_simulation(&mut self, a: &mut Attributes) -> Result<(), Problem> {
+        if self.d.co_simulation.is_some() {
+            return Err(a.problem("a second co-simulation interface, an FMU has one at most"));
+        }
         let model_identifier = a.required("modelIdentifier")?;
         let letter = |c: char| c.is_ascii_alphabetic() || c == '_';
         let is_identifier =
@@ -85,6 +88,11 @@ impl Parser {
         };
         for name in known {
             a.take(name);
+        }
+        if capabilities.needs_execution_tool {
+            let message = "the FMU needs the tool that made it (needsExecutionTool): it runs only where that tool is \
+                           installed and licensed";
+            self.warn(a.offset, message.to_owned());
         }
         self.d.co_simulation = Some(CoSimulation { capabilities });
         Ok(())
