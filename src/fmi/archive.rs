@@ -62,7 +62,7 @@ pub(super) fn unpack(path: &Path, limits: &ArchiveLimits) -> Result<Unpacked, Er
     let mut archive = ZipArchive::new(BufReader::new(file)).map_err(|e| damaged(format!("not a zip archive ({e})")))?;
     let entries = check(path, &mut archive, limits)?;
     let files = Folder::new("fmu-");
-    let folder = std::env::temp_dir();
+    let folder = tempfile::env::temp_dir();
     let cannot_unpack = |error| Error::Unpack { path: path.to_owned(), folder: folder.clone(), error };
     let files = files.map_err(cannot_unpack)?;
     for entry in &entries {

@@ -48,7 +48,7 @@ impl Root {
         if let Some(root) = root.upgrade() {
             return Ok(root);
         }
-        let all = std::env::temp_dir();
+        let all = tempfile::env::temp_dir();
         sweep(&all);
         let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(all)?;
         let lock = File::create_new(folder.path().join(LOCK))?;
