@@ -124,7 +124,8 @@ fn libraries_and_functions_that_are_missing_outside_the_fmu() {
     };
     let incomplete = ". The export is incomplete: ask its maker for one that brings this function";
     cannot(&calls("vendor_function"), "undefined symbol: vendor_function", incomplete);
-    let python = ". It needs a Python 3 library: start this program with LD_PRELOAD set to libpython3";
+    let python = ". It is written in Python and needs Python's library: start this program with LD_PRELOAD set to that \
+                  library, for instance LD_PRELOAD=libpython3.11.so.1 (on Debian 12 in the package libpython3.11)";
     cannot(&calls("_Py_NoneStruct"), "undefined symbol: _Py_NoneStruct", python);
     cannot(&calls("PyErr_Print"), "undefined symbol: PyErr_Print", python);
     for (name, advice) in [

@@ -316,7 +316,8 @@ fn reason(error: &libloading::Error) -> String {
 
 fn advice(error: &str) -> &'static str {
     if error.contains("undefined symbol: _Py") || error.contains("undefined symbol: Py") {
-        ". It needs a Python 3 library: start this program with LD_PRELOAD set to libpython3"
+        ". It is written in Python and needs Python's library: start this program with LD_PRELOAD set to that library, for \
+         instance LD_PRELOAD=libpython3.11.so.1 (on Debian 12 in the package libpython3.11)"
     } else if error.contains("liblapack") {
         ". On Debian the package liblapack3 has this library"
     } else if error.contains("libgfortran") {

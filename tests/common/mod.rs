@@ -1,8 +1,14 @@
 //! What the integration tests share: exported examples, variants of cell files, the command.
 
-#![allow(dead_code, clippy::unwrap_used, reason = "each test binary uses its own part; a test fails by panicking")]
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "each test binary uses its own part; a test fails by panicking"
+)]
 
 pub mod archives;
+pub mod fmpy;
 
 pub mod hostile;
 
