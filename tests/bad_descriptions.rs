@@ -192,6 +192,43 @@ fn units() {
 }
 
 #[test]
+fn units_that_fit_are_converted() {
+    use fmi_hazard::cell::binding::{BoundUnit, MotionBinding, bind};
+    const TURN: f64 = std::f64::consts::PI;
+    for (angle, speed, mass, [rad, rad_s, kg]) in [
+        ("rad", "rad/s", "kg", [1.0, 1.0, 1.0]),
+        ("deg", "deg/s", "g", [TURN / 180.0, TURN / 180.0, 1e-3]),
+        ("mrad", "rpm", "kg", [1e-3, TURN / 30.0, 1.0]),
+        ("rad", "1/min", "kg", [1.0, TURN / 30.0, 1.0]),
+    ] {
+        let load = "<ScalarVariable name=\"load\" valueReference=\"7\" causality=\"output\"><Real unit=\"kg\"/></ScalarVariable>";
+        let fmu = with_xml(|x| {
+            x.replace("</ModelVariables>", &format!("{load}</ModelVariables>"))
+                .replace("<Real unit=\"rad\"/>", &format!("<Real unit=\"{angle}\"/>"))
+                .replace("<Real unit=\"rad/s\"/>", &format!("<Real unit=\"{speed}\"/>"))
+                .replace("unit=\"kg\"", &format!("unit=\"{mass}\""))
+        });
+        let dir = folder_with(&fmu);
+        let cell = faulty_cell("x.fmu", 0, 0)
+            .replace(", unit = \"rad\"", "")
+            .replace(", unit = \"rad/s\"", "")
+            .replace("payload_kg = 3", "payload = { variable = \"load\" }");
+        let opened = fmi_hazard::cell::find::open(&write(dir.path(), "cell.toml", &cell), None).unwrap();
+        let (name, fmu) = &opened.fmus[0];
+        let unit = BoundUnit { name, description: fmu.description(), file: "x.fmu".to_owned() };
+        let binding = bind(&opened.cell, &opened.source, &[unit]).unwrap();
+        let MotionBinding::Joints { angles, speeds } = &binding.robots[0].motion else { panic!("joints") };
+        // All outputs one: what is read is the factor.
+        let ones = vec![1.0; binding.outputs.len()];
+        let read = [angles[0].read(&ones), speeds[0].read(&ones), binding.robots[0].payload.read(&ones)];
+        for (read, expected) in read.into_iter().zip([rad, rad_s, kg]) {
+            assert!((read - expected).abs() < 1e-12, "{angle} {speed} {mass}: {read} {expected}");
+        }
+        assert!(binding.warnings.is_empty(), "{:?}", binding.warnings);
+    }
+}
+
+#[test]
 fn start_values_and_limits() {
     let push = "<Real unit=\"rad/s\" min=\"-1.0\" max=\"1.0\" start=\"0.0\"/>";
     let with = |attributes: &str| changed(push, &format!("<Real unit=\"rad/s\" {attributes}/>"));

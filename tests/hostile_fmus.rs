@@ -4,7 +4,9 @@
 
 mod common;
 
-use common::archives::{BINARY, Entries, entries, folder_with, pack, refused, run, same, with_binary, with_xml};
+use common::archives::{
+    BINARY, Entries, entries, entries_of, folder_with, pack, refused, run, same, with_binary, with_xml,
+};
 use common::fmi_hazard;
 
 /// The files of the test FMU under other names.
@@ -189,6 +191,45 @@ fn state_functions_that_are_declared_and_missing_are_done_without() {
         assert!(stdout.contains(text), "{stdout}");
     }
     assert_eq!((code, stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn a_state_of_more_bytes_than_there_is_memory_is_not_asked_for() {
+    let source = source_with_step("return 0;")
+        + "int fmi2GetFMUstate(void *c, void **s) { if (!*s) *s = malloc(1); return 0; }\n\
+           int fmi2SetFMUstate(void *c, void *s) { return 0; }\n\
+           int fmi2FreeFMUstate(void *c, void **s) { free(*s); *s = 0; return 0; }\n\
+           int fmi2Reset(void *c) { return 0; }\n\
+           int fmi2SerializedFMUstateSize(void *c, void *s, size_t *n) { *n = (size_t)-1; return 0; }\n\
+           int fmi2SerializeFMUstate(void *c, void *s, char *b, size_t n) { return 0; }\n\
+           int fmi2DeSerializeFMUstate(void *c, const char *b, size_t n, void **s) { return 3; }\n";
+    let library = compiled(&source, &[]);
+    let dir = folder_with(&with_binary(|_| library.clone()));
+    let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu", "--steps", "8"]);
+    let text = "serialised state in another instance   FAILED: fmi2SerializedFMUstateSize says that a state has \
+                18446744073709551615 bytes, which cannot be\n";
+    assert!(stdout.contains(text), "{stdout}");
+    assert_eq!((code, stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn fmi_3_binaries_are_told_apart_too() {
+    let with = |change: fn(&mut (String, Vec<u8>))| {
+        let mut all = entries_of("faulty-fmi3.fmu");
+        all.iter_mut().filter(|(name, _)| name.ends_with(".so")).for_each(change);
+        pack(&all)
+    };
+    let other = with(|(name, _)| *name = name.replace("x86_64-linux", "linux64"));
+    let none = "x.fmu: this FMU has no binary for this machine: x86_64-linux is needed, it contains linux64. Ask its maker \
+                for a x86_64-linux export, or run this program on a machine it was made for";
+    refused("selftest", &other, none);
+    let empty = with(|(_, content)| *content = compiled("int nothing;", &[]));
+    let lacks = "x.fmu: the binary of this FMU lacks fmi3FreeInstance, which every FMI 3.0 co-simulation FMU must have. Ask \
+                 its maker for a complete export";
+    refused("selftest", &empty, lacks);
+    let text = with(|(_, content)| *content = b"a letter".to_vec());
+    let letter = "x.fmu: faulty.so cannot be loaded: it is not a shared library. Export the FMU for x86_64-linux";
+    refused("selftest", &text, letter);
 }
 
 #[test]

@@ -125,11 +125,6 @@ pub enum Error {
         /// What is wrong.
         reason: String,
     },
-    /// A serialised state of a size that cannot be.
-    #[error(
-        "the FMU says that a serialised state of it takes {0} bytes, more than a GiB: its states cannot be serialised"
-    )]
-    StateSize(usize),
     /// modelDescription.xml is missing.
     #[error("{path} has no modelDescription.xml at its top level{hint}")]
     NoDescription {

@@ -3,6 +3,7 @@
 //! This floor knows nothing of humans, robots or processes and could be a crate of its own. In order of use:
 //!
 //! 1. [`Fmu::open`] checks and unpacks the archive and reads modelDescription.xml; nothing of the FMU runs.
+//!    [`ModelDescription::from_xml`] reads the latter alone.
 //! 2. [`Fmu::load`] checks the binary's header and loads it: from here on the FMU's code may run.
 //! 3. [`Slave::instantiate`] makes an instance, whose life is a chain of types: [`Instance<Instantiated>`],
 //!    [`Instance<Initializing>`], [`Instance<Stepping>`].

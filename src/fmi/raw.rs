@@ -12,14 +12,14 @@ use super::error::{CallFailure, Error, Log, Status};
 use super::library::{Slave, Table};
 use super::log::{Environment, lock};
 
-/// Most bytes of a serialised state.
-const LARGEST_STATE: usize = 1 << 30;
-
 /// Handles that no [`State`] holds any more.
 #[derive(Default)]
 struct FreeList {
     handles: Mutex<Vec<StateHandle>>,
 }
+
+/// A serialised state of more bytes is taken for a mistake, or for an attack on our memory.
+const MOST_STATE_BYTES: usize = 1 << 30;
 
 /// A raw state handle.
 struct StateHandle(FmuState);
@@ -259,8 +259,9 @@ impl Raw {
         // SAFETY: the handle was given by this instance; `size` is written during the call.
         let status = unsafe { size_of(self.component, handle, &raw mut size) };
         self.check(names.serialized_size, status)?;
-        if size > LARGEST_STATE {
-            return Err(Error::StateSize(size));
+        if size > MOST_STATE_BYTES {
+            let name = names.serialized_size;
+            return Err(self.misbehaved(format!("{name} says that a state has {size} bytes, which cannot be")));
         }
         let mut bytes = vec![0_u8; size];
         // SAFETY: the buffer has the size that the FMU asked for.
