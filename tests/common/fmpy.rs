@@ -60,7 +60,7 @@ fn compare_with(dir: &Path, path: &Path, options: &[&str]) {
     let table = write(dir, "inputs.csv", &table);
     let out = dir.join("outputs.csv");
     let script = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tools/fmpy_check.py");
-    let status = Command::new(python())
+    let output = Command::new(python())
         // What our side preloads is of no use to a Python of another version.
         .env_remove("LD_PRELOAD")
         .arg(script)
@@ -70,9 +70,10 @@ fn compare_with(dir: &Path, path: &Path, options: &[&str]) {
         .arg(table)
         .arg("--output")
         .arg(&out)
-        .status()
+        .output()
         .unwrap();
-    assert!(status.success(), "FMPy found problems in {}", path.display());
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "FMPy found problems in {}: {said}", path.display());
 
     let slave = fmu.load().unwrap();
     let handles = |variables: &[&Variable]| -> Vec<Handle> {
