@@ -283,7 +283,9 @@ fn fmus_that_allow_one_instance_or_need_their_tool_say_why_they_refuse() {
     let (code, stdout, _) = run(folder_with(&fmu).path(), &["selftest", "x.fmu"]);
     let text = "FAILED: the FMU refused to be instantiated: it allows one instance in a process only";
     assert!(stdout.contains(text), "{stdout}");
-    assert_eq!(code, 3);
+    // Each run has a process of its own then.
+    assert!(stdout.contains("brings states back by: ") && stdout.contains("runs once in a process"), "{stdout}");
+    assert_eq!(code, 0);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::hosting::HostingArguments;
 use super::output;
 use crate::fmi::{Causality, Fmu, ModelDescription, Variability, Variable};
 use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Launcher, examine};
+use crate::host::isolation::{Examination, Launcher, Unpacked, examine};
 use crate::host::port::Port;
 use crate::host::selftest::{SelfTest, selftest};
 use crate::host::{PlantError, SystemSetup, UnitPort};
@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             selftest(&[slave], &setup, steps, &[], Activity::unseen(), &mut |_| {}).map_err(failed)?
         }
         Hosting::Workers { program, guard, limits } => {
-            let launcher = Launcher::new(program, vec![fmu.folder().to_owned()], setup, guard, limits);
+            let launcher = Launcher::new(program, vec![Unpacked::of(&fmu)], setup, guard, limits);
             let Examination { result, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
             for missing in missing {
                 output::note(&format!("   Warning protection against the FMU: {missing}"));

@@ -116,13 +116,13 @@ impl Fmu {
         Self::read(path, unpacked.sha256, Files::Own(unpacked.files))
     }
 
-    /// An FMU that [`Fmu::open`] has unpacked to `folder` before, maybe in another process. The folder stays with its
-    /// owner; the checksum is not known here.
+    /// The FMU at `path` that [`Fmu::open`] has unpacked to `folder` before, maybe in another process. The folder stays
+    /// with its owner; the checksum is not known here.
     ///
     /// # Errors
     /// As [`Fmu::open`].
-    pub fn reopen(folder: &Path) -> Result<Self, Error> {
-        Self::read(folder, String::new(), Files::Others(folder.to_owned()))
+    pub fn reopen(path: &Path, folder: &Path) -> Result<Self, Error> {
+        Self::read(path, String::new(), Files::Others(folder.to_owned()))
     }
 
     fn read(path: &Path, sha256: String, files: Files) -> Result<Self, Error> {

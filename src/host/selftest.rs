@@ -256,12 +256,13 @@ pub fn selftest(
         Agreement::NotOffered
     };
     let serialises = offers_states && slaves.iter().all(|slave| slave.capabilities().can_serialize_state);
-    let bytes_per_state = if serialises && wanted(Stage::StateSize) { state_size(fresh()).ok() } else { None };
-    let serialize = if bytes_per_state.is_some() && wanted(Stage::Serialize) {
-        serialize_test(&fresh, &reference, &main, steps, width, rows)
-    } else {
-        Agreement::NotOffered
+    let size = (serialises && wanted(Stage::StateSize)).then(|| state_size(fresh()));
+    let serialize = match &size {
+        Some(Err(error)) => Agreement::Failed { reason: error.message.clone() },
+        Some(Ok(_)) if wanted(Stage::Serialize) => serialize_test(&fresh, &reference, &main, steps, width, rows),
+        _ => Agreement::NotOffered,
     };
+    let bytes_per_state = size.and_then(Result::ok);
     let reset = if wanted(Stage::Reset) {
         compare((|| {
             let mut plant = fresh();

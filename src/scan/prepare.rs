@@ -11,7 +11,7 @@ use crate::cell::find::{OpenError, OpenedCell, open};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Limits, examine};
+use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Limits, Unpacked, examine};
 use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
@@ -191,8 +191,8 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
             (result.map_err(PrepareError::FirstRun)?, Vec::new(), false, Source::Here { slaves, setup })
         }
         Hosting::Workers { program, guard, limits } => {
-            let folders = fmus.iter().map(|(_, fmu)| fmu.folder().to_owned()).collect();
-            let launcher = Launcher::new(program.clone(), folders, setup, *guard, *limits);
+            let unpacked = fmus.iter().map(|(_, fmu)| Unpacked::of(fmu)).collect();
+            let launcher = Launcher::new(program.clone(), unpacked, setup, *guard, *limits);
             let Examination { result, launcher, missing, step_time } =
                 examine(&launcher, episode, &skip).map_err(PrepareError::first_run)?;
             let action = step_time * u32::try_from(cell.steps_per_action).unwrap_or(1);

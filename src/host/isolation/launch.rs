@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::channel::Channel;
-use super::message::{Answer, Load, Question};
+use super::message::{Answer, Load, Question, Unpacked};
 use super::process::{self, Ended};
 use super::sandbox::Rules;
 use crate::fmi::temporary::Folder;
@@ -73,8 +73,8 @@ impl Launcher {
     /// For these unpacked FMUs. `program` is started as `program worker N` and must then call
     /// [`serve`](super::serve)`(N)` before it does anything else, as `fmi-hazard` does.
     #[must_use]
-    pub fn new(program: PathBuf, folders: Vec<PathBuf>, setup: SystemSetup, guard: Guard, limits: Limits) -> Self {
-        let load = Load { folders, setup, event_mode: None, sandbox: None };
+    pub fn new(program: PathBuf, fmus: Vec<Unpacked>, setup: SystemSetup, guard: Guard, limits: Limits) -> Self {
+        let load = Load { fmus, setup, event_mode: None, sandbox: None };
         Self { load: Arc::new(load), guard, limits, program, said: Arc::default() }
     }
 
@@ -105,10 +105,10 @@ impl Launcher {
             ..PlantError::default()
         };
         let mut worker = Worker::spawn(self).map_err(|e| ours("a worker process cannot be started", &e))?;
+        let folders = |load: &Load| load.fmus.iter().map(|fmu| fmu.folder.clone()).collect();
         let mut load = (*self.load).clone();
         let own = worker.folder.path().to_owned();
-        load.sandbox =
-            (self.guard == Guard::Sandboxed).then(|| Rules { read: load.folders.clone(), write: vec![own], fork });
+        load.sandbox = (self.guard == Guard::Sandboxed).then(|| Rules { read: folders(&load), write: vec![own], fork });
         match worker.ask(&Question::Load(Box::new(load)), &self.limits)? {
             Answer::Loaded { missing } => {
                 worker.missing = missing;

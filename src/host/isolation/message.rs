@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use crate::fmi::Fmu;
 use crate::host::plant::{Fingerprint, PlantError};
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::system::SystemSetup;
@@ -38,11 +39,28 @@ pub(super) enum Saving {
     ByFork,
 }
 
+/// An FMU that was opened by the program.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Unpacked {
+    /// Where it was opened from, for messages.
+    pub path: PathBuf,
+    /// Where its files are.
+    pub folder: PathBuf,
+}
+
+impl Unpacked {
+    /// The files of `fmu`, which must live as long as they are needed.
+    #[must_use]
+    pub fn of(fmu: &Fmu) -> Self {
+        Self { path: fmu.path().to_owned(), folder: fmu.folder().to_owned() }
+    }
+}
+
 /// What a worker needs to know of its FMUs.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Load {
-    /// Folders of the unpacked FMUs.
-    pub folders: Vec<PathBuf>,
+    /// The FMUs.
+    pub fmus: Vec<Unpacked>,
     /// What is written and read.
     pub setup: SystemSetup,
     /// Whether each FMU is driven with its event mode, where that is known already.

@@ -21,4 +21,5 @@ mod worker;
 pub use examine::{Examination, examine};
 pub use isolated::{Checkpoint, Isolated, Keeping};
 pub use launch::{Guard, Launcher, Limits};
+pub use message::Unpacked;
 pub use worker::serve;

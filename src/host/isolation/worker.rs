@@ -182,7 +182,8 @@ impl Server {
             },
         };
         self.activity.begin(Call::Load, 0);
-        let slaves = load.folders.iter().map(|folder| Fmu::reopen(folder)?.load()).collect::<Result<Vec<_>, _>>();
+        let slaves =
+            load.fmus.iter().map(|fmu| Fmu::reopen(&fmu.path, &fmu.folder)?.load()).collect::<Result<Vec<_>, _>>();
         let slaves = match slaves {
             Ok(slaves) => slaves,
             Err(error) => return not_loaded(error.to_string(), error.while_running()),
