@@ -92,6 +92,12 @@ impl PlantError {
         Self { message: message.into(), ..Self::default() }
     }
 
+    /// In how many fresh processes something is tried before such a failure counts as the FMU's own. Fewer where it has
+    /// to be ended because it gave no answer or took too much, which takes long.
+    pub(super) const fn tries(&self) -> u32 {
+        if self.ended_by_us { 2 } else { 5 }
+    }
+
     /// The same at a simulation time.
     #[must_use]
     pub fn at(self, time_s: f64) -> Self {
@@ -112,3 +118,14 @@ impl fmt::Display for PlantError {
 }
 
 impl std::error::Error for PlantError {}
+
+/// Tries again when the process of the FMU is gone.
+pub(super) fn insist<T>(attempt: &mut dyn FnMut() -> Result<T, PlantError>) -> Result<T, PlantError> {
+    let mut tries = 1;
+    loop {
+        match attempt() {
+            Err(error) if error.lost && tries < error.tries() => tries += 1,
+            outcome => return outcome,
+        }
+    }
+}

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::plant::{Plant, PlantError};
+use super::plant::{Plant, PlantError, insist};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -102,10 +102,6 @@ impl<C> Default for Arrival<C> {
     }
 }
 
-/// Fresh processes in which an action is tried before its failure counts as the FMU's own.
-const TRIES: u32 = 3;
-/// The same, when it has to be ended because it gave no answer or took too much, which takes long.
-const TRIES_BLOCKED: u32 = 2;
 /// Restores in a row that may end the process before saved states are given up.
 const RESTORES_LOST: u32 = 3;
 
@@ -159,15 +155,10 @@ impl<P: Plant> Recall<P> {
     /// # Errors
     /// When the FMU cannot be started.
     pub fn new(mut plant: P, policy: Policy) -> Result<Self, PlantError> {
-        let outputs = plant.restart()?.into();
-        let mut checkpoints = 0;
-        let checkpoint = match policy {
-            Policy::States { max_checkpoints } if max_checkpoints > 0 => {
-                checkpoints = 1;
-                Some(plant.save()?)
-            }
-            _ => None,
-        };
+        let saves = matches!(policy, Policy::States { max_checkpoints } if max_checkpoints > 0);
+        let mut begin = || Ok((plant.restart()?.into(), if saves { Some(plant.save()?) } else { None }));
+        let (outputs, checkpoint) = insist(&mut begin)?;
+        let checkpoints = usize::from(saves);
         let root = Node {
             parent: NodeId::ROOT,
             depth: 0,
@@ -231,9 +222,12 @@ impl<P: Plant> Recall<P> {
     /// # Errors
     /// When the FMU cannot be brought back to its start.
     pub fn merge_equal_states(&mut self) -> Result<bool, PlantError> {
-        self.go_to(NodeId::ROOT)?;
+        let print = insist(&mut || {
+            self.go_to(NodeId::ROOT)?;
+            self.plant.fingerprint()
+        });
         // An FMU that refuses to serialise is no failure: then histories are told apart.
-        let Ok(Some(print)) = self.plant.fingerprint() else { return Ok(false) };
+        let Ok(Some(print)) = print else { return Ok(false) };
         self.state_bytes = print.bytes;
         self.known = Some(BTreeMap::from([((0, print.digest), NodeId::ROOT)]));
         Ok(true)
@@ -371,7 +365,7 @@ impl<P: Plant> Recall<P> {
             // What went well before must go well again.
             if let Err(error) = self.go_to(node) {
                 tries += 1;
-                if error.lost && tries < TRIES {
+                if error.lost && tries < error.tries() {
                     continue;
                 }
                 let message = format!("what the FMU did before cannot be repeated: {}", error.message);
@@ -387,7 +381,7 @@ impl<P: Plant> Recall<P> {
             match stepped {
                 Err(error) if error.lost => {
                     tries += 1;
-                    if tries >= if error.ended_by_us { TRIES_BLOCKED } else { TRIES } {
+                    if tries >= error.tries() {
                         return Err(error);
                     }
                 }

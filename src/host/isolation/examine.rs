@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
-use crate::host::plant::{Plant as _, PlantError};
+use crate::host::plant::{Plant as _, PlantError, insist};
 use crate::host::selftest::{Agreement, SelfTest, Stage, agreement, input_row, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
@@ -27,7 +27,7 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let inputs = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
     let (main, other) = (inputs(0), inputs(1));
     let mut step_time = Duration::ZERO;
-    let mut run = || {
+    let mut run = || -> Result<Vec<f64>, PlantError> {
         let mut plant = Isolated::new(launcher.clone(), Keeping::Processes);
         let mut run = plant.restart()?;
         let began = Instant::now();
@@ -35,9 +35,10 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
         step_time = began.elapsed() / u32::try_from(steps.max(1)).unwrap_or(u32::MAX);
         Ok(run)
     };
+    let mut run = || insist(&mut run);
     let reference: Vec<f64> = match run() {
         Ok(reference) => reference,
-        Err::<_, PlantError>(error) => {
+        Err(error) => {
             result.fresh_process = Agreement::Failed { reason: error.message };
             return step_time;
         }
@@ -59,8 +60,18 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
 pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
     let mut crashed: Vec<(Stage, String)> = Vec::new();
+    let mut deaths: Vec<Stage> = Vec::new();
+    let again = |deaths: &mut Vec<Stage>, stage: Stage, error: &PlantError| {
+        deaths.push(stage);
+        let so_far = deaths.iter().filter(|known| **known == stage).count();
+        error.lost && u32::try_from(so_far).unwrap_or(u32::MAX) < error.tries()
+    };
     loop {
-        let mut worker = launcher.start(false)?;
+        let mut worker = match launcher.start(false) {
+            Ok(worker) => worker,
+            Err(error) if again(&mut deaths, Stage::FirstRun, &error) => continue,
+            Err(error) => return Err(error),
+        };
         let left_out: Vec<Stage> = skip.iter().copied().chain(crashed.iter().map(|(stage, _)| *stage)).collect();
         let error = match worker.ask(&Question::SelfTest { steps, skip: left_out }, &launcher.limits) {
             Ok(Answer::Tested { result, event_mode }) => {
@@ -80,6 +91,9 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
             Err(error) => error,
         };
         let stage = Stage::numbered(worker.stage()).unwrap_or(Stage::FirstRun);
+        if again(&mut deaths, stage, &error) {
+            continue;
+        }
         if stage == Stage::FirstRun || crashed.iter().any(|(known, _)| *known == stage) {
             return Err(error);
         }
