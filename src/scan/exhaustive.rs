@@ -20,6 +20,9 @@ use crate::sim::expansion::{Expander, Merge};
 /// Budget of the random search whose figures stand in the certificate: the paper's.
 const RANDOM_ITERATIONS: u32 = 320;
 
+/// Different faults kept with their sequences; further ones are only counted.
+const FAULTS_KEPT: usize = 20;
+
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exhaustive {
@@ -61,6 +64,7 @@ pub(super) fn census(
     let merge = if prepared.tells_states_by_bytes() { options.merge } else { Merge::History };
     let mut expander = Expander::new(cell, binding, prepared.plant(state), policy, merge, options.workers)
         .map_err(|cause| ScanError { cause })?;
+    let mut faults = Vec::new();
     let outcome = exhaust(&mut expander, options.budget, &mut |told| match told {
         Told::Met(met) => {
             let mut actions: Vec<Action> = met.prefixes.calmest.iter().map(|&a| Action::ALL[usize::from(a)]).collect();
@@ -72,6 +76,14 @@ pub(super) fn census(
             groups
                 .get(&id)
                 .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
+        }
+        Told::Failed { reason, action, prefixes } => {
+            if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {
+                let mut actions: Vec<Action> = prefixes.calmest.iter().map(|&a| Action::ALL[usize::from(a)]).collect();
+                actions.push(Action::ALL[action]);
+                faults.push(FaultRecord { message: reason, actions });
+            }
+            ControlFlow::Continue(())
         }
         Told::Working => tell(Progress::Working),
         Told::Progress { depth, done, of } => tell(Progress::Level { depth, done, of, hazards: groups.len() }),
@@ -87,11 +99,7 @@ pub(super) fn census(
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
         effort: expander.recall().effort_of_workers(),
-        faults: expander
-            .faults()
-            .iter()
-            .map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() })
-            .collect(),
+        faults,
         broken,
     })
 }

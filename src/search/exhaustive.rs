@@ -20,7 +20,7 @@ pub enum Effect<U> {
     /// Leads to an unsafe state: the sequence ends.
     Unsafe(U),
     /// The simulator could not finish it: what it leads to is not known.
-    NotEvaluated,
+    NotEvaluated(String),
 }
 
 /// A state with all that can be done from it.
@@ -129,6 +129,15 @@ pub enum Told<'a, U> {
     Working,
     /// An unsafe state.
     Met(Met<'a, U>),
+    /// An action that could not be evaluated.
+    Failed {
+        /// Why.
+        reason: String,
+        /// The action.
+        action: usize,
+        /// The sequences before it.
+        prefixes: &'a Prefixes,
+    },
     /// So many states of a level have been expanded.
     Progress {
         /// Actions before these states.
@@ -280,7 +289,10 @@ pub fn exhaust<E: Expansion>(
                                 }
                             }
                         }
-                        Effect::NotEvaluated => account.not_evaluated += &prefixes.count * &left,
+                        Effect::NotEvaluated(reason) => {
+                            account.not_evaluated += &prefixes.count * &left;
+                            let _ = tell(Told::Failed { reason, action, prefixes });
+                        }
                         Effect::Unsafe(unsafe_state) => {
                             let sequences = &prefixes.count * &left;
                             account.hazardous += &sequences;

@@ -25,7 +25,7 @@ impl Ring {
     fn effect(depth: usize, field: i64, action: usize) -> Effect<(usize, i64, usize)> {
         match action {
             3 if field % 5 == 0 && depth % 2 == 1 => Effect::Unsafe((depth, field, action)),
-            2 if field == 7 => Effect::NotEvaluated,
+            2 if field == 7 => Effect::NotEvaluated("seven".to_owned()),
             _ => Effect::To(action),
         }
     }
@@ -101,7 +101,7 @@ fn enumerated(horizon: usize) -> (Unsafe, [u64; 3]) {
         for (depth, &action) in actions.iter().enumerate() {
             match Ring::effect(depth, field, action) {
                 Effect::To(_) => field = (field + MOVES[action]).rem_euclid(11),
-                Effect::NotEvaluated => {
+                Effect::NotEvaluated(_) => {
                     fate = 2;
                     break;
                 }
@@ -171,6 +171,22 @@ fn a_budget_or_a_wish_ends_it_with_what_is_known() {
     let account = account.unwrap();
     assert_eq!((account.stopped, account.depth), (Stopped::Asked, 5));
     assert!(account.covered() < account.total);
+}
+
+#[test]
+fn what_failed_is_told_with_its_calmest_sequence() {
+    let mut failed = Vec::new();
+    let account = exhaust(&mut Ring::new(4), BUDGET, &mut |told| {
+        if let Told::Failed { reason, action, prefixes } = told {
+            failed.push((reason, prefixes.calmest.clone(), action));
+        }
+        ControlFlow::Continue(())
+    });
+    assert!(account.unwrap().not_evaluated > BigUint::ZERO && !failed.is_empty());
+    for (reason, prefix, action) in failed {
+        let field = prefix.iter().fold(2_i64, |field, &a| (field + MOVES[usize::from(a)]).rem_euclid(11));
+        assert_eq!((reason.as_str(), field, action), ("seven", 7, 2));
+    }
 }
 
 #[test]

@@ -20,7 +20,6 @@ use super::Coverage;
 use super::bound::RobotBounds;
 use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
-use super::simulation::Fault;
 use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
@@ -59,7 +58,6 @@ pub struct Expander<P: Plant> {
     /// With light curtains: the first node with the same state and the same states had the curtain been broken earlier.
     bundles: BTreeMap<Vec<Option<NodeId>>, NodeId>,
     coverage: Coverage,
-    faults: Vec<Fault>,
     questions: u64,
 }
 
@@ -149,6 +147,9 @@ impl Rows {
     }
 }
 
+/// Numbers of the next state and of the transition, or why there is none.
+type Reached = Result<(usize, usize), String>;
+
 /// What a thread has answered, by the number of the stance, and what it saw.
 type Answered = (Vec<(usize, Vec<Option<Hit>>)>, Coverage);
 
@@ -178,7 +179,6 @@ impl<P: Plant> Expander<P> {
             by_bytes,
             bundles: BTreeMap::new(),
             coverage: Coverage::new(world.cell.sensors.len()),
-            faults: Vec::new(),
             questions: 0,
             world,
         })
@@ -188,12 +188,6 @@ impl<P: Plant> Expander<P> {
     #[must_use]
     pub const fn coverage(&self) -> &Coverage {
         &self.coverage
-    }
-
-    /// Actions the FMU could not finish, without their sequences; the first few.
-    #[must_use]
-    pub fn faults(&self) -> &[Fault] {
-        &self.faults
     }
 
     /// The FMU's states and what reaching them cost.
@@ -244,22 +238,22 @@ impl<P: Plant> Expander<P> {
         let last = depth + 1 == self.horizon();
         for (w, walk) in Walk::ALL.into_iter().enumerate() {
             // Postures that the sensors see alike share everything but the contacts.
-            let mut alike: Vec<(Sensed, Option<(usize, usize)>)> = Vec::new();
+            let mut alike: Vec<(Sensed, Reached)> = Vec::new();
             for (p, posture) in Posture::ALL.into_iter().enumerate() {
                 let action = Action::new(walk, posture);
                 let own = ahead.sights[w].get(p).map(|sights| self.world.sense(&state.delays, sights));
                 let known = match &own {
-                    None => alike.first().map(|(_, to)| *to),
-                    Some(own) => alike.iter().find(|(s, _)| s.same(own)).map(|(_, to)| *to),
+                    None => alike.first().map(|(_, to)| to.clone()),
+                    Some(own) => alike.iter().find(|(s, _)| s.same(own)).map(|(_, to)| to.clone()),
                 };
                 let to = match (known, own) {
                     (Some(to), _) => to,
-                    (None, None) => None,
+                    (None, None) => Err(String::new()),
                     (None, Some(sensed)) => {
                         let to = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
                             Advanced::Fault(fault) => {
-                                self.fault(action, depth, &fault.message);
-                                None
+                                self.coverage.episodes_not_evaluated += 1;
+                                Err(fault.message.clone())
                             }
                             Advanced::To(node) => {
                                 // Where the sequences end, nothing depends on which state it is.
@@ -270,30 +264,25 @@ impl<P: Plant> Expander<P> {
                                 let frames = self.robots.frames(node);
                                 self.look(&ahead.walks[w], &sensed, &frames);
                                 transitions.push(Transition { node, frames, sensed: sensed.clone() });
-                                Some((expanded.next.len() - 1, transitions.len() - 1))
+                                Ok((expanded.next.len() - 1, transitions.len() - 1))
                             }
                         };
-                        alike.push((sensed, to));
+                        alike.push((sensed, to.clone()));
                         to
                     }
                 };
-                let Some((next, transition)) = to else {
-                    expanded.effects.push(Effect::NotEvaluated);
-                    continue;
+                let (next, transition) = match to {
+                    Ok(to) => to,
+                    Err(reason) => {
+                        expanded.effects.push(Effect::NotEvaluated(reason));
+                        continue;
+                    }
                 };
                 expanded.effects.push(Effect::To(next));
                 pending.push(Pending { state: index, walk: w, transition, action });
             }
         }
         Ok((expanded, transitions))
-    }
-
-    fn fault(&mut self, action: Action, depth: usize, message: &str) {
-        self.coverage.episodes_not_evaluated += 1;
-        if self.faults.len() < 20 && self.faults.iter().all(|f| f.message != message) {
-            let message = format!("{message} (in {action}, action {} of its sequence)", depth + 1);
-            self.faults.push(Fault { actions: Vec::new(), message });
-        }
     }
 
     fn look(&mut self, walked: &WalkTrace, sensed: &Sensed, frames: &Frames) {

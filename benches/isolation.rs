@@ -1,0 +1,120 @@
+//! What hosting an FMU in a worker process costs: an action and a whole scan against the same in this process, and the
+//! ways of coming back to a state over the length of the way there.
+//!
+//! `cargo bench --bench isolation`; read ratios within one run, not single times.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use divan::{Bencher, black_box};
+use fmi_hazard::host::Plant as _;
+use fmi_hazard::host::isolation::{Guard, Limits};
+use fmi_hazard::scan::prepare::prepare_in;
+use fmi_hazard::scan::run::Method;
+use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
+use tempfile::TempDir;
+
+fn main() {
+    divan::main();
+}
+
+static FILES: LazyLock<TempDir> = LazyLock::new(|| {
+    let dir = TempDir::new().expect("a temporary folder");
+    fmi_hazard::examples::export(dir.path()).expect("the examples can be written");
+    dir
+});
+
+fn cell(hosting: &Hosting) -> Prepared {
+    prepare_in(&FILES.path().join("safety-fence/cell.toml"), None, hosting).expect("the example can be run")
+}
+
+static HERE: LazyLock<Prepared> = LazyLock::new(|| cell(&Hosting::InProcess));
+static APART: LazyLock<Prepared> = LazyLock::new(|| {
+    let program = PathBuf::from(env!("CARGO_BIN_EXE_fmi-hazard"));
+    cell(&Hosting::Workers { program, guard: Guard::Sandboxed, limits: Limits::default() })
+});
+
+/// Steps in one action.
+const STEPS: usize = 10;
+
+/// The FMU's part of an action alone: the message is most of it.
+#[divan::bench(args = ["here", "apart"])]
+fn a_fmu_action(bencher: Bencher, place: &str) {
+    let cell = if place == "here" { &HERE } else { &APART };
+    let mut plant = cell.plant(StateChoice::Auto);
+    plant.restart().expect("a start");
+    let inputs = cell.binding.constants.repeat(STEPS);
+    bencher.bench_local(|| black_box(plant.advance(STEPS, &inputs).expect("an action")));
+}
+
+/// A scan of 320 iterations, from opened cell to confirmed report.
+#[divan::bench(args = ["here", "apart"], sample_count = 10)]
+fn b_scan_of_320_iterations(bencher: Bencher, place: &str) {
+    let cell = if place == "here" { &HERE } else { &APART };
+    let options = ScanOptions {
+        method: Method::Strategy(StrategyName::MctsDpw),
+        seed: 1,
+        iterations: 320,
+        stop_at_first: false,
+        posture_sweep: true,
+        state: StateChoice::Auto,
+    };
+    bencher.bench_local(|| black_box(scan(cell, options, &mut |_| ControlFlow::Continue(())).expect("a scan")));
+}
+
+/// Coming back to a state that the FMU saved, whatever led there.
+#[divan::bench]
+fn c_back_by_saved_state(bencher: Bencher) {
+    back_by_state(bencher, StateChoice::Fmu);
+}
+
+/// Coming back to a copy of the process, whatever led there.
+#[divan::bench(sample_count = 50)]
+fn d_back_by_copy(bencher: Bencher) {
+    back_by_state(bencher, StateChoice::Fork);
+}
+
+/// Making a copy of the process.
+#[divan::bench(sample_count = 50)]
+fn e_making_a_copy(bencher: Bencher) {
+    let mut plant = APART.plant(StateChoice::Fork);
+    plant.restart().expect("a start");
+    bencher.bench_local(|| plant.save().expect("a copy"));
+}
+
+/// The same by a fresh instance and so many actions again.
+#[divan::bench(args = [0, 1, 2, 4, 8, 16], sample_count = 50)]
+fn f_back_by_replay(bencher: Bencher, actions: usize) {
+    back_by_replay(bencher, StateChoice::Replay, actions);
+}
+
+/// The same in a fresh process.
+#[divan::bench(args = [0, 4, 8, 16], sample_count = 20)]
+fn g_back_by_process(bencher: Bencher, actions: usize) {
+    back_by_replay(bencher, StateChoice::Process, actions);
+}
+
+/// To a state and an action on.
+fn back_by_state(bencher: Bencher, choice: StateChoice) {
+    let mut plant = APART.plant(choice);
+    plant.restart().expect("a start");
+    let inputs = APART.binding.constants.repeat(STEPS);
+    let state = plant.save().expect("a state");
+    bencher.bench_local(|| {
+        plant.restore(&state).expect("the state again");
+        black_box(plant.advance(STEPS, &inputs).expect("an action"))
+    });
+}
+
+/// To the state after so many actions and an action on.
+fn back_by_replay(bencher: Bencher, choice: StateChoice, actions: usize) {
+    let mut plant = APART.plant(choice);
+    let inputs = APART.binding.constants.repeat(STEPS);
+    bencher.bench_local(|| {
+        plant.restart().expect("a start");
+        for _ in 0..=actions {
+            black_box(plant.advance(STEPS, &inputs).expect("an action"));
+        }
+    });
+}
