@@ -80,7 +80,7 @@ fn d_back_by_copy(bencher: Bencher) {
 fn e_making_a_copy(bencher: Bencher) {
     let mut plant = APART.plant(StateChoice::Fork);
     plant.restart().expect("a start");
-    bencher.bench_local(|| plant.save().expect("a copy"));
+    bencher.bench_local(|| drop(plant.save().expect("a copy")));
 }
 
 /// The same by a fresh instance and so many actions again.

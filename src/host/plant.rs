@@ -58,6 +58,43 @@ pub trait Plant {
     }
 }
 
+/// A plant that is lent.
+impl<P: Plant> Plant for &mut P {
+    type Checkpoint = P::Checkpoint;
+
+    fn input_count(&self) -> usize {
+        (**self).input_count()
+    }
+
+    fn output_count(&self) -> usize {
+        (**self).output_count()
+    }
+
+    fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+        (**self).restart()
+    }
+
+    fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        (**self).advance(steps, inputs)
+    }
+
+    fn save(&mut self) -> Result<P::Checkpoint, PlantError> {
+        (**self).save()
+    }
+
+    fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        (**self).fingerprint()
+    }
+
+    fn restore(&mut self, checkpoint: &P::Checkpoint) -> Result<(), PlantError> {
+        (**self).restore(checkpoint)
+    }
+
+    fn holds(&self, checkpoint: &P::Checkpoint) -> bool {
+        (**self).holds(checkpoint)
+    }
+}
+
 /// The serialised state of a plant, in short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {

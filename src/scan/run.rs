@@ -188,13 +188,15 @@ pub fn scan(
     } = searched;
     let mut warnings = prepared.binding.warnings.clone();
     warnings.extend(notes);
+    // One process for all; each replay has a fresh instance in it.
+    let mut plant = prepared.plant(StateChoice::Replay);
     let hazards: Vec<Hazard> = groups
         .ranked()
         .into_iter()
         .map(|group| {
             let mut hazard = Hazard::new(group, &links, &sensors);
-            hazard.confirmed = Some(confirm(prepared, &group.worst));
-            hazard.shortest.confirmed = Some(confirm(prepared, &group.shortest));
+            hazard.confirmed = Some(confirm(prepared, &mut plant, &group.worst));
+            hazard.shortest.confirmed = Some(confirm(prepared, &mut plant, &group.shortest));
             hazard
         })
         .collect();
@@ -389,13 +391,8 @@ fn search(
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit.
-fn confirm(prepared: &Prepared, finding: &Finding) -> bool {
-    let again = replay(
-        Arc::clone(&prepared.cell),
-        Arc::clone(&prepared.binding),
-        prepared.plant(StateChoice::Replay),
-        &finding.actions,
-    );
+fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> bool {
+    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions);
     again.is_ok_and(|again| again.as_ref() == Some(finding))
 }
 
