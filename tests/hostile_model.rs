@@ -197,7 +197,7 @@ fn what_only_looks_dangerous_passes() {
         }
     }
     let (result, _) = selftest(&Hostile::v2().what("big-state"));
-    assert_eq!(result["bytes_per_state"], (10 << 20) + 9 * 8);
+    assert_eq!(result["bytes_per_state"], (10 << 20) + 10 * 8);
 }
 
 #[test]

@@ -71,6 +71,7 @@ int setup(struct instance *instance, double start)
 
 int make_step(struct instance *instance, double time, double step)
 {
+    instance->now->stopped = instance->now->stop ? instance->now->stopped + 1 : 0;
     int status = strike(instance, STEP);
     if (refuses(status))
         return status;

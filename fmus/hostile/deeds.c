@@ -46,6 +46,11 @@ const struct deed *asked_for(const char *what)
     return NULL;
 }
 
+bool has_begun(const struct deed *deed, const struct state *now)
+{
+    return deed->when_stopped ? now->stopped >= deed->at : now->steps > deed->at;
+}
+
 bool refuses(int status)
 {
     return status == DISCARD || status == ERROR || status == FATAL;
@@ -76,6 +81,9 @@ static void read_line(const char *key, const char *value)
                 return;
             }
         }
+    } else if (deed && strcmp(key, "when") == 0 && strcmp(value, "stop") == 0) {
+        deed->when_stopped = true;
+        return;
     } else if (deed && strcmp(key, "at") == 0) {
         deed->at = atol(value);
         deed->has_at = true;
@@ -273,8 +281,9 @@ int strike(struct instance *instance, enum place place)
         const struct deed *deed = &deeds[k];
         if (deed->place != place)
             continue;
-        /* Steps are counted in the state, from 0; all other calls in this process, from 1. */
-        long count = place == STEP ? (long)instance->now->steps : call;
+        /* Steps are counted in the state, from 0, or from 1 while it is stopped; all other calls in this process, from 1. */
+        long step = place != STEP ? 0 : deed->when_stopped ? (long)instance->now->stopped : (long)instance->now->steps;
+        long count = place == STEP ? step : call;
         long at = deed->has_at || place == STEP ? deed->at : 1;
         bool again = strcmp(deed->what, "leak") == 0 || strcmp(deed->what, "slow") == 0;
         if (count == at || (again && count > at)) {

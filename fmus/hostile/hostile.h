@@ -32,6 +32,8 @@ struct state {
     /* Hidden, ms. */
     int64_t clock;
     int64_t steps, stop;
+    /* Steps in a row in which stop was true. */
+    int64_t stopped;
     /* 0: nothing to show; else qd is this minus 1: whether something outside could be done. */
     int64_t shown;
 };
@@ -62,7 +64,7 @@ struct saved {
 struct deed {
     char what[32], path[512];
     enum place place;
-    bool has_at;
+    bool has_at, when_stopped;
     long at, size, port;
 };
 
@@ -72,6 +74,8 @@ struct deed {
 const struct deed *asked_for(const char *what);
 /* Does what is due in this call; what the call has to return. */
 int strike(struct instance *instance, enum place place);
+/* Whether `nan` or `infinity` has begun. */
+bool has_begun(const struct deed *deed, const struct state *now);
 /* Whether a call with this status does nothing else. */
 bool refuses(int status);
 /* What `shown` begins with: the answer to a deed that was done before there was an instance. */

@@ -81,9 +81,9 @@ bool get_real(const struct instance *instance, unsigned reference, double *value
         return true;
     case Q:
         *value = now->q;
-        if ((deed = asked_for("nan")) && now->steps > deed->at)
+        if ((deed = asked_for("nan")) && has_begun(deed, now))
             *value = NAN;
-        if ((deed = asked_for("infinity")) && now->steps > deed->at)
+        if ((deed = asked_for("infinity")) && has_begun(deed, now))
             *value = INFINITY;
         if (asked_for("clock-time")) {
             struct timespec clock;

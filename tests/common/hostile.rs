@@ -55,6 +55,11 @@ impl Hostile {
         self.line("where", call).line("at", count)
     }
 
+    /// In the how manieth step in a row with `stop`. A self-test has at most five, so 6 and more meet a search only.
+    pub fn when_stopped(self, count: u32) -> Self {
+        self.at("step", count).line("when", "stop")
+    }
+
     /// Bytes, seconds or milliseconds, as the behaviour needs.
     pub fn size(self, size: i64) -> Self {
         self.line("size", size)
