@@ -182,6 +182,15 @@ fn failure_of<'a>(
     failed
 }
 
+impl Drop for InProcess {
+    fn drop(&mut self) {
+        // The instance goes right after this.
+        if self.instance.is_some() {
+            self.activity.begin(Call::Free, self.step);
+        }
+    }
+}
+
 impl Plant for InProcess {
     type Checkpoint = Checkpoint;
 
