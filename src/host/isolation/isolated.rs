@@ -161,7 +161,8 @@ impl Plant for Isolated {
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
         let grown = self.worker.as_ref().is_some_and(|w| w.growth() > self.launcher.limits.growth);
-        if grown || self.keeping == Keeping::Processes {
+        // Whoever needs copies may be one who runs once in a process; others begin anew so rarely that it costs nothing.
+        if grown || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
             self.end();
         }
         if self.keeping == Keeping::ByFmu {
