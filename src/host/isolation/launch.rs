@@ -94,7 +94,10 @@ impl Launcher {
     #[must_use]
     pub fn printed(&self) -> (String, u64) {
         let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
-        (String::from_utf8_lossy(&said.text).into_owned(), said.bytes)
+        let mut text = String::from_utf8_lossy(&said.text).into_owned();
+        // What is no text takes more bytes than it had.
+        text.truncate((0..=KEPT.min(text.len())).rev().find(|end| text.is_char_boundary(*end)).unwrap_or(0));
+        (text, said.bytes)
     }
 
     /// A worker with the FMUs loaded. With `fork` it may copy itself.
@@ -263,7 +266,9 @@ impl Worker {
         let list = |what: &str| std::fs::read_dir(process.join(what)).into_iter().flatten().flatten();
         let threads = list("task").count();
         if threads != 1 {
-            return Some(format!("the FMU runs {} threads of its own, which a copy does not have", threads.max(1) - 1));
+            let own = threads.max(1) - 1;
+            let s = if own == 1 { "" } else { "s" };
+            return Some(format!("the FMU runs {own} thread{s} of its own, which a copy does not have"));
         }
         let children = std::fs::read_to_string(process.join(format!("task/{alive}/children"))).unwrap_or_default();
         if !children.trim().is_empty() {
