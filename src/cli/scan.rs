@@ -343,7 +343,7 @@ fn conclude(report: &ScanReport, out: &Path) {
     }
 }
 
-/// Set by Ctrl-C; the scan then ends after the iteration it is in.
+/// Set by Ctrl-C and SIGTERM; the scan then ends after the iteration it is in.
 fn stop_flag() -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     let handler = Arc::clone(&flag);
