@@ -11,6 +11,7 @@ pub mod archives;
 pub mod fmpy;
 
 pub mod hostile;
+pub mod scanned;
 
 use std::path::{Path, PathBuf};
 
