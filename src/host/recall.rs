@@ -102,7 +102,7 @@ impl<C> Default for Arrival<C> {
     }
 }
 
-/// Restores in a row that may end the process before saved states are given up.
+/// Restores and saves in a row that may end the process before saved states are given up.
 const RESTORES_LOST: u32 = 3;
 
 /// What merging equal states did.
@@ -360,7 +360,7 @@ impl<P: Plant> Recall<P> {
         inputs: &[f64],
         new: bool,
     ) -> Result<(Vec<f64>, Arrival<P::Checkpoint>), PlantError> {
-        let mut tries = 0;
+        let (mut tries, mut stocktakings) = (0, 0);
         loop {
             // What went well before must go well again.
             if let Err(error) = self.go_to(node) {
@@ -374,20 +374,36 @@ impl<P: Plant> Recall<P> {
             self.at = None;
             self.steps_made += steps as u64;
             let depth = self.nodes[node.0].depth + 1;
-            let stepped = self.plant.advance(steps, inputs).and_then(|outputs| {
-                let arrival = if new { self.arrive(depth, edge)? } else { Arrival::default() };
-                Ok((outputs, arrival))
-            });
-            match stepped {
-                Err(error) if error.lost => {
+            let outputs = match self.plant.advance(steps, inputs) {
+                Ok(outputs) => outputs,
+                Err(error) if error.lost && tries + 1 < error.tries() => {
                     tries += 1;
-                    if tries >= error.tries() {
-                        return Err(error);
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            if !new {
+                return Ok((outputs, Arrival::default()));
+            }
+            match self.arrive(depth, edge) {
+                Ok(arrival) => return Ok((outputs, arrival)),
+                Err(error) if error.fatal => return Err(error),
+                // The action itself went well: what cannot be saved is reached by replay.
+                Err(error) => {
+                    stocktakings += 1;
+                    if !error.lost || stocktakings >= error.tries() {
+                        self.give_up_states();
+                        self.known = None;
                     }
                 }
-                stepped => return stepped,
             }
         }
+    }
+
+    /// From now on states are reached by replay.
+    fn give_up_states(&mut self) {
+        self.nodes.iter_mut().for_each(|n| n.checkpoint = None);
+        self.checkpoints = usize::MAX;
     }
 
     /// Takes stock of the state that the plant has just reached with its `depth`th action.
@@ -508,8 +524,7 @@ impl<P: Plant> Recall<P> {
                 self.restores_lost += 1;
                 if !error.lost || self.restores_lost >= RESTORES_LOST {
                     // Who refuses to come back (after an error, say) is given up with all saved states.
-                    self.nodes.iter_mut().for_each(|n| n.checkpoint = None);
-                    self.checkpoints = usize::MAX;
+                    self.give_up_states();
                 }
                 return self.go_to(node);
             }
@@ -547,7 +562,21 @@ impl<P: Plant> Recall<P> {
     /// Saves the present state for `node`, which is in it, if its saved state was lost with a process.
     fn save_again(&mut self, node: NodeId) -> Result<(), PlantError> {
         if self.nodes[node.0].checkpoint.is_some() && !self.holds(node) {
-            self.nodes[node.0].checkpoint = Some(self.plant.save()?);
+            match self.plant.save() {
+                Ok(saved) => {
+                    self.nodes[node.0].checkpoint = Some(saved);
+                    self.restores_lost = 0;
+                }
+                Err(error) if error.fatal => return Err(error),
+                Err(error) => {
+                    self.restores_lost += 1;
+                    if !error.lost || error.ended_by_us || self.restores_lost >= RESTORES_LOST {
+                        self.give_up_states();
+                    }
+                    // Who failed to save may be in any state.
+                    return Err(PlantError { lost: true, ..error });
+                }
+            }
         }
         Ok(())
     }

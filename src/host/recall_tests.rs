@@ -12,10 +12,14 @@ struct Integrator {
     restarts: u32,
     /// Serialises only its whole part.
     rounds: bool,
+    /// How saving fails above 5: refused, or with the process.
+    cannot_save: Option<bool>,
+    /// The process in which states are held.
+    process: u32,
 }
 
 impl Plant for Integrator {
-    type Checkpoint = f64;
+    type Checkpoint = (u32, f64);
     fn input_count(&self) -> usize {
         1
     }
@@ -38,8 +42,18 @@ impl Plant for Integrator {
         }
         Ok(out)
     }
-    fn save(&mut self) -> Result<f64, PlantError> {
-        Ok(self.x)
+    fn save(&mut self) -> Result<(u32, f64), PlantError> {
+        match self.cannot_save {
+            Some(lost) if self.x > 5.0 => {
+                self.x = f64::NAN;
+                self.process += u32::from(lost);
+                Err(PlantError { lost, ..PlantError::of("cannot save") })
+            }
+            _ => Ok((self.process, self.x)),
+        }
+    }
+    fn holds(&self, checkpoint: &(u32, f64)) -> bool {
+        checkpoint.0 == self.process
     }
     fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
         let x = if self.rounds { self.x.floor() } else { self.x };
@@ -47,8 +61,9 @@ impl Plant for Integrator {
         digest[..8].copy_from_slice(&x.to_le_bytes());
         Ok(Some(Fingerprint { digest, bytes: 8 }))
     }
-    fn restore(&mut self, checkpoint: &f64) -> Result<(), PlantError> {
-        self.x = *checkpoint;
+    fn restore(&mut self, checkpoint: &(u32, f64)) -> Result<(), PlantError> {
+        assert!(self.holds(checkpoint), "restored what is lost");
+        self.x = checkpoint.1;
         Ok(())
     }
 }
@@ -146,4 +161,24 @@ fn a_serialised_state_that_leaves_something_out_is_caught() {
     to(recall.advance(NodeId::ROOT, 1, &[1.25]).unwrap());
     let error = recall.advance(NodeId::ROOT, 1, &[1.5]).unwrap_err();
     assert!(error.fatal && error.message.contains("--merge history"), "{error}");
+}
+
+#[test]
+fn a_state_that_cannot_be_saved_costs_no_action() {
+    for lost in [false, true] {
+        for merge in [false, true] {
+            let mut recall =
+                Recall::new(Integrator { cannot_save: Some(lost), ..Integrator::default() }, STATES).unwrap();
+            if merge {
+                assert!(recall.merge_equal_states().unwrap());
+            }
+            let low = to(recall.advance(NodeId::ROOT, 1, &[2.0]).unwrap());
+            let high = to(recall.advance(low, 1, &[4.0]).unwrap());
+            assert_eq!(&**recall.outputs(high), &[6.0], "{lost} {merge}");
+            let low_again = to(recall.advance(low, 1, &[-1.0]).unwrap());
+            assert_eq!(&**recall.outputs(low_again), &[1.0]);
+            let higher = to(recall.advance(high, 1, &[1.0]).unwrap());
+            assert_eq!(&**recall.outputs(higher), &[7.0]);
+        }
+    }
 }
