@@ -8,11 +8,14 @@
 //! Different histories may lead to the same state. With [`Recall::merge_equal_states`] nodes of the same depth whose
 //! serialised states are equal byte for byte are stepped once for all of them; a part of these merges is tried out.
 
+mod way_back;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use serde::Serialize;
 
+use self::way_back::not_repeatable;
 use super::plant::{Plant, PlantError, insist};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
@@ -101,9 +104,6 @@ impl<C> Default for Arrival<C> {
         Self { digest: None, same: None, checkpoint: None }
     }
 }
-
-/// Restores and saves in a row that may end the process before saved states are given up.
-const RESTORES_LOST: u32 = 3;
 
 /// What merging equal states did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -349,63 +349,6 @@ impl<P: Plant> Recall<P> {
         Ok(Advanced::To(self.add(node, edge, outputs.into(), arrival)))
     }
 
-    /// Brings the plant to `node`, steps it, and takes stock of the state it reaches if that is `new`. When the process
-    /// of the FMU is gone this is done again with a fresh one: whether the FMU or something else ended it shows in
-    /// whether it happens again.
-    fn step_from(
-        &mut self,
-        node: NodeId,
-        edge: &Arc<[u64]>,
-        steps: usize,
-        inputs: &[f64],
-        new: bool,
-    ) -> Result<(Vec<f64>, Arrival<P::Checkpoint>), PlantError> {
-        let (mut tries, mut stocktakings) = (0, 0);
-        loop {
-            // What went well before must go well again.
-            if let Err(error) = self.go_to(node) {
-                tries += 1;
-                if error.lost && tries < error.tries() {
-                    continue;
-                }
-                let message = format!("what the FMU did before cannot be repeated: {}", error.message);
-                return Err(PlantError { message, fatal: true, ..error });
-            }
-            self.at = None;
-            self.steps_made += steps as u64;
-            let depth = self.nodes[node.0].depth + 1;
-            let outputs = match self.plant.advance(steps, inputs) {
-                Ok(outputs) => outputs,
-                Err(error) if error.lost && tries + 1 < error.tries() => {
-                    tries += 1;
-                    continue;
-                }
-                Err(error) => return Err(error),
-            };
-            if !new {
-                return Ok((outputs, Arrival::default()));
-            }
-            match self.arrive(depth, edge) {
-                Ok(arrival) => return Ok((outputs, arrival)),
-                Err(error) if error.fatal => return Err(error),
-                // The action itself went well: what cannot be saved is reached by replay.
-                Err(error) => {
-                    stocktakings += 1;
-                    if !error.lost || stocktakings >= error.tries() {
-                        self.give_up_states();
-                        self.known = None;
-                    }
-                }
-            }
-        }
-    }
-
-    /// From now on states are reached by replay.
-    fn give_up_states(&mut self) {
-        self.nodes.iter_mut().for_each(|n| n.checkpoint = None);
-        self.checkpoints = usize::MAX;
-    }
-
     /// Takes stock of the state that the plant has just reached with its `depth`th action.
     fn arrive(&mut self, depth: usize, edge: &[u64]) -> Result<Arrival<P::Checkpoint>, PlantError> {
         let print = if self.known.is_some() { self.plant.fingerprint()? } else { None };
@@ -498,101 +441,10 @@ impl<P: Plant> Recall<P> {
         self.nodes.push(node);
         NodeId(self.nodes.len() - 1)
     }
-
-    /// Brings the plant to `node`.
-    fn go_to(&mut self, node: NodeId) -> Result<(), PlantError> {
-        let node = self.nodes[node.0].same;
-        if self.at == Some(node) {
-            return Ok(());
-        }
-        // The path back to the nearest saved state, or to the start.
-        let mut path = Vec::with_capacity(self.nodes[node.0].depth);
-        let mut from = node;
-        while !self.holds(from) && from != NodeId::ROOT {
-            path.push(from);
-            from = self.nodes[self.nodes[from.0].parent.0].same;
-        }
-        self.at = None;
-        let restored = match &self.nodes[from.0].checkpoint {
-            Some(checkpoint) if self.plant.holds(checkpoint) => self.plant.restore(checkpoint).map(|()| true),
-            _ => Ok(false),
-        };
-        match &restored {
-            Ok(done) => self.restores_lost *= u32::from(!done),
-            Err(error) if error.fatal => {}
-            Err(error) => {
-                self.restores_lost += 1;
-                if !error.lost || self.restores_lost >= RESTORES_LOST {
-                    // Who refuses to come back (after an error, say) is given up with all saved states.
-                    self.give_up_states();
-                }
-                return self.go_to(node);
-            }
-        }
-        if restored? {
-            self.restores += 1;
-        } else {
-            let outputs = self.plant.restart()?;
-            self.restarts += 1;
-            if !same_bits(&self.nodes[from.0].outputs, &outputs) {
-                return Err(not_repeatable(Some(0.0)));
-            }
-            self.save_again(from)?;
-        }
-        for step in path.into_iter().rev() {
-            let Node { edge, outputs, .. } = &self.nodes[step.0];
-            let (steps, inputs) = values_of(edge);
-            let again = self.plant.advance(steps, &inputs)?;
-            self.steps_made += steps as u64;
-            // Traces of long ago may have been forgotten.
-            if !outputs.is_empty() && !same_bits(outputs, &again) {
-                return Err(not_repeatable(None));
-            }
-            self.save_again(step)?;
-        }
-        self.at = Some(node);
-        Ok(())
-    }
-
-    /// Whether `node` has a saved state that can be restored.
-    fn holds(&self, node: NodeId) -> bool {
-        self.nodes[node.0].checkpoint.as_ref().is_some_and(|checkpoint| self.plant.holds(checkpoint))
-    }
-
-    /// Saves the present state for `node`, which is in it, if its saved state was lost with a process.
-    fn save_again(&mut self, node: NodeId) -> Result<(), PlantError> {
-        if self.nodes[node.0].checkpoint.is_some() && !self.holds(node) {
-            match self.plant.save() {
-                Ok(saved) => {
-                    self.nodes[node.0].checkpoint = Some(saved);
-                    self.restores_lost = 0;
-                }
-                Err(error) if error.fatal => return Err(error),
-                Err(error) => {
-                    self.restores_lost += 1;
-                    if !error.lost || error.ended_by_us || self.restores_lost >= RESTORES_LOST {
-                        self.give_up_states();
-                    }
-                    // Who failed to save may be in any state.
-                    return Err(PlantError { lost: true, ..error });
-                }
-            }
-        }
-        Ok(())
-    }
 }
 
 fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(x, y)| x.to_bits() == y.to_bits())
-}
-
-fn not_repeatable(time_s: Option<f64>) -> PlantError {
-    let error = PlantError::of(
-        "the FMU gave different outputs for the same inputs: its results depend on something else, so \
-                  findings could not be replayed. Run `fmi-hazard selftest` on it",
-    )
-    .fatal();
-    PlantError { time_s, ..error }
 }
 
 #[cfg(test)]
