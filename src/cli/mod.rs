@@ -9,6 +9,7 @@ mod hosting;
 mod inspect;
 mod output;
 mod replay;
+mod resume;
 mod scan;
 mod schema;
 mod selftest;
@@ -65,7 +66,7 @@ pub fn main() -> ExitCode {
         }
     };
     let outcome = match arguments.command {
-        Command::Scan(a) => scan::run(&a),
+        Command::Scan(a) => scan::command(&a),
         Command::Demo(a) => demo::run(&a),
         Command::Replay(a) => replay::run(&a),
         Command::Inspect(a) => inspect::run(&a),

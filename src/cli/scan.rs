@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
-use clap::ValueEnum;
 use clap::builder::PossibleValue;
+use clap::{Parser as _, ValueEnum};
 
 use super::exit::{self, Failure};
 use super::hosting::HostingArguments;
 use super::output::{self, Levels, Progress};
+use super::resume::{self, Command};
 use crate::host::Effort;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::{terminal, topview};
@@ -21,6 +22,7 @@ use crate::scan::run::Method;
 use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName, picture};
 use crate::search::exhaustive::Budget;
 use crate::sim::expansion::Merge;
+use crate::sim::journal::Journal;
 
 /// How the result is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -45,7 +47,12 @@ enum StopAt {
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// A cell file (.toml), or an FMU with a cell file beside it or inside it
-    path: PathBuf,
+    #[arg(required_unless_present = "resume")]
+    path: Option<PathBuf>,
+    /// Go on with the interrupted scan whose results are in this folder, as it was started; it ends with the same result
+    /// as one that was not interrupted
+    #[arg(long, value_name = "DIR", exclusive = true)]
+    resume: Option<PathBuf>,
     /// The cell file of an FMU that has none of its own
     #[arg(long)]
     cell: Option<PathBuf>,
@@ -156,7 +163,8 @@ impl Arguments {
     /// What the demo runs: the quick search alone, `iterations` sequences.
     pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
         Self {
-            path,
+            path: Some(path),
+            resume: None,
             cell: None,
             strategy: Choice::One(StrategyName::Hybrid),
             seed: None,
@@ -178,8 +186,35 @@ const AUTO_WORK: u64 = 600;
 /// Most hazards for which a picture is drawn.
 const PICTURES: usize = 10;
 
+/// The arguments of a scan, alone.
+#[derive(clap::Parser)]
+#[command(no_binary_name = true)]
+struct Alone {
+    #[command(flatten)]
+    arguments: Arguments,
+}
+
+/// The command: a scan, or the rest of one.
+pub(super) fn command(arguments: &Arguments) -> Result<u8, Failure> {
+    let Some(out) = &arguments.resume else {
+        return run_as(arguments, Command::of_this_process(), false);
+    };
+    let command = Command::of_scan(out)?;
+    let first = Alone::try_parse_from(&command.arguments).map_err(Failure::unusable)?;
+    std::env::set_current_dir(&command.folder)
+        .map_err(|e| Failure::unusable(format!("cannot go back to {}: {e}", command.folder.display())))?;
+    output::note(&format!("   Resumed fmi-hazard scan {}", command.arguments.join(" ")));
+    run_as(&first.arguments, Some(command), true)
+}
+
+/// A scan that nobody goes on with.
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    run_as(arguments, None, false)
+}
+
+fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Result<u8, Failure> {
+    let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
+    let prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     introduce(&prepared, arguments.state);
     let options = ScanOptions {
         method: arguments.method(),
@@ -192,6 +227,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
+    let journal = match &command {
+        Some(command) => {
+            command.write(&out)?;
+            resume::journal(&out, &prepared, goes_on)?
+        }
+        None => Journal::default(),
+    };
     let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
     let stop = stop_flag();
     let iterating = !matches!(options.method, Method::Exhaustive(_));
@@ -224,13 +266,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let scan::Scanned { report, effort } = scan::scan(&prepared, options, &mut tell)?;
+    let scan::Scanned { report, effort, remembered } = scan::scan_with(&prepared, options, journal, &mut tell)?;
     progress.finish();
     levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
     let json = serde_json::to_string_pretty(&report).map_err(Failure::unusable)? + "\n";
     output::write_file(&out.join("scan.json"), &json)?;
-    write_run(&prepared, effort, &out)?;
+    write_run(&prepared, effort, remembered, &out)?;
     // The log is rewritten with what confirmation added, in the order of scan.json.
     let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
     let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
@@ -244,15 +286,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
     }
     conclude(&report, &out);
+    if command.is_some() {
+        if interrupted {
+            output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
+        } else {
+            resume::finished(&out);
+        }
+    }
     Ok(code(&report, interrupted))
 }
 
 /// How the scan went, which is no result: run.json, and what the FMU printed.
-fn write_run(prepared: &Prepared, effort: Effort, out: &Path) -> Result<(), Failure> {
+fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, out: &Path) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
     let run = serde_json::json!({
         "states_by": prepared.rung,
         "fmu": effort,
+        "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,
         "fmu_printed_bytes": bytes,
     });

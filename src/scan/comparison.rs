@@ -17,6 +17,7 @@ use crate::report::comparison::{Comparison, Spent};
 use crate::report::growth::{Cost, Growth, Truth, checkpoints};
 use crate::search::Rng;
 use crate::sim::Simulation;
+use crate::sim::journal::Journal;
 
 /// What to run.
 #[derive(Clone, Debug)]
@@ -76,7 +77,9 @@ pub fn run(
 fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String>, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let mut groups = Groups::default();
-    let census = census(prepared, StateChoice::Auto, how, &links, &mut groups, &mut |_| ControlFlow::Continue(()))?;
+    let census = census(prepared, StateChoice::Auto, how, Journal::default(), &links, &mut groups, &mut |_| {
+        ControlFlow::Continue(())
+    })?;
     if let Some(cause) = census.broken {
         return Err(ScanError { cause });
     }

@@ -16,6 +16,7 @@ use crate::search::exhaustive::{Account, Budget, Expansion as _, Stopped, Told, 
 use crate::search::statistics::Independent;
 use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, Merge};
+use crate::sim::journal::Journal;
 
 /// Budget of the random search whose figures stand in the certificate: the paper's.
 const RANDOM_ITERATIONS: u32 = 320;
@@ -42,6 +43,8 @@ pub(super) struct Census {
     pub fmu_steps: u64,
     pub fmu_states: usize,
     pub effort: Effort,
+    /// Questions whose answers were in the journal.
+    pub remembered: u64,
     pub faults: Vec<FaultRecord>,
     /// The user ended the search.
     pub interrupted: bool,
@@ -54,6 +57,7 @@ pub(super) fn census(
     prepared: &Prepared,
     state: StateChoice,
     options: Exhaustive,
+    journal: Journal,
     links: &[String],
     groups: &mut Groups,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
@@ -63,7 +67,8 @@ pub(super) fn census(
     let policy = prepared.policy(state);
     let merge = if prepared.tells_states_by_bytes() { options.merge } else { Merge::History };
     let mut expander = Expander::new(cell, binding, prepared.plant(state), policy, merge, options.workers)
-        .map_err(|cause| ScanError { cause })?;
+        .map_err(|cause| ScanError { cause })?
+        .with_journal(journal);
     let mut faults = Vec::new();
     let outcome = exhaust(&mut expander, options.budget, &mut |told| match told {
         Told::Met(met) => {
@@ -99,6 +104,7 @@ pub(super) fn census(
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
         effort: expander.recall().effort_of_workers(),
+        remembered: expander.journal().remembered(),
         faults,
         broken,
     })

@@ -22,4 +22,4 @@ mod seeds;
 
 pub use exhaustive::Exhaustive;
 pub use prepare::{Hosting, PrepareError, Prepared, StateChoice};
-pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan};
+pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan, scan_with};

@@ -18,6 +18,7 @@ use crate::report::model::{
 use crate::search::mcts_dpw::Parameters;
 use crate::search::residual::Figures;
 use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Rng, Strategy};
+use crate::sim::journal::Journal;
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
 use crate::sim::{Coverage, Simulation};
@@ -140,6 +141,8 @@ pub struct Scanned {
     pub report: ScanReport,
     /// What the FMU did for it.
     pub effort: Effort,
+    /// Questions of the exhaustive search whose answers were in its journal.
+    pub remembered: u64,
 }
 
 /// Searches, groups, confirms.
@@ -153,19 +156,34 @@ pub fn scan(
     options: ScanOptions,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
+    scan_with(prepared, options, Journal::default(), tell)
+}
+
+/// The same, going on from what `journal` holds of an exhaustive search and adding to it.
+///
+/// # Errors
+/// As [`scan`].
+pub fn scan_with(
+    prepared: &Prepared,
+    options: ScanOptions,
+    journal: Journal,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
     let mut groups = Groups::default();
     let searched = match options.method {
         Method::Strategy(name) => search(prepared, name, options, &links, &mut groups, tell)?,
-        Method::Exhaustive(how) => Searched::all(census(prepared, options.state, how, &links, &mut groups, tell)?),
+        Method::Exhaustive(how) => {
+            Searched::all(census(prepared, options.state, how, journal, &links, &mut groups, tell)?)
+        }
         Method::Auto(name, how) => {
             let quick = search(prepared, name, options, &links, &mut groups, tell)?;
             if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
                 Searched { name: AUTO, ..quick }
             } else {
                 let mut all = Groups::default();
-                let searched = Searched::all(census(prepared, options.state, how, &links, &mut all, tell)?);
+                let searched = Searched::all(census(prepared, options.state, how, journal, &links, &mut all, tell)?);
                 let only_quick = groups.added_to(&mut all);
                 groups = all;
                 searched.after(quick, &only_quick)
@@ -184,6 +202,7 @@ pub fn scan(
         fmu_steps,
         fmu_states,
         effort,
+        remembered,
         notes,
     } = searched;
     let mut warnings = prepared.binding.warnings.clone();
@@ -251,7 +270,7 @@ pub fn scan(
         tables: tables().collect(),
         warnings,
     };
-    Ok(Scanned { report, effort })
+    Ok(Scanned { report, effort, remembered })
 }
 
 /// Name of [`Method::Auto`].
@@ -271,6 +290,7 @@ struct Searched {
     fmu_steps: u64,
     fmu_states: usize,
     effort: Effort,
+    remembered: u64,
     notes: Vec<String>,
 }
 
@@ -304,7 +324,8 @@ impl Searched {
     }
 
     fn all(census: Census) -> Self {
-        let Census { certificate, coverage, fmu_steps, fmu_states, effort, faults, interrupted, broken } = census;
+        let Census { certificate, coverage, fmu_steps, fmu_states, effort, remembered, faults, interrupted, broken } =
+            census;
         Self {
             name: "exhaustive",
             iterations: 0,
@@ -317,6 +338,7 @@ impl Searched {
             fmu_steps,
             fmu_states,
             effort,
+            remembered,
             notes: Vec::new(),
         }
     }
@@ -386,6 +408,7 @@ fn search(
         fmu_steps,
         fmu_states,
         effort: simulation.recall().effort_of_workers(),
+        remembered: 0,
         notes: Vec::new(),
     })
 }

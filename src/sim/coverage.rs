@@ -1,9 +1,9 @@
 //! What a run has seen, so that "no hazard" never stands alone.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Figures beside a verdict.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coverage {
     /// Episodes begun.
     pub episodes: u64,

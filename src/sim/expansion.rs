@@ -18,6 +18,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use super::Coverage;
 use super::bound::RobotBounds;
+use super::journal::{Block, Journal};
 use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, World};
@@ -58,6 +59,7 @@ pub struct Expander<P: Plant> {
     /// With light curtains: the first node with the same state and the same states had the curtain been broken earlier.
     bundles: BTreeMap<Vec<Option<NodeId>>, NodeId>,
     coverage: Coverage,
+    journal: Journal,
     questions: u64,
 }
 
@@ -180,8 +182,22 @@ impl<P: Plant> Expander<P> {
             bundles: BTreeMap::new(),
             coverage: Coverage::new(world.cell.sensors.len()),
             questions: 0,
+            journal: Journal::default(),
             world,
         })
+    }
+
+    /// The same, going on from what `journal` holds and adding to it.
+    #[must_use]
+    pub fn with_journal(mut self, journal: Journal) -> Self {
+        self.journal = journal;
+        self
+    }
+
+    /// What was worked out before.
+    #[must_use]
+    pub const fn journal(&self) -> &Journal {
+        &self.journal
     }
 
     /// What was seen. Actions and contact checks that came up several times count once.
@@ -340,7 +356,56 @@ impl<P: Plant> Expander<P> {
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Vec<Vec<Option<Hit>>>> {
-        self.questions += questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
+        let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
+        self.questions += asked;
+        let asked = (asked, questions.len() as u64);
+        if let Some(block) = self.journal.next(asked) {
+            self.coverage.merge(&block.coverage);
+            return Some(self.found_again(&block, questions, situations));
+        }
+        let (all, coverage) = self.work_out(questions, situations, go_on)?;
+        if self.journal.keeps() {
+            let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
+            let of = |(q, hits): (usize, &Vec<Option<Hit>>)| {
+                let found = hits.iter().enumerate().filter(|(_, hit)| hit.is_some());
+                found.map(|(s, _)| (number(q), number(s))).collect::<Vec<_>>()
+            };
+            let found = all.iter().enumerate().flat_map(of).collect();
+            self.journal.add(&Block { asked, found, coverage: coverage.clone() });
+        }
+        self.coverage.merge(&coverage);
+        Some(all)
+    }
+
+    /// The answers to questions of which is known where something is to be found.
+    fn found_again(
+        &self,
+        block: &Block,
+        questions: &[(Stance, Vec<usize>)],
+        situations: &[Situation],
+    ) -> Vec<Vec<Option<Hit>>> {
+        let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
+        let mut counted = Coverage::new(self.world.cell.sensors.len());
+        for together in block.found.chunk_by(|a, b| a.0 == b.0) {
+            let Some((stance, asked)) = together.first().and_then(|(q, _)| questions.get(*q as usize)) else {
+                continue;
+            };
+            // All of the stance, as before: what is found for one may follow from what was found for another.
+            let instant = |s: &usize| (&situations[*s].frames, situations[*s].i, &situations[*s]);
+            let mut instants: Vec<_> = asked.iter().map(instant).collect();
+            let Ok(hits) = self.world.contacts(stance, &mut instants, &mut counted);
+            all[together[0].0 as usize] = hits;
+        }
+        all
+    }
+
+    /// Looks for contacts, on all threads.
+    fn work_out(
+        &self,
+        questions: &[(Stance, Vec<usize>)],
+        situations: &[Situation],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
         let next = AtomicUsize::new(0);
         let (world, sensors) = (&self.world, self.world.cell.sensors.len());
         let stopped = AtomicBool::new(false);
@@ -369,13 +434,14 @@ impl<P: Plant> Expander<P> {
             std::iter::once(own).chain(joined).collect()
         });
         let mut all = vec![Vec::new(); questions.len()];
+        let mut total = Coverage::new(sensors);
         for (answers, coverage) in found {
-            self.coverage.merge(&coverage);
+            total.merge(&coverage);
             for (number, hits) in answers {
                 all[number] = hits;
             }
         }
-        (!stopped.into_inner()).then_some(all)
+        (!stopped.into_inner()).then_some((all, total))
     }
 }
 

@@ -6,6 +6,7 @@
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`expansion`]: all actions from many states at once, on all cores
+//! - [`journal`]: what such a search has worked out, on disk
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
@@ -20,6 +21,7 @@ pub mod curtain;
 pub mod encounter;
 pub mod expansion;
 pub mod imagination;
+pub mod journal;
 pub mod replay;
 pub mod robot;
 mod robots;

@@ -1,0 +1,170 @@
+//! What an exhaustive search has worked out so far, on disk: so that one that was interrupted can go on.
+//!
+//! The search itself is not written down: it is deterministic and is simply run again. Nearly all its time goes into
+//! questions whether a person can be touched, which it asks in blocks, always in the same order. For each block the
+//! journal holds which questions found something, and what was counted on the way; only those few are worked out again.
+//!
+//! A block is written when it is complete. A torn end of the file, after a power failure say, is left out.
+
+use std::collections::VecDeque;
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest as _, Sha256};
+
+use super::Coverage;
+
+/// The answers to a block of questions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Block {
+    /// How many questions were asked, about how many stances of the person.
+    pub asked: (u64, u64),
+    /// Which found something: number of the stance, and of the question about it.
+    pub found: Vec<(u32, u32)>,
+    /// What was counted.
+    pub coverage: Coverage,
+}
+
+/// The blocks of one search. Without a file it holds nothing.
+#[derive(Debug, Default)]
+pub struct Journal {
+    file: Option<File>,
+    known: VecDeque<Block>,
+    remembered: u64,
+}
+
+/// Bytes of the checksum before each record.
+const CHECK: usize = 8;
+
+impl Journal {
+    /// The journal at `path` of the search that `subject` describes; empty if there is none. What follows is added to it.
+    ///
+    /// # Errors
+    /// When the file cannot be read or written, or is that of another search.
+    pub fn open(path: &Path, subject: &str) -> io::Result<Self> {
+        let mut file = OpenOptions::new().read(true).append(true).create(true).open(path)?;
+        let bytes = std::fs::read(path)?;
+        let mut rest = bytes.as_slice();
+        let Some(found) = record(&mut rest) else {
+            file.set_len(0)?;
+            append(&mut file, subject.as_bytes())?;
+            return Ok(Self { file: Some(file), ..Self::default() });
+        };
+        if found != subject.as_bytes() {
+            return Err(io::Error::other(
+                "it is that of another search: the cell, the FMU, a setting or this program differs",
+            ));
+        }
+        let mut known = VecDeque::new();
+        let mut good = bytes.len() - rest.len();
+        while let Some(block) = record(&mut rest).and_then(|bytes| postcard::from_bytes(bytes).ok()) {
+            known.push_back(block);
+            good = bytes.len() - rest.len();
+        }
+        file.set_len(good as u64)?;
+        Ok(Self { file: Some(file), known, remembered: 0 })
+    }
+
+    /// The next block, if it was worked out before.
+    pub(super) fn next(&mut self, asked: (u64, u64)) -> Option<Block> {
+        let block = self.known.pop_front()?;
+        if block.asked != asked {
+            // Not this search after all; what is left is worked out again.
+            self.known.clear();
+            return None;
+        }
+        self.remembered += asked.0;
+        Some(block)
+    }
+
+    /// A block was worked out. A full disk must not end the search.
+    pub(super) fn add(&mut self, block: &Block) {
+        let Some(file) = &mut self.file else { return };
+        let written = postcard::to_stdvec(block).map_err(io::Error::other).and_then(|bytes| append(file, &bytes));
+        if written.is_err() {
+            self.file = None;
+        }
+    }
+
+    /// Whether blocks are kept at all.
+    pub(super) const fn keeps(&self) -> bool {
+        self.file.is_some()
+    }
+
+    /// Questions whose answers were known from before.
+    #[must_use]
+    pub const fn remembered(&self) -> u64 {
+        self.remembered
+    }
+}
+
+/// One record: its checksum, its length, its bytes.
+fn append(file: &mut File, bytes: &[u8]) -> io::Result<()> {
+    let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
+    let mut record = Sha256::digest(bytes)[..CHECK].to_vec();
+    record.extend(length.to_le_bytes());
+    record.extend(bytes);
+    file.write_all(&record)
+}
+
+/// The next whole and undamaged record.
+fn record<'a>(rest: &mut &'a [u8]) -> Option<&'a [u8]> {
+    let (check, after) = rest.split_at_checked(CHECK)?;
+    let (length, after) = after.split_first_chunk::<4>()?;
+    let (bytes, after) = after.split_at_checked(usize::try_from(u32::from_le_bytes(*length)).ok()?)?;
+    if Sha256::digest(bytes)[..CHECK] != *check {
+        return None;
+    }
+    *rest = after;
+    Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn block(asked: u64) -> Block {
+        let mut coverage = Coverage::new(2);
+        coverage.arm_boxes = asked * 3;
+        Block { asked: (asked, 1), found: vec![(0, 7)], coverage }
+    }
+
+    #[test]
+    fn what_was_added_is_there_again_and_a_torn_end_is_left_out() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("journal.bin");
+        let mut journal = Journal::open(&path, "cell").unwrap();
+        (1..=3).for_each(|i| journal.add(&block(i)));
+        let whole = std::fs::read(&path).unwrap();
+        for (cut, blocks) in [(0, 3), (1, 2), (30, 2)] {
+            std::fs::write(&path, &whole[..whole.len() - cut]).unwrap();
+            let mut again = Journal::open(&path, "cell").unwrap();
+            for i in 1..=blocks {
+                assert_eq!(again.next((i, 1)), Some(block(i)), "{cut}");
+            }
+            assert_eq!(again.next((9, 1)), None);
+            again.add(&block(9));
+            let mut further = Journal::open(&path, "cell").unwrap();
+            assert_eq!(further.known.len() as u64, blocks + 1);
+            assert_eq!(further.next((5, 1)), None, "another question");
+            assert_eq!(further.next((2, 1)), None, "and nothing after it");
+        }
+        assert!(Journal::open(&path, "another cell").is_err());
+    }
+
+    #[test]
+    fn damage_in_the_middle_ends_what_is_known() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("journal.bin");
+        let mut journal = Journal::open(&path, "cell").unwrap();
+        journal.add(&block(1));
+        let first = std::fs::metadata(&path).unwrap().len();
+        (2..=4).for_each(|i| journal.add(&block(i)));
+        let mut bytes = std::fs::read(&path).unwrap();
+        bytes[usize::try_from(first).unwrap() + 20] ^= 1;
+        std::fs::write(&path, bytes).unwrap();
+        assert_eq!(Journal::open(&path, "cell").unwrap().known, [block(1)]);
+    }
+}
