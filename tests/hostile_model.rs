@@ -249,3 +249,38 @@ fn it_really_does_what_it_is_told() {
         std::fs::remove_file(&file).unwrap();
     }
 }
+
+#[test]
+fn habits_that_a_scan_lives_with_are_told() {
+    for (what, habit) in [
+        ("chdir", "working_folder"),
+        ("fpu", "rounding_mode"),
+        ("signal-handlers", "signal_handlers"),
+        ("thread", "threads"),
+        ("write-cwd", "files"),
+        ("print", "prints"),
+        ("leak", "leaks"),
+    ] {
+        for hostile in Hostile::both() {
+            let (result, code) = selftest(&hostile.what(what).size(1000));
+            let habits: Vec<&str> =
+                result["habits"].as_array().unwrap().iter().map(|h| h["habit"].as_str().unwrap()).collect();
+            // A thread for each instance that never ends is a leak too.
+            let expected = if what == "thread" { vec![habit, "leaks"] } else { vec![habit] };
+            assert_eq!((habits, code), (expected, 0), "{what}");
+        }
+    }
+    for hostile in Hostile::both() {
+        let (result, _) = selftest(&hostile);
+        assert_eq!(result["habits"], serde_json::json!([]), "an honest one has none");
+        assert_eq!(result["states_by"], "saved_states");
+    }
+    let dir = TempDir::new().unwrap();
+    Hostile::v2().what("signal-handlers").write(dir.path());
+    let output = fmi_hazard(dir.path()).args(["selftest", FMU]).assert().code(0).get_output().clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("The FMU handles signals: ") && text.contains("--in-process they would take Ctrl-C"),
+        "{text}"
+    );
+}

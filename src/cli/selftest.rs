@@ -11,9 +11,9 @@ use super::hosting::HostingArguments;
 use super::output;
 use crate::fmi::{Causality, Fmu, ModelDescription, Variability, Variable};
 use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Launcher, Unpacked, examine};
+use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
 use crate::host::port::Port;
-use crate::host::selftest::{SelfTest, selftest};
+use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
 use crate::host::{PlantError, SystemSetup, UnitPort};
 use crate::scan::Hosting;
 
@@ -49,27 +49,44 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         true => Failure::unusable(e.message),
         false => Failure::running(format!("the FMU failed in its first plain run: {e}")),
     };
-    let result = match arguments.hosting.hosting()? {
+    let (result, habits) = match arguments.hosting.hosting()? {
         Hosting::InProcess => {
             let slave = fmu.load()?;
-            selftest(&[slave], &setup, steps, &[], Activity::unseen(), &mut |_| {}).map_err(failed)?
+            (selftest(&[slave], &setup, steps, &[], Activity::unseen(), &mut |_| {}).map_err(failed)?, Vec::new())
         }
         Hosting::Workers { program, guard, limits } => {
             let launcher = Launcher::new(program, vec![Unpacked::of(&fmu)], setup, guard, limits);
-            let Examination { result, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
+            let Examination { result, launcher, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
             for missing in missing {
                 output::note(&format!("   Warning protection against the FMU: {missing}"));
             }
-            result
+            let habits = habits(&launcher, steps, result.deterministic != Agreement::Exact);
+            let habits = habits.unwrap_or_else(|e| {
+                output::note(&format!("   Warning the FMU's habits could not be found out: {e}"));
+                Vec::new()
+            });
+            (result, habits)
         }
     };
     if arguments.json {
-        let text = serde_json::to_string_pretty(&result).map_err(Failure::unusable)?;
+        let states_by = result.repeatable().then(|| result.rung(false));
+        let text = serde_json::to_string_pretty(&Told { result: &result, habits: &habits, states_by })
+            .map_err(Failure::unusable)?;
         output::json(&(text + "\n"));
     } else {
-        output::result(&render(&fmu.description().model_name, &result));
+        output::result(&render(&fmu.description().model_name, &result, &habits));
     }
     Ok(if result.repeatable() { NO_HAZARD } else { FMU_FAILED })
+}
+
+/// What is printed as JSON.
+#[derive(serde::Serialize)]
+struct Told<'a> {
+    #[serde(flatten)]
+    result: &'a SelfTest,
+    habits: &'a [Habit],
+    /// How a scan brings states back; nothing if it cannot.
+    states_by: Option<Rung>,
 }
 
 /// All its inputs are moved, all its outputs compared.
@@ -94,27 +111,41 @@ fn setup(description: &ModelDescription, step_s: Option<f64>) -> Result<SystemSe
     })
 }
 
-fn render(name: &str, r: &SelfTest) -> String {
+fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
     let mut text = String::new();
     let _ = writeln!(
         text,
         "{name}: {} steps of {} s with {} moving inputs, {} outputs compared bit by bit",
         r.steps, r.step_s, r.inputs, r.outputs
     );
-    for (what, result) in [
-        ("two fresh instances agree", &r.deterministic),
-        ("a second instance beside it", &r.second_instance),
-        ("restored state, two held at once", &r.restore),
-        ("two fresh processes agree", &r.fresh_process),
-        ("a copy of its process as a state", &r.fork),
-        ("reset against a fresh instance", &r.reset),
-        ("serialised state in another instance", &r.serialize),
+    for (what, result, otherwise) in [
+        ("two fresh instances agree", &r.deterministic, "each run needs a fresh process"),
+        (
+            "a second instance beside it",
+            &r.second_instance,
+            "instances run one after the other, as they always do here",
+        ),
+        ("restored state, two held at once", &r.restore, "its saved states are not used"),
+        ("two fresh processes agree", &r.fresh_process, "findings could not be replayed"),
+        ("a copy of its process as a state", &r.fork, "copies are not used"),
+        ("reset against a fresh instance", &r.reset, "nothing: a fresh instance is made instead"),
+        (
+            "serialised state in another instance",
+            &r.serialize,
+            "nothing: a state is brought back in the instance that saved it",
+        ),
     ] {
         let _ = writeln!(text, "  {what:<38} {result}");
+        if matches!(result, Agreement::Differs { .. } | Agreement::Failed { .. }) {
+            let _ = writeln!(text, "  {:<38} means for a scan: {otherwise}", "");
+        }
     }
     let bytes = r.bytes_per_state.map_or_else(|| "unknown".to_owned(), |b| b.to_string());
     let _ = writeln!(text, "  {:<38} {bytes}", "bytes in a state");
     let _ = writeln!(text, "  {:<38} {:.4}", "largest movement of an output", r.output_range);
+    for habit in habits {
+        let _ = writeln!(text, "  The FMU {habit}: {}", habit.means());
+    }
     let conclusion = if r.repeatable() {
         format!("A scan brings states back by: {}", r.because(r.rung(false)))
     } else {

@@ -16,6 +16,8 @@ pub(super) enum Question {
     Load(Box<Load>),
     /// [`crate::host::selftest::selftest`].
     SelfTest { steps: usize, skip: Vec<Stage> },
+    /// So many runs of so many steps with moving inputs, and what the FMU does to the process meanwhile.
+    Habits { steps: usize, runs: usize },
     /// [`crate::host::Plant::restart`].
     Restart,
     /// [`crate::host::Plant::advance`].
@@ -84,6 +86,8 @@ pub(super) enum Answer {
     Tested { result: String, event_mode: Vec<bool> },
     /// See [`Question::Fingerprint`].
     Print(Option<Fingerprint>),
+    /// See [`Question::Habits`]; as JSON.
+    Habits(String),
     /// The FMU failed.
     Failed(PlantError),
 }

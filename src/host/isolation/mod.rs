@@ -8,9 +8,11 @@
 //! - [`launch`]: starting and ending a worker, and asking it
 //! - [`isolated`]: the program's side, a [`Plant`](super::Plant)
 //! - [`examine`]: the self-test in a worker
+//! - [`habits`]: what an FMU does to its process
 
 mod channel;
 mod examine;
+mod habits;
 mod isolated;
 mod launch;
 mod message;
@@ -19,6 +21,7 @@ mod sandbox;
 mod worker;
 
 pub use examine::{Examination, examine};
+pub use habits::{Habit, habits};
 pub use isolated::{Checkpoint, Isolated, Keeping};
 pub use launch::{Guard, Launcher, Limits};
 pub use message::Unpacked;

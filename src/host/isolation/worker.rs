@@ -10,13 +10,14 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rustix::thread::futex;
 
 use super::channel::Channel;
+use super::habits::Before;
 use super::message::{Answer, Load, Question, Saving};
 use super::process::{self, Ended, Fork};
 use super::sandbox;
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::{Activity, Call};
 use crate::host::plant::{Plant, PlantError};
-use crate::host::selftest::{Stage, selftest};
+use crate::host::selftest::{Stage, input_row, selftest};
 use crate::host::system::{self, System};
 
 /// What a parked process is to do: nothing yet, or begin to live; anything else: go.
@@ -99,7 +100,9 @@ fn clear_away() {
 
 /// The live process: answers questions until it is killed.
 fn live(channel: &'static Channel) -> ! {
-    let mut server = Server { channel, activity: Activity::new(&channel.head().activity), hosted: None, last: 0 };
+    let before = Before::now();
+    let mut server =
+        Server { channel, before, activity: Activity::new(&channel.head().activity), hosted: None, last: 0 };
     loop {
         let (number, question) = channel.next_question(server.last);
         server.last = number;
@@ -124,6 +127,7 @@ struct Hosted {
 
 struct Server {
     channel: &'static Channel,
+    before: Before,
     activity: Activity,
     hosted: Option<Hosted>,
     /// Number of the question that is being answered.
@@ -168,6 +172,7 @@ impl Server {
                 hosted.saved.retain(|number, _| !numbers.contains(number));
                 Answer::Done
             }
+            Question::Habits { steps, runs } => self.habits(steps, runs),
             Question::SelfTest { steps, skip } => self.test(steps, &skip),
         }
     }
@@ -203,6 +208,19 @@ impl Server {
     fn system(&self, slaves: &[Slave], load: &Load) -> Result<System, Answer> {
         let built = System::new(slaves, load.setup.clone());
         built.map(|system| system.watched(self.activity)).map_err(|e| not_loaded(e.to_string(), false))
+    }
+
+    fn habits(&mut self, steps: usize, runs: usize) -> Answer {
+        let Some(hosted) = &mut self.hosted else { return Answer::Done };
+        let setup = &hosted.load.setup;
+        let inputs: Vec<f64> = (0..steps).flat_map(|i| input_row(setup, i, steps, 0)).collect();
+        for _ in 0..runs {
+            let run = hosted.plant.restart().and_then(|_| hosted.plant.advance(steps, &inputs));
+            if let Err(error) = run {
+                return Answer::Failed(error);
+            }
+        }
+        Answer::Habits(serde_json::to_string(&self.before.since()).unwrap_or_default())
     }
 
     fn test(&mut self, steps: usize, skip: &[Stage]) -> Answer {
