@@ -117,8 +117,8 @@ fn an_fmu_that_does_not_repeat_itself_in_a_process_gets_fresh_ones_or_is_refused
     assert!(code == 3 && text.contains("different outputs for the same inputs"), "{text}");
     assert!(text.contains("deterministic"), "{text}");
     let (code, text) = scan(&["--strategy", "random"]);
-    assert!(code != 3 && text.contains("fresh process and replay"), "{text}");
-    assert_eq!(common::json(&dir.path().join("o/run.json"))["states_by"], "processes");
+    assert!(code != 3 && text.contains("copies of the FMU's process"), "{text}");
+    assert_eq!(common::json(&dir.path().join("o/run.json"))["states_by"], "copies");
 }
 
 #[test]
