@@ -28,7 +28,7 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
     for strategy in ["mcts-dpw", "random"] {
         let scan = |state: &str, extra: &[&str]| {
             let out = format!("{strategy}-{state}");
-            let args = ["scan", CELL, "--iterations", "60", "--strategy", strategy, "--state", state, "--out", &out];
+            let args = ["scan", CELL, "--iterations", "25", "--strategy", strategy, "--state", state, "--out", &out];
             fmi_hazard(dir.path()).args(args).args(extra).assert().code(1);
             let read = |file: &str| std::fs::read_to_string(dir.path().join(&out).join(file)).unwrap();
             (read("scan.json"), serde_json::from_str::<serde_json::Value>(&read("run.json")).unwrap())

@@ -229,14 +229,25 @@ fn fmus_that_break_promises_about_states_give_the_same_hazards() {
 }
 
 #[test]
-fn an_fmu_for_one_instance_in_a_process_says_so() {
+fn an_fmu_for_one_instance_in_a_process_gives_the_same_hazards() {
     let dir = examples();
     std::fs::copy(test_fmus().join("sensor-mat-once.fmu"), dir.path().join("once.fmu")).unwrap();
-    let arguments = ["scan", "once.fmu", "--cell", "sensor-mat/cell.toml", "--strategy", "mcts-dpw"];
-    let output = fmi_hazard(dir.path()).args(arguments).output().unwrap();
-    let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_ne!(output.status.code(), Some(0));
-    assert!(text.contains("one instance in a process"), "{text}");
+    let scan = |fmu: &str, extra: &[&str]| {
+        let arguments = ["scan", fmu, "--cell", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "15"];
+        let output = fmi_hazard(dir.path()).args(arguments).args(["--out", "o"]).args(extra).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    // In one process it can be made once only, and says so.
+    let (code, text) = scan("once.fmu", &["--in-process"]);
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(code == Some(3) && text.contains("one instance in a process"), "{code:?} {text}");
+    let (code, text) = scan("once.fmu", &[]);
+    assert!(code == Some(1) && text.contains("runs once in a process"), "{code:?} {text}");
+    let once = common::scan_json(&dir.path().join("o"));
+    assert_eq!(scan("sensor-mat/sensor-mat.fmu", &[]).0, Some(1));
+    let usual = common::scan_json(&dir.path().join("o"));
+    assert_eq!(once["hazards"], usual["hazards"]);
+    assert_eq!(once["coverage"], usual["coverage"]);
 }
 
 #[test]
