@@ -80,7 +80,7 @@ fn a_changed_cell_is_not_gone_on_with() {
 fn a_strategy_is_run_again_with_the_same_result() {
     let dir = examples();
     let dir = dir.path();
-    let scan = |out| ["scan", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "150", "--out", out];
+    let scan = |out| ["scan", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "40", "--out", out];
     let code = fmi_hazard(dir).args(scan("whole")).assert().get_output().status.code();
     assert_eq!(interrupted(dir, &scan("stopped"), "States", "-INT"), Some(130));
     let again = fmi_hazard(dir).args(["scan", "--resume", "stopped"]).assert().get_output().status.code();

@@ -3,7 +3,7 @@
 //! The FMUs are stepped one after the other in data-flow order: what one gives at the end of a communication step is
 //! what the next one gets for that same step. A signal that changes within a step so acts downstream from the step's
 //! beginning, up to one step early; a connection with `delay_steps` holds values back by whole steps, which a loop needs
-//! somewhere. [`System::couplings`] says what each connection does.
+//! somewhere. [`SystemSetup::couplings`] says what each connection does.
 
 use std::collections::VecDeque;
 use std::fmt;

@@ -1,14 +1,14 @@
 //! FMUs in a process of their own: whatever they do there, it costs one action.
 //!
-//! - [`channel`]: memory shared between the program and a worker
-//! - [`message`]: what they say to each other
-//! - [`process`]: forks, ends and signals
-//! - [`sandbox`]: what the worker must not do
-//! - [`worker`]: the worker's side
-//! - [`launch`]: starting and ending a worker, and asking it
-//! - [`isolated`]: the program's side, a [`Plant`](super::Plant)
-//! - [`examine`]: the self-test in a worker
-//! - [`habits`]: what an FMU does to its process
+//! - `channel`: memory shared between the program and a worker
+//! - `message`: what they say to each other
+//! - `process`: forks, ends and signals
+//! - `sandbox`: what the worker must not do
+//! - `worker`: the worker's side
+//! - `launch`: starting and ending a worker, and asking it
+//! - `isolated`: the program's side, a [`Plant`](super::Plant)
+//! - `examine`: the self-test in a worker
+//! - `habits`: what an FMU does to its process
 
 mod channel;
 mod examine;
