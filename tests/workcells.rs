@@ -243,9 +243,9 @@ fn an_fmu_for_one_instance_in_a_process_gives_the_same_hazards() {
     assert!(code == Some(3) && text.contains("one instance in a process"), "{code:?} {text}");
     let (code, text) = scan("once.fmu", &[]);
     assert!(code == Some(1) && text.contains("runs once in a process"), "{code:?} {text}");
-    let once = common::scan_json(&dir.path().join("o"));
+    let once = scan_json(&dir.path().join("o"));
     assert_eq!(scan("sensor-mat/sensor-mat.fmu", &[]).0, Some(1));
-    let usual = common::scan_json(&dir.path().join("o"));
+    let usual = scan_json(&dir.path().join("o"));
     assert_eq!(once["hazards"], usual["hazards"]);
     assert_eq!(once["coverage"], usual["coverage"]);
 }
