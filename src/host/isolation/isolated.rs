@@ -120,11 +120,26 @@ impl Isolated {
         }
     }
 
-    fn rows(&mut self, question: &Question) -> Result<Vec<f64>, PlantError> {
+    /// Asks for so many rows of outputs.
+    fn rows(&mut self, question: &Question, count: usize) -> Result<Vec<f64>, PlantError> {
         match self.ask(question)? {
-            Answer::Rows(rows) => Ok(rows),
-            _ => Err(unexpected()),
+            // An FMU that writes where it should not may have written there too.
+            Answer::Rows(rows) if rows.len() == count * self.output_count() && rows.iter().all(|v| v.is_finite()) => {
+                Ok(rows)
+            }
+            _ => Err(self.unexpected()),
         }
+    }
+
+    /// What the worker says makes no sense: it is of no use any more.
+    fn unexpected(&mut self) -> PlantError {
+        self.replaced += 1;
+        self.end();
+        PlantError { lost: true, ..PlantError::of("the FMU's process gave an answer that makes no sense") }
+    }
+
+    fn has_grown(&self) -> bool {
+        self.worker.as_ref().is_some_and(|w| w.growth() > self.launcher.limits.growth)
     }
 
     /// Tells the worker of states that nobody needs any more.
@@ -144,10 +159,6 @@ impl Isolated {
     }
 }
 
-fn unexpected() -> PlantError {
-    PlantError { message: "a worker gave an unexpected answer".to_owned(), lost: true, ..PlantError::default() }
-}
-
 impl Plant for Isolated {
     type Checkpoint = Checkpoint;
 
@@ -160,16 +171,15 @@ impl Plant for Isolated {
     }
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
-        let grown = self.worker.as_ref().is_some_and(|w| w.growth() > self.launcher.limits.growth);
         // Whoever needs copies may be one who runs once in a process; others begin anew so rarely that it costs nothing.
-        if grown || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
+        if self.has_grown() || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
             self.end();
         }
         if self.keeping == Keeping::ByFmu {
             // They belong to the instance that ends here.
             self.lose();
         }
-        self.rows(&Question::Restart)
+        self.rows(&Question::Restart, 1)
     }
 
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
@@ -181,7 +191,7 @@ impl Plant for Isolated {
         while done < steps {
             let now = part.min(steps - done);
             let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
-            trace.extend(self.rows(&Question::Advance { steps: now, inputs })?);
+            trace.extend(self.rows(&Question::Advance { steps: now, inputs }, now)?);
             done += now;
         }
         Ok(trace)
@@ -199,27 +209,30 @@ impl Plant for Isolated {
         };
         match self.ask(&Question::Save { number, how })? {
             Answer::Done => Ok(Checkpoint { number, generation: self.generation, home: Arc::clone(&self.free) }),
-            _ => Err(unexpected()),
+            _ => Err(self.unexpected()),
         }
     }
 
     fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
         match self.ask(&Question::Fingerprint)? {
             Answer::Print(print) => Ok(print),
-            _ => Err(unexpected()),
+            _ => Err(self.unexpected()),
         }
     }
 
     fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
         let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
+        if self.has_grown() {
+            self.end();
+            return Err(PlantError { lost: true, ..PlantError::of("the FMU's process has grown and is replaced") });
+        }
         match self.ask(&Question::Restore { number: checkpoint.number, how })? {
             Answer::Done => Ok(()),
-            _ => Err(unexpected()),
+            _ => Err(self.unexpected()),
         }
     }
 
     fn holds(&self, checkpoint: &Checkpoint) -> bool {
-        checkpoint.generation == self.generation
-            && self.worker.as_ref().is_some_and(|w| w.growth() <= self.launcher.limits.growth)
+        checkpoint.generation == self.generation && self.worker.is_some()
     }
 }

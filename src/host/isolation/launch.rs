@@ -246,9 +246,16 @@ impl Worker {
         self.channel.head().tell(slot, super::worker::GO);
     }
 
+    /// The live process; nothing if there is none. Its number stands in memory that the FMU could write to, so it counts
+    /// only if the system says that the process is one of this worker's group.
+    fn alive(&self) -> Option<i32> {
+        let alive = i32::try_from(self.channel.head().alive.load(Ordering::Acquire)).ok()?;
+        (process::group_of(alive) == i32::try_from(self.keeper.id()).ok()).then_some(alive)
+    }
+
     /// Memory of the live process, bytes; 0 if it cannot be told.
     pub(super) fn resident(&self) -> u64 {
-        let alive = self.channel.head().alive.load(Ordering::Acquire);
+        let Some(alive) = self.alive() else { return 0 };
         let pages = |text: String| text.split_whitespace().nth(1)?.parse::<u64>().ok();
         let pages = std::fs::read_to_string(format!("/proc/{alive}/statm")).ok().and_then(pages);
         pages.unwrap_or(0) * rustix::param::page_size() as u64
@@ -261,7 +268,7 @@ impl Worker {
 
     /// What the live process has besides its memory: threads, children, sockets.
     pub(super) fn not_in_memory(&self) -> Option<String> {
-        let alive = self.channel.head().alive.load(Ordering::Acquire);
+        let Some(alive) = self.alive() else { return Some("the FMU's process cannot be looked at".to_owned()) };
         let process = PathBuf::from(format!("/proc/{alive}"));
         let list = |what: &str| std::fs::read_dir(process.join(what)).into_iter().flatten().flatten();
         let threads = list("task").count();
@@ -290,8 +297,7 @@ impl Worker {
 impl Drop for Worker {
     fn drop(&mut self) {
         // The keeper sees the live process end, clears the family away and goes.
-        let alive = self.channel.head().alive.load(Ordering::Acquire);
-        if let (Ok(alive), Ok(None)) = (i32::try_from(alive), self.keeper.try_wait()) {
+        if let (Some(alive), Ok(None)) = (self.alive(), self.keeper.try_wait()) {
             process::kill(alive);
         }
         let since = Instant::now();
@@ -328,5 +334,40 @@ fn collect(output: OwnedFd, said: &Mutex<Said>) {
         said.bytes += read as u64;
         let room = KEPT.saturating_sub(said.text.len()).min(read);
         said.text.extend_from_slice(&part[..room]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sleeper() -> Child {
+        Command::new("sleep").arg("600").process_group(0).spawn().unwrap()
+    }
+
+    #[test]
+    fn an_fmu_that_names_another_process_as_its_own_does_not_get_it_killed() {
+        let (channel, _file) = Channel::create().unwrap();
+        let mut other = sleeper();
+        let worker = Worker {
+            channel,
+            keeper: sleeper(),
+            life: None,
+            printed: None,
+            folder: Folder::new("worker-").unwrap(),
+            missing: Vec::new(),
+            resident_at_start: 0,
+        };
+        let head = worker.channel.head();
+        for (named, real) in [(worker.keeper.id(), true), (other.id(), false), (0, false), (u32::MAX, false)] {
+            head.alive.store(named, Ordering::Release);
+            assert_eq!(worker.alive().is_some(), real, "{named}");
+            assert_eq!(worker.resident() > 0, real, "{named}");
+        }
+        head.alive.store(other.id(), Ordering::Release);
+        drop(worker);
+        assert!(matches!(other.try_wait(), Ok(None)), "it was killed");
+        other.kill().unwrap();
+        other.wait().unwrap();
     }
 }

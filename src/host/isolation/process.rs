@@ -111,6 +111,17 @@ pub(super) fn adopt_orphans() {
     let _ = unsafe { libc::prctl(libc::PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) };
 }
 
+/// The process group of a process, if there is such a process.
+pub(super) fn group_of(pid: i32) -> Option<i32> {
+    // 0 would mean ourselves.
+    if pid <= 0 {
+        return None;
+    }
+    // SAFETY: takes a plain number.
+    let group = unsafe { libc::getpgid(pid) };
+    (group > 0).then_some(group)
+}
+
 /// Kills a process, or with a negative number its whole group.
 pub(super) fn kill(pid: i32) {
     // 0 and 1 would mean ourselves and the system.
