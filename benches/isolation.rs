@@ -3,6 +3,8 @@
 //!
 //! `cargo bench --bench isolation`; read ratios within one run, not single times.
 
+mod common;
+
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -13,20 +15,13 @@ use fmi_hazard::host::isolation::{Guard, Limits};
 use fmi_hazard::scan::prepare::prepare_in;
 use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
-use tempfile::TempDir;
 
 fn main() {
     divan::main();
 }
 
-static FILES: LazyLock<TempDir> = LazyLock::new(|| {
-    let dir = TempDir::new().expect("a temporary folder");
-    fmi_hazard::examples::export(dir.path()).expect("the examples can be written");
-    dir
-});
-
 fn cell(hosting: &Hosting) -> Prepared {
-    prepare_in(&FILES.path().join("safety-fence/cell.toml"), None, hosting).expect("the example can be run")
+    prepare_in(&common::cell(), None, hosting).expect("the example can be run")
 }
 
 static HERE: LazyLock<Prepared> = LazyLock::new(|| cell(&Hosting::InProcess));

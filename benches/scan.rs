@@ -3,6 +3,8 @@
 //!
 //! `cargo bench --bench scan`; read ratios within one run, not single times.
 
+mod common;
+
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
@@ -14,20 +16,12 @@ use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Prepared, ScanOptions, StateChoice, StrategyName, scan};
 use fmi_hazard::search::Environment as _;
 use fmi_hazard::sim::robot::RobotFrame;
-use tempfile::TempDir;
 
 fn main() {
     divan::main();
 }
 
-static FILES: LazyLock<TempDir> = LazyLock::new(|| {
-    let dir = TempDir::new().expect("a temporary folder");
-    fmi_hazard::examples::export(dir.path()).expect("the examples can be written");
-    dir
-});
-
-static CELL: LazyLock<Prepared> =
-    LazyLock::new(|| prepare(&FILES.path().join("safety-fence/cell.toml"), None).expect("the example can be run"));
+static CELL: LazyLock<Prepared> = LazyLock::new(|| prepare(&common::cell(), None).expect("the example can be run"));
 
 /// Steps in one action.
 const STEPS: usize = 10;

@@ -82,7 +82,7 @@ impl Activity {
     pub(super) fn begin(self, call: Call, step: u64) {
         let number = self.0.load(Ordering::Relaxed) >> (STEP_BITS + 4);
         let step = step & ((1 << STEP_BITS) - 1);
-        let kind = CALLS.iter().position(|(c, _)| *c == call).unwrap_or(0) as u64;
+        let kind = call as u64;
         self.0.store(((number + 1) << (STEP_BITS + 4)) | (step << 4) | kind, Ordering::Relaxed);
     }
 

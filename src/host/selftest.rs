@@ -47,7 +47,7 @@ impl fmt::Display for Agreement {
 }
 
 /// A part of the self-test. Each may crash on an FMU that is badly made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stage {
     /// The first plain run.
