@@ -20,15 +20,22 @@ fn main() {
     divan::main();
 }
 
-fn cell(hosting: &Hosting) -> Prepared {
-    prepare_in(&common::cell(), None, hosting).expect("the example can be run")
+fn here(scenario: &str) -> Prepared {
+    prepare_in(&common::cell(scenario), None, &Hosting::InProcess).expect("the example can be run")
 }
 
-static HERE: LazyLock<Prepared> = LazyLock::new(|| cell(&Hosting::InProcess));
-static APART: LazyLock<Prepared> = LazyLock::new(|| {
+fn apart(scenario: &str) -> Prepared {
     let program = PathBuf::from(env!("CARGO_BIN_EXE_fmi-hazard"));
-    cell(&Hosting::Workers { program, guard: Guard::Sandboxed, limits: Limits::default() })
-});
+    let hosting = Hosting::Workers { program, guard: Guard::Sandboxed, limits: Limits::default() };
+    prepare_in(&common::cell(scenario), None, &hosting).expect("the example can be run")
+}
+
+static HERE: LazyLock<Prepared> = LazyLock::new(|| here("safety-fence"));
+static APART: LazyLock<Prepared> = LazyLock::new(|| apart("safety-fence"));
+
+/// The example cells.
+const SCENARIOS: [&str; 6] =
+    ["safety-fence", "sensor-mat", "head-collision", "light-curtain", "two-scanners", "heavy-workpiece"];
 
 /// Steps in one action.
 const STEPS: usize = 10;
@@ -43,14 +50,23 @@ fn a_fmu_action(bencher: Bencher, place: &str) {
     bencher.bench_local(|| black_box(plant.advance(STEPS, &inputs).expect("an action")));
 }
 
-/// A scan of 320 iterations, from opened cell to confirmed report.
-#[divan::bench(args = ["here", "apart"], sample_count = 10)]
-fn b_scan_of_320_iterations(bencher: Bencher, place: &str) {
-    let cell = if place == "here" { &HERE } else { &APART };
+/// A scan of 20 iterations, from opened cell to confirmed report: up to 160 simulated actions, in this process.
+#[divan::bench(args = SCENARIOS, sample_count = 20)]
+fn b_scan_here(bencher: Bencher, scenario: &str) {
+    a_scan(bencher, &here(scenario));
+}
+
+/// The same scan with the FMU in a worker process.
+#[divan::bench(args = SCENARIOS, sample_count = 20)]
+fn b_scan_apart(bencher: Bencher, scenario: &str) {
+    a_scan(bencher, &apart(scenario));
+}
+
+fn a_scan(bencher: Bencher, cell: &Prepared) {
     let options = ScanOptions {
         method: Method::Strategy(StrategyName::MctsDpw),
         seed: 1,
-        iterations: 320,
+        iterations: 20,
         stop_at_first: false,
         posture_sweep: true,
         state: StateChoice::Auto,

@@ -21,7 +21,8 @@ fn main() {
     divan::main();
 }
 
-static CELL: LazyLock<Prepared> = LazyLock::new(|| prepare(&common::cell(), None).expect("the example can be run"));
+static CELL: LazyLock<Prepared> =
+    LazyLock::new(|| prepare(&common::cell("safety-fence"), None).expect("the example can be run"));
 
 /// Steps in one action.
 const STEPS: usize = 10;

@@ -110,3 +110,25 @@ fn a_million_steps_of_an_fmu_that_leaks_take_bounded_memory() {
     assert!(most < (64 << 20) + 20_000_000 + (32 << 20), "{most} bytes");
     assert!(most > 64 << 20 && workers.len() > 200, "{most} bytes, {} workers: does it leak?", workers.len());
 }
+
+#[test]
+fn a_worker_has_its_time() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let path = Hostile::v2().write(dir.path());
+    let (_fmu, mut plant) = plant(&path, Keeping::ByFmu, Limits { steps: 100, ..Limits::default() });
+    plant.restart().unwrap();
+    let at_start = plant.save().unwrap();
+    let first = plant.pids();
+    let run = plant.advance(60, &[0.0; 60]).unwrap();
+    plant.restore(&at_start).unwrap();
+    // Not in the middle of a run, however long.
+    assert_eq!(plant.advance(60, &[0.0; 60]).unwrap(), run);
+    assert_eq!((plant.pids(), plant.holds(&at_start)), (first, true));
+    // But where it begins anew: its states are gone then, and it is told.
+    let error = plant.restore(&at_start).unwrap_err();
+    assert!(error.lost && !plant.holds(&at_start) && plant.pids().is_none(), "{error}");
+    plant.restart().unwrap();
+    assert_eq!(plant.advance(60, &[0.0; 60]).unwrap(), run);
+    assert!(plant.pids().is_some() && plant.pids() != first);
+    assert_eq!(plant.replaced(), 0, "nothing failed");
+}

@@ -11,7 +11,7 @@ static FILES: LazyLock<TempDir> = LazyLock::new(|| {
     dir
 });
 
-/// The cell file of scenario 1.
-pub fn cell() -> PathBuf {
-    FILES.path().join("safety-fence/cell.toml")
+/// The cell file of a scenario, for instance `safety-fence`.
+pub fn cell(scenario: &str) -> PathBuf {
+    FILES.path().join(scenario).join("cell.toml")
 }

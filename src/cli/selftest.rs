@@ -60,7 +60,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             for missing in missing {
                 output::note(&format!("   Warning protection against the FMU: {missing}"));
             }
-            let habits = habits(&launcher, steps, result.deterministic != Agreement::Exact);
+            let saves = matches!(result.restore, Agreement::Exact | Agreement::Differs { .. });
+            let habits = habits(&launcher, steps, result.deterministic != Agreement::Exact, saves);
             let habits = habits.unwrap_or_else(|e| {
                 output::note(&format!("   Warning the FMU's habits could not be found out: {e}"));
                 Vec::new()

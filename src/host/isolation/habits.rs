@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::launch::Launcher;
-use super::message::{Answer, Question};
+use super::message::{Answer, Question, Saving};
 use crate::host::plant::{PlantError, insist};
 use crate::host::rounding;
 
@@ -51,6 +51,11 @@ pub enum Habit {
         /// Bytes a step, about.
         bytes_per_step: u64,
     },
+    /// It takes more and more memory when states are saved and given back.
+    LeaksStates {
+        /// Bytes a state, about.
+        bytes_per_state: u64,
+    },
 }
 
 impl fmt::Display for Habit {
@@ -66,6 +71,12 @@ impl fmt::Display for Habit {
             Self::Prints { bytes } => write!(f, "prints ({bytes} bytes)"),
             Self::Leaks { bytes_per_step } => {
                 write!(f, "takes about {bytes_per_step} more bytes of memory with each step")
+            }
+            Self::LeaksStates { bytes_per_state } => {
+                write!(
+                    f,
+                    "takes about {bytes_per_state} more bytes of memory with each state it saves, also if that is given back"
+                )
             }
         }
     }
@@ -83,21 +94,26 @@ impl Habit {
             Self::Threads { .. } => "copies of its process cannot stand for its states",
             Self::Files { .. } => "they are removed with the worker; state kept in them is not restored",
             Self::Prints { .. } => "it goes to fmu.log, not to the terminal",
-            Self::Leaks { .. } => "workers are replaced by fresh ones when they have grown too much",
+            Self::Leaks { .. } | Self::LeaksStates { .. } => {
+                "workers are replaced by fresh ones when they have grown too much"
+            }
         }
     }
 }
 
 /// Runs in a row, after one that warms up; the memory of the last half is compared.
 const RUNS: usize = 12;
-/// Growth below this is the allocator's, bytes a step.
+/// States saved and freed in a row, after a quarter as many that warm up.
+const STATES: u32 = 256;
+/// Growth below this is the allocator's, bytes a step or a state.
 const LEAK: u64 = 64;
 
 /// Finds the habits in a few runs of so many steps; in one, if the FMU runs `once` in a process: then leaks do not show.
+/// If it `saves` states, in saving and freeing some too.
 ///
 /// # Errors
 /// When the FMU cannot be run that often.
-pub fn habits(launcher: &Launcher, steps: usize, once: bool) -> Result<Vec<Habit>, PlantError> {
+pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Result<Vec<Habit>, PlantError> {
     insist(&mut || {
         let (_, before) = launcher.printed();
         let mut worker = launcher.start(false)?;
@@ -117,6 +133,25 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool) -> Result<Vec<Habit
             let bytes_per_step = end.saturating_sub(middle) / steps;
             if bytes_per_step > LEAK {
                 found.push(Habit::Leaks { bytes_per_step });
+            }
+        }
+        let mut saved_and_freed = |times: u32| -> Result<Option<u64>, PlantError> {
+            let number = 0;
+            for _ in 0..times {
+                let saved = worker.ask(&Question::Save { number, how: Saving::ByFmu }, &launcher.limits)?;
+                if !matches!(saved, Answer::Done) {
+                    return Ok(None);
+                }
+                worker.ask(&Question::Forget(vec![number]), &launcher.limits)?;
+            }
+            Ok(Some(worker.resident()))
+        };
+        if let Some(warm) = saved_and_freed(if saves { STATES / 4 } else { 0 })?
+            && let Some(end) = saved_and_freed(if saves { STATES } else { 0 })?
+        {
+            let bytes_per_state = end.saturating_sub(warm) / u64::from(STATES);
+            if bytes_per_state > LEAK {
+                found.push(Habit::LeaksStates { bytes_per_state });
             }
         }
         drop(worker);

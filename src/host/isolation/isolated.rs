@@ -29,6 +29,8 @@ pub struct Isolated {
     generation: u64,
     free: Arc<Mutex<Numbers>>,
     replaced: u64,
+    /// Steps that the present worker has made.
+    steps: u64,
 }
 
 /// Numbers of saved states.
@@ -57,7 +59,7 @@ impl Isolated {
     /// A plant whose workers come from `launcher`; nothing is started yet.
     #[must_use]
     pub fn new(launcher: Launcher, keeping: Keeping) -> Self {
-        Self { launcher, keeping, worker: None, generation: 0, free: Arc::default(), replaced: 0 }
+        Self { launcher, keeping, worker: None, generation: 0, free: Arc::default(), replaced: 0, steps: 0 }
     }
 
     /// Workers replaced so far: because an FMU ended, blocked or filled one.
@@ -95,6 +97,7 @@ impl Isolated {
 
     fn end(&mut self) {
         self.worker = None;
+        self.steps = 0;
         self.lose();
     }
 
@@ -138,8 +141,10 @@ impl Isolated {
         PlantError { lost: true, ..PlantError::of("the FMU's process gave an answer that makes no sense") }
     }
 
-    fn has_grown(&self) -> bool {
-        self.worker.as_ref().is_some_and(|w| w.growth() > self.launcher.limits.growth)
+    /// Whether the worker has had its time.
+    fn is_worn(&self) -> bool {
+        let limits = &self.launcher.limits;
+        self.worker.as_ref().is_some_and(|worker| self.steps >= limits.steps || worker.growth() > limits.growth)
     }
 
     /// Tells the worker of states that nobody needs any more.
@@ -172,7 +177,7 @@ impl Plant for Isolated {
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
         // Whoever needs copies may be one who runs once in a process; others begin anew so rarely that it costs nothing.
-        if self.has_grown() || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
+        if self.is_worn() || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
             self.end();
         }
         if self.keeping == Keeping::ByFmu {
@@ -192,6 +197,7 @@ impl Plant for Isolated {
             let now = part.min(steps - done);
             let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
             trace.extend(self.rows(&Question::Advance { steps: now, inputs }, now)?);
+            self.steps += now as u64;
             done += now;
         }
         Ok(trace)
@@ -222,9 +228,12 @@ impl Plant for Isolated {
 
     fn restore(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
         let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
-        if self.has_grown() {
+        if self.is_worn() {
             self.end();
-            return Err(PlantError { lost: true, ..PlantError::of("the FMU's process has grown and is replaced") });
+            return Err(PlantError {
+                lost: true,
+                ..PlantError::of("the FMU's process has had its time and is replaced")
+            });
         }
         match self.ask(&Question::Restore { number: checkpoint.number, how })? {
             Answer::Done => Ok(()),

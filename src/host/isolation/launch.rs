@@ -29,12 +29,14 @@ pub struct Limits {
     pub memory: u64,
     /// A worker whose memory has grown by this much is replaced by a fresh one when it is convenient, bytes.
     pub growth: u64,
+    /// So is one after so many communication steps: what else an FMU uses up, like file descriptors, ends with it.
+    pub steps: u64,
 }
 
 impl Default for Limits {
-    /// 10 s a call, 4 GiB, replaced after growing by 256 MiB.
+    /// 10 s a call, 4 GiB, replaced after growing by 256 MiB or ten million steps.
     fn default() -> Self {
-        Self { call: Duration::from_secs(10), memory: 4 << 30, growth: 256 << 20 }
+        Self { call: Duration::from_secs(10), memory: 4 << 30, growth: 256 << 20, steps: 10_000_000 }
     }
 }
 
