@@ -1,13 +1,17 @@
-//! What hosting an FMU in a worker process costs: an action and a whole scan against the same in this process, and the
-//! ways of coming back to a state over the length of the way there.
+//! What hosting an FMU in a worker process costs: an action and whole scans against the same in this process, and the ways
+//! of coming back to a state over the length of the way there.
 //!
-//! `cargo bench --bench isolation`; read ratios within one run, not single times.
+//! `cargo bench --bench isolation`, and `cargo bench --bench isolation -- scans` for whole scans; read ratios within one
+//! run, not single times.
+
+#![expect(clippy::print_stdout, reason = "prints its table")]
 
 mod common;
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 use divan::{Bencher, black_box};
 use fmi_hazard::host::Plant as _;
@@ -17,6 +21,11 @@ use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
 
 fn main() {
+    // Divan takes all samples of one thing before those of the next; for a difference of a few percent that is too far
+    // apart.
+    if std::env::args().any(|argument| argument == "scans") {
+        return scans();
+    }
     divan::main();
 }
 
@@ -33,9 +42,18 @@ fn apart(scenario: &str) -> Prepared {
 static HERE: LazyLock<Prepared> = LazyLock::new(|| here("safety-fence"));
 static APART: LazyLock<Prepared> = LazyLock::new(|| apart("safety-fence"));
 
-/// The example cells.
-const SCENARIOS: [&str; 6] =
-    ["safety-fence", "sensor-mat", "head-collision", "light-curtain", "two-scanners", "heavy-workpiece"];
+/// The example cells, each with as many random sequences as take a second or two: contacts cost more in some.
+const SCANS: [(&str, u32); 6] = [
+    ("safety-fence", 12),
+    ("sensor-mat", 600),
+    ("head-collision", 1000),
+    ("light-curtain", 20),
+    ("two-scanners", 1000),
+    ("heavy-workpiece", 800),
+];
+
+/// Samples of each scan.
+const SAMPLES: usize = 9;
 
 /// Steps in one action.
 const STEPS: usize = 10;
@@ -50,28 +68,38 @@ fn a_fmu_action(bencher: Bencher, place: &str) {
     bencher.bench_local(|| black_box(plant.advance(STEPS, &inputs).expect("an action")));
 }
 
-/// A scan of 20 iterations, from opened cell to confirmed report: up to 160 simulated actions, in this process.
-#[divan::bench(args = SCENARIOS, sample_count = 20)]
-fn b_scan_here(bencher: Bencher, scenario: &str) {
-    a_scan(bencher, &here(scenario));
+/// A scan of an example cell, from its start to its confirmed report, here or with the FMU in a worker process. Samples
+/// of the two are taken by turns, so that what else the machine does concerns both; their ratios are printed.
+fn scans() {
+    println!("a scan with the FMU in a worker process / in this process: ratio of medians and of shortest times");
+    for (scenario, iterations) in SCANS {
+        let cells = [here(scenario), apart(scenario)];
+        let mut times = [const { Vec::new() }; 2];
+        for _ in 0..SAMPLES {
+            for (cell, times) in cells.iter().zip(&mut times) {
+                times.push(a_scan(cell, iterations));
+            }
+        }
+        times.iter_mut().for_each(|times| times.sort());
+        let [here, apart] = times;
+        let ratio = |at: usize| apart[at].as_secs_f64() / here[at].as_secs_f64();
+        let (median, shortest) = (ratio(SAMPLES / 2), ratio(0));
+        println!("{scenario:16} {median:.3} {shortest:.3}  ({:.2?} here)", here[SAMPLES / 2]);
+    }
 }
 
-/// The same scan with the FMU in a worker process.
-#[divan::bench(args = SCENARIOS, sample_count = 20)]
-fn b_scan_apart(bencher: Bencher, scenario: &str) {
-    a_scan(bencher, &apart(scenario));
-}
-
-fn a_scan(bencher: Bencher, cell: &Prepared) {
+fn a_scan(cell: &Prepared, iterations: u32) -> Duration {
     let options = ScanOptions {
-        method: Method::Strategy(StrategyName::MctsDpw),
+        method: Method::Strategy(StrategyName::Random),
         seed: 1,
-        iterations: 20,
+        iterations,
         stop_at_first: false,
         posture_sweep: true,
         state: StateChoice::Auto,
     };
-    bencher.bench_local(|| black_box(scan(cell, options, &mut |_| ControlFlow::Continue(())).expect("a scan")));
+    let began = Instant::now();
+    black_box(scan(cell, options, &mut |_| ControlFlow::Continue(())).expect("a scan"));
+    began.elapsed()
 }
 
 /// Coming back to a state that the FMU saved, whatever led there.

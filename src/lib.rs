@@ -59,6 +59,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(not(target_os = "linux"))]
+compile_error!(
+    "fmi-hazard runs on Linux only: FMUs are kept apart with means of its kernel (futex, memfd, Landlock, seccomp)"
+);
+
 pub mod cell;
 pub mod cli;
 pub mod examples;

@@ -132,3 +132,29 @@ fn a_worker_has_its_time() {
     assert!(plant.pids().is_some() && plant.pids() != first);
     assert_eq!(plant.replaced(), 0, "nothing failed");
 }
+
+/// The processors on which a process may run.
+fn processors(pid: u32) -> String {
+    let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
+    status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:")).unwrap().trim().to_owned()
+}
+
+#[test]
+fn a_worker_shares_a_processor_with_whoever_asks_it_unless_it_has_threads() {
+    let anywhere = processors(std::process::id());
+    for (hostile, alone) in [(Hostile::v2(), true), (Hostile::v2().what("thread").at("step", 20), false)] {
+        let dir = tempfile::TempDir::new().unwrap();
+        let (_fmu, mut plant) = plant(&hostile.write(dir.path()), Keeping::ByFmu, Limits::default());
+        plant.restart().unwrap();
+        let pid = plant.pids().unwrap()[0];
+        assert_eq!(processors(pid), anywhere, "it has shown nothing yet");
+        plant.advance(10, &[0.0; 10]).unwrap();
+        assert!(processors(pid).parse::<u32>().is_ok(), "{}", processors(pid));
+        // Its threads are seen after some questions at the latest.
+        for _ in 0..5000 {
+            plant.advance(10, &[0.0; 10]).unwrap();
+        }
+        assert_eq!(processors(pid) != anywhere, alone || anywhere.parse::<u32>().is_ok());
+        assert_eq!(processors(std::process::id()), anywhere, "this thread may go anywhere again");
+    }
+}

@@ -1,7 +1,7 @@
 //! FMUs in this process or in a worker, as one [`Plant`].
 
 use super::isolation::{self, Isolated};
-use super::plant::{Fingerprint, Plant, PlantError};
+use super::plant::{Fingerprint, Plant, PlantError, Stepped, Then};
 use super::recall::{Effort, Recall};
 use super::system::{self, System};
 
@@ -70,6 +70,19 @@ impl Plant for Hosted {
             Self::Here(plant) => plant.advance(steps, inputs),
             Self::Apart(plant) => plant.advance(steps, inputs),
         }
+    }
+
+    fn advance_and(&mut self, steps: usize, inputs: &[f64], then: Then) -> Result<Stepped<Checkpoint>, PlantError> {
+        Ok(match self {
+            Self::Here(plant) => {
+                let (outputs, taken) = plant.advance_and(steps, inputs, then)?;
+                (outputs, taken.map(|taken| taken.map(Checkpoint::Here)))
+            }
+            Self::Apart(plant) => {
+                let (outputs, taken) = plant.advance_and(steps, inputs, then)?;
+                (outputs, taken.map(|taken| taken.map(Checkpoint::Apart)))
+            }
+        })
     }
 
     fn save(&mut self) -> Result<Checkpoint, PlantError> {

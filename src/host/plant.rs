@@ -32,6 +32,26 @@ pub trait Plant {
     /// When the FMU refuses a step or an output is not finite. The plant must then be restarted or restored.
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError>;
 
+    /// [`advance`](Self::advance), and something of the state that it leads to: one message where the plant lives
+    /// elsewhere. An error in what it gives is that of the stocktaking, after steps that went well.
+    ///
+    /// # Errors
+    /// When the steps fail.
+    fn advance_and(
+        &mut self,
+        steps: usize,
+        inputs: &[f64],
+        then: Then,
+    ) -> Result<Stepped<Self::Checkpoint>, PlantError> {
+        let outputs = self.advance(steps, inputs)?;
+        let taken = match then {
+            Then::Nothing => Ok(Taken::Nothing),
+            Then::Fingerprint => self.fingerprint().map(Taken::Fingerprint),
+            Then::Save => self.save().map(Taken::Saved),
+        };
+        Ok((outputs, taken))
+    }
+
     /// Saves the present state.
     ///
     /// # Errors
@@ -58,6 +78,42 @@ pub trait Plant {
     }
 }
 
+/// What is wanted of a state right after it was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Then {
+    /// Nothing.
+    Nothing,
+    /// [`Plant::fingerprint`].
+    Fingerprint,
+    /// [`Plant::save`].
+    Save,
+}
+
+/// Outputs after each step, row-major, and what was taken of the state after the last.
+pub type Stepped<C> = (Vec<f64>, Result<Taken<C>, PlantError>);
+
+/// What was taken of a state right after it was reached.
+#[derive(Debug)]
+pub enum Taken<C> {
+    /// Nothing.
+    Nothing,
+    /// See [`Plant::fingerprint`].
+    Fingerprint(Option<Fingerprint>),
+    /// See [`Plant::save`].
+    Saved(C),
+}
+
+impl<C> Taken<C> {
+    /// The same with another kind of saved state.
+    pub(super) fn map<D>(self, into: impl FnOnce(C) -> D) -> Taken<D> {
+        match self {
+            Self::Nothing => Taken::Nothing,
+            Self::Fingerprint(print) => Taken::Fingerprint(print),
+            Self::Saved(checkpoint) => Taken::Saved(into(checkpoint)),
+        }
+    }
+}
+
 /// A plant that is lent.
 impl<P: Plant> Plant for &mut P {
     type Checkpoint = P::Checkpoint;
@@ -76,6 +132,10 @@ impl<P: Plant> Plant for &mut P {
 
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
         (**self).advance(steps, inputs)
+    }
+
+    fn advance_and(&mut self, steps: usize, inputs: &[f64], then: Then) -> Result<Stepped<P::Checkpoint>, PlantError> {
+        (**self).advance_and(steps, inputs, then)
     }
 
     fn save(&mut self) -> Result<P::Checkpoint, PlantError> {

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use self::way_back::not_repeatable;
-use super::plant::{Plant, PlantError, insist};
+use super::plant::{Plant, PlantError, Taken, Then, insist};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -349,9 +349,27 @@ impl<P: Plant> Recall<P> {
         Ok(Advanced::To(self.add(node, edge, outputs.into(), arrival)))
     }
 
-    /// Takes stock of the state that the plant has just reached with its `depth`th action.
-    fn arrive(&mut self, depth: usize, edge: &[u64]) -> Result<Arrival<P::Checkpoint>, PlantError> {
-        let print = if self.known.is_some() { self.plant.fingerprint()? } else { None };
+    /// What is wanted of a state that is met for the first time.
+    fn wanted(&self) -> Then {
+        match self.policy {
+            _ if self.known.is_some() => Then::Fingerprint,
+            Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints => Then::Save,
+            _ => Then::Nothing,
+        }
+    }
+
+    /// Takes stock of the state that the plant has just reached with its `depth`th action, of which this is known.
+    fn arrive(
+        &mut self,
+        depth: usize,
+        edge: &[u64],
+        taken: Taken<P::Checkpoint>,
+    ) -> Result<Arrival<P::Checkpoint>, PlantError> {
+        let print = match taken {
+            Taken::Nothing => return Ok(Arrival::default()),
+            Taken::Saved(state) => return Ok(Arrival { checkpoint: Some(state), ..Arrival::default() }),
+            Taken::Fingerprint(print) => print,
+        };
         let digest = print.map(|print| (depth, print.digest));
         let same = digest.and_then(|digest| self.known.as_ref()?.get(&digest).copied());
         let mut checkpoint = None;

@@ -23,7 +23,7 @@ const STATE_BUDGET: usize = 512 * 1024 * 1024;
 
 /// An action that takes longer than this is worth a copy of the process: copying and coming back cost about as much as
 /// four of them, the mean of what a replay of eight repeats.
-const COPY_PAYS: Duration = Duration::from_micros(100);
+const COPY_PAYS: Duration = Duration::from_micros(150);
 
 /// Most processes that are kept as states.
 const MOST_COPIES: usize = 1000;

@@ -4,8 +4,8 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::launch::{Launcher, Worker};
-use super::message::{Answer, Question, Saving};
-use crate::host::plant::{Fingerprint, Plant, PlantError};
+use super::message::{self, Answer, Question, Saving};
+use crate::host::plant::{Fingerprint, Plant, PlantError, Stepped, Taken, Then};
 
 /// How states are brought back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +31,9 @@ pub struct Isolated {
     replaced: u64,
     /// Steps that the present worker has made.
     steps: u64,
+    /// Actions and what is done after them are asked for one by one, since a worker was lost that was asked for both: so
+    /// it shows what ends it.
+    one_by_one: bool,
 }
 
 /// Numbers of saved states.
@@ -59,7 +62,16 @@ impl Isolated {
     /// A plant whose workers come from `launcher`; nothing is started yet.
     #[must_use]
     pub fn new(launcher: Launcher, keeping: Keeping) -> Self {
-        Self { launcher, keeping, worker: None, generation: 0, free: Arc::default(), replaced: 0, steps: 0 }
+        Self {
+            launcher,
+            keeping,
+            worker: None,
+            generation: 0,
+            free: Arc::default(),
+            replaced: 0,
+            steps: 0,
+            one_by_one: false,
+        }
     }
 
     /// Workers replaced so far: because an FMU ended, blocked or filled one.
@@ -107,13 +119,7 @@ impl Isolated {
             none => none.insert(self.launcher.start(self.keeping == Keeping::ByFork)?),
         };
         match worker.ask(question, &self.launcher.limits) {
-            // After a fatal error no instance of the FMU may be called; a fresh process has none.
-            Ok(Answer::Failed(error)) if error.fatal => {
-                self.replaced += 1;
-                self.end();
-                Err(PlantError { fatal: false, ..error })
-            }
-            Ok(Answer::Failed(error)) => Err(error),
+            Ok(Answer::Failed(error)) => Err(self.failed(error)),
             Ok(answer) => Ok(answer),
             Err(error) => {
                 self.replaced += 1;
@@ -123,15 +129,18 @@ impl Isolated {
         }
     }
 
-    /// Asks for so many rows of outputs.
-    fn rows(&mut self, question: &Question, count: usize) -> Result<Vec<f64>, PlantError> {
-        match self.ask(question)? {
-            // An FMU that writes where it should not may have written there too.
-            Answer::Rows(rows) if rows.len() == count * self.output_count() && rows.iter().all(|v| v.is_finite()) => {
-                Ok(rows)
-            }
-            _ => Err(self.unexpected()),
+    /// The FMU failed. After a fatal error no instance of it may be called; a fresh process has none.
+    fn failed(&mut self, error: PlantError) -> PlantError {
+        if error.fatal {
+            self.replaced += 1;
+            self.end();
         }
+        PlantError { fatal: false, ..error }
+    }
+
+    /// Whether these are so many rows of outputs. An FMU that writes where it should not may have written there too.
+    fn are_rows(&self, rows: &[f64], count: usize) -> bool {
+        rows.len() == count * self.output_count() && rows.iter().all(|v| v.is_finite())
     }
 
     /// What the worker says makes no sense: it is of no use any more.
@@ -162,6 +171,59 @@ impl Isolated {
         self.free.lock().unwrap_or_else(PoisonError::into_inner).unused.extend(numbers);
         Ok(())
     }
+
+    /// A number for a state that is about to be saved.
+    fn number(&mut self) -> Result<u32, PlantError> {
+        self.tidy()?;
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(free.unused.pop().unwrap_or_else(|| {
+            free.next += 1;
+            free.next - 1
+        }))
+    }
+
+    /// The state that was saved under this number.
+    fn checkpoint(&self, number: u32) -> Checkpoint {
+        Checkpoint { number, generation: self.generation, home: Arc::clone(&self.free) }
+    }
+
+    /// What a worker is to do after an action.
+    fn asked_for(&mut self, then: Then) -> Result<message::Then, PlantError> {
+        Ok(match (then, self.saving()) {
+            (Then::Fingerprint, _) => message::Then::Fingerprint,
+            (Then::Save, Some(how)) => message::Then::Save { number: self.number()?, how },
+            (Then::Nothing, _) | (Then::Save, None) => message::Then::Nothing,
+        })
+    }
+
+    /// Steps on, and does something after the last step.
+    fn run(
+        &mut self,
+        steps: usize,
+        inputs: &[f64],
+        then: message::Then,
+    ) -> Result<(Vec<f64>, Result<message::Taken, PlantError>), PlantError> {
+        let (width, rows) = (self.input_count().max(1), self.output_count().max(1));
+        // Long runs go in parts that fit into a message.
+        let part = (super::channel::AREA / 32 / width.max(rows)).max(1);
+        let (mut trace, mut taken) = (Vec::with_capacity(steps * rows), Ok(message::Taken::Nothing));
+        let mut done = 0;
+        while done < steps {
+            let now = part.min(steps - done);
+            let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
+            let then = if done + now == steps { then } else { message::Then::Nothing };
+            match self.ask(&Question::Advance { steps: now, inputs, then })? {
+                Answer::Stepped { rows, taken: after } if self.are_rows(&rows, now) => {
+                    trace.extend(rows);
+                    taken = after;
+                }
+                _ => return Err(self.unexpected()),
+            }
+            self.steps += now as u64;
+            done += now;
+        }
+        Ok((trace, taken))
+    }
 }
 
 impl Plant for Isolated {
@@ -184,37 +246,46 @@ impl Plant for Isolated {
             // They belong to the instance that ends here.
             self.lose();
         }
-        self.rows(&Question::Restart, 1)
+        match self.ask(&Question::Restart)? {
+            Answer::Rows(rows) if self.are_rows(&rows, 1) => Ok(rows),
+            _ => Err(self.unexpected()),
+        }
     }
 
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
-        let (width, rows) = (self.input_count().max(1), self.output_count().max(1));
-        // Long runs go in parts that fit into a message.
-        let part = (super::channel::AREA / 32 / width.max(rows)).max(1);
-        let mut trace = Vec::with_capacity(steps * rows);
-        let mut done = 0;
-        while done < steps {
-            let now = part.min(steps - done);
-            let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
-            trace.extend(self.rows(&Question::Advance { steps: now, inputs }, now)?);
-            self.steps += now as u64;
-            done += now;
+        self.run(steps, inputs, message::Then::Nothing).map(|(rows, _)| rows)
+    }
+
+    fn advance_and(&mut self, steps: usize, inputs: &[f64], then: Then) -> Result<Stepped<Checkpoint>, PlantError> {
+        let together = steps > 0 && !self.one_by_one && (then != Then::Save || self.saving().is_some());
+        if then != Then::Nothing && !together {
+            let rows = self.advance(steps, inputs)?;
+            let taken = match then {
+                Then::Save => self.save().map(Taken::Saved),
+                _ => self.fingerprint().map(Taken::Fingerprint),
+            };
+            return Ok((rows, taken));
         }
-        Ok(trace)
+        let stepped = self.asked_for(then).and_then(|then| Ok((then, self.run(steps, inputs, then)?)));
+        self.one_by_one |= then != Then::Nothing && stepped.as_ref().is_err_and(|error| error.lost);
+        let (then, (rows, taken)) = stepped?;
+        let taken = match (then, taken) {
+            (message::Then::Nothing, Ok(message::Taken::Nothing)) => Ok(Taken::Nothing),
+            (message::Then::Fingerprint, Ok(message::Taken::Fingerprint(print))) => Ok(Taken::Fingerprint(print)),
+            (message::Then::Save { number, .. }, Ok(message::Taken::Saved)) => {
+                Ok(Taken::Saved(self.checkpoint(number)))
+            }
+            (_, Err(error)) => Err(self.failed(error)),
+            _ => Err(self.unexpected()),
+        };
+        Ok((rows, taken))
     }
 
     fn save(&mut self) -> Result<Checkpoint, PlantError> {
         let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
-        self.tidy()?;
-        let number = {
-            let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
-            free.unused.pop().unwrap_or_else(|| {
-                free.next += 1;
-                free.next - 1
-            })
-        };
+        let number = self.number()?;
         match self.ask(&Question::Save { number, how })? {
-            Answer::Done => Ok(Checkpoint { number, generation: self.generation, home: Arc::clone(&self.free) }),
+            Answer::Done => Ok(self.checkpoint(number)),
             _ => Err(self.unexpected()),
         }
     }

@@ -13,6 +13,7 @@ use std::time::{Duration, Instant};
 
 use super::channel::Channel;
 use super::message::{Answer, Load, Question, Unpacked};
+use super::near::{Near, Stay};
 use super::process::{self, Ended};
 use super::sandbox::Rules;
 use crate::fmi::temporary::Folder;
@@ -140,6 +141,7 @@ pub(super) struct Worker {
     /// What of the sandbox this machine lacks.
     pub(super) missing: Vec<String>,
     resident_at_start: u64,
+    near: Near,
 }
 
 /// How often a waiting program looks whether all is well.
@@ -176,7 +178,18 @@ impl Worker {
         let said = Arc::clone(&launcher.said);
         let printed =
             std::thread::Builder::new().name("fmu-output".to_owned()).spawn(move || collect(output, &said))?;
-        Ok(Self { channel, keeper, life, printed: Some(printed), folder, missing: Vec::new(), resident_at_start: 0 })
+        // A trusted FMU may start programs, which would inherit its place.
+        let near = if launcher.guard == Guard::Sandboxed { Near::Unknown } else { Near::Free };
+        Ok(Self {
+            channel,
+            keeper,
+            life,
+            printed: Some(printed),
+            folder,
+            missing: Vec::new(),
+            resident_at_start: 0,
+            near,
+        })
     }
 
     /// Asks and waits for the answer.
@@ -188,7 +201,12 @@ impl Worker {
         if bytes.len() > super::channel::AREA {
             return Err(PlantError::of("a message to the worker is too long: this is an error of this program"));
         }
+        // Threads begin with an instance, and would inherit its place: not before its first action.
+        if let (Question::Advance { .. }, Some(alive)) = (question, self.alive()) {
+            self.near.follow(alive);
+        }
         let number = self.channel.ask(&bytes);
+        let _stay = Stay::here(&self.near);
         let (mut stamp, mut since) = (0, Instant::now());
         loop {
             let rung = self.channel.rung();
@@ -359,6 +377,7 @@ mod tests {
             folder: Folder::new("worker-").unwrap(),
             missing: Vec::new(),
             resident_at_start: 0,
+            near: Near::Free,
         };
         let head = worker.channel.head();
         for (named, real) in [(worker.keeper.id(), true), (other.id(), false), (0, false), (u32::MAX, false)] {

@@ -20,8 +20,13 @@ pub(super) enum Question {
     Habits { steps: usize, runs: usize },
     /// [`crate::host::Plant::restart`].
     Restart,
-    /// [`crate::host::Plant::advance`].
-    Advance { steps: usize, inputs: Vec<f64> },
+    /// [`crate::host::Plant::advance_and`].
+    Advance {
+        steps: usize,
+        #[serde(with = "numbers")]
+        inputs: Vec<f64>,
+        then: Then,
+    },
     /// [`crate::host::Plant::save`], under this number.
     Save { number: u32, how: Saving },
     /// [`crate::host::Plant::restore`].
@@ -30,6 +35,19 @@ pub(super) enum Question {
     Forget(Vec<u32>),
     /// [`crate::host::Plant::fingerprint`].
     Fingerprint,
+}
+
+/// What is done after an action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) enum Then {
+    Nothing,
+    /// See [`Question::Fingerprint`].
+    Fingerprint,
+    /// See [`Question::Save`].
+    Save {
+        number: u32,
+        how: Saving,
+    },
 }
 
 /// How a worker keeps a state.
@@ -81,7 +99,13 @@ pub(super) enum Answer {
     /// They cannot be loaded.
     NotLoaded { message: String, running: bool },
     /// Outputs, row-major.
-    Rows(Vec<f64>),
+    Rows(#[serde(with = "numbers")] Vec<f64>),
+    /// Outputs of an action, row-major, and what was done after it.
+    Stepped {
+        #[serde(with = "numbers")]
+        rows: Vec<f64>,
+        taken: Result<Taken, PlantError>,
+    },
     /// The self-test's result, as JSON, and the event modes it settled on.
     Tested { result: String, event_mode: Vec<bool> },
     /// See [`Question::Fingerprint`].
@@ -92,9 +116,53 @@ pub(super) enum Answer {
     Failed(PlantError),
 }
 
+/// What was taken after an action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) enum Taken {
+    Nothing,
+    Fingerprint(Option<Fingerprint>),
+    Saved,
+}
+
 impl Answer {
     /// The result of the self-test.
     pub(super) fn tested(result: &SelfTest, event_mode: Vec<bool>) -> Self {
         Self::Tested { result: serde_json::to_string(result).unwrap_or_default(), event_mode }
+    }
+}
+
+/// Numbers as their bytes, which takes a copy instead of a call for each.
+mod numbers {
+    use serde::de::Error as _;
+    use serde::{Deserialize as _, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(numbers: &[f64], to: S) -> Result<S::Ok, S::Error> {
+        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        to.serialize_bytes(&bytes)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Vec<f64>, D::Error> {
+        let (numbers, rest) = <&[u8]>::deserialize(from)?.as_chunks();
+        if !rest.is_empty() {
+            return Err(D::Error::custom("part of a number"));
+        }
+        Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_every_bit_and_parts_of_numbers_are_refused() {
+        let rows = vec![0.0, -0.0, 1.0 / 3.0, f64::MIN_POSITIVE / 8.0, f64::INFINITY, -f64::NAN];
+        let bytes = postcard::to_stdvec(&Answer::Rows(rows.clone())).unwrap();
+        let Ok(Answer::Rows(back)) = postcard::from_bytes(&bytes) else { panic!("not rows") };
+        assert!(back.len() == rows.len() && back.iter().zip(&rows).all(|(a, b)| a.to_bits() == b.to_bits()));
+        // Number of the kind, number of bytes, bytes.
+        assert_eq!(usize::from(bytes[1]), bytes.len() - 2);
+        let cut = [&[bytes[0], bytes[1] - 1], &bytes[2..bytes.len() - 1]].concat();
+        assert!(postcard::from_bytes::<Answer>(&cut).is_err());
     }
 }

@@ -6,6 +6,7 @@
 //! - `sandbox`: what the worker must not do
 //! - `worker`: the worker's side
 //! - `launch`: starting and ending a worker, and asking it
+//! - `near`: both on one processor
 //! - `isolated`: the program's side, a [`Plant`](super::Plant)
 //! - `examine`: the self-test in a worker
 //! - `habits`: what an FMU does to its process
@@ -16,6 +17,7 @@ mod habits;
 mod isolated;
 mod launch;
 mod message;
+mod near;
 mod process;
 mod sandbox;
 mod worker;

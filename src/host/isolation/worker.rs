@@ -11,7 +11,7 @@ use rustix::thread::futex;
 
 use super::channel::Channel;
 use super::habits::Before;
-use super::message::{Answer, Load, Question, Saving};
+use super::message::{Answer, Load, Question, Saving, Taken, Then};
 use super::process::{self, Ended, Fork};
 use super::sandbox;
 use crate::fmi::{Fmu, Slave};
@@ -125,6 +125,14 @@ struct Hosted {
     saved: BTreeMap<u32, system::Checkpoint>,
 }
 
+/// On which side of a copy a process finds itself.
+enum Side {
+    /// It goes on.
+    Original,
+    /// It waited as a saved state and was called to life, by a question of its own.
+    Copy,
+}
+
 struct Server {
     channel: &'static Channel,
     before: Before,
@@ -148,16 +156,26 @@ impl Server {
                 hosted.saved.clear();
                 rows(plant.restart())
             }
-            Question::Advance { steps, inputs } => rows(plant.advance(steps, &inputs)),
-            Question::Fingerprint => plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
-            Question::Save { number, how: Saving::ByFork } => self.park(number),
-            Question::Save { number, how: Saving::ByFmu } => match plant.save() {
-                Ok(saved) => {
-                    hosted.saved.insert(number, saved);
-                    Answer::Done
+            Question::Advance { steps, inputs, then } => match plant.advance(steps, &inputs) {
+                Ok(rows) => {
+                    let taken = match then {
+                        Then::Nothing => Ok(Taken::Nothing),
+                        Then::Fingerprint => plant.fingerprint().map(Taken::Fingerprint),
+                        Then::Save { number, how } => match self.save(number, how) {
+                            Ok(Side::Original) => Ok(Taken::Saved),
+                            // Called to life by another question.
+                            Ok(Side::Copy) => return Answer::Done,
+                            Err(error) => Err(error),
+                        },
+                    };
+                    Answer::Stepped { rows, taken }
                 }
                 Err(error) => Answer::Failed(error),
             },
+            Question::Fingerprint => plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
+            Question::Save { number, how } => {
+                self.save(number, how).map_or_else(Answer::Failed, |(Side::Original | Side::Copy)| Answer::Done)
+            }
             Question::Restore { number, how: Saving::ByFork } => {
                 let head = self.channel.head();
                 head.alive.store(0, Ordering::Release);
@@ -233,21 +251,36 @@ impl Server {
         }
     }
 
-    /// Leaves a copy of this process behind that waits until it is needed.
-    fn park(&mut self, number: u32) -> Answer {
-        let Some(slot) = self.channel.head().slot(number) else {
-            return Answer::Failed(PlantError::of("too many states are kept as processes"));
-        };
-        slot.store(PARKED, Ordering::Release);
-        match process::fork() {
-            Ok(Fork::Parent(_)) => Answer::Done,
-            Ok(Fork::Child) => self.wait_at(slot),
-            Err(error) => Answer::Failed(PlantError::of(format!("the process cannot be copied: {error}"))),
+    /// Keeps the present state under a number.
+    fn save(&mut self, number: u32, how: Saving) -> Result<Side, PlantError> {
+        match (how, &mut self.hosted) {
+            (Saving::ByFork, _) => self.park(number),
+            (Saving::ByFmu, Some(hosted)) => {
+                hosted.saved.insert(number, hosted.plant.save()?);
+                Ok(Side::Original)
+            }
+            (Saving::ByFmu, None) => Err(PlantError::of("nothing is loaded")),
         }
     }
 
-    /// A parked process: copies of it go on living as often as they are called.
-    fn wait_at(&mut self, slot: &AtomicU32) -> Answer {
+    /// Leaves a copy of this process behind that waits until it is needed.
+    fn park(&mut self, number: u32) -> Result<Side, PlantError> {
+        let Some(slot) = self.channel.head().slot(number) else {
+            return Err(PlantError::of("too many states are kept as processes"));
+        };
+        slot.store(PARKED, Ordering::Release);
+        match process::fork() {
+            Ok(Fork::Parent(_)) => Ok(Side::Original),
+            Ok(Fork::Child) => {
+                self.wait_at(slot);
+                Ok(Side::Copy)
+            }
+            Err(error) => Err(PlantError::of(format!("the process cannot be copied: {error}"))),
+        }
+    }
+
+    /// A parked process: copies of it go on living as often as they are called. Returns in each of them.
+    fn wait_at(&mut self, slot: &AtomicU32) {
         let head = self.channel.head();
         loop {
             match slot.load(Ordering::Acquire) {
@@ -275,7 +308,6 @@ impl Server {
         head.alive.store(process::own_pid(), Ordering::Release);
         // The question that woke this copy is the last one asked.
         self.last = self.channel.asked();
-        Answer::Done
     }
 
     /// Tells that nobody lives any more.

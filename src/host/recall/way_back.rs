@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Arrival, Node, NodeId, Recall, same_bits, values_of};
-use crate::host::plant::{Plant, PlantError};
+use crate::host::plant::{Plant, PlantError, Then};
 
 /// Restores and saves in a row that may end the process before saved states are given up.
 const RESTORES_LOST: u32 = 3;
@@ -34,8 +34,9 @@ impl<P: Plant> Recall<P> {
             self.at = None;
             self.steps_made += steps as u64;
             let depth = self.nodes[node.0].depth + 1;
-            let outputs = match self.plant.advance(steps, inputs) {
-                Ok(outputs) => outputs,
+            let then = if new { self.wanted() } else { Then::Nothing };
+            let (outputs, taken) = match self.plant.advance_and(steps, inputs, then) {
+                Ok(stepped) => stepped,
                 Err(error) if error.lost && tries + 1 < error.tries() => {
                     tries += 1;
                     continue;
@@ -45,7 +46,7 @@ impl<P: Plant> Recall<P> {
             if !new {
                 return Ok((outputs, Arrival::default()));
             }
-            match self.arrive(depth, edge) {
+            match taken.and_then(|taken| self.arrive(depth, edge, taken)) {
                 Ok(arrival) => return Ok((outputs, arrival)),
                 Err(error) if error.fatal => return Err(error),
                 // The action itself went well: what cannot be saved is reached by replay.
