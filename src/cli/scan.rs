@@ -215,6 +215,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Result<u8, Failure> {
     let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
     let prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    // Before anything is told: whoever reads it may interrupt.
+    let stop = stop_flag();
     introduce(&prepared, arguments.state);
     let options = ScanOptions {
         method: arguments.method(),
@@ -235,7 +237,6 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         None => Journal::default(),
     };
     let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
-    let stop = stop_flag();
     let iterating = !matches!(options.method, Method::Exhaustive(_));
     let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
     let mut logged = BTreeSet::new();
