@@ -1,0 +1,65 @@
+// Head of the report: the verdict in one plain sentence, and what the search got through.
+
+import { h } from "./dom.js";
+import { count, grouped } from "./words.js";
+
+function sentence(scan) {
+  const number = scan.hazards.length;
+  const sure = scan.hazards.filter((hazard) => hazard.confirmed).length;
+  switch (scan.verdict) {
+    case "hazards_found":
+      return `${count(number, "possible hazard")} found, ${sure === number ? (number === 1 ? "confirmed" : "all confirmed") : `${sure} confirmed`} by a fresh replay.`;
+    case "none_found":
+      return "No hazard found in this model.";
+    case "inconclusive":
+      return "Inconclusive: nothing was found, but nothing could have been. See the notes under coverage.";
+    case "fmu_failed":
+      return "The FMU failed: nothing was found in what could be evaluated, which says little.";
+    case "interrupted":
+      return "Interrupted: nothing found so far.";
+    default:
+      return `Verdict: ${scan.verdict}.`;
+  }
+}
+
+/** Which sequences were looked at. */
+function lookedAt({ certificate, settings, spent }) {
+  const quick = `a quick search of ${count(spent.iterations, "sequence")}`;
+  if (certificate) {
+    const beginnings = `all beginnings of ${certificate.complete_for_actions} of ${certificate.horizon} actions`;
+    return settings.strategy === "auto" ? `${quick}, and ${beginnings}` : beginnings;
+  }
+  return settings.strategy === "auto"
+    ? `${quick} alone, with seed ${settings.seed}`
+    : `${count(spent.iterations, "iteration")} of ${settings.strategy} with seed ${settings.seed}`;
+}
+
+function scope(scan) {
+  if (scan.certificate?.complete) {
+    const others = scan.hazards.length > 0 ? "there are no others" : "none of them is hazardous";
+    return [
+      "Complete.",
+      `All ${grouped(scan.certificate.sequences)} sequences are accounted for: ${others} within the stated actions and horizon, in this model. A statement about the model, not about the real cell.`,
+    ];
+  }
+  const left = scan.residual ? " The residual figures under coverage bound what is left." : "";
+  return ["Not complete.", `Looked at: ${lookedAt(scan)}. Not finding more is not proof of safety.${left}`];
+}
+
+/** The head of the report. */
+export function verdict({ scan, cell }) {
+  const [word, meaning] = scope(scan);
+  return h(
+    "header",
+    {},
+    h("p", { class: "kicker" }, `${scan.tool} · hazard report`),
+    h("h1", {}, cell.name),
+    h("p", { class: `verdict ${scan.verdict}`, "data-test": "verdict" }, sentence(scan)),
+    h("p", { class: "scope", "data-test": "scope" }, h("strong", {}, word), ` ${meaning}`),
+    h(
+      "p",
+      { class: "note" },
+      "A hazard is a way, found in the model, for a person to be hit harder than ISO/TS 15066 allows. The report helps an assessment; it does not show that the cell is safe.",
+    ),
+  );
+}

@@ -1,0 +1,232 @@
+// Invented reports for the tests: a robot that sweeps over a table, and a person who walks up to it and bends.
+
+const STEP_S = 0.02;
+const FRAMES = 81;
+const LIMITS = { skull_forehead: 130, chest: 280, hand: 280 };
+
+const add = (...all) => [0, 1, 2].map((i) => all.reduce((sum, v) => sum + v[i], 0));
+const scaled = (v, s) => v.map((value) => value * s);
+const base64 = (numbers) => Buffer.from(new Float32Array(numbers.flat(Infinity)).buffer).toString("base64");
+const rounded = (v) => v.map((value) => Number(value.toFixed(4)));
+
+/** Pseudo-random numbers in 0..1, the same for the same seed. */
+function random(seed) {
+  let state = seed >>> 0 || 1;
+  return () => {
+    state ^= state << 13;
+    state ^= state >>> 17;
+    state ^= state << 5;
+    state >>>= 0;
+    return state / 2 ** 32;
+  };
+}
+
+const BODY = [
+  ["skull_forehead", 0.105], ["neck", 0.06], ["chest", 0.13], ["chest", 0.14], ["abdomen", 0.13],
+  ["pelvis", 0.14], ["thigh", 0.08], ["thigh", 0.08], ["lower_leg", 0.055], ["lower_leg", 0.055],
+];
+
+/** Capsules of a person who stands at `xy`, looks to `heading` and bends forward by `bend`. */
+function body([x, y], heading, bend) {
+  const forward = [Math.cos(heading), Math.sin(heading), 0];
+  const left = [-Math.sin(heading), Math.cos(heading), 0];
+  const hip = [x, y, 0.92];
+  const trunk = (up, out = 0) => add(hip, scaled(forward, up * Math.sin(bend)), [0, 0, up * Math.cos(bend)], scaled(left, out));
+  const leg = (out, z) => add([x, y, z], scaled(left, out));
+  return [
+    [trunk(0.72), trunk(0.72)],
+    [trunk(0.52), trunk(0.62)],
+    [trunk(0.4, 0.08), trunk(0.4, -0.08)],
+    [trunk(0.25, 0.08), trunk(0.25, -0.08)],
+    [trunk(0.12), trunk(0.12)],
+    [add([x, y, 0.95], scaled(left, 0.07)), add([x, y, 0.95], scaled(left, -0.07))],
+    [leg(0.09, 0.85), leg(0.09, 0.49)],
+    [leg(-0.09, 0.85), leg(-0.09, 0.49)],
+    [leg(0.09, 0.49), leg(0.09, 0.055)],
+    [leg(-0.09, 0.49), leg(-0.09, 0.055)],
+  ];
+}
+
+const LINKS = (hitting) => [
+  { name: "base", robot: "r1", shape: "hull", points_m: [[-0.15, -0.15, 0], [0.15, -0.15, 0], [0.15, 0.15, 0], [-0.15, 0.15, 0], [-0.1, -0.1, 0.2], [0.1, -0.1, 0.2], [0.1, 0.1, 0.2], [-0.1, 0.1, 0.2]] },
+  { name: "shoulder", robot: "r1", shape: "capsule", radius_m: 0.09 },
+  { name: "upper_arm", robot: "r1", shape: "capsule", radius_m: 0.075 },
+  { name: "forearm", robot: "r1", shape: "capsule", radius_m: 0.06 },
+  { name: hitting, robot: "r1", shape: "capsule", radius_m: 0.06 },
+  { name: "gripper", robot: "r1", shape: "hull", points_m: [[-0.06, -0.1, -0.05], [0.06, -0.1, -0.05], [0.06, 0.1, -0.05], [-0.06, 0.1, -0.05], [-0.04, -0.08, 0.08], [0.04, -0.08, 0.08], [0.04, 0.08, 0.08], [-0.04, 0.08, 0.08]] },
+];
+
+const BASE = [0, 0.75, 0.9];
+
+/** Links of a robot whose tool is at `tip`. */
+function robot(tip) {
+  const shoulder = add(BASE, [0, 0, 0.3]);
+  const half = scaled(add(shoulder, tip), 0.5);
+  const elbow = add(half, [0, 0, 0.35]);
+  const wrist = add(tip, [0, 0, 0.16]);
+  const turn = Math.atan2(tip[1] - BASE[1], tip[0] - BASE[0]) / 2;
+  return [
+    [BASE, 0, 0, 0, 1],
+    [add(BASE, [0, 0, 0.15]), shoulder, 0],
+    [shoulder, elbow, 0],
+    [elbow, wrist, 0],
+    [wrist, tip, 0],
+    [add(tip, [0, 0, -0.08]), 0, 0, Math.sin(turn), Math.cos(turn)],
+  ];
+}
+
+function sensors(xy) {
+  return { mat: xy[1] > -1.1 && Math.abs(xy[0]) < 0.8, field: xy[1] > -0.9, curtain: xy[1] > -0.55 };
+}
+
+/** A drawing as plain as it gets; the real ones come from the Rust side. */
+function topView(id, xy, contact) {
+  const at = ([x, y]) => `cx="${(200 + 100 * x).toFixed(1)}" cy="${(200 - 100 * y).toFixed(1)}"`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="400" height="400" viewBox="0 0 400 400"><rect width="400" height="400" fill="#fff"/><text x="10" y="20">${id}</text><rect x="120" y="105" width="160" height="95" fill="#a9b4c2"/><circle ${at(xy)} r="22" fill="#3182ce"/><circle ${at(contact)} r="6" fill="#c00"/></svg>`;
+}
+
+const ACTIONS = ["forward/upright", "left45/upright", "right45/bend-left", "forward/upright", "stop/upright", "right45/bend-forward", "left45/bend-forward", "forward/bend-forward-right"];
+
+/** One hazard and its replay. */
+function episode(index, next, { arm, hitting }) {
+  const id = `H-${(0xa00001 + index * 40503).toString(16).slice(0, 6)}`;
+  const withArm = arm === "all" || (arm === "some" && index % 3 === 1);
+  const contactFrame = 60 + Math.floor(20 * next());
+  const goal = [1.1 * (next() - 0.5), -0.42 - 0.1 * next()];
+  const from = [1.6, -2.2];
+  const place = (frame) => {
+    const t = Math.min(1, frame / 50);
+    return [from[0] + t * (goal[0] - from[0]) + 0.15 * Math.sin(Math.PI * t), from[1] + t * (goal[1] - from[1])];
+  };
+  const heading = (frame) => (frame < 50 ? Math.atan2(goal[1] - from[1], goal[0] - from[0]) : Math.PI / 2);
+  const bend = (frame) => (withArm ? 0.2 : 0.75) * Math.max(0, Math.min(1, (frame - 50) / 10));
+  const poses = Array.from({ length: FRAMES }, (_, frame) => body(place(frame), heading(frame), bend(frame)));
+
+  const touched = poses[contactFrame];
+  const head = touched[0][0];
+  const shoulder = add(touched[2][0], [0, 0, 0.02]);
+  const wrist = add(shoulder, [0.05, 0.5, -0.1]);
+  const armPose = withArm ? { side: "left", points_m: [shoulder, add(shoulder, [0.1, 0.25, -0.22]), wrist].map(rounded), radius_m: 0.045 } : null;
+  const region = withArm ? "hand" : "skull_forehead";
+  const bodyPoint = withArm ? wrist : add(head, [0, 0.1, 0.02]);
+  const contact = add(bodyPoint, [0, 0.01, 0]);
+  const tip = (frame) => add(contact, [0.9 * Math.sin((frame - contactFrame) * 0.03), 0.07 + 0.15 * (1 - Math.cos((frame - contactFrame) * 0.05)), 0]);
+
+  const limit = LIMITS[region];
+  const slow = index % 7 === 6 && !withArm;
+  const ratio = slow ? 0.55 : 1.05 + 1.2 * next();
+  const speed = 0.2 + next();
+  const timeS = contactFrame * STEP_S;
+  const now = place(contactFrame);
+  const reports = Object.entries(sensors(now)).map(([name, on]) => ({ name, person_detected: on }));
+  const hazard = {
+    id, confirmed: index % 11 === 10 ? null : true, class: slow ? "head_contact" : "force", body_region: region, robot_link: index % 2 ? "gripper" : hitting,
+    force_n: ratio * limit, limit_n: limit, ratio, directed_force_n: 0.8 * ratio * limit, speed_m_s: speed, approach_m_s: 0.9 * speed,
+    safe_below_m_s: speed / ratio, effective_mass_kg: 11.85, time_s: timeS, contact_point_m: rounded(contact), body_point_m: rounded(bodyPoint),
+    distance_m: -0.01, person_xy_m: now, person_heading_deg: 90, bend_fraction: withArm ? 1 : 0.9375,
+    arm: armPose && { side: "left", shoulder_m: armPose.points_m[0], elbow_m: armPose.points_m[1], wrist_m: armPose.points_m[2] },
+    sensors: reports, phase: 1, through_curtain_s: withArm ? 0.12 : null, actions: ACTIONS.slice(0, Math.ceil(timeS / 0.2)),
+    first_iteration: index + 1, times_found: 1 + Math.floor(40 * next()), earliest_time_s: timeS - 0.1, sequences: null,
+    shortest: { actions: ACTIONS.slice(0, 7).map((name) => name.replace("bend-left", "upright")), time_s: timeS - 0.1, force_n: ratio * limit, ratio, confirmed: true },
+  };
+  const frames = [...poses.keys()];
+  const distance = (frame) => Math.hypot(...[0, 1, 2].map((i) => tip(frame)[i] - (withArm ? poses[frame][2][0] : poses[frame][0][0])[i])) - 0.16;
+  const replay = {
+    id, frames: FRAMES, contact_frame: contactFrame,
+    links: base64(frames.map((frame) => robot(tip(frame)))),
+    body: base64(poses),
+    arm: armPose, contact_m: rounded(contact),
+    time_s: base64(frames.map((frame) => frame * STEP_S)),
+    distance_m: base64(frames.map(distance)),
+    speed_m_s: base64(frames.map((frame) => speed * (1 - 0.01 * Math.abs(frame - contactFrame)))),
+    force_ratio: base64(frames.map((frame) => (Math.abs(frame - contactFrame) > 25 ? NaN : ratio * (1 - 0.015 * Math.abs(frame - contactFrame))))),
+    sensors: reports.map(({ name }) => ({ name, detected: frames.map((frame) => (sensors(place(frame))[name] ? "1" : "0")).join("") })),
+    actions: ACTIONS.map((name, action) => ({ name, frame: 10 * action })),
+    top_view: topView(id, now, contact),
+  };
+  return { hazard, replay };
+}
+
+const exact = { result: "exact" };
+
+function scan(hazards, { exhaustive, faults }) {
+  const residual = {
+    holds_for: "uniformly random sequences of these actions, horizon and start in this model; not how likely a person is hurt",
+    random_sequences: 400, hazardous: 3, not_evaluated: 0, hazardous_share_interval: [0.0015, 0.0218], hazardous_share_below: 0.0193,
+    unlisted: hazards.length ? { checked: 300, met_others: 0, probability_below: 0.00994, good_turing_estimate: 0.002 } : null,
+  };
+  const certificate = {
+    complete: true, reasons: [], sequences: "2821109907456", covered: "2821109907456", hazardous: hazards.length ? "41953532688" : "0",
+    harmless: hazards.length ? "2680999615728" : "2722953148416", excluded: "98156759040", not_evaluated: "0", hazardous_share: hazards.length ? 0.014871 : 0,
+    states: 13750, levels: [[1, 0], [6, 0]], complete_for_actions: 8, fmu_transitions: 8, questions: 2526076, merged_by: "serialised states, byte for byte",
+    merged: 12, merges_tried_out: 12, actions: 36, horizon: 8, random_search: { iterations: 320, mean_iterations: 66.7, sigma: 64, miss_probability: 0.0083 },
+  };
+  return {
+    schema_version: 3, tool: "fmi-hazard 0.1.0", verdict: hazards.length ? "hazards_found" : "none_found",
+    subject: {
+      cell: "invented-cell", cell_found: "cells/invented/cell.toml", cell_sha256: "5b7abcfb551913fec788e2d71a3460021982a57de0505ad8a1c8dab2a7c04800", path: "cells/invented/cell.toml",
+      fmus: [{ unit: "", sha256: "b9897c6cc788e402dd5e2a71e3065e2c4113bb2d497b08557f4decde4045b00b", fmi_version: "2.0", model_name: "invented", generation_tool: "by hand" }], couplings: [],
+    },
+    settings: {
+      strategy: exhaustive ? "exhaustive" : "hybrid", seed: 1, iterations: 320, stop_at_first: false, posture_sweep: true, actions_per_sequence: 8, action_s: 0.2,
+      contact_check_interval_s: STEP_S, reach_tolerance_m: 0.02, speed_criterion: "absolute speed of the robot point (conservative, as in the paper)",
+    },
+    hazards,
+    certificate: exhaustive ? certificate : null,
+    residual: exhaustive ? null : residual,
+    coverage: {
+      episodes: 320, episodes_not_evaluated: faults, actions: 2470, contact_checks: 8787, arm_checks: 36, arm_checks_incomplete: 1, arm_boxes: 5000, closest_approach_m: -0.12,
+      checks_with_robot_in_arm_reach: 1423, contacts_within_limits: 3, highest_ratio_within_limits: 0.24, robot_top_speed_m_s: 1.3, sensor_actions: [78, 64, 12], walks_blocked: 1,
+    },
+    spent: { iterations: 320, actions: 2470, fmu_steps: 810, fmu_states: 82, contact_checks: 8787, arm_checks: 36 },
+    faults: Array.from({ length: faults }, () => ({ message: "the FMU returned fmi2Error from fmi2DoStep at 0.84 s:\n  solver: no convergence", actions: ACTIONS.slice(0, 5) })),
+    self_test: {
+      steps: 80, step_s: STEP_S, inputs: 2, outputs: 80, deterministic: exact, second_instance: exact, restore: exact, fork: exact, fresh_process: exact,
+      reset: { result: "differs", largest: 0.00031 }, serialize: { result: "not_offered" }, bytes_per_state: 286, output_range: 3.14,
+    },
+    standard_edition: "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)",
+    tables: [
+      { id: "iso_ts_15066_force_limits", title: "ISO/TS 15066:2016, Table A.2: quasi-static force limits, and the transient factor 2 (none for the head)", source: "public secondary sources that quote Table A.2", confidence: "two independent public sources agree on every force except lower legs", verified: false },
+      { id: "ansur_ii", title: "ANSUR II 2012: body measures of men and women", source: "percentiles computed from the public per-subject data", confidence: "two public copies of the data agree", verified: true },
+    ],
+    warnings: faults > 0 ? ["2 sequences could not be evaluated, as the FMU failed"] : [],
+  };
+}
+
+const QUARTER = Math.SQRT1_2;
+
+/** Data of a report with so many hazards, of which the first `replays` can be replayed. */
+export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, assessments = {}, name = "invented-cell" } = {}) {
+  const next = random(7 + hazards);
+  const episodes = Array.from({ length: hazards }, (_, index) => episode(index, next, { arm, hitting }));
+  episodes.sort((a, b) => b.hazard.ratio - a.hazard.ratio);
+  return {
+    format: 1,
+    scan: scan(episodes.map(({ hazard }) => hazard), { exhaustive, faults }),
+    reproduce: "fmi-hazard scan cell.toml --strategy hybrid --seed 1 --iterations 320",
+    assumptions: [
+      "The person walks at 1.6 m/s and does not run, jump, fall or climb; arms are posed at once, not swung.",
+      "The force is that of a free impact with the absolute speed of the robot point; pressures and clamping are not looked at.",
+      "The robot is the shapes and the mass that the cell file gives it.",
+    ],
+    assessments,
+    cell: {
+      name,
+      step_s: STEP_S,
+      obstacles: [
+        { name: "table", centre_m: [0, 0.475, 0.45], size_m: [1.6, 0.95, 0.9], quaternion: [0, 0, 0, 1] },
+        { name: "fence left", centre_m: [-1.9, 0, 1], size_m: [1.6, 0.02, 2], quaternion: [0, 0, 0, 1] },
+        { name: "fence right", centre_m: [1.9, 0, 1], size_m: [2, 0.02, 1.6], quaternion: [0, QUARTER, 0, QUARTER] },
+      ],
+      zones: [
+        { name: "mat", kind: "mat", polygon_m: [[-0.8, -1.1], [0.8, -1.1], [0.8, -0.05], [-0.8, -0.05]], z_m: [0, 0] },
+        { name: "field", kind: "field", polygon_m: [[-1.4, -0.9], [1.4, -0.9], [1.1, 1.6], [-1.1, 1.6]], z_m: [0.2, 0.2] },
+        { name: "curtain", kind: "curtain", polygon_m: [[-1.1, -0.55], [1.1, -0.55]], z_m: [0.3, 1.8] },
+      ],
+      links: LINKS(hitting),
+      body: BODY.map(([region, radius_m]) => ({ region, radius_m })),
+      start: { xy_m: [1.6, -2.2], heading_deg: 135 },
+    },
+    replays: episodes.slice(0, replays).map(({ replay }) => replay),
+  };
+}
