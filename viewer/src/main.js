@@ -35,11 +35,13 @@ function build(root) {
   if (hazards.length > 0) {
     const assessments = makeAssessments(data);
     const table = hazardTable(data, selection, assessments);
+    const replay = replaySection(data, selection);
     root.append(
       table.element,
-      replaySection(data, selection),
+      replay.element,
       h("div", { class: "pair" }, map(data, selection, table.setBin), assessmentForm(data, selection, assessments)),
     );
+    replay.start();
   } else {
     root.append(section("hazards", "Hazards", h("p", { "data-test": "none" }, "None was found. What that is worth is told by what the search covered, below.")));
   }

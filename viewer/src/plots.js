@@ -45,7 +45,7 @@ function range(limit) {
   };
 }
 
-/** The three plots; `seek` hears the time that was clicked. */
+/** The three plots; `seek` hears the frame that was clicked. */
 export function makePlots(seek) {
   const figures = GRAPHS.map((graph) => {
     const value = h("b");
@@ -55,6 +55,8 @@ export function makePlots(seek) {
   const element = h("div", { class: "plots", "data-test": "plots" }, figures.map((figure) => figure.element));
   let replay = null;
   let frame = 0;
+
+  const last = () => Math.max(replay.frames - 1, 1);
 
   function options({ colour, limit, unit }) {
     const axis = { stroke: style("--ink-soft"), grid: { stroke: style("--line"), width: 1 }, ticks: { stroke: style("--line"), width: 1 }, font: "11px system-ui, sans-serif" };
@@ -70,7 +72,7 @@ export function makePlots(seek) {
         { ...axis, size: GUTTER_PX, gap: 4, space: 24, values: (_, ticks) => ticks.map((tick) => `${+tick.toFixed(2)} ${unit}`) },
       ],
       series: [{}, { stroke: style(colour), width: 2, points: { show: false } }],
-      hooks: { draw: limit === undefined ? [] : [level(limit)], ready: [listen] },
+      hooks: { draw: limit === undefined ? [] : [level(limit)] },
     };
   }
 
@@ -78,7 +80,10 @@ export function makePlots(seek) {
     const line = h("div", { class: "now" });
     u.over.append(line);
     u.now = line;
-    const to = (event) => seek(u.posToVal(event.clientX - u.over.getBoundingClientRect().left, "x"));
+    const to = (event) => {
+      const { left, width } = u.over.getBoundingClientRect();
+      seek(((event.clientX - left) / width) * last());
+    };
     u.over.addEventListener("pointerdown", (event) => {
       u.over.setPointerCapture(event.pointerId);
       to(event);
@@ -91,6 +96,7 @@ export function makePlots(seek) {
       figure.plot?.destroy();
       const numbers = [...replay[figure.key]].map((value) => (Number.isFinite(value) ? value : null));
       figure.plot = new uPlot(options(figure), [[...replay.time_s], numbers], figure.box);
+      listen(figure.plot);
     }
     show(frame);
   }
@@ -98,7 +104,7 @@ export function makePlots(seek) {
   function show(to) {
     frame = to;
     for (const { plot, key, value, unit } of figures) {
-      plot.now.style.left = `${plot.valToPos(replay.time_s[frame], "x")}px`;
+      plot.now.style.left = `${(100 * frame) / last()}%`;
       const number = replay[key][frame];
       value.textContent = Number.isFinite(number) ? `${number.toFixed(2)}${unit === "x" ? "" : " "}${unit}` : "none";
     }
@@ -107,9 +113,6 @@ export function makePlots(seek) {
   new ResizeObserver(() => {
     for (const { plot } of figures) {
       plot?.setSize({ width: Math.max(element.clientWidth, 200), height: HEIGHT_PX });
-    }
-    if (replay) {
-      show(frame);
     }
   }).observe(element);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => replay && build());

@@ -65,7 +65,7 @@ export function replaySection(data, selection) {
   const title = h("span");
   const stage = makeStage(cell);
   const player = makePlayer();
-  const plots = makePlots((time) => seek(time / cell.step_s));
+  const plots = makePlots(seek);
   const strips = makeStrips(seek);
   const instantText = h("p", { class: "instant", "data-test": "instant" });
   const panel = h("div");
@@ -119,33 +119,29 @@ export function replaySection(data, selection) {
   const none = h("div", { class: "notice", "data-test": "no-replay" });
   panel.append(full, none);
 
-  selection.follow((id) => {
+  function choose(id) {
     hazard = data.hazard(id);
     current = data.replay(id) ?? null;
     title.textContent = `${id}: ${hazard.robot_link} meets ${words.region(hazard.body_region)}`;
     details.replaceChildren(facts(hazard));
     full.hidden = current === null;
     none.hidden = current !== null;
-    player.pause();
     if (!current) {
+      player.pause();
       none.replaceChildren(h("p", {}, "This report carries the replays of the worst hazards only, not of this one. To get it:"), command(`fmi-hazard replay scan.json ${id}`));
       return;
     }
     stage.drawFlat(data.topView(id));
-    // The plots take their width from the page.
-    requestAnimationFrame(() => {
-      if (current?.id === id) {
-        stage.scene?.load(current, hazard);
-        transport.load(current);
-        plots.load(current);
-        strips.load(current);
-        player.load(current.frames, cell.step_s, current.contact_frame);
-        stage.scene?.look("overview");
-      }
-    });
-  });
+    stage.scene?.load(current, hazard);
+    transport.load(current);
+    plots.load(current);
+    strips.load(current);
+    player.load(current.frames, cell.step_s, current.contact_frame);
+    stage.scene?.look("overview");
+  }
 
   const element = section("replay", "", panel, details);
   element.querySelector("h2").append("Replay ", title);
-  return element;
+  // Scene and plots take their sizes from the page, so they begin once they are in it.
+  return { element, start: () => selection.follow(choose) };
 }

@@ -193,6 +193,7 @@ export function makeScene(canvas, cell, tellName) {
 
   function look(preset) {
     view = preset;
+    resize();
     const camAt = viewpoint(view, { ...subject, head: bodyAt(replay, cell, frame, head).a }, camera);
     camera.position.copy(camAt.position);
     controls.target.copy(camAt.target);
