@@ -93,7 +93,7 @@ export function replaySection(data, selection) {
       name ? `the person ${words.action(name)}` : "start",
     ];
     if (current.sensors.length > 0) {
-      parts.push(reporting.length > 0 ? `${reporting.join(", ")} reports the person` : "no sensor reports the person");
+      parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? "report" : "reports"} the person` : "no sensor reports the person");
     }
     if (frame === current.contact_frame) {
       parts.push(`contact: ${hazard.robot_link} meets ${words.region(hazard.body_region)}`);

@@ -133,6 +133,8 @@ export function makeScene(canvas, cell, tellName) {
       requestAnimationFrame(() => {
         pending = false;
         mark.children.forEach((ring) => ring.quaternion.copy(camera.quaternion));
+        // About as large on the picture from near and far.
+        mark.scale.setScalar(Math.max(0.25, Math.min(2, camera.position.distanceTo(mark.position) / 3.5)));
         renderer.render(scene, camera);
       });
     }
@@ -161,7 +163,7 @@ export function makeScene(canvas, cell, tellName) {
     }
   }
 
-  /** What the camera has to show of a replay: everybody at the contact, and where the person came from. */
+  /** What the camera has to show of a replay: person and robot at the contact. */
   function subjectOf(hazard) {
     const at = replay.contact_frame;
     const capsules = [];
@@ -184,8 +186,6 @@ export function makeScene(canvas, cell, tellName) {
     });
     take([replay.contact_m], 0.1);
     take(replay.arm?.points_m ?? [], 0.1);
-    const feet = path(replay, cell);
-    take([feet[0]].map(([x, y]) => [x, y, 0.3]), 0.1);
     // The touching shapes themselves always lie at the contact; they do not count as hiding it.
     const hiding = capsules.filter(({ a, b, radius }) => toSegment(replay.contact_m, a, b) > radius + 0.03);
     return { points, capsules: hiding, contact: replay.contact_m, person: hazard.person_xy_m, robot };

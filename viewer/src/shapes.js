@@ -80,11 +80,11 @@ export function obstacle({ centre_m: centre, size_m: size, quaternion }, materia
   return mesh;
 }
 
-/** Upright faces along the edges of a polygon. */
+/** Upright faces along the edges of a polygon, or along the one edge of a line. */
 function walls(polygon, low, high) {
   const corners = [];
-  polygon.forEach((p, index) => {
-    const q = polygon[(index + 1) % polygon.length];
+  polygon.slice(polygon.length === 2 ? 1 : 0).forEach((q, index) => {
+    const p = polygon.at(polygon.length === 2 ? 0 : index - 1);
     corners.push(...p, low, ...q, low, ...q, high, ...p, low, ...q, high, ...p, high);
   });
   return new BufferGeometry().setAttribute("position", new Float32BufferAttribute(corners, 3));
@@ -95,8 +95,8 @@ function loop(polygon, z, material) {
 }
 
 /** How opaque a zone is: clear, and lit while its sensor reports the person. */
-const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.12 };
-const LIT = { mat: 0.55, field: 0.3, curtain: 0.42 };
+const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.1 };
+const LIT = { mat: 0.55, field: 0.3, curtain: 0.26 };
 
 /** A sensor zone: flat on the floor or at its height; a curtain stands upright. */
 export class Zone extends Group {

@@ -1,0 +1,25 @@
+// Checks reports from the command line: node check_report.mjs report.html [more.html]
+
+import { checkReport, withBrowsers } from "./report.mjs";
+
+const files = process.argv.slice(2);
+if (files.length === 0) {
+  console.error("usage: node check_report.mjs report.html [more.html]");
+  process.exit(2);
+}
+
+let failed = 0;
+await withBrowsers(async (browsers) => {
+  for (const file of files) {
+    console.log(file);
+    await checkReport(file, browsers, (name, error) => {
+      console.log(`  ${error ? "FAILED" : "ok"}  ${name}`);
+      if (error) {
+        failed += 1;
+        console.log(`${error.message}`.replace(/^/gm, "          "));
+      }
+    });
+  }
+});
+console.log(failed === 0 ? "All checks passed." : `${failed} checks failed.`);
+process.exitCode = failed === 0 ? 0 : 1;
