@@ -1,6 +1,6 @@
 // The clock of a replay: the frame that is shown, and playing on from it. It stops at the last frame.
 
-/** A player at one frame a step of `step` seconds. */
+/** A player, stopped, of nothing yet. */
 export function makePlayer() {
   const listeners = [];
   let frames = 1;
@@ -35,13 +35,13 @@ export function makePlayer() {
     },
     /** Another replay, shown at this frame. */
     load(count, seconds, at) {
-      [frames, step, playing] = [count, seconds, false];
+      [frames, step] = [count, seconds];
       player.seek(at);
     },
-    /** Shows a frame; playing goes on from there. */
+    /** Shows a frame and stays there. */
     seek(to) {
       frame = Math.max(0, Math.min(frames - 1, Math.round(to)));
-      began = null;
+      playing = false;
       tell();
     },
     pause() {

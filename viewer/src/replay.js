@@ -65,8 +65,8 @@ export function replaySection(data, selection) {
   const title = h("span");
   const stage = makeStage(cell);
   const player = makePlayer();
-  const plots = makePlots(seek);
-  const strips = makeStrips(seek);
+  const plots = makePlots(player.seek);
+  const strips = makeStrips(player.seek);
   const instantText = h("p", { class: "instant", "data-test": "instant" });
   const panel = h("div");
   const details = h("div", { class: "facts" });
@@ -79,11 +79,6 @@ export function replaySection(data, selection) {
     inView: () => shown && current !== null,
   });
   new IntersectionObserver((entries) => (shown = entries.at(-1).isIntersecting)).observe(stage.element);
-
-  function seek(frame) {
-    player.pause();
-    player.seek(frame);
-  }
 
   function instant(frame) {
     const name = current.actions[actionAt(current.actions, frame)]?.name;

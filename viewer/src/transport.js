@@ -24,15 +24,9 @@ export function makeTransport(player, { look, inView }) {
   let frames = 1;
   let contact = 0;
   const play = button("play", "▶ Play", "Play or pause (space)", () => player.toggle());
-  const scrub = h("input", { type: "range", min: 0, step: 1, "data-test": "scrub", "aria-label": "time", oninput: () => (player.pause(), player.seek(Number(scrub.value))) });
-  const step = (by) => () => {
-    player.pause();
-    player.seek(player.frame + by);
-  };
-  const jump = (to) => () => {
-    player.pause();
-    player.seek(to());
-  };
+  const scrub = h("input", { type: "range", min: 0, step: 1, "data-test": "scrub", "aria-label": "time", oninput: () => player.seek(Number(scrub.value)) });
+  const step = (by) => () => player.seek(player.frame + by);
+  const jump = (to) => () => player.seek(to());
   const speed = h(
     "select",
     { "data-test": "speed", onchange: () => player.setSpeed(Number(speed.value)) },
