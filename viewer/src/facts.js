@@ -32,7 +32,7 @@ export function facts(hazard) {
     ["light curtain", hazard.through_curtain_s ? `the arm broke its plane ${words.time(hazard.through_curtain_s)} before the contact; the robot is where it is when the curtain is broken then` : ""],
     ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
     ["programme phase", hazard.phase === null ? "" : String(hazard.phase)],
-    ["found", `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}; first in iteration ${hazard.first_iteration}`],
+    ["found", `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],
     ["confirmed", `by a fresh instance without any restore: ${words.confirmed(hazard.confirmed)}`],
     ["worst sequence", sequence(hazard.actions)],
     [

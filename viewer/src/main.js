@@ -39,13 +39,14 @@ function build(root) {
     root.append(
       table.element,
       replay.element,
+      printPart(data, assessments),
       h("div", { class: "pair" }, map(data, selection, table.setBin), assessmentForm(data, selection, assessments)),
     );
     replay.start();
   } else {
     root.append(section("hazards", "Hazards", h("p", { "data-test": "none" }, "None was found. What that is worth is told by what the search covered, below.")));
   }
-  root.append(coverage(data), provenance(data), printPart(data));
+  root.append(coverage(data), provenance(data));
 }
 
 const root = document.getElementById("report");

@@ -52,7 +52,7 @@ export function map(data, selection, setBin) {
 
   const bins = svg("g", { class: "bins" });
   const mark = svg("g", { class: "selected-place" });
-  const told = h("output", { "data-test": "bin", class: "told" });
+  const told = h("output", { "data-test": "bin", class: "told screen-only" });
   const hint = "Point at a bin to read it; click it to see only its hazards in the table.";
   const say = (text) => (told.textContent = text || hint);
   say("");

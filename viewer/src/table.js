@@ -4,8 +4,9 @@ import { h, section } from "./dom.js";
 import * as words from "./words.js";
 
 /** Columns: title, what it is sorted by, what a cell holds, whether it is a number. */
-function columns({ decisionOf, worst }) {
+function columns({ decisionOf, worst, counted }) {
   const number = true;
+  const times = (z) => z.sequences ?? z.times_found;
   return [
     ["id", (z) => z.id, (z) => h("a", { href: `#${z.id}`, class: "id" }, z.id)],
     ["ratio", (z) => z.ratio, (z) => bar(z, worst), number],
@@ -15,7 +16,7 @@ function columns({ decisionOf, worst }) {
     ["speed", (z) => z.speed_m_s, (z) => words.speed(z.speed_m_s), number],
     ["safe below", (z) => z.safe_below_m_s, (z) => words.speed(z.safe_below_m_s), number],
     ["time", (z) => z.time_s, (z) => words.time(z.time_s), number],
-    ["found", (z) => Number(z.sequences ?? z.times_found), words.found, number],
+    [counted ? "sequences" : "times found", (z) => Number(times(z)), (z) => words.grouped(times(z)), number],
     ["sensors at contact", (z) => words.sensors(z.sensors), (z) => words.sensors(z.sensors)],
     ["confirmed", (z) => words.confirmed(z.confirmed), (z) => words.confirmed(z.confirmed)],
     ["decision", (z) => decisionOf(z.id), (z) => decisionOf(z.id)],
@@ -50,7 +51,8 @@ export function hazardTable(data, selection, assessments) {
   const hazards = data.scan.hazards;
   const worst = Math.max(...hazards.map((hazard) => hazard.ratio));
   const decisionOf = (id) => assessments.of(id).decision || "open";
-  const shown = columns({ decisionOf, worst });
+  const counted = hazards.some((hazard) => hazard.sequences !== null);
+  const shown = columns({ decisionOf, worst, counted });
   const distinct = (of) => [...new Set(hazards.map(of))].sort();
   let sorted = { column: 1, descending: true };
   let bin = null;
