@@ -53,6 +53,12 @@ impl Source {
         &self.text
     }
 
+    /// Line of a place in the text, from 1.
+    #[must_use]
+    pub fn line(&self, offset: usize) -> usize {
+        self.text.get(..offset).map_or(0, |before| before.matches('\n').count()) + 1
+    }
+
     /// An error at `span` (a byte range; empty at 0 means nowhere in particular).
     #[must_use]
     pub fn error(

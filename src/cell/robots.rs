@@ -115,7 +115,7 @@ impl Checker<'_> {
                 return Err(self.0.error(span, "in this link", message, None));
             }
         };
-        Ok(Link { name: link.name.clone(), robot, joint, shape })
+        Ok(Link { name: link.name.clone(), robot, joint, shape, line: self.0.line(span.start) })
     }
 
     fn capsule(&self, table: &CapsuleTable, span: &Range<usize>) -> Result<Capsule, Box<CellError>> {

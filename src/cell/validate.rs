@@ -81,6 +81,8 @@ pub struct Link {
     pub joint: usize,
     /// Shape in the joint frame.
     pub shape: Solid,
+    /// Line of the cell file that names its joint, from 1.
+    pub line: usize,
 }
 
 /// A sensor.

@@ -2,6 +2,7 @@
 
 mod bench;
 mod bench_strategies;
+mod compare;
 mod demo;
 mod examples;
 pub mod exit;
@@ -9,10 +10,12 @@ mod hosting;
 mod inspect;
 mod output;
 mod replay;
+mod results;
 mod resume;
 mod scan;
 mod schema;
 mod selftest;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -35,6 +38,10 @@ enum Command {
     Demo(demo::Arguments),
     /// Simulate a recorded hazard again and say whether it reproduces
     Replay(replay::Arguments),
+    /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse
+    Compare(compare::Arguments),
+    /// Try known hazards again in a changed cell. Exit code 1 if one is still there
+    Verify(verify::Arguments),
     /// Show what an FMU is, without loading it
     Inspect(inspect::Arguments),
     /// Try what an FMU's promises about its state are worth
@@ -69,6 +76,8 @@ pub fn main() -> ExitCode {
         Command::Scan(a) => scan::command(&a),
         Command::Demo(a) => demo::run(&a),
         Command::Replay(a) => replay::run(&a),
+        Command::Compare(a) => compare::run(&a),
+        Command::Verify(a) => verify::run(&a),
         Command::Inspect(a) => inspect::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),

@@ -3,20 +3,19 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use serde::Deserialize;
-
+use super::compare;
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output;
 use crate::cell::error::nearest;
-use crate::report::model::{FmuSubject, Hazard, SCHEMA_VERSION};
+use crate::report::model::{FmuSubject, Hazard};
 use crate::scan::StateChoice;
 use crate::scan::prepare::prepare_in;
 use crate::sim::replay::replay;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// A scan.json
+    /// A scan.json, or the folder with the results of a scan
     scan: PathBuf,
     /// Id of a hazard in it, or `all`
     id: String,
@@ -27,34 +26,9 @@ pub(super) struct Arguments {
     hosting: HostingArguments,
 }
 
-/// The parts of scan.json that a replay needs.
-#[derive(Deserialize)]
-struct Recorded {
-    schema_version: u32,
-    subject: RecordedSubject,
-    hazards: Vec<Hazard>,
-}
-
-#[derive(Deserialize)]
-struct RecordedSubject {
-    path: PathBuf,
-    cell_sha256: String,
-    fmus: Vec<FmuSubject>,
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let file = arguments.scan.display();
-    let text =
-        std::fs::read_to_string(&arguments.scan).map_err(|e| Failure::unusable(format!("cannot read {file}: {e}")))?;
-    let recorded: Recorded = serde_json::from_str(&text).map_err(|e| {
-        Failure::unusable_with_help(format!("{file} is not a scan result: {e}"), "give the scan.json of a scan")
-    })?;
-    if recorded.schema_version != SCHEMA_VERSION {
-        return Err(Failure::unusable_with_help(
-            format!("{file} has format {}, this version reads {SCHEMA_VERSION}", recorded.schema_version),
-            "scan again with this version",
-        ));
-    }
+    let recorded = compare::read(&arguments.scan)?;
     let wanted: Vec<&Hazard> =
         recorded.hazards.iter().filter(|h| arguments.id == "all" || h.id == arguments.id).collect();
     if wanted.is_empty() {

@@ -14,12 +14,13 @@ use super::exit::{self, Failure};
 use super::hosting::HostingArguments;
 use super::output::{self, Levels, Progress};
 use super::resume::{self, Command};
-use crate::host::Effort;
+use super::{compare, results};
+use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
-use crate::report::{terminal, topview};
+use crate::report::terminal;
 use crate::scan::prepare::prepare_in;
 use crate::scan::run::Method;
-use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName, picture};
+use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
@@ -74,6 +75,9 @@ pub(super) struct Arguments {
     /// How to print the result
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    /// Results of an earlier scan whose hazards are known: the exit code, JUnit and SARIF then tell of new and worse ones
+    #[arg(long, value_name = "SCAN")]
+    baseline: Option<PathBuf>,
     /// Check only the posture of each sequence, so that iterations compare with the paper's
     #[arg(long)]
     paper_iterations: bool,
@@ -172,6 +176,7 @@ impl Arguments {
             stop_at: StopAt::default(),
             out: Some(out),
             format: Format::default(),
+            baseline: None,
             paper_iterations: false,
             state: StateChoice::default(),
             hosting: HostingArguments::default(),
@@ -182,9 +187,6 @@ impl Arguments {
 
 /// Work of the exhaustive part of `auto`, millions of boxes.
 const AUTO_WORK: u64 = 600;
-
-/// Most hazards for which a picture is drawn.
-const PICTURES: usize = 10;
 
 /// The arguments of a scan, alone.
 #[derive(clap::Parser)]
@@ -214,6 +216,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Result<u8, Failure> {
     let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
+    let cell_path = arguments.cell.as_deref().unwrap_or(path);
+    let baseline = arguments.baseline.as_deref().map(compare::read).transpose()?.map(Baseline::of);
+    let baseline = baseline.as_ref();
+    let assessments = results::assessments(cell_path)?;
     let prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     // Before anything is told: whoever reads it may interrupt.
     let stop = stop_flag();
@@ -271,22 +277,17 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     progress.finish();
     levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
-    let json = serde_json::to_string_pretty(&report).map_err(Failure::unusable)? + "\n";
-    output::write_file(&out.join("scan.json"), &json)?;
-    write_run(&prepared, effort, remembered, &out)?;
-    // The log is rewritten with what confirmation added, in the order of scan.json.
-    let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
-    let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
-    output::write_file(&out.join("hazards.jsonl"), &lines)?;
-    for hazard in report.hazards.iter().take(PICTURES) {
-        let svg = topview::render(&picture::scene(&prepared, hazard)?);
-        output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
-    }
+    let context = results::Context { prepared: &prepared, path: cell_path, baseline, assessments: &assessments };
+    let json = results::write(&report, &context, &out)?;
+    results::write_run(&prepared, effort, remembered, &out)?;
     match arguments.format {
         Format::Json => output::json(&json),
         Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
     }
     conclude(&report, &out);
+    if let Some(baseline) = baseline {
+        against(&report, baseline);
+    }
     if command.is_some() {
         if interrupted {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
@@ -294,34 +295,15 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
             resume::finished(&out);
         }
     }
-    Ok(code(&report, interrupted))
+    Ok(code(&report, baseline, interrupted))
 }
 
-/// How the scan went, which is no result: run.json, and what the FMU printed.
-fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, out: &Path) -> Result<(), Failure> {
-    let (printed, bytes) = prepared.printed();
-    let run = serde_json::json!({
-        "states_by": prepared.rung,
-        "fmu": effort,
-        "questions_from_journal": remembered,
-        "missing_protection": prepared.missing_protection,
-        "fmu_printed_bytes": bytes,
-    });
-    let text = serde_json::to_string_pretty(&run).map_err(Failure::unusable)? + "\n";
-    output::write_file(&out.join("run.json"), &text)?;
-    if bytes > 0 {
-        output::write_file(&out.join("fmu.log"), &printed)?;
-        output::note(&format!(
-            "   Note    the FMU printed {bytes} bytes, the first megabyte of it is in {}",
-            out.join("fmu.log").display()
-        ));
-    }
-    Ok(())
-}
-
-fn code(report: &ScanReport, interrupted: bool) -> u8 {
+fn code(report: &ScanReport, baseline: Option<&Baseline>, interrupted: bool) -> u8 {
     match report.verdict {
         _ if interrupted => exit::INTERRUPTED,
+        Verdict::HazardsFound if baseline.is_some_and(|known| known.failing(report).next().is_none()) => {
+            exit::NO_HAZARD
+        }
         Verdict::HazardsFound => exit::HAZARDS,
         Verdict::NoneFound => exit::NO_HAZARD,
         Verdict::Inconclusive => exit::INCONCLUSIVE,
@@ -382,7 +364,7 @@ fn found(h: &Hazard) -> String {
 
 fn conclude(report: &ScanReport, out: &Path) {
     output::note(&format!(
-        " Results in {}: scan.json, hazards.jsonl{}",
+        " Results in {}: report.html, scan.json, hazards.csv, junit.xml, hazards.sarif{}",
         out.display(),
         match report.hazards.first() {
             Some(h) => format!(", {}.svg (seen from above)", h.id),
@@ -392,6 +374,18 @@ fn conclude(report: &ScanReport, out: &Path) {
     if let Some(h) = report.hazards.first() {
         output::note(&format!(" Next: fmi-hazard replay {} {}", out.join("scan.json").display(), h.id));
     }
+}
+
+/// What is new against the hazards that are known.
+fn against(report: &ScanReport, baseline: &Baseline) {
+    let failing: Vec<&str> = baseline.failing(report).map(|hazard| hazard.id.as_str()).collect();
+    let known = report.hazards.len() - failing.len();
+    let gone = baseline.gone(report).count();
+    let which = if failing.is_empty() { String::new() } else { format!(": {}", failing.join(", ")) };
+    output::note(&format!(
+        " Against the baseline: {} new or worse{which}; {known} known, {gone} not found again",
+        failing.len()
+    ));
 }
 
 /// Set by Ctrl-C and SIGTERM; the scan then ends after the iteration it is in.

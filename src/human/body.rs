@@ -90,6 +90,23 @@ impl BodyPart {
         Self::RightShank,
     ];
 
+    /// Its name, as in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Head => "head",
+            Self::Neck => "neck",
+            Self::UpperChest => "upper_chest",
+            Self::LowerChest => "lower_chest",
+            Self::Abdomen => "abdomen",
+            Self::Pelvis => "pelvis",
+            Self::LeftThigh => "left_thigh",
+            Self::RightThigh => "right_thigh",
+            Self::LeftShank => "left_shank",
+            Self::RightShank => "right_shank",
+        }
+    }
+
     /// Whether the part moves with the trunk when it bends.
     #[must_use]
     pub const fn is_trunk(self) -> bool {

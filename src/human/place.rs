@@ -27,6 +27,18 @@ impl Start {
         let (sin, cos) = libm::sincos(heading_rad);
         Self { x_m, y_m, heading_rad, sin, cos }
     }
+
+    /// Where it is on the floor plan, m.
+    #[must_use]
+    pub const fn xy_m(&self) -> [f64; 2] {
+        [self.x_m, self.y_m]
+    }
+
+    /// Where the human looks, from +x towards +y, degrees.
+    #[must_use]
+    pub const fn heading_deg(&self) -> f64 {
+        self.heading_rad.to_degrees()
+    }
 }
 
 /// A spot on the lattice of walks, and a heading on it.

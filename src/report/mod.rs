@@ -1,19 +1,37 @@
 //! What people and pipelines read. Plain data in, text out: one file a format.
 //!
 //! - [`model`]: the result of a scan as it stands in `scan.json`
+//! - [`recorded`]: the same, read back
+//! - [`difference`]: two scans side by side
+//! - [`baseline`]: hazards that are known already
+//! - [`assessment`]: what people decided about hazards
+//! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
+//! - [`page`]: the report that one looks at
+//! - [`verified`]: what became of known hazards
+//! - [`trace`]: what an FMU gets during a hazard
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`campaign`]: many seeds of several strategies side by side
 //! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
 //! - [`growth`]: how the number of hazards found grows with the iterations
 
+pub mod assessment;
+pub mod baseline;
 pub mod campaign;
 pub mod comparison;
+pub mod csv;
+pub mod difference;
 pub mod growth;
+pub mod junit;
 pub mod model;
+pub mod page;
 pub mod paper;
+pub mod recorded;
+pub mod sarif;
 pub mod terminal;
 pub mod topview;
+pub mod trace;
+pub mod verified;
 
 /// Rows under a header in aligned columns, for a terminal or as Markdown.
 fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {

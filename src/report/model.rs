@@ -428,4 +428,46 @@ impl Hazard {
             },
         }
     }
+
+    /// What happens, in words.
+    #[must_use]
+    pub fn described(&self) -> String {
+        let state =
+            |s: &SensorState| format!("{} {}", s.name, if s.person_detected { "reports the person" } else { "clear" });
+        let sensors: Vec<String> = self.sensors.iter().map(state).collect();
+        let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
+        format!(
+            "at {:.2} s the robot's {} meets the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
+             {:.2}){sensors}",
+            self.time_s,
+            self.robot_link,
+            self.body_region.words(),
+            self.speed_m_s,
+            self.contact_point_m[0],
+            self.contact_point_m[1],
+            self.contact_point_m[2],
+            self.person_xy_m[0],
+            self.person_xy_m[1],
+        )
+    }
+
+    /// The same with what it means.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let described = self.described();
+        match self.class {
+            Class::Force => format!(
+                "{:.0} N on the {} (limit {:.0} N, {:.2}x): {described}",
+                self.force_n,
+                self.body_region.words(),
+                self.limit_n,
+                self.ratio
+            ),
+            Class::HeadContact => format!(
+                "{:.0} N on the {}, where no contact with a moving robot is allowed: {described}",
+                self.force_n,
+                self.body_region.words()
+            ),
+        }
+    }
 }

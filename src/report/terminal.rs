@@ -81,7 +81,7 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
     }
     out.push('\n');
     let worst = &report.hazards[0];
-    let _ = writeln!(out, "  Worst     {}: {}", worst.id, describe(worst));
+    let _ = writeln!(out, "  Worst     {}: {}", worst.id, worst.described());
     let names = |actions: &[Action]| actions.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let _ = writeln!(out, "            actions of 0.2 s: {}", names(&worst.actions));
     if worst.shortest.actions != worst.actions {
@@ -92,27 +92,6 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
             names(&worst.shortest.actions)
         );
     }
-}
-
-fn describe(h: &super::model::Hazard) -> String {
-    let sensors: Vec<String> = h
-        .sensors
-        .iter()
-        .map(|s| format!("{} {}", s.name, if s.person_detected { "reports the person" } else { "clear" }))
-        .collect();
-    let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
-    format!(
-        "at {:.2} s the robot's {} meets the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, {:.2}){sensors}",
-        h.time_s,
-        h.robot_link,
-        h.body_region.words(),
-        h.speed_m_s,
-        h.contact_point_m[0],
-        h.contact_point_m[1],
-        h.contact_point_m[2],
-        h.person_xy_m[0],
-        h.person_xy_m[1],
-    )
 }
 
 /// A number with its thousands set apart.

@@ -9,16 +9,20 @@
 //! - [`residual`]: what the random sequences of a search say about hazards that are left
 //! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
+//! - [`film`]: its replay, and what its FMU gets
+//! - [`verify`]: known hazards tried again
 
 pub mod campaign;
 pub mod comparison;
 pub mod exhaustive;
+pub mod film;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
 pub mod residual;
 pub mod run;
 mod seeds;
+pub mod verify;
 
 pub use exhaustive::Exhaustive;
 pub use prepare::{Hosting, PrepareError, Prepared, StateChoice};

@@ -26,15 +26,15 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard) -> Result<Scene, ScanError> {
     for action in &hazard.actions {
         let before = path.len() - 1;
         let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
-        for (i, (position, frame)) in simulation.last_action().into_iter().enumerate() {
+        for (i, instant) in simulation.last_action().into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
             let time_s = (before + i + 1) as f64 * step_s;
             if time_s > hazard.time_s + 0.5 * step_s {
                 break;
             }
-            path.push(position);
+            path.push(instant.position);
             if i % 3 == 0 || (time_s - hazard.time_s).abs() < 0.5 * step_s {
-                robot.push(frame.links.iter().map(segment).collect());
+                robot.push(instant.frame.links.iter().map(segment).collect());
             }
         }
         if ended {
@@ -64,7 +64,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard) -> Result<Scene, ScanError> {
 }
 
 /// Where a sensor sees, from above; the plane of a light curtain as a thin strip.
-fn zone(zone: &Zone) -> Option<Vec<Point>> {
+pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
     match zone {
         Zone::Mat(polygon) | Zone::Field(polygon) => Some(polygon.clone()),
         Zone::Curtain(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),

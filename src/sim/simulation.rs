@@ -13,7 +13,7 @@ use super::imagination::Imagination;
 use super::robot::RobotFrame;
 use super::robots::{HadBroken, Robots};
 use super::sensors::DelayLine;
-use super::world::{Sensed, World};
+use super::world::{Sensed, Stance, World};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::{Capsule, Vec3};
 use crate::hazard::Finding;
@@ -57,6 +57,19 @@ const FAULTS_KEPT: usize = 20;
 /// they are needed.
 const OUTCOMES_KEPT: usize = 300_000;
 
+/// What there is to see at one instant.
+#[derive(Clone, Debug)]
+pub struct Instant {
+    /// Where the person stands, floor plan, m.
+    pub position: Vec3,
+    /// The body's parts, world, m, in the order of [`BodyPart::ALL`](crate::human::body::BodyPart::ALL).
+    pub body: Vec<Capsule>,
+    /// Whether each sensor reports the person.
+    pub readings: Vec<bool>,
+    /// The robots.
+    pub frame: RobotFrame,
+}
+
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
 struct Outcome {
@@ -86,8 +99,8 @@ pub struct Simulation<P: Plant> {
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
-    /// Where the person stood before the last action.
-    from: Place,
+    /// Where the person stood, and what the sensors had on the way, before the last action.
+    from: (Place, Vec<DelayLine>),
     coverage: Coverage,
     findings: Vec<Finding>,
     faults: Vec<Fault>,
@@ -111,8 +124,8 @@ impl<P: Plant> Simulation<P> {
             options,
             outcomes: BTreeMap::new(),
             state: root.clone(),
+            from: (place, root.delays.clone()),
             root,
-            from: place,
             findings: Vec::new(),
             faults: Vec::new(),
         })
@@ -170,13 +183,42 @@ impl<P: Plant> Simulation<P> {
         self.world.position(&self.state.place)
     }
 
-    /// Person's position and robot after each step of the last action taken.
+    /// Person, sensors and robot after each step of the last action taken.
     #[must_use]
-    pub fn last_action(&self) -> Vec<(Vec3, RobotFrame)> {
+    pub fn last_action(&self) -> Vec<Instant> {
         let Some(frames) = self.robots.known_frames(self.state.node) else { return Vec::new() };
         let Some(action) = self.state.actions.last() else { return Vec::new() };
-        let walked = self.world.walk(self.from, *action);
-        walked.places.iter().map(|p| self.world.position(p)).zip(frames.iter().cloned()).collect()
+        let (place, delays) = &self.from;
+        let walked = self.world.walk(*place, *action);
+        let sensed = self.world.sense(delays, &self.world.sights(&walked, action.posture()));
+        let instant = |(i, frame): (usize, &RobotFrame)| Instant {
+            position: self.world.position(&walked.places[i]),
+            body: self.world.body_of(&self.world.stance(&walked, i, action.posture(), &sensed)),
+            readings: self.world.readings(&sensed.readings[i], frame),
+            frame: frame.clone(),
+        };
+        frames.iter().enumerate().map(instant).collect()
+    }
+
+    /// Inputs and outputs of the FMU in each step of the last action taken, row-major.
+    #[must_use]
+    pub fn last_rows(&self) -> (Vec<f64>, Vec<f64>) {
+        (self.robots.recall.inputs(self.state.node), self.robots.recall.outputs(self.state.node).to_vec())
+    }
+
+    /// Person, sensors and robot at the start.
+    #[must_use]
+    pub fn at_start(&self) -> Instant {
+        let world = &self.world;
+        let frame = RobotFrame::new(&world.cell, &world.binding, self.robots.recall.outputs(NodeId::ROOT));
+        let place = world.start();
+        let stance = Stance { place, posture: Posture::Upright, walked: false, broken: Vec::new() };
+        Instant {
+            position: world.position(&place),
+            body: world.body_of(&stance),
+            readings: world.readings(&world.readings_at_start(), &frame),
+            frame,
+        }
     }
 
     /// The body's capsules, world, for a person who stands at `xy` and looks along `heading_deg` in the posture of
@@ -204,7 +246,7 @@ impl<P: Plant> Simulation<P> {
                 self.faults.push(Fault { actions, message: message.clone() });
             }
         } else if let Some((node, place, delays)) = &outcome.to {
-            self.from = self.state.place;
+            self.from = (self.state.place, std::mem::take(&mut self.state.delays));
             self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
             if outcome.end.is_some() {
                 self.imagination.observe(&self.world, &self.robots.recall, *node, &self.state.actions);

@@ -188,11 +188,18 @@ impl World {
         self.cell.sensors.iter().map(settled).collect()
     }
 
+    /// What the sensors outside the FMU read at the person's start.
+    #[must_use]
+    pub fn readings_at_start(&self) -> Vec<bool> {
+        let seen = self.seen(&self.start(), Posture::Upright);
+        self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
+    }
+
     /// The input values an FMU gets at initialisation: sensors as they read at the person's start.
     #[must_use]
     pub fn initial_inputs(&self) -> Vec<f64> {
         let seen = self.seen(&self.start(), Posture::Upright);
-        let readings: Vec<bool> = self.cell.sensors.iter().map(|s| sees(s, &seen)).collect();
+        let readings = self.readings_at_start();
         let mut row = Vec::new();
         input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut row);
         row
@@ -263,6 +270,18 @@ impl World {
             SensorBinding::Input(_) => readings[sensor],
             SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
         }
+    }
+
+    /// Whether each sensor reports the person, see [`World::reading`].
+    #[must_use]
+    pub fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
+        (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
+    }
+
+    /// The body's parts, world, m.
+    #[must_use]
+    pub fn body_of(&self, stance: &Stance) -> Vec<crate::geometry::Capsule> {
+        self.person(stance).body.parts().iter().map(|(_, capsule)| *capsule).collect()
     }
 
     /// The person after step `i` of an action.

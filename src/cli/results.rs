@@ -1,0 +1,131 @@
+//! The files with the results of a scan, all made from the report that also stands in `scan.json`.
+
+use std::path::Path;
+
+use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
+
+use super::exit::Failure;
+use super::output;
+use crate::host::Effort;
+use crate::report::assessment::{self, Assessments};
+use crate::report::baseline::Baseline;
+use crate::report::model::ScanReport;
+use crate::report::sarif::{self, CellFile};
+use crate::report::{csv, junit, page, topview, trace};
+use crate::scan::{Prepared, film, picture};
+
+/// Most hazards for which a picture is drawn and a trace is written.
+const PICTURES: usize = 10;
+
+/// Most hazards with a replay in the page: so that it can be mailed.
+const REPLAYS: usize = 50;
+
+/// What goes into the files besides the report.
+pub(super) struct Context<'a> {
+    /// The cell that was scanned.
+    pub prepared: &'a Prepared,
+    /// What was scanned, as given: the cell file, or an FMU.
+    pub path: &'a Path,
+    /// Hazards that are known already.
+    pub baseline: Option<&'a Baseline>,
+    /// What people decided.
+    pub assessments: &'a Assessments,
+}
+
+/// What people decided about this cell's hazards.
+pub(super) fn assessments(path: &Path) -> Result<Assessments, Failure> {
+    assessment::beside(path).map_err(|error| {
+        Failure::unusable_with_help(
+            error,
+            "it is yours and never written here: mend it, or save it anew from the report",
+        )
+    })
+}
+
+/// Writes everything that is derived from the report. Returns what stands in `scan.json`.
+pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<String, Failure> {
+    let json = serde_json::to_string_pretty(report).map_err(Failure::unusable)? + "\n";
+    output::write_file(&out.join("scan.json"), &json)?;
+    // The log of the search is written again with what confirmation added, in the order of scan.json.
+    let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
+    let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
+    output::write_file(&out.join("hazards.jsonl"), &lines)?;
+    let table = csv::table(report, context.assessments).map_err(Failure::unusable)?;
+    output::write_file(&out.join("hazards.csv"), &table)?;
+    let cases = junit::render(report, context.baseline).map_err(Failure::unusable)?;
+    output::write_file(&out.join("junit.xml"), &cases)?;
+    let log = sarif::render(report, &cell_file(context), context.baseline);
+    output::write_file(
+        &out.join("hazards.sarif"),
+        &(serde_json::to_string_pretty(&log).map_err(Failure::unusable)? + "\n"),
+    )?;
+    let replays = report.hazards.iter().take(REPLAYS).map(|hazard| film::replay(context.prepared, hazard));
+    let replays = replays.collect::<Result<Vec<_>, _>>()?;
+    let scenery = film::scenery(context.prepared);
+    let page = page::render(report, &reproduce(report, context.path), context.assessments, &scenery, &replays);
+    output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
+    for hazard in report.hazards.iter().take(PICTURES) {
+        let svg = topview::render(&picture::scene(context.prepared, hazard)?);
+        output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
+        if let Some(trace) = film::trace(context.prepared, hazard)? {
+            let (inputs, outputs) = (trace.input_table(), trace.output_table());
+            output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
+            output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;
+        }
+    }
+    Ok(json)
+}
+
+/// How the scan went, which is no result: run.json, and what the FMU printed.
+pub(super) fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, out: &Path) -> Result<(), Failure> {
+    let (printed, bytes) = prepared.printed();
+    let run = serde_json::json!({
+        "states_by": prepared.rung,
+        "fmu": effort,
+        "questions_from_journal": remembered,
+        "missing_protection": prepared.missing_protection,
+        "fmu_printed_bytes": bytes,
+    });
+    let text = serde_json::to_string_pretty(&run).map_err(Failure::unusable)? + "\n";
+    output::write_file(&out.join("run.json"), &text)?;
+    if bytes > 0 {
+        output::write_file(&out.join("fmu.log"), &printed)?;
+        output::note(&format!(
+            "   Note    the FMU printed {bytes} bytes, the first megabyte of it is in {}",
+            out.join("fmu.log").display()
+        ));
+    }
+    Ok(())
+}
+
+/// The command that gives the same result.
+fn reproduce(report: &ScanReport, path: &Path) -> String {
+    let settings = &report.settings;
+    let mut command = format!(
+        "fmi-hazard scan {} --strategy {} --seed {} --iterations {}",
+        path.display(),
+        settings.strategy,
+        settings.seed,
+        settings.iterations
+    );
+    if settings.stop_at_first {
+        command += " --stop-at first";
+    }
+    if !settings.posture_sweep {
+        command += " --paper-iterations";
+    }
+    command
+}
+
+/// What stands for something else in a URI path.
+const ESCAPED: &AsciiSet =
+    &CONTROLS.add(b' ').add(b'"').add(b'#').add(b'%').add(b'<').add(b'>').add(b'?').add(b'`').add(b'{').add(b'}');
+
+fn cell_file(context: &Context<'_>) -> CellFile {
+    let path = utf8_percent_encode(&context.path.to_string_lossy(), ESCAPED).to_string();
+    let uri = if context.path.is_absolute() { format!("file://{path}") } else { path };
+    // A cell file inside an FMU has no lines that anything could show.
+    let own = context.path.extension().is_some_and(|extension| extension == "toml");
+    let links = context.prepared.cell.links.iter().filter(|_| own);
+    CellFile { uri, lines: links.map(|link| (link.name.clone(), link.line)).collect() }
+}

@@ -1,0 +1,50 @@
+//! `fmi-hazard verify`: known hazards tried again in a changed cell.
+
+use std::path::PathBuf;
+
+use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
+use super::hosting::HostingArguments;
+use super::{compare, output};
+use crate::report::verified::{Outcome, junit, render};
+use crate::scan::prepare::prepare_in;
+use crate::scan::verify::verify;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The scan that knows the hazards: its scan.json, or the folder with its results
+    scan: PathBuf,
+    /// The changed cell: a cell file (.toml), or an FMU with a cell file beside it or inside it
+    path: PathBuf,
+    /// The cell file of an FMU that has none of its own
+    #[arg(long)]
+    cell: Option<PathBuf>,
+    /// Write the result as JUnit XML into this file too
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    #[command(flatten)]
+    hosting: HostingArguments,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let known = compare::read(&arguments.scan)?;
+    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let mut progress = output::Progress::new(known.hazards.len() as u64, "hazards");
+    let mut verified = Vec::with_capacity(known.hazards.len());
+    for (done, hazard) in (1..).zip(&known.hazards) {
+        verified.push(verify(&prepared, hazard));
+        progress.at(done, "");
+    }
+    progress.finish();
+    output::result(&render(&verified));
+    if let Some(path) = &arguments.junit {
+        output::write_file(path, &junit(&prepared.cell.name, &verified).map_err(Failure::unusable)?)?;
+    }
+    let any = |of: fn(&Outcome) -> bool| verified.iter().any(|one| of(&one.outcome));
+    Ok(if any(|outcome| matches!(outcome, Outcome::StillThere { .. })) {
+        HAZARDS
+    } else if any(|outcome| matches!(outcome, Outcome::NotRun { .. })) {
+        FMU_FAILED
+    } else {
+        NO_HAZARD
+    })
+}

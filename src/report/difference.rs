@@ -1,0 +1,238 @@
+//! Two scans side by side: which hazards are fixed, which are the same, worse or less, which are new, and what of the
+//! inputs is different.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::model::{FmuSubject, Hazard};
+use super::recorded::Recorded;
+
+/// Relative change of the force ratio below which a hazard is the same.
+pub(super) const SAME: f64 = 0.005;
+
+/// What became of a hazard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Change {
+    /// Only after.
+    New,
+    /// In both, harder after.
+    Worse,
+    /// In both, about as hard.
+    Same,
+    /// In both, less hard after.
+    Less,
+    /// Only before, and the later scan was not complete: it may still be there.
+    NotFoundAgain,
+    /// Only before, and the later scan accounted for every sequence.
+    Fixed,
+}
+
+impl Change {
+    /// As printed.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::New => "NEW",
+            Self::Worse => "WORSE",
+            Self::Same => "same",
+            Self::Less => "less",
+            Self::NotFoundAgain => "not found again",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
+/// A hazard in both scans or in one of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// What became of it.
+    pub change: Change,
+    /// Its id.
+    pub id: String,
+    /// Body region.
+    pub body_region: String,
+    /// Robot link.
+    pub robot_link: String,
+    /// Force ratio before.
+    pub before: Option<f64>,
+    /// Force ratio after.
+    pub after: Option<f64>,
+}
+
+/// Two scans side by side.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// The hazards: new ones first, then by id.
+    pub hazards: Vec<Row>,
+    /// How many of each kind.
+    pub counts: BTreeMap<Change, usize>,
+    /// What of the inputs is different, in words.
+    pub inputs: Vec<String>,
+    /// Whether each of the two accounted for every sequence.
+    pub complete: [bool; 2],
+}
+
+impl Difference {
+    /// What is different in `after`. `texts` are the two cell files, if they are still as scanned.
+    #[must_use]
+    pub fn between(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Self {
+        let by_id = |scan: &'_ Recorded| -> BTreeMap<String, Hazard> {
+            scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect()
+        };
+        let (old, new) = (by_id(before), by_id(after));
+        let mut hazards: Vec<Row> = old
+            .values()
+            .map(|hazard| row(Some(hazard), new.get(&hazard.id), hazard, after.complete()))
+            .chain(new.values().filter(|h| !old.contains_key(&h.id)).map(|h| row(None, Some(h), h, true)))
+            .collect();
+        hazards.sort_by(|a, b| a.change.cmp(&b.change).then_with(|| a.id.cmp(&b.id)));
+        let mut counts = BTreeMap::new();
+        hazards.iter().for_each(|row| *counts.entry(row.change).or_default() += 1);
+        Self { hazards, counts, inputs: inputs(before, after, texts), complete: [before.complete(), after.complete()] }
+    }
+
+    /// How many hazards changed so.
+    #[must_use]
+    pub fn count(&self, change: Change) -> usize {
+        self.counts.get(&change).copied().unwrap_or(0)
+    }
+
+    /// Whether something is there that was not, or is worse than it was.
+    #[must_use]
+    pub fn is_worse(&self) -> bool {
+        self.count(Change::New) + self.count(Change::Worse) > 0
+    }
+
+    /// For people.
+    #[must_use]
+    pub fn render(&self) -> String {
+        let mut out = String::new();
+        let ratio = |ratio: Option<f64>| ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}x"));
+        let rows: Vec<Vec<String>> = self
+            .hazards
+            .iter()
+            .map(|row| {
+                vec![
+                    row.change.words().to_owned(),
+                    row.id.clone(),
+                    ratio(row.before),
+                    ratio(row.after),
+                    row.body_region.clone(),
+                    row.robot_link.clone(),
+                ]
+            })
+            .collect();
+        if !rows.is_empty() {
+            out += &super::columns(&["", "id", "before", "after", "body region", "hit by"], &rows, false);
+            out.push('\n');
+        }
+        let counted: Vec<String> = self.counts.iter().map(|(change, n)| format!("{n} {}", change.words())).collect();
+        let summary = if counted.is_empty() { "no hazards in either scan".to_owned() } else { counted.join(", ") };
+        let _ = writeln!(out, " {summary}.");
+        if self.inputs.is_empty() {
+            out += " Inputs are the same: cell file, FMUs, settings, tool.\n";
+        }
+        for input in &self.inputs {
+            let _ = writeln!(out, " Differs: {input}");
+        }
+        for (scan, complete) in ["first", "second"].iter().zip(self.complete) {
+            if !complete {
+                let _ =
+                    writeln!(out, " The {scan} scan did not account for every sequence: it may have missed hazards.");
+            }
+        }
+        out
+    }
+}
+
+fn row(before: Option<&Hazard>, after: Option<&Hazard>, one: &Hazard, complete: bool) -> Row {
+    let change = match (before, after) {
+        (None, _) => Change::New,
+        (Some(_), None) if complete => Change::Fixed,
+        (Some(_), None) => Change::NotFoundAgain,
+        (Some(b), Some(a)) if a.ratio > b.ratio * (1.0 + SAME) => Change::Worse,
+        (Some(b), Some(a)) if a.ratio < b.ratio * (1.0 - SAME) => Change::Less,
+        (Some(_), Some(_)) => Change::Same,
+    };
+    Row {
+        change,
+        id: one.id.clone(),
+        body_region: one.body_region.to_string(),
+        robot_link: one.robot_link.clone(),
+        before: before.map(|hazard| hazard.ratio),
+        after: after.map(|hazard| hazard.ratio),
+    }
+}
+
+/// What of the inputs is different.
+fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<String> {
+    let mut out = Vec::new();
+    let mut tell = |what: &str, a: &str, b: &str| {
+        if a != b {
+            out.push(format!("{what}: {a} -> {b}"));
+        }
+    };
+    tell("tool", &before.tool, &after.tool);
+    tell("edition of the limits", &before.standard_edition, &after.standard_edition);
+    tell("cell", &before.subject.cell, &after.subject.cell);
+    let unit = |scan: &Recorded, name: &str| {
+        let found = scan.subject.fmus.iter().find(|fmu| fmu.unit == name);
+        found.map_or_else(|| "none".to_owned(), |FmuSubject { sha256, .. }| short(sha256))
+    };
+    let mut units: Vec<&str> =
+        before.subject.fmus.iter().chain(&after.subject.fmus).map(|fmu| fmu.unit.as_str()).collect();
+    units.sort_unstable();
+    units.dedup();
+    for name in units {
+        tell(format!("FMU {name}").trim_end(), &unit(before, name), &unit(after, name));
+    }
+    let keys: std::collections::BTreeSet<&String> = before.settings.keys().chain(after.settings.keys()).collect();
+    for key in keys {
+        let value = |scan: &Recorded| scan.settings.get(key).map_or_else(|| "none".to_owned(), ToString::to_string);
+        tell(&format!("settings.{key}"), &value(before), &value(after));
+    }
+    if before.subject.cell_sha256 != after.subject.cell_sha256 {
+        let tables = texts.map(|text| text.and_then(|text| text.parse::<toml::Table>().ok()));
+        if let [Some(a), Some(b)] = tables {
+            let (a, b) = (leaves(&toml::Value::Table(a)), leaves(&toml::Value::Table(b)));
+            let keys: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
+            for key in keys {
+                let value = |of: &BTreeMap<String, String>| of.get(key).cloned().unwrap_or_else(|| "none".to_owned());
+                tell(&format!("cell file, {key}"), &value(&a), &value(&b));
+            }
+        }
+        // Comments and layout are no difference that matters, but the bytes are not the same.
+        tell("cell file", &short(&before.subject.cell_sha256), &short(&after.subject.cell_sha256));
+    }
+    out
+}
+
+/// The first digits of a hash.
+fn short(sha256: &str) -> String {
+    format!("sha256 {}...", sha256.chars().take(12).collect::<String>())
+}
+
+/// Every value of a cell file under its path; tables in a list go by their name where they have one.
+fn leaves(value: &toml::Value) -> BTreeMap<String, String> {
+    fn visit(value: &toml::Value, path: &str, out: &mut BTreeMap<String, String>) {
+        let under = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+        match value {
+            toml::Value::Table(table) => table.iter().for_each(|(key, value)| visit(value, &under(key), out)),
+            toml::Value::Array(items) if items.iter().any(toml::Value::is_table) => {
+                for (number, item) in items.iter().enumerate() {
+                    let name = item.get("name").and_then(toml::Value::as_str);
+                    visit(item, &under(&name.map_or_else(|| number.to_string(), str::to_owned)), out);
+                }
+            }
+            leaf => {
+                out.insert(path.to_owned(), leaf.to_string());
+            }
+        }
+    }
+    let mut out = BTreeMap::new();
+    visit(value, "", &mut out);
+    out
+}

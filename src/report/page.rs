@@ -1,0 +1,248 @@
+//! `report.html`: one file that holds the result, the replays and what shows them, and needs nothing else.
+//!
+//! Everything is drawn by the viewer (`viewer/` at the top of the source tree) from one JSON object, whose form its
+//! README describes.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use serde::{Serialize, Serializer};
+
+use super::assessment::Assessments;
+use super::model::ScanReport;
+
+/// What the viewer is built to.
+const SCRIPT: &str = include_str!("viewer/viewer.js");
+const STYLE: &str = include_str!("viewer/viewer.css");
+
+/// Version of the form of [`Data`].
+const FORMAT: u32 = 1;
+
+/// What is in the page. Lengths in m, world frame, z up.
+#[derive(Serialize)]
+pub struct Data<'a> {
+    format: u32,
+    scan: &'a ScanReport,
+    reproduce: &'a str,
+    assumptions: &'a [&'static str],
+    assessments: &'a Assessments,
+    cell: &'a Scenery,
+    /// A list of [`Replay`] as JSON, gzip, base64: so that fifty of them can be mailed.
+    replays: String,
+}
+
+/// The cell.
+#[derive(Clone, Debug, Serialize)]
+pub struct Scenery {
+    /// Its name.
+    pub name: String,
+    /// Time between two frames, s.
+    pub step_s: f64,
+    /// Boxes that neither person nor robot pass.
+    pub obstacles: Vec<Obstacle>,
+    /// Where sensors see.
+    pub zones: Vec<ZoneOutline>,
+    /// The robots' links.
+    pub links: Vec<LinkShape>,
+    /// The parts of the body.
+    pub body: Vec<PartShape>,
+    /// Where the person begins.
+    pub start: StartPlace,
+}
+
+/// A box.
+#[derive(Clone, Debug, Serialize)]
+pub struct Obstacle {
+    /// Its name.
+    pub name: String,
+    /// Its middle.
+    pub centre_m: [f64; 3],
+    /// Its edges.
+    pub size_m: [f64; 3],
+    /// Its rotation, x, y, z, w.
+    pub quaternion: [f64; 4],
+}
+
+/// Where a sensor sees.
+#[derive(Clone, Debug, Serialize)]
+pub struct ZoneOutline {
+    /// The sensor's name.
+    pub name: String,
+    /// `mat`, `field` or `curtain`.
+    pub kind: &'static str,
+    /// Its outline on the floor plan.
+    pub polygon_m: Vec<[f64; 2]>,
+    /// From which height to which.
+    pub z_m: [f64; 2],
+}
+
+/// A robot link.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "shape", rename_all = "snake_case")]
+pub enum LinkShape {
+    /// Its end points are in the replays.
+    Capsule {
+        /// Link name.
+        name: String,
+        /// Robot name.
+        robot: String,
+        /// Radius.
+        radius_m: f64,
+    },
+    /// Its pose is in the replays.
+    Hull {
+        /// Link name.
+        name: String,
+        /// Robot name.
+        robot: String,
+        /// Corners in the link's frame.
+        points_m: Vec<[f64; 3]>,
+    },
+}
+
+/// A part of the body, a capsule.
+#[derive(Clone, Debug, Serialize)]
+pub struct PartShape {
+    /// Its name.
+    pub region: String,
+    /// Its radius.
+    pub radius_m: f64,
+}
+
+/// Where the person begins.
+#[derive(Clone, Debug, Serialize)]
+pub struct StartPlace {
+    /// On the floor plan.
+    pub xy_m: [f64; 2],
+    /// From +x towards +y, degrees.
+    pub heading_deg: f64,
+}
+
+/// Parts of a metre, or of whatever else, that replays tell apart.
+const ROUND: f64 = 2048.0;
+
+/// Numbers as the viewer reads them: 32-bit floats, little-endian, base64.
+#[derive(Clone, Debug, Default)]
+pub struct Floats(pub Vec<f64>);
+
+impl Serialize for Floats {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        // To half a millimetre, in a way that leaves zeros behind, which gzip likes.
+        let rounded = self.0.iter().map(|value| (value * ROUND).round() / ROUND);
+        #[expect(clippy::cast_possible_truncation, reason = "for pictures")]
+        let bytes: Vec<u8> = rounded.flat_map(|value| (value as f32).to_le_bytes()).collect();
+        to.serialize_str(&STANDARD.encode(bytes))
+    }
+}
+
+/// One hazard from the start to the end of its last action, a frame a communication step; frame 0 is the start.
+#[derive(Clone, Debug, Serialize)]
+pub struct Replay {
+    /// The hazard.
+    pub id: String,
+    /// How many frames.
+    pub frames: usize,
+    /// That of the contact.
+    pub contact_frame: usize,
+    /// Frames x links x 7: end points of a capsule and 0, or position and quaternion (x, y, z, w) of a hull.
+    pub links: Floats,
+    /// Frames x parts x 6: end points.
+    pub body: Floats,
+    /// The arm that touches, at the contact.
+    pub arm: Option<ArmPose>,
+    /// Where robot and person touch.
+    pub contact_m: [f64; 3],
+    /// Time, s.
+    pub time_s: Floats,
+    /// Between the body without arms and the nearest robot, m; negative where shapes overlap.
+    pub distance_m: Floats,
+    /// Speed of the link's point nearest to the body, m/s; at the contact that of the contact.
+    pub speed_m_s: Floats,
+    /// What a contact of this link with this region at that speed would be, relative to its limit.
+    pub force_ratio: Floats,
+    /// What the sensors report.
+    pub sensors: Vec<Strip>,
+    /// The actions.
+    pub actions: Vec<Begun>,
+    /// The contact from above, as SVG.
+    pub top_view: String,
+}
+
+/// An arm.
+#[derive(Clone, Debug, Serialize)]
+pub struct ArmPose {
+    /// `left` or `right`.
+    pub side: String,
+    /// Shoulder, elbow, wrist.
+    pub points_m: [[f64; 3]; 3],
+    /// Radius of its limbs.
+    pub radius_m: f64,
+}
+
+/// A sensor's reports.
+#[derive(Clone, Debug, Serialize)]
+pub struct Strip {
+    /// Its name.
+    pub name: String,
+    /// A digit a frame: 1 where it reports the person.
+    pub detected: String,
+}
+
+/// An action.
+#[derive(Clone, Debug, Serialize)]
+pub struct Begun {
+    /// Its name.
+    pub name: String,
+    /// Frame in which it begins.
+    pub frame: usize,
+}
+
+/// What every report rests on.
+pub const ASSUMPTIONS: [&str; 8] = [
+    "The person walks at 1.6 m/s (ISO 13855), turns, bends and reaches in actions of the length given above; an action \
+     takes effect at once. A person who is faster, runs, climbs or carries something is not in the model.",
+    "Arms are not animated: at every instant all arm poses within the joint limits are searched for one that touches the \
+     robot and is free of obstacles; a contact that lasts only while the arm is moved by less than the reach tolerance may \
+     be missed.",
+    "The force is that of ISO/TS 15066 A.3: F = v sqrt(mu k), with the absolute speed of the robot point, as in the paper: \
+     conservative where the robot moves away. The body region's mass and spring constant are those of its table A.3, the \
+     robot's mass is half its moving mass and the payload.",
+    "Limits are those for transient contact. Clamping is not told apart: where the person can be clamped, the \
+     quasi-static limits apply, which are lower.",
+    "Robot links and the body are simplified shapes (capsules, convex hulls) as given in the cell file; hair, clothes, \
+     tools in the hand and sharp edges are not in the model.",
+    "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file.",
+    "Where a light curtain is reached through, the robot's replay shows it without the curtain broken by the arm; the \
+     contact is judged with the curtain broken at the earliest time given with the hazard.",
+    "The FMU is taken as it is: what it does not model (wear, faults of the safety system, other operating modes) is not \
+     examined. No hazard found is never a proof of safety of the real workplace.",
+];
+
+/// The page.
+///
+/// # Errors
+/// When the data cannot be written as JSON, or not be packed.
+pub fn render(
+    scan: &ScanReport,
+    reproduce: &str,
+    assessments: &Assessments,
+    cell: &Scenery,
+    replays: &[Replay],
+) -> std::io::Result<String> {
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    serde_json::to_writer(&mut packed, replays)?;
+    let replays = STANDARD.encode(packed.finish()?);
+    let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays };
+    // Nothing in a JSON text can end the element that holds it, then.
+    let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
+    let title = scan.subject.cell.replace('&', "&amp;").replace('<', "&lt;");
+    Ok(format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" \
+         content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}: hazard report</title>\n\
+         <style>{STYLE}</style></head>\n<body><noscript>This report needs JavaScript; scan.json beside it holds the same \
+         results.</noscript><main id=\"report\"></main>\n<script type=\"application/json\" id=\"data\">{data}</script>\n\
+         <script>{SCRIPT}</script></body></html>\n"
+    ))
+}

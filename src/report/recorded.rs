@@ -1,0 +1,113 @@
+//! A scan as it stands in its `scan.json`, read back: what a replay, a comparison and a baseline need of it.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::model::{FmuSubject, Hazard, SCHEMA_VERSION};
+
+/// A scan that was written to a file.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Recorded {
+    /// Format of the file.
+    pub schema_version: u32,
+    /// Name and version of the tool.
+    pub tool: String,
+    /// What was scanned.
+    pub subject: RecordedSubject,
+    /// How it was searched.
+    pub settings: serde_json::Map<String, serde_json::Value>,
+    /// Hazards, worst first.
+    pub hazards: Vec<Hazard>,
+    /// What an exhaustive search covered.
+    pub certificate: Option<RecordedCertificate>,
+    /// Edition of the limits.
+    pub standard_edition: String,
+}
+
+/// What was scanned.
+#[derive(Clone, Debug, Deserialize)]
+pub struct RecordedSubject {
+    /// Name of the cell.
+    pub cell: String,
+    /// Path that was scanned, as given.
+    pub path: PathBuf,
+    /// SHA-256 of the cell file.
+    pub cell_sha256: String,
+    /// The FMUs.
+    pub fmus: Vec<FmuSubject>,
+}
+
+/// What an exhaustive search covered.
+#[derive(Clone, Debug, Deserialize)]
+pub struct RecordedCertificate {
+    /// Whether every sequence was accounted for.
+    pub complete: bool,
+}
+
+/// Why a recorded scan cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordedError {
+    /// The file cannot be read.
+    #[error("cannot read {}: {cause}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        cause: std::io::Error,
+    },
+    /// It is something else.
+    #[error("{} is not a scan result: {cause}", path.display())]
+    NotAScan {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        cause: serde_json::Error,
+    },
+    /// Another version wrote it.
+    #[error("{} has format {version}, this version reads {SCHEMA_VERSION}", path.display())]
+    Version {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        version: u64,
+    },
+}
+
+impl RecordedError {
+    /// What to do about it.
+    #[must_use]
+    pub const fn help(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } | Self::NotAScan { .. } => {
+                "give the scan.json of a scan, or the folder with its results"
+            }
+            Self::Version { .. } => "scan again with this version",
+        }
+    }
+}
+
+impl Recorded {
+    /// Reads a `scan.json`, or the one in a folder.
+    ///
+    /// # Errors
+    /// When it cannot be read, is no scan, or has another format.
+    pub fn read(path: &Path) -> Result<Self, RecordedError> {
+        let path = if path.is_dir() { path.join("scan.json") } else { path.to_owned() };
+        let text =
+            std::fs::read_to_string(&path).map_err(|cause| RecordedError::Unreadable { path: path.clone(), cause })?;
+        let not_a_scan = |cause| RecordedError::NotAScan { path: path.clone(), cause };
+        let value: serde_json::Value = serde_json::from_str(&text).map_err(not_a_scan)?;
+        // Another format may lack what is read below; its version says so better.
+        if let Some(version) = value["schema_version"].as_u64().filter(|&v| v != u64::from(SCHEMA_VERSION)) {
+            return Err(RecordedError::Version { path, version });
+        }
+        serde_json::from_value(value).map_err(not_a_scan)
+    }
+
+    /// Whether every sequence was accounted for.
+    #[must_use]
+    pub fn complete(&self) -> bool {
+        self.certificate.as_ref().is_some_and(|certificate| certificate.complete)
+    }
+}

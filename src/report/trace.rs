@@ -1,0 +1,65 @@
+//! What an FMU gets during a hazard, as CSV that other tools simulate with (FMPy: `--input-file`), and what it answers.
+
+use super::model::Hazard;
+
+/// Inputs and outputs of the only FMU over a sequence.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trace {
+    /// Communication step, s.
+    pub step_s: f64,
+    /// Names of the inputs.
+    pub inputs: Vec<String>,
+    /// Names of the outputs.
+    pub outputs: Vec<String>,
+    /// Inputs at the start of each step, one row a step.
+    pub given: Vec<Vec<f64>>,
+    /// Outputs after each step, one row a step.
+    pub answered: Vec<Vec<f64>>,
+}
+
+impl Trace {
+    /// The inputs: a row for each step at the time at which it begins, and the last one again at the end.
+    ///
+    /// # Errors
+    /// Never: it is written to memory.
+    pub fn input_table(&self) -> Result<String, ::csv::Error> {
+        let ends = self.given.last().cloned();
+        self.table(&self.inputs, self.given.iter().cloned().chain(ends), 0)
+    }
+
+    /// The outputs: a row for each step at the time at which it ends.
+    ///
+    /// # Errors
+    /// Never: it is written to memory.
+    pub fn output_table(&self) -> Result<String, ::csv::Error> {
+        self.table(&self.outputs, self.answered.iter().cloned(), 1)
+    }
+
+    fn table(
+        &self,
+        names: &[String],
+        rows: impl Iterator<Item = Vec<f64>>,
+        first: u32,
+    ) -> Result<String, ::csv::Error> {
+        let mut to = ::csv::Writer::from_writer(Vec::new());
+        to.write_record(std::iter::once("time").chain(names.iter().map(String::as_str)))?;
+        for (step, row) in (first..).zip(rows) {
+            // A product, as the master forms it, not a sum.
+            let time = f64::from(step) * self.step_s;
+            to.write_record(std::iter::once(time).chain(row).map(|value| value.to_string()))?;
+        }
+        Ok(String::from_utf8_lossy(&to.into_inner().map_err(|e| e.into_error())?).into_owned())
+    }
+}
+
+/// Name of the file with the inputs.
+#[must_use]
+pub fn input_file(hazard: &Hazard) -> String {
+    format!("{}.inputs.csv", hazard.id)
+}
+
+/// Name of the file with the outputs.
+#[must_use]
+pub fn output_file(hazard: &Hazard) -> String {
+    format!("{}.outputs.csv", hazard.id)
+}

@@ -1,0 +1,207 @@
+//! The replays in a report: each hazard's sequence is run once more, and every step of it is kept.
+
+use super::picture;
+use super::prepare::{Prepared, StateChoice};
+use super::run::ScanError;
+use crate::cell::Zone;
+use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
+use crate::host::system::UnitPort;
+use crate::human::{BendFraction, Posture};
+use crate::report::model::Hazard;
+use crate::report::page::{
+    ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
+};
+use crate::report::topview;
+use crate::report::trace::Trace;
+use crate::search::Environment as _;
+use crate::sim::simulation::Instant;
+use crate::standards::iso_13857::HAND_RADIUS_M;
+
+/// Height of mats and fields in the picture, m; the model has none.
+const FLOOR_M: f64 = 0.02;
+
+/// What stands still.
+#[must_use]
+pub fn scenery(prepared: &Prepared) -> Scenery {
+    let cell = &prepared.cell;
+    let upright = cell.body.placed(Vec3::ZERO, 0.0, Posture::Upright, BendFraction::UPRIGHT);
+    Scenery {
+        name: cell.name.clone(),
+        step_s: cell.step_s,
+        obstacles: cell.obstacles.iter().map(|(name, cuboid)| obstacle(name, cuboid)).collect(),
+        zones: cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone)).collect(),
+        links: cell
+            .links
+            .iter()
+            .map(|link| {
+                let (name, robot) = (link.name.clone(), cell.robots[link.robot].name.clone());
+                match &link.shape {
+                    Solid::Capsule(capsule) => LinkShape::Capsule { name, robot, radius_m: capsule.radius },
+                    Solid::Hull(hull) => LinkShape::Hull {
+                        name,
+                        robot,
+                        points_m: hull.shape().points().iter().map(|p| p.to_array()).collect(),
+                    },
+                }
+            })
+            .collect(),
+        body: upright
+            .parts()
+            .iter()
+            .map(|(part, capsule)| PartShape { region: part.name().to_owned(), radius_m: capsule.radius })
+            .collect(),
+        start: StartPlace { xy_m: cell.start.xy_m(), heading_deg: cell.start.heading_deg() },
+    }
+}
+
+fn obstacle(name: &str, cuboid: &Cuboid) -> Obstacle {
+    let Cuboid { centre, half, rotation } = cuboid;
+    Obstacle {
+        name: name.to_owned(),
+        centre_m: centre.to_array(),
+        size_m: (*half * 2.0).to_array(),
+        quaternion: rotation.to_array(),
+    }
+}
+
+/// Where a sensor sees; nothing of one inside the FMU is known.
+fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
+    let (kind, z_m) = match zone {
+        Zone::Mat(_) => ("mat", [0.0, FLOOR_M]),
+        Zone::Field(_) => ("field", [0.0, FLOOR_M]),
+        Zone::Curtain(plane) => ("curtain", [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z]),
+        Zone::Reported => return None,
+    };
+    Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: picture::zone(zone)?, z_m })
+}
+
+/// The replay of `hazard`, from the start to the end of the action in which it happens.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn replay(prepared: &Prepared, hazard: &Hazard) -> Result<Replay, ScanError> {
+    let wrap = |cause| ScanError { cause };
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(wrap)?;
+    simulation.reset().map_err(wrap)?;
+    let mut instants = vec![simulation.at_start()];
+    let mut actions = Vec::new();
+    for action in &hazard.actions {
+        actions.push(Begun { name: action.to_string(), frame: instants.len() - 1 });
+        let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
+        instants.extend(simulation.last_action());
+        if ended {
+            break;
+        }
+    }
+    let step_s = prepared.cell.step_s;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
+    let contact_frame = ((hazard.time_s / step_s).round() as usize).min(instants.len() - 1);
+    let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
+    let curves: Vec<[f64; 3]> = instants
+        .iter()
+        .enumerate()
+        .map(|(frame, instant)| match link {
+            _ if frame == contact_frame => [distance(instant), hazard.speed_m_s, hazard.ratio],
+            Some(link) => {
+                let speed = speed(instant, link);
+                [distance(instant), speed, instant.frame.strike(link).ratio(hazard.body_region, speed)]
+            }
+            None => [distance(instant), f64::NAN, f64::NAN],
+        })
+        .collect();
+    let curve = |of: usize| Floats(curves.iter().map(|values| values[of]).collect());
+    let sensor = |(number, sensor): (usize, &crate::cell::validate::Sensor)| Strip {
+        name: sensor.name.clone(),
+        detected: instants.iter().map(|instant| if instant.readings[number] { '1' } else { '0' }).collect(),
+    };
+    #[expect(clippy::cast_precision_loss, reason = "a few steps after the start")]
+    let time = |frame: usize| frame as f64 * step_s;
+    Ok(Replay {
+        id: hazard.id.clone(),
+        frames: instants.len(),
+        contact_frame,
+        links: Floats(instants.iter().flat_map(|instant| instant.frame.links.iter().flat_map(place)).collect()),
+        body: Floats(instants.iter().flat_map(|instant| instant.body.iter().flat_map(ends)).collect()),
+        arm: hazard.arm.as_ref().map(|arm| ArmPose {
+            side: arm.side.clone(),
+            points_m: [arm.shoulder_m, arm.elbow_m, arm.wrist_m],
+            radius_m: HAND_RADIUS_M,
+        }),
+        contact_m: hazard.contact_point_m,
+        time_s: Floats((0..instants.len()).map(time).collect()),
+        distance_m: curve(0),
+        speed_m_s: curve(1),
+        force_ratio: curve(2),
+        sensors: prepared.cell.sensors.iter().enumerate().map(sensor).collect(),
+        actions,
+        top_view: topview::render(&picture::scene(prepared, hazard)?),
+    })
+}
+
+/// What the FMU gets and answers during `hazard`; nothing for cells of several FMUs, of which each gets what others
+/// answer.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn trace(prepared: &Prepared, hazard: &Hazard) -> Result<Option<Trace>, ScanError> {
+    if prepared.fmus.len() != 1 {
+        return Ok(None);
+    }
+    let wrap = |cause| ScanError { cause };
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(wrap)?;
+    simulation.reset().map_err(wrap)?;
+    let binding = &prepared.binding;
+    let names = |ports: &[UnitPort]| ports.iter().map(|port| port.port.name.clone()).collect();
+    let mut trace = Trace {
+        step_s: prepared.cell.step_s,
+        inputs: names(&binding.inputs),
+        outputs: names(&binding.outputs),
+        ..Trace::default()
+    };
+    for action in &hazard.actions {
+        let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
+        let (inputs, outputs) = simulation.last_rows();
+        trace.given.extend(inputs.chunks(binding.inputs.len().max(1)).map(<[f64]>::to_vec));
+        trace.answered.extend(outputs.chunks(binding.outputs.len().max(1)).map(<[f64]>::to_vec));
+        if ended {
+            break;
+        }
+    }
+    Ok(Some(trace))
+}
+
+fn ends(capsule: &Capsule) -> [f64; 6] {
+    let (a, b) = (capsule.a, capsule.b);
+    [a.x, a.y, a.z, b.x, b.y, b.z]
+}
+
+fn place(link: &Solid) -> [f64; 7] {
+    match link {
+        Solid::Capsule(capsule) => {
+            let [ax, ay, az, bx, by, bz] = ends(capsule);
+            [ax, ay, az, bx, by, bz, 0.0]
+        }
+        Solid::Hull(hull) => {
+            let pose = hull.pose();
+            let ([x, y, z], [qx, qy, qz, qw]) = (pose.translation.to_array(), pose.rotation.to_array());
+            [x, y, z, qx, qy, qz, qw]
+        }
+    }
+}
+
+/// From the nearest link to the body without arms, m.
+fn distance(instant: &Instant) -> f64 {
+    let to = |part: &Capsule| {
+        let near = instant.frame.links.iter().map(|link| link.segment_distance(part.a, part.b).distance);
+        near.fold(f64::INFINITY, f64::min) - part.radius
+    };
+    instant.body.iter().map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// Speed of the point of a link that is nearest to the body, m/s.
+fn speed(instant: &Instant, link: usize) -> f64 {
+    let solid = &instant.frame.links[link];
+    let near = instant.body.iter().map(|part| (part, solid.segment_distance(part.a, part.b)));
+    let nearest = near.min_by(|(p, a), (q, b)| (a.distance - p.radius).total_cmp(&(b.distance - q.radius)));
+    nearest.map_or(f64::NAN, |(_, near)| instant.frame.velocity(link, near.on_second).length())
+}

@@ -1,0 +1,42 @@
+//! Hazards that are known, tried again in a cell that was changed.
+
+use std::sync::Arc;
+
+use super::prepare::{Prepared, StateChoice};
+use crate::hazard::Finding;
+use crate::host::PlantError;
+use crate::human::Action;
+use crate::report::model::Hazard;
+use crate::report::verified::{Outcome, Verified};
+use crate::sim::replay::replay;
+
+/// Runs the worst and the shortest sequence of a hazard from a fresh instance each.
+#[must_use]
+pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
+    let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
+        let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+        replay(cell, binding, prepared.plant(StateChoice::Replay), actions)
+    };
+    let sequences = [&hazard.actions, &hazard.shortest.actions];
+    let different = if sequences[0] == sequences[1] { 1 } else { 2 };
+    let mut worst: Option<Finding> = None;
+    for actions in &sequences[..different] {
+        match run(actions) {
+            Err(error) => {
+                return Verified { hazard: hazard.clone(), outcome: Outcome::NotRun { cause: error.message } };
+            }
+            Ok(Some(found)) if worst.as_ref().is_none_or(|w| found.contact.ratio() > w.contact.ratio()) => {
+                worst = Some(found);
+            }
+            Ok(_) => {}
+        }
+    }
+    let outcome = worst.map_or(Outcome::Fixed, |found| Outcome::StillThere {
+        ratio: found.contact.ratio(),
+        force_n: found.contact.force_n,
+        body_region: found.contact.region.to_string(),
+        robot_link: prepared.cell.links[found.contact.link].name.clone(),
+        time_s: found.time_s,
+    });
+    Verified { hazard: hazard.clone(), outcome }
+}

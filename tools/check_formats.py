@@ -1,0 +1,100 @@
+"""Reads the results of a scan with readers that this project did not write, and compares them with scan.json.
+
+    tools/check_formats.py out/cell --sarif-schema sarif-schema-2.1.0.json --fmu cell.fmu
+
+pandas reads hazards.csv, junitparser reads junit.xml, jsonschema validates hazards.sarif against the OASIS schema, and
+FMPy simulates the FMU with each hazard's inputs and compares the outputs, which must have the same bits. Exit code 1:
+problems found.
+"""
+
+import argparse
+import json
+import pathlib
+
+import jsonschema
+import numpy
+import pandas
+from fmpy import simulate_fmu
+from fmpy.util import read_csv
+from junitparser import Error, Failure, JUnitXml, Skipped
+
+
+def check_csv(folder, scan):
+    table = pandas.read_csv(folder / "hazards.csv")
+    hazards = scan["hazards"]
+    assert list(table["id"]) == [hazard["id"] for hazard in hazards]
+    # Estimation follows identification, reduction follows estimation.
+    order = ["id", "hazard", "body_region", "force_n", "ratio", "severity", "exposure", "avoidance", "measure"]
+    order += ["residual_risk", "decision"]
+    places = [table.columns.get_loc(name) for name in order]
+    assert places == sorted(places), places
+    for name in ["force_n", "limit_n", "ratio", "speed_m_s", "safe_below_m_s", "time_s", "times_found"]:
+        assert list(table[name]) == [hazard[name] for hazard in hazards], name
+    for axis, name in enumerate(["person_x_m", "person_y_m"]):
+        assert list(table[name]) == [hazard["person_xy_m"][axis] for hazard in hazards], name
+    return f"{len(table)} rows, {len(table.columns)} columns"
+
+
+def check_junit(folder, scan):
+    suites = list(JUnitXml.fromfile(str(folder / "junit.xml")))
+    assert len(suites) == 1 and suites[0].name == scan["subject"]["cell"]
+    cases = list(suites[0])
+    of = lambda kind: [case for case in cases if any(isinstance(result, kind) for result in case.result)]
+    failed = {case.name.split()[0] for case in of(Failure)}
+    known = {case.name.split()[0] for case in of(Skipped)}
+    assert failed | known == {hazard["id"] for hazard in scan["hazards"]}, failed
+    assert suites[0].failures == len(failed) and suites[0].tests == len(cases)
+    assert len(of(Error)) == len(scan["faults"]) + (scan["verdict"] not in ("hazards_found", "none_found"))
+    return f"{len(cases)} cases, {len(failed)} failures, {len(known)} skipped"
+
+
+def check_sarif(folder, scan, schema):
+    log = json.loads((folder / "hazards.sarif").read_text(encoding="utf-8"))
+    schema = json.loads(pathlib.Path(schema).read_text(encoding="utf-8"))
+    validator = jsonschema.validators.validator_for(schema)(schema)
+    problems = [f"{list(error.path)}: {error.message}" for error in validator.iter_errors(log)]
+    assert not problems, problems
+    results = log["runs"][0]["results"]
+    assert [result["partialFingerprints"]["hazardId/v1"] for result in results] == [h["id"] for h in scan["hazards"]]
+    for result, hazard in zip(results, scan["hazards"]):
+        steps = result["codeFlows"][0]["threadFlows"][0]["locations"]
+        assert len(steps) == len(hazard["actions"])
+        # Services refuse a whole file for one result without a place in a file.
+        places = [result["locations"][0], *(step["location"] for step in steps)]
+        assert all(place["physicalLocation"]["artifactLocation"]["uri"] for place in places)
+    return f"{len(results)} results, valid"
+
+
+def check_traces(folder, fmu):
+    checked = 0
+    for path in sorted(folder.glob("H-*.inputs.csv")):
+        inputs = read_csv(path)
+        expected = pandas.read_csv(str(path).replace(".inputs.", ".outputs."))
+        step = expected["time"][0]
+        names = list(expected.columns[1:])
+        options = {"step_size": step, "output_interval": step, "stop_time": expected["time"].iloc[-1]}
+        result = simulate_fmu(str(fmu), input=inputs, output=names, set_stop_time=False, **options)
+        # The first row is the start.
+        assert len(result) == len(expected) + 1, (len(result), len(expected))
+        for name in names:
+            assert numpy.array_equal(result[name][1:], expected[name]), f"{path.name}: {name}"
+        checked += 1
+    return f"{checked} traces, the same bits in FMPy"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--sarif-schema", required=True)
+    parser.add_argument("--fmu")
+    arguments = parser.parse_args()
+    scan = json.loads((arguments.folder / "scan.json").read_text(encoding="utf-8"))
+    print("csv:", check_csv(arguments.folder, scan))
+    print("junit:", check_junit(arguments.folder, scan))
+    print("sarif:", check_sarif(arguments.folder, scan, arguments.sarif_schema))
+    if arguments.fmu:
+        print("traces:", check_traces(arguments.folder, arguments.fmu))
+
+
+if __name__ == "__main__":
+    main()
