@@ -64,7 +64,7 @@ export function hittingLink(replay, cell, hazard) {
 
 /** Middle of the feet at each frame: the lowest parts of the body. */
 export function path(replay, cell) {
-  const legs = [...cell.body.keys()].filter((part) => cell.body[part].region === "lower_leg");
+  const legs = [...cell.body.keys()].filter((part) => cell.body[part].region.endsWith("shank"));
   const parts = legs.length > 0 ? legs : [cell.body.length - 1];
   return Array.from({ length: replay.frames }, (_, frame) => {
     const feet = parts.map((part) => bodyAt(replay, cell, frame, part).b);

@@ -26,8 +26,8 @@ function unknownNote(selection) {
   return note;
 }
 
-function build(root) {
-  const data = readData();
+async function build(root) {
+  const data = await readData();
   const { hazards } = data.scan;
   root.append(verdict(data));
   const selection = makeSelection(hazards.map((hazard) => hazard.id));
@@ -50,9 +50,7 @@ function build(root) {
 }
 
 const root = document.getElementById("report");
-try {
-  build(root);
-} catch (error) {
+build(root).catch((error) => {
   root.append(h("p", { class: "notice" }, `This report cannot be shown: ${error.message}. scan.json beside it holds the same results.`));
   throw error;
-}
+});

@@ -1,10 +1,12 @@
-// Checks reports from the command line: node check_report.mjs report.html [more.html]
+// Checks reports from the command line: node check_report.mjs [--main] report.html [more.html]
+// With --main only what shows soonest that a report works: picture, scrubber, selection, links, form.
 
 import { checkReport, withBrowsers } from "./report.mjs";
 
-const files = process.argv.slice(2);
+const onlyMain = process.argv[2] === "--main";
+const files = process.argv.slice(onlyMain ? 3 : 2);
 if (files.length === 0) {
-  console.error("usage: node check_report.mjs report.html [more.html]");
+  console.error("usage: node check_report.mjs [--main] report.html [more.html]");
   process.exit(2);
 }
 
@@ -18,7 +20,7 @@ await withBrowsers(async (browsers) => {
         failed += 1;
         console.log(`${error.message}`.replace(/^/gm, "          "));
       }
-    });
+    }, onlyMain);
   }
 });
 console.log(failed === 0 ? "All checks passed." : `${failed} checks failed.`);

@@ -23,7 +23,7 @@ function random(seed) {
 
 const BODY = [
   ["skull_forehead", 0.105], ["neck", 0.06], ["chest", 0.13], ["chest", 0.14], ["abdomen", 0.13],
-  ["pelvis", 0.14], ["thigh", 0.08], ["thigh", 0.08], ["lower_leg", 0.055], ["lower_leg", 0.055],
+  ["pelvis", 0.14], ["left_thigh", 0.08], ["right_thigh", 0.08], ["left_shank", 0.055], ["right_shank", 0.055],
 ];
 
 /** Capsules of a person who stands at `xy`, looks to `heading` and bends forward by `bend`. */
