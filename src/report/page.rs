@@ -41,7 +41,9 @@ pub struct Scenery {
     pub step_s: f64,
     /// Boxes that neither person nor robot pass.
     pub obstacles: Vec<Obstacle>,
-    /// Where sensors see.
+    /// Names of all sensors, in the order of the coverage.
+    pub sensors: Vec<String>,
+    /// Where sensors see, but for those inside the FMU.
     pub zones: Vec<ZoneOutline>,
     /// The robots' links.
     pub links: Vec<LinkShape>,

@@ -29,6 +29,7 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
         name: cell.name.clone(),
         step_s: cell.step_s,
         obstacles: cell.obstacles.iter().map(|(name, cuboid)| obstacle(name, cuboid)).collect(),
+        sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
         zones: cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone)).collect(),
         links: cell
             .links

@@ -61,8 +61,8 @@ function residual(r) {
 
 function seen({ coverage: c, spent, certificate: complete }, cell) {
   const near = c.closest_approach_m < 1e6 ? `${c.closest_approach_m.toFixed(2)} m${c.closest_approach_m < 0 ? " (shapes overlap)" : ""}` : "never near";
-  const names = cell.zones.map((zone) => zone.name);
-  const fired = c.sensor_actions.map((times, index) => `${names[index] ?? `sensor ${index + 1}`} in ${count(times, "action")}`).join(", ");
+  const names = cell.sensors;
+  const fired = c.sensor_actions.map((times, index) => `${names[index]} in ${count(times, "action")}`).join(", ");
   return [
     h("h3", {}, "Coverage"),
     definitions([

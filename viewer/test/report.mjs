@@ -106,6 +106,10 @@ export const CHECKS = [
       assert.match(await page.locator(test("verdict")).textContent(), /\.$/);
       assert.match(await page.locator(test("scope")).textContent(), data.scan.certificate?.complete ? /^Complete\./ : /^Not complete\./);
       assert.equal(await page.locator(`${test("assumptions")} li`).count(), data.assumptions.length);
+      const text = await page.locator("#report").textContent();
+      data.cell.sensors.forEach((name, index) => {
+        assert.ok(text.includes(`${name} in ${data.scan.coverage.sensor_actions[index].toLocaleString("en")} action`), name);
+      });
     },
   },
   {

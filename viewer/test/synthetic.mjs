@@ -218,6 +218,7 @@ export function report({ hazards = 8, replays = 50, arm = "some", hitting = "too
         { name: "fence left", centre_m: [-1.9, 0, 1], size_m: [1.6, 0.02, 2], quaternion: [0, 0, 0, 1] },
         { name: "fence right", centre_m: [1.9, 0, 1], size_m: [2, 0.02, 1.6], quaternion: [0, QUARTER, 0, QUARTER] },
       ],
+      sensors: ["mat", "field", "curtain"],
       zones: [
         { name: "mat", kind: "mat", polygon_m: [[-0.8, -1.1], [0.8, -1.1], [0.8, -0.05], [-0.8, -0.05]], z_m: [0, 0] },
         { name: "field", kind: "field", polygon_m: [[-1.4, -0.9], [1.4, -0.9], [1.1, 1.6], [-1.1, 1.6]], z_m: [0.2, 0.2] },
