@@ -101,11 +101,22 @@ impl Place {
         let work: Vec<&str> = work.iter().map(String::as_str).filter(|name| *name != "out").collect();
         assert_eq!(work, [FMU, CELL], "the FMU wrote a file");
         for name in names(&self.work().join("out")) {
-            let ours = ["scan.json", "hazards.jsonl", "run.json", "fmu.log"].contains(&name.as_str());
+            let ours = [
+                "report.html",
+                "scan.json",
+                "hazards.csv",
+                "junit.xml",
+                "hazards.sarif",
+                "hazards.jsonl",
+                "run.json",
+                "fmu.log",
+            ];
+            let ours = ours.contains(&name.as_str());
             // What is needed to go on is left by scans that have not ended.
             let rest =
                 ran.code != Some(0) && ran.code != Some(1) && ["resume.json", "journal.bin"].contains(&name.as_str());
-            assert!(ours || rest || (name.starts_with("H-") && name.ends_with(".svg")), "{name}: {ran:?}");
+            let of_hazard = [".svg", ".inputs.csv", ".outputs.csv"].iter().any(|end| name.ends_with(end));
+            assert!(ours || rest || (name.starts_with("H-") && of_hazard), "{name}: {ran:?}");
         }
         ran
     }
