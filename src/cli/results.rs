@@ -10,9 +10,10 @@ use crate::host::Effort;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::model::ScanReport;
+use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
-use crate::scan::{Prepared, film, picture};
+use crate::scan::{Prepared, ScanError, StateChoice, film, picture};
 
 /// Most hazards for which a picture is drawn and a trace is written.
 const PICTURES: usize = 10;
@@ -59,21 +60,35 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
         &out.join("hazards.sarif"),
         &(serde_json::to_string_pretty(&log).map_err(Failure::unusable)? + "\n"),
     )?;
-    let replays = report.hazards.iter().take(REPLAYS).map(|hazard| film::replay(context.prepared, hazard));
-    let replays = replays.collect::<Result<Vec<_>, _>>()?;
+    let replays = write_hazards(report, context.prepared, out)?;
     let scenery = film::scenery(context.prepared);
     let page = page::render(report, &reproduce(report, context.path), context.assessments, &scenery, &replays);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
-    for hazard in report.hazards.iter().take(PICTURES) {
-        let svg = topview::render(&picture::scene(context.prepared, hazard)?);
-        output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
-        if let Some(trace) = film::trace(context.prepared, hazard)? {
-            let (inputs, outputs) = (trace.input_table(), trace.output_table());
-            output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
-            output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;
-        }
-    }
     Ok(json)
+}
+
+/// Runs the worst hazards' sequences once more, writes their pictures and traces, and returns their replays.
+fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result<Vec<Replay>, Failure> {
+    let mut replays = Vec::new();
+    if report.hazards.is_empty() {
+        return Ok(replays);
+    }
+    let failed = |cause| Failure::from(ScanError { cause });
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
+    for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
+        let watched = simulation.watch(&hazard.actions).map_err(failed)?;
+        let svg = topview::render(&picture::scene(prepared, hazard, &watched));
+        if number < PICTURES {
+            output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
+            if let Some(trace) = film::trace(prepared, &watched) {
+                let (inputs, outputs) = (trace.input_table(), trace.output_table());
+                output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
+                output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;
+            }
+        }
+        replays.push(film::replay(prepared, hazard, &watched, svg));
+    }
+    Ok(replays)
 }
 
 /// How the scan went, which is no result: run.json, and what the FMU printed.

@@ -1,20 +1,17 @@
-//! The replays in a report: each hazard's sequence is run once more, and every step of it is kept.
+//! The replays in a report: every step of a hazard's sequence; and what its FMU gets and answers.
 
 use super::picture;
-use super::prepare::{Prepared, StateChoice};
-use super::run::ScanError;
+use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::host::system::UnitPort;
-use crate::human::{BendFraction, Posture};
+use crate::human::{Action, BendFraction, Posture};
 use crate::report::model::Hazard;
 use crate::report::page::{
     ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
 };
-use crate::report::topview;
 use crate::report::trace::Trace;
-use crate::search::Environment as _;
-use crate::sim::simulation::Instant;
+use crate::sim::simulation::{Instant, Watched};
 use crate::standards::iso_13857::HAND_RADIUS_M;
 
 /// Height of mats and fields in the picture, m; the model has none.
@@ -76,27 +73,23 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
     Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: picture::zone(zone)?, z_m })
 }
 
-/// The replay of `hazard`, from the start to the end of the action in which it happens.
-///
-/// # Errors
-/// When the FMU fails.
-pub fn replay(prepared: &Prepared, hazard: &Hazard) -> Result<Replay, ScanError> {
-    let wrap = |cause| ScanError { cause };
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(wrap)?;
-    simulation.reset().map_err(wrap)?;
-    let mut instants = vec![simulation.at_start()];
-    let mut actions = Vec::new();
-    for action in &hazard.actions {
-        actions.push(Begun { name: action.to_string(), frame: instants.len() - 1 });
-        let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
-        instants.extend(simulation.last_action());
-        if ended {
-            break;
-        }
-    }
-    let step_s = prepared.cell.step_s;
+/// The frame in which `hazard` happens.
+#[must_use]
+pub fn contact_frame(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
-    let contact_frame = ((hazard.time_s / step_s).round() as usize).min(instants.len() - 1);
+    let frame = (hazard.time_s / prepared.cell.step_s).round() as usize;
+    frame.min(watched.instants.len() - 1)
+}
+
+/// The replay of `hazard`, whose sequence was watched, to the end of the action in which it happens.
+#[must_use]
+pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view: String) -> Replay {
+    let (instants, step_s) = (&watched.instants, prepared.cell.step_s);
+    let contact_frame = contact_frame(prepared, hazard, watched);
+    let begun = |(number, action): (usize, &Action)| Begun {
+        name: action.to_string(),
+        frame: number * prepared.cell.steps_per_action,
+    };
     let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
     let curves: Vec<[f64; 3]> = instants
         .iter()
@@ -117,7 +110,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard) -> Result<Replay, ScanError>
     };
     #[expect(clippy::cast_precision_loss, reason = "a few steps after the start")]
     let time = |frame: usize| frame as f64 * step_s;
-    Ok(Replay {
+    Replay {
         id: hazard.id.clone(),
         frames: instants.len(),
         contact_frame,
@@ -134,41 +127,25 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard) -> Result<Replay, ScanError>
         speed_m_s: curve(1),
         force_ratio: curve(2),
         sensors: prepared.cell.sensors.iter().enumerate().map(sensor).collect(),
-        actions,
-        top_view: topview::render(&picture::scene(prepared, hazard)?),
-    })
+        actions: hazard.actions.iter().enumerate().map(begun).collect(),
+        top_view,
+    }
 }
 
-/// What the FMU gets and answers during `hazard`; nothing for cells of several FMUs, of which each gets what others
-/// answer.
-///
-/// # Errors
-/// When the FMU fails.
-pub fn trace(prepared: &Prepared, hazard: &Hazard) -> Result<Option<Trace>, ScanError> {
-    if prepared.fmus.len() != 1 {
-        return Ok(None);
-    }
-    let wrap = |cause| ScanError { cause };
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(wrap)?;
-    simulation.reset().map_err(wrap)?;
+/// What the FMU gets and answers in a sequence that was watched; nothing for cells of several FMUs, of which each gets
+/// what others answer.
+#[must_use]
+pub fn trace(prepared: &Prepared, watched: &Watched) -> Option<Trace> {
     let binding = &prepared.binding;
     let names = |ports: &[UnitPort]| ports.iter().map(|port| port.port.name.clone()).collect();
-    let mut trace = Trace {
+    let rows = |values: &[f64], width: usize| values.chunks(width.max(1)).map(<[f64]>::to_vec).collect();
+    (prepared.fmus.len() == 1).then(|| Trace {
         step_s: prepared.cell.step_s,
         inputs: names(&binding.inputs),
         outputs: names(&binding.outputs),
-        ..Trace::default()
-    };
-    for action in &hazard.actions {
-        let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
-        let (inputs, outputs) = simulation.last_rows();
-        trace.given.extend(inputs.chunks(binding.inputs.len().max(1)).map(<[f64]>::to_vec));
-        trace.answered.extend(outputs.chunks(binding.outputs.len().max(1)).map(<[f64]>::to_vec));
-        if ended {
-            break;
-        }
-    }
-    Ok(Some(trace))
+        given: rows(&watched.inputs, binding.inputs.len()),
+        answered: rows(&watched.outputs, binding.outputs.len()),
+    })
 }
 
 fn ends(capsule: &Capsule) -> [f64; 6] {

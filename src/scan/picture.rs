@@ -1,49 +1,27 @@
-//! The top view of one hazard: the sequence is run once more and what is seen from above is handed to the drawing.
+//! The top view of one hazard: what is seen from above of its sequence is handed to the drawing.
 
-use super::prepare::{Prepared, StateChoice};
-use super::run::ScanError;
+use super::film;
+use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::report::model::Hazard;
 use crate::report::topview::{Point, Scene};
-use crate::search::Environment as _;
+use crate::sim::simulation::Watched;
 
 const fn flat(v: Vec3) -> Point {
     [v.x, v.y]
 }
 
-/// The scene of `hazard`.
-///
-/// # Errors
-/// When the FMU fails.
-pub fn scene(prepared: &Prepared, hazard: &Hazard) -> Result<Scene, ScanError> {
-    let wrap = |cause| ScanError { cause };
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(wrap)?;
-    simulation.reset().map_err(wrap)?;
-    let mut path = vec![simulation.position()];
-    let mut robot = Vec::new();
-    let step_s = prepared.cell.step_s;
-    for action in &hazard.actions {
-        let before = path.len() - 1;
-        let ended = simulation.step(action.index()).map_err(wrap)?.end.is_some();
-        for (i, instant) in simulation.last_action().into_iter().enumerate() {
-            #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
-            let time_s = (before + i + 1) as f64 * step_s;
-            if time_s > hazard.time_s + 0.5 * step_s {
-                break;
-            }
-            path.push(instant.position);
-            if i % 3 == 0 || (time_s - hazard.time_s).abs() < 0.5 * step_s {
-                robot.push(instant.frame.links.iter().map(segment).collect());
-            }
-        }
-        if ended {
-            break;
-        }
-    }
+/// The scene of `hazard`, whose sequence was watched.
+#[must_use]
+pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
     let cell = &prepared.cell;
-    let body = simulation.body_at(hazard.person_xy_m, hazard.person_heading_deg, hazard.actions.last().copied());
-    Ok(Scene {
+    let contact = film::contact_frame(prepared, hazard, watched);
+    let until = &watched.instants[..=contact];
+    // A few instants of each action, and the contact.
+    let shown = |frame: usize| frame == contact || ((frame - 1) % cell.steps_per_action).is_multiple_of(3);
+    let robot = (1..=contact).filter(|&frame| shown(frame)).map(|frame| &until[frame].frame.links);
+    Scene {
         title: format!(
             "{}: {} meets {}, {:.2} s, {:.0} N of {:.0} N",
             hazard.id,
@@ -55,12 +33,12 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard) -> Result<Scene, ScanError> {
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
-        robot,
-        path: path.into_iter().map(flat).collect(),
-        body: body.into_iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
+        robot: robot.map(|links| links.iter().map(segment).collect()).collect(),
+        path: until.iter().map(|instant| flat(instant.position)).collect(),
+        body: until[contact].body.iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
-    })
+    }
 }
 
 /// Where a sensor sees, from above; the plane of a light curtain as a thin strip.

@@ -45,10 +45,6 @@ impl<P: Plant> Robots<P> {
         std::mem::take(&mut self.reached)
     }
 
-    /// The frames of the last action into `node`, if they are at hand.
-    pub(super) fn known_frames(&self, node: NodeId) -> Option<&Frames> {
-        self.frames.get(&node)
-    }
     /// The robots after each step of the action into `node`.
     pub(super) fn frames(&mut self, node: NodeId) -> Frames {
         if let Some(frames) = self.frames.get(&node) {

@@ -70,6 +70,17 @@ pub struct Instant {
     pub frame: RobotFrame,
 }
 
+/// A sequence from the start, with everything that there is to see.
+#[derive(Clone, Debug)]
+pub struct Watched {
+    /// The start, then the end of each step.
+    pub instants: Vec<Instant>,
+    /// Inputs of the FMU, one row a step.
+    pub inputs: Vec<f64>,
+    /// Its outputs, one row a step.
+    pub outputs: Vec<f64>,
+}
+
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
 struct Outcome {
@@ -99,8 +110,6 @@ pub struct Simulation<P: Plant> {
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     root: Snapshot,
     state: Snapshot,
-    /// Where the person stood, and what the sensors had on the way, before the last action.
-    from: (Place, Vec<DelayLine>),
     coverage: Coverage,
     findings: Vec<Finding>,
     faults: Vec<Fault>,
@@ -124,7 +133,6 @@ impl<P: Plant> Simulation<P> {
             options,
             outcomes: BTreeMap::new(),
             state: root.clone(),
-            from: (place, root.delays.clone()),
             root,
             findings: Vec::new(),
             faults: Vec::new(),
@@ -177,38 +185,39 @@ impl<P: Plant> Simulation<P> {
         &self.world
     }
 
-    /// Where the person stands, floor plan, m.
-    #[must_use]
-    pub fn position(&self) -> Vec3 {
-        self.world.position(&self.state.place)
-    }
-
-    /// Person, sensors and robot after each step of the last action taken.
-    #[must_use]
-    pub fn last_action(&self) -> Vec<Instant> {
-        let Some(frames) = self.robots.known_frames(self.state.node) else { return Vec::new() };
-        let Some(action) = self.state.actions.last() else { return Vec::new() };
-        let (place, delays) = &self.from;
-        let walked = self.world.walk(*place, *action);
-        let sensed = self.world.sense(delays, &self.world.sights(&walked, action.posture()));
-        let instant = |(i, frame): (usize, &RobotFrame)| Instant {
-            position: self.world.position(&walked.places[i]),
-            body: self.world.body_of(&self.world.stance(&walked, i, action.posture(), &sensed)),
-            readings: self.world.readings(&sensed.readings[i], frame),
-            frame: frame.clone(),
-        };
-        frames.iter().enumerate().map(instant).collect()
-    }
-
-    /// Inputs and outputs of the FMU in each step of the last action taken, row-major.
-    #[must_use]
-    pub fn last_rows(&self) -> (Vec<f64>, Vec<f64>) {
-        (self.robots.recall.inputs(self.state.node), self.robots.recall.outputs(self.state.node).to_vec())
+    /// Runs `actions` from the start and keeps everything that there is to see, without looking for contacts.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn watch(&mut self, actions: &[Action]) -> Result<Watched, PlantError> {
+        let world = Arc::clone(&self.world);
+        let Snapshot { mut node, mut place, mut delays, .. } = self.root.clone();
+        let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
+        for action in actions {
+            let walked = world.walk(place, *action);
+            let sensed = world.sense(&delays, &world.sights(&walked, action.posture()));
+            node = match self.robots.advance(node, &sensed.inputs)? {
+                Advanced::To(node) => node,
+                Advanced::Fault(fault) => return Err((*fault).clone()),
+            };
+            for (i, frame) in self.robots.frames(node).iter().enumerate() {
+                watched.instants.push(Instant {
+                    position: world.position(&walked.places[i]),
+                    body: world.body_of(&world.stance(&walked, i, action.posture(), &sensed)),
+                    readings: world.readings(&sensed.readings[i], frame),
+                    frame: frame.clone(),
+                });
+            }
+            watched.outputs.extend_from_slice(self.robots.recall.outputs(node));
+            watched.inputs.extend(sensed.inputs);
+            place = walked.end();
+            delays = sensed.delays;
+        }
+        Ok(watched)
     }
 
     /// Person, sensors and robot at the start.
-    #[must_use]
-    pub fn at_start(&self) -> Instant {
+    fn at_start(&self) -> Instant {
         let world = &self.world;
         let frame = RobotFrame::new(&world.cell, &world.binding, self.robots.recall.outputs(NodeId::ROOT));
         let place = world.start();
@@ -219,14 +228,6 @@ impl<P: Plant> Simulation<P> {
             readings: world.readings(&world.readings_at_start(), &frame),
             frame,
         }
-    }
-
-    /// The body's capsules, world, for a person who stands at `xy` and looks along `heading_deg` in the posture of
-    /// `action`.
-    #[must_use]
-    pub fn body_at(&self, xy: [f64; 2], heading_deg: f64, action: Option<Action>) -> Vec<Capsule> {
-        let bent = action.map_or(Posture::Upright, Action::posture);
-        self.world.body_at(Vec3::new(xy[0], xy[1], 0.0), heading_deg.to_radians(), bent)
     }
 
     /// Takes an action from the present state.
@@ -246,7 +247,6 @@ impl<P: Plant> Simulation<P> {
                 self.faults.push(Fault { actions, message: message.clone() });
             }
         } else if let Some((node, place, delays)) = &outcome.to {
-            self.from = (self.state.place, std::mem::take(&mut self.state.delays));
             self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
             if outcome.end.is_some() {
                 self.imagination.observe(&self.world, &self.robots.recall, *node, &self.state.actions);

@@ -447,13 +447,6 @@ impl World {
     pub(super) fn unbroken(&self) -> Vec<Cuboid> {
         self.curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect()
     }
-
-    /// The capsules of the body at `position` that looks along `heading_rad`, world.
-    #[must_use]
-    pub fn body_at(&self, position: Vec3, heading_rad: f64, bent: Posture) -> Vec<crate::geometry::Capsule> {
-        let bend = posture::cut_back(self.body(), position, heading_rad, bent, &self.boxes);
-        self.body().placed(position, heading_rad, bent, bend).parts().iter().map(|(_, c)| *c).collect()
-    }
 }
 
 /// Only for light curtains it matters when they were first broken.
