@@ -67,6 +67,8 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
         "[[unit]]\nname = \"a\"\nfmu = \"safety-fence.fmu\"",
         &["which FMU", "write `unit:"],
     ),
+    ("[human]", "[fail_on]\nbaseline = \"b.json\"\n[human]", &["never read", "new_only = true"]),
+    ("[human]", "[fail_on]\nnew_only = true\n[human]", &["baseline.json does not exist", "--write-baseline"]),
     ("size_m = [1.2, 0.02, 2]", "size_m = [1.2, 0, 2]", &["fence front left", "greater than zero"]),
 ];
 

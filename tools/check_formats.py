@@ -42,7 +42,8 @@ def check_junit(folder, scan):
     of = lambda kind: [case for case in cases if any(isinstance(result, kind) for result in case.result)]
     failed = {case.name.split()[0] for case in of(Failure)}
     known = {case.name.split()[0] for case in of(Skipped)}
-    assert failed | known == {hazard["id"] for hazard in scan["hazards"]}, failed
+    there = {hazard["id"] for hazard in scan["hazards"]}
+    assert failed <= there <= failed | known, failed
     assert suites[0].failures == len(failed) and suites[0].tests == len(cases)
     assert len(of(Error)) == len(scan["faults"]) + (scan["verdict"] not in ("hazards_found", "none_found"))
     return f"{len(cases)} cases, {len(failed)} failures, {len(known)} skipped"

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
+use sha2::{Digest as _, Sha256};
 use thiserror::Error;
 
 /// A problem in a cell file, with its place.
@@ -51,6 +52,12 @@ impl Source {
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// SHA-256 of the text, lower-case hex.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        Sha256::digest(self.text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
     /// Line of a place in the text, from 1.

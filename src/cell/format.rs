@@ -58,6 +58,9 @@ pub struct CellFile {
     /// Search budget.
     #[serde(default)]
     pub search: SearchTable,
+    /// What makes a scan fail.
+    #[serde(default)]
+    pub fail_on: FailOnTable,
 }
 
 /// One of several coupled FMUs.
@@ -417,4 +420,15 @@ impl Default for SearchTable {
     fn default() -> Self {
         Self { iterations: 320, actions: 8, seed: 1, reach_tolerance_m: 0.02 }
     }
+}
+
+/// What makes a scan fail, for pipelines.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct FailOnTable {
+    /// Only hazards that are not in the baseline, and those that became worse than there.
+    pub new_only: bool,
+    /// The baseline: the scan.json of an earlier scan, relative to this file; `baseline.json` unless told otherwise.
+    #[schemars(with = "Option<String>")]
+    pub baseline: Option<Spanned<String>>,
 }

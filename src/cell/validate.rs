@@ -2,12 +2,11 @@
 
 use std::ops::Range;
 
-use sha2::{Digest as _, Sha256};
 use toml::Spanned;
 
 use super::CellError;
 use super::error::Source;
-use super::format::{CellFile, PoseQuantity, PoseTable, SearchTable, Sex};
+use super::format::{CellFile, FailOnTable, PoseQuantity, PoseTable, SearchTable, Sex};
 use crate::geometry::chain::KinematicChain;
 use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
@@ -44,6 +43,9 @@ pub struct Workcell {
     pub body: Body,
     /// Budget.
     pub search: SearchTable,
+    /// The scan whose hazards are known and do not make another scan fail, relative to the cell file; none if every
+    /// hazard does.
+    pub baseline: Option<String>,
     /// The file itself, for binding variables.
     pub(super) file: CellFile,
 }
@@ -111,6 +113,9 @@ pub enum Zone {
     Reported,
 }
 
+/// The baseline's file unless the cell names another.
+pub const BASELINE: &str = "baseline.json";
+
 /// Reads and checks a cell file.
 ///
 /// # Errors
@@ -133,9 +138,10 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
     check.finite(&[start.xy_m[0], start.xy_m[1], start.heading_deg], &file.human.start.span(), "the start pose")?;
     let body = check.body(&file)?;
     check.search(&file.search)?;
+    let baseline = check.baseline(&file.fail_on)?;
     Ok(Workcell {
         name: file.name.clone(),
-        sha256: Sha256::digest(source.text().as_bytes()).iter().map(|b| format!("{b:02x}")).collect(),
+        sha256: source.sha256(),
         fmus,
         step_s,
         steps_per_action,
@@ -147,6 +153,7 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
         start: Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg),
         body,
         search: file.search,
+        baseline,
         file,
     })
 }
@@ -165,6 +172,20 @@ fn roll_pitch_yaw(deg: [f64; 3]) -> Rotation {
 pub(super) struct Checker<'a>(pub(super) &'a Source);
 
 impl Checker<'_> {
+    fn baseline(&self, table: &FailOnTable) -> Result<Option<String>, Box<CellError>> {
+        match (&table.baseline, table.new_only) {
+            (None, false) => Ok(None),
+            (None, true) => Ok(Some(BASELINE.to_owned())),
+            (Some(path), true) => Ok(Some(path.get_ref().clone())),
+            (Some(path), false) => Err(self.0.error(
+                path.span(),
+                "never read",
+                "a baseline is named, and every hazard makes a scan fail all the same",
+                Some("add `new_only = true`, or leave the baseline out".to_owned()),
+            )),
+        }
+    }
+
     pub(super) fn that(
         &self,
         ok: bool,

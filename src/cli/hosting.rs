@@ -7,7 +7,13 @@ use super::output;
 use crate::host::isolation::{Guard, Limits};
 use crate::scan::Hosting;
 
-#[derive(Clone, Debug, Default, clap::Args)]
+/// Longest time of a call unless told otherwise, s.
+const TIMEOUT_S: u64 = 10;
+
+/// Memory of a process unless told otherwise, MB.
+const MEMORY_MB: u64 = 4000;
+
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Where the FMU runs")]
 pub(super) struct HostingArguments {
     /// Run the FMU in this process, for debugging: a crash of it ends everything
@@ -18,14 +24,33 @@ pub(super) struct HostingArguments {
     #[arg(long)]
     trust_fmu: bool,
     /// Longest time of one call of the FMU, s
-    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..86_400))]
+    #[arg(long, default_value_t = TIMEOUT_S, value_parser = clap::value_parser!(u64).range(1..86_400))]
     fmu_timeout: u64,
     /// Most memory of a process in which the FMU runs, MB
-    #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u64).range(64..))]
+    #[arg(long, default_value_t = MEMORY_MB, value_parser = clap::value_parser!(u64).range(64..))]
     fmu_memory: u64,
 }
 
+impl Default for HostingArguments {
+    fn default() -> Self {
+        Self { in_process: false, trust_fmu: false, fmu_timeout: TIMEOUT_S, fmu_memory: MEMORY_MB }
+    }
+}
+
 impl HostingArguments {
+    /// Hands on the options that change what an FMU can do, and so what comes out.
+    pub(super) fn told(&self, add: &mut dyn FnMut(&str, Option<String>)) {
+        if self.trust_fmu {
+            add("--trust-fmu", None);
+        }
+        if self.fmu_timeout != TIMEOUT_S {
+            add("--fmu-timeout", Some(self.fmu_timeout.to_string()));
+        }
+        if self.fmu_memory != MEMORY_MB {
+            add("--fmu-memory", Some(self.fmu_memory.to_string()));
+        }
+    }
+
     /// What `--in-process` and the like choose.
     pub(super) fn hosting(&self) -> Result<Hosting, Failure> {
         if self.in_process {

@@ -4,10 +4,21 @@ use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
+
+/// How a result is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    #[default]
+    Table,
+    /// For programs
+    Json,
+}
 
 /// Prints a result. A reader that has gone away (a closed pipe) is no failure.
 pub(super) fn result(text: &str) {

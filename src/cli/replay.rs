@@ -3,11 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::compare;
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
-use super::output;
-use crate::cell::error::nearest;
+use super::{earlier, output};
 use crate::report::model::{FmuSubject, Hazard};
 use crate::scan::StateChoice;
 use crate::scan::prepare::prepare_in;
@@ -27,17 +25,12 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let file = arguments.scan.display();
-    let recorded = compare::read(&arguments.scan)?;
-    let wanted: Vec<&Hazard> =
-        recorded.hazards.iter().filter(|h| arguments.id == "all" || h.id == arguments.id).collect();
-    if wanted.is_empty() {
-        let help = match nearest(&arguments.id, recorded.hazards.iter().map(|h| h.id.as_str())) {
-            Some(id) => format!("did you mean {id}?"),
-            None => format!("it holds {} hazards; `all` replays every one", recorded.hazards.len()),
-        };
-        return Err(Failure::unusable_with_help(format!("there is no hazard {} in {file}", arguments.id), help));
-    }
+    let recorded = earlier::read(&arguments.scan)?;
+    let wanted: Vec<&Hazard> = if arguments.id == "all" && !recorded.hazards.is_empty() {
+        recorded.hazards.iter().collect()
+    } else {
+        vec![earlier::hazard(&recorded, &arguments.id, &arguments.scan)?]
+    };
     let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
     let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
     if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {

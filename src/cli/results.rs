@@ -27,6 +27,8 @@ pub(super) struct Context<'a> {
     pub prepared: &'a Prepared,
     /// What was scanned, as given: the cell file, or an FMU.
     pub path: &'a Path,
+    /// The command that gives the same result.
+    pub reproduce: &'a str,
     /// Hazards that are known already.
     pub baseline: Option<&'a Baseline>,
     /// What people decided.
@@ -62,7 +64,7 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     )?;
     let replays = write_hazards(report, context.prepared, out)?;
     let scenery = film::scenery(context.prepared);
-    let page = page::render(report, &reproduce(report, context.path), context.assessments, &scenery, &replays);
+    let page = page::render(report, context.reproduce, context.assessments, &scenery, &replays);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
     Ok(json)
 }
@@ -111,25 +113,6 @@ pub(super) fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, ou
         ));
     }
     Ok(())
-}
-
-/// The command that gives the same result.
-fn reproduce(report: &ScanReport, path: &Path) -> String {
-    let settings = &report.settings;
-    let mut command = format!(
-        "fmi-hazard scan {} --strategy {} --seed {} --iterations {}",
-        path.display(),
-        settings.strategy,
-        settings.seed,
-        settings.iterations
-    );
-    if settings.stop_at_first {
-        command += " --stop-at first";
-    }
-    if !settings.posture_sweep {
-        command += " --paper-iterations";
-    }
-    command
 }
 
 /// What stands for something else in a URI path.

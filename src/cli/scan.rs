@@ -4,189 +4,25 @@ use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock};
 
-use clap::builder::PossibleValue;
-use clap::{Parser as _, ValueEnum};
+use clap::Parser as _;
 
 use super::exit::{self, Failure};
-use super::hosting::HostingArguments;
-use super::output::{self, Levels, Progress};
+use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
-use super::{compare, results};
+pub(super) use super::scan_arguments::Arguments;
+use super::scan_arguments::StopAt;
+use super::{earlier, results};
+use crate::cell::validate::BASELINE;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::terminal;
 use crate::scan::prepare::prepare_in;
 use crate::scan::run::Method;
-use crate::scan::{self, Exhaustive, Prepared, ScanOptions, StateChoice, StrategyName};
-use crate::search::exhaustive::Budget;
-use crate::sim::expansion::Merge;
+use crate::scan::{self, Prepared, ScanOptions, StateChoice};
 use crate::sim::journal::Journal;
-
-/// How the result is printed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For people.
-    #[default]
-    Table,
-    /// What also stands in scan.json.
-    Json,
-}
-
-/// When a scan is over.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum StopAt {
-    /// At the first hazard; auto then ends with its quick part, if that found one.
-    First,
-    /// When the budget is spent.
-    #[default]
-    Budget,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct Arguments {
-    /// A cell file (.toml), or an FMU with a cell file beside it or inside it
-    #[arg(required_unless_present = "resume")]
-    path: Option<PathBuf>,
-    /// Go on with the interrupted scan whose results are in this folder, as it was started; it ends with the same result
-    /// as one that was not interrupted
-    #[arg(long, value_name = "DIR", exclusive = true)]
-    resume: Option<PathBuf>,
-    /// The cell file of an FMU that has none of its own
-    #[arg(long)]
-    cell: Option<PathBuf>,
-    /// How sequences are chosen
-    #[arg(long, value_enum, default_value = "auto")]
-    strategy: Choice,
-    /// Seed of the random generator (default: the cell's, else 1)
-    #[arg(long)]
-    seed: Option<u64>,
-    /// Sequences to try; for auto, in its quick part (default: the cell's, else 320 as in the paper)
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
-    iterations: Option<u32>,
-    /// When to stop
-    #[arg(long, value_enum, default_value_t)]
-    stop_at: StopAt,
-    /// Folder for the results (default: out/<cell name>)
-    #[arg(long)]
-    out: Option<PathBuf>,
-    /// How to print the result
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
-    /// Results of an earlier scan whose hazards are known: the exit code, JUnit and SARIF then tell of new and worse ones
-    #[arg(long, value_name = "SCAN")]
-    baseline: Option<PathBuf>,
-    /// Check only the posture of each sequence, so that iterations compare with the paper's
-    #[arg(long)]
-    paper_iterations: bool,
-    /// How FMU states are brought back; the results are the same
-    #[arg(long, value_enum, default_value_t)]
-    state: StateChoice,
-    #[command(flatten)]
-    hosting: HostingArguments,
-    #[command(flatten)]
-    exhaustive: ExhaustiveArguments,
-}
-
-/// How a scan searches: one of the strategies, all sequences, or both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Choice {
-    Auto,
-    Exhaustive,
-    One(StrategyName),
-}
-
-impl ValueEnum for Choice {
-    fn value_variants<'a>() -> &'a [Self] {
-        static ALL: LazyLock<Vec<Choice>> = LazyLock::new(|| {
-            let strategies = StrategyName::value_variants().iter().map(|&name| Choice::One(name));
-            [Choice::Auto, Choice::Exhaustive].into_iter().chain(strategies).collect()
-        });
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Self::Auto => Some(PossibleValue::new("auto").help(
-                "First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes",
-            )),
-            Self::Exhaustive => Some(PossibleValue::new("exhaustive").help(
-                "Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none \
-                 in the model",
-            )),
-            Self::One(name) => name.to_possible_value(),
-        }
-    }
-}
-
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Exhaustive search")]
-struct ExhaustiveArguments {
-    /// Most distinct states
-    #[arg(long, default_value_t = 20_000_000)]
-    max_states: usize,
-    /// Most memory for states, MB
-    #[arg(long, default_value_t = 4_000)]
-    max_memory: usize,
-    /// Most work of arm searches, millions of joint-angle boxes [default: 600 for auto, a few minutes; none for
-    /// exhaustive]
-    #[arg(long)]
-    max_work: Option<u64>,
-    /// How equal states of the FMU are told
-    #[arg(long, value_enum, default_value_t)]
-    merge: Merge,
-    /// Threads (default: one a core); the result is the same
-    #[arg(long)]
-    workers: Option<usize>,
-}
-
-impl Default for ExhaustiveArguments {
-    fn default() -> Self {
-        Self { max_states: 20_000_000, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
-    }
-}
-
-impl Arguments {
-    fn method(&self) -> Method {
-        let cores = || std::thread::available_parallelism().map_or(1, Into::into);
-        if let Choice::One(name) = self.strategy {
-            return Method::Strategy(name);
-        }
-        let own = &self.exhaustive;
-        let auto = self.strategy == Choice::Auto;
-        let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
-        let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
-        let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
-        if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
-    }
-}
-
-impl Arguments {
-    /// What the demo runs: the quick search alone, `iterations` sequences.
-    pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
-        Self {
-            path: Some(path),
-            resume: None,
-            cell: None,
-            strategy: Choice::One(StrategyName::Hybrid),
-            seed: None,
-            iterations: Some(iterations),
-            stop_at: StopAt::default(),
-            out: Some(out),
-            format: Format::default(),
-            baseline: None,
-            paper_iterations: false,
-            state: StateChoice::default(),
-            hosting: HostingArguments::default(),
-            exhaustive: ExhaustiveArguments::default(),
-        }
-    }
-}
-
-/// Work of the exhaustive part of `auto`, millions of boxes.
-const AUTO_WORK: u64 = 600;
 
 /// The arguments of a scan, alone.
 #[derive(clap::Parser)]
@@ -217,10 +53,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Result<u8, Failure> {
     let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
     let cell_path = arguments.cell.as_deref().unwrap_or(path);
-    let baseline = arguments.baseline.as_deref().map(compare::read).transpose()?.map(Baseline::of);
-    let baseline = baseline.as_ref();
     let assessments = results::assessments(cell_path)?;
     let prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let baseline_path = baseline_path(arguments, cell_path, &prepared);
+    let baseline = match &baseline_path {
+        Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),
+        _ => None,
+    };
+    let baseline = baseline.as_ref();
     // Before anything is told: whoever reads it may interrupt.
     let stop = stop_flag();
     introduce(&prepared, arguments.state);
@@ -277,7 +117,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     progress.finish();
     levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
-    let context = results::Context { prepared: &prepared, path: cell_path, baseline, assessments: &assessments };
+    let reproduce = &arguments.reproduce(path, &options);
+    let context =
+        results::Context { prepared: &prepared, path: cell_path, reproduce, baseline, assessments: &assessments };
     let json = results::write(&report, &context, &out)?;
     results::write_run(&prepared, effort, remembered, &out)?;
     match arguments.format {
@@ -288,6 +130,11 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     if let Some(baseline) = baseline {
         against(&report, baseline);
     }
+    if arguments.write_baseline && !interrupted {
+        let path = baseline_path.unwrap_or_else(|| cell_path.with_file_name(BASELINE));
+        output::write_file(&path, &json)?;
+        output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
+    }
     if command.is_some() {
         if interrupted {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
@@ -296,6 +143,24 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         }
     }
     Ok(code(&report, baseline, interrupted))
+}
+
+/// The baseline: what the command line says, else what the cell says.
+fn baseline_path(arguments: &Arguments, cell_path: &Path, prepared: &Prepared) -> Option<PathBuf> {
+    let own = || prepared.cell.baseline.as_ref().map(|name| cell_path.with_file_name(name));
+    arguments.baseline.clone().or_else(own)
+}
+
+/// The hazards that a baseline holds.
+fn known(path: &Path, arguments: &Arguments) -> Result<Baseline, Failure> {
+    if arguments.baseline.is_none() && !path.exists() {
+        return Err(Failure::unusable_with_help(
+            format!("the cell's fail_on.baseline {} does not exist", path.display()),
+            "write it with `fmi-hazard scan ... --write-baseline`, look at each of its hazards, and keep it beside the \
+             cell file",
+        ));
+    }
+    Ok(Baseline::of(earlier::read(path)?))
 }
 
 fn code(report: &ScanReport, baseline: Option<&Baseline>, interrupted: bool) -> u8 {

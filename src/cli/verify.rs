@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
-use super::{compare, output};
-use crate::report::verified::{Outcome, junit, render};
+use super::{earlier, output};
+use crate::report::verified::{Outcome, as_junit, render};
 use crate::scan::prepare::prepare_in;
 use crate::scan::verify::verify;
 
@@ -26,7 +26,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let known = compare::read(&arguments.scan)?;
+    let known = earlier::read(&arguments.scan)?;
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     let mut progress = output::Progress::new(known.hazards.len() as u64, "hazards");
     let mut verified = Vec::with_capacity(known.hazards.len());
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     progress.finish();
     output::result(&render(&verified));
     if let Some(path) = &arguments.junit {
-        output::write_file(path, &junit(&prepared.cell.name, &verified).map_err(Failure::unusable)?)?;
+        output::write_file(path, &as_junit(&prepared.cell.name, &verified).map_err(Failure::unusable)?)?;
     }
     let any = |of: fn(&Outcome) -> bool| verified.iter().any(|one| of(&one.outcome));
     Ok(if any(|outcome| matches!(outcome, Outcome::StillThere { .. })) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::difference::SAME;
+use super::difference::Change;
 use super::model::{Hazard, ScanReport};
 use super::recorded::Recorded;
 
@@ -38,7 +38,9 @@ impl Baseline {
     pub fn standing(&self, hazard: &Hazard) -> Standing {
         match self.known.get(&hazard.id) {
             None => Standing::New,
-            Some(known) if hazard.ratio > known.ratio * (1.0 + SAME) => Standing::Worse { was: known.ratio },
+            Some(known) if Change::of_ratio(known.ratio, hazard.ratio) == Change::Worse => {
+                Standing::Worse { was: known.ratio }
+            }
             Some(_) => Standing::Known,
         }
     }

@@ -10,7 +10,7 @@ use super::model::{FmuSubject, Hazard};
 use super::recorded::Recorded;
 
 /// Relative change of the force ratio below which a hazard is the same.
-pub(super) const SAME: f64 = 0.005;
+const SAME: f64 = 0.005;
 
 /// What became of a hazard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -31,6 +31,18 @@ pub enum Change {
 }
 
 impl Change {
+    /// Of a force ratio.
+    #[must_use]
+    pub fn of_ratio(before: f64, after: f64) -> Self {
+        if after > before * (1.0 + SAME) {
+            Self::Worse
+        } else if after < before * (1.0 - SAME) {
+            Self::Less
+        } else {
+            Self::Same
+        }
+    }
+
     /// As printed.
     #[must_use]
     pub const fn words(self) -> &'static str {
@@ -153,9 +165,7 @@ fn row(before: Option<&Hazard>, after: Option<&Hazard>, one: &Hazard, complete: 
         (None, _) => Change::New,
         (Some(_), None) if complete => Change::Fixed,
         (Some(_), None) => Change::NotFoundAgain,
-        (Some(b), Some(a)) if a.ratio > b.ratio * (1.0 + SAME) => Change::Worse,
-        (Some(b), Some(a)) if a.ratio < b.ratio * (1.0 - SAME) => Change::Less,
-        (Some(_), Some(_)) => Change::Same,
+        (Some(before), Some(after)) => Change::of_ratio(before.ratio, after.ratio),
     };
     Row {
         change,

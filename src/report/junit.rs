@@ -6,22 +6,18 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use super::baseline::{Baseline, Standing};
 use super::model::{Hazard, ScanReport, Verdict};
 
-/// The report. Hazards are failures, unless `baseline` knows them: then they are skipped; what it knows and is not there
-/// any more is a success.
+/// The report. Hazards are failures, unless `baseline` knows them: then they are skipped. What it knows and is not there
+/// any more is a success if the scan accounted for every sequence; else it may still be there, and is skipped too.
 ///
 /// # Errors
 /// When it cannot be written as XML.
 pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String, quick_junit::SerializeError> {
     let cell = xml(&report.subject.cell);
-    let mut suite = TestSuite::new(cell.as_str());
+    let mut cases = Vec::new();
     for hazard in &report.hazards {
         let standing = baseline.map_or(Standing::New, |known| known.standing(hazard));
         let status = match standing {
-            Standing::Known => {
-                let mut skipped = TestCaseStatus::skipped();
-                skipped.set_message("known: it stands in the baseline");
-                skipped
-            }
+            Standing::Known => skipped("known: it stands in the baseline"),
             Standing::New | Standing::Worse { .. } => {
                 let mut failure = TestCaseStatus::non_success(NonSuccessKind::Failure);
                 failure.set_type(if standing == Standing::New { "hazard" } else { "hazard that became worse" });
@@ -36,18 +32,23 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
                 failure
             }
         };
-        suite.add_test_case(case(&title(hazard), &cell, status));
+        cases.push(case(&title(hazard), &cell, status));
     }
-    let gone = baseline.into_iter().flat_map(|known| known.gone(report));
-    for hazard in gone {
-        suite.add_test_case(case(&title(hazard), &cell, TestCaseStatus::success()));
+    let complete = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
+    for hazard in baseline.into_iter().flat_map(|known| known.gone(report)) {
+        let status = if complete {
+            TestCaseStatus::success()
+        } else {
+            skipped("not found again, but the scan did not account for every sequence")
+        };
+        cases.push(case(&title(hazard), &cell, status));
     }
     for fault in &report.faults {
         let mut error = TestCaseStatus::non_success(NonSuccessKind::Error);
         error.set_type("FMU fault");
         error.set_message(xml(&fault.message));
         let actions: Vec<String> = fault.actions.iter().map(ToString::to_string).collect();
-        suite.add_test_case(case(&xml(&format!("FMU after {}", actions.join(", "))), &cell, error));
+        cases.push(case(&xml(&format!("FMU after {}", actions.join(", "))), &cell, error));
     }
     let scan = match report.verdict {
         Verdict::HazardsFound | Verdict::NoneFound => TestCaseStatus::success(),
@@ -58,13 +59,27 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
             error
         }
     };
-    suite.add_test_case(case("the scan has a result", &cell, scan));
+    cases.push(case("the scan has a result", &cell, scan));
+    write(&cell, cases)
+}
+
+/// The XML of one suite.
+pub(super) fn write(cell: &str, cases: Vec<TestCase>) -> Result<String, quick_junit::SerializeError> {
+    let mut suite = TestSuite::new(cell);
+    suite.add_test_cases(cases);
     let mut whole = Report::new("fmi-hazard");
     whole.add_test_suite(suite);
     whole.to_string()
 }
 
-fn case(name: &str, cell: &str, status: TestCaseStatus) -> TestCase {
+fn skipped(why: &str) -> TestCaseStatus {
+    let mut status = TestCaseStatus::skipped();
+    status.set_message(why);
+    status
+}
+
+/// A test case of a cell.
+pub(super) fn case(name: &str, cell: &str, status: TestCaseStatus) -> TestCase {
     let mut case = TestCase::new(name, status);
     case.set_classname(cell);
     case

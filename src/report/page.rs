@@ -21,7 +21,7 @@ const FORMAT: u32 = 1;
 
 /// What is in the page. Lengths in m, world frame, z up.
 #[derive(Serialize)]
-pub struct Data<'a> {
+struct Data<'a> {
     format: u32,
     scan: &'a ScanReport,
     reproduce: &'a str,

@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+use quick_junit::{NonSuccessKind, TestCaseStatus};
 
+use super::junit::{self, xml};
 use super::model::Hazard;
 
 /// A known hazard, tried again.
@@ -78,13 +79,12 @@ pub fn render(verified: &[Verified]) -> String {
 ///
 /// # Errors
 /// When it cannot be written as XML.
-pub fn junit(cell: &str, verified: &[Verified]) -> Result<String, quick_junit::SerializeError> {
-    let cell = super::junit::xml(cell);
-    let mut suite = TestSuite::new(cell.as_str());
-    for one in verified {
+pub fn as_junit(cell: &str, verified: &[Verified]) -> Result<String, quick_junit::SerializeError> {
+    let cell = xml(cell);
+    let case = |one: &Verified| {
         let failed = |kind, of: &str| {
             let mut status = TestCaseStatus::non_success(kind);
-            status.set_type(of).set_message(super::junit::xml(&one.line()));
+            status.set_type(of).set_message(xml(&one.line()));
             status
         };
         let status = match &one.outcome {
@@ -92,11 +92,7 @@ pub fn junit(cell: &str, verified: &[Verified]) -> Result<String, quick_junit::S
             Outcome::StillThere { .. } => failed(NonSuccessKind::Failure, "hazard"),
             Outcome::NotRun { .. } => failed(NonSuccessKind::Error, "FMU fault"),
         };
-        let mut case = TestCase::new(super::junit::title(&one.hazard), status);
-        case.set_classname(cell.as_str());
-        suite.add_test_case(case);
-    }
-    let mut whole = Report::new("fmi-hazard");
-    whole.add_test_suite(suite);
-    whole.to_string()
+        junit::case(&junit::title(&one.hazard), &cell, status)
+    };
+    junit::write(&cell, verified.iter().map(case).collect())
 }

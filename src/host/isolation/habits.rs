@@ -146,8 +146,9 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Res
             }
             Ok(Some(worker.resident()))
         };
-        if let Some(warm) = saved_and_freed(if saves { STATES / 4 } else { 0 })?
-            && let Some(end) = saved_and_freed(if saves { STATES } else { 0 })?
+        if saves
+            && let Some(warm) = saved_and_freed(STATES / 4)?
+            && let Some(end) = saved_and_freed(STATES)?
         {
             let bytes_per_state = end.saturating_sub(warm) / u64::from(STATES);
             if bytes_per_state > LEAK {

@@ -1,0 +1,210 @@
+//! The options of `fmi-hazard scan`, and the command line that gives the same result again.
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+
+use super::hosting::HostingArguments;
+use super::output::Format;
+use crate::scan::run::Method;
+use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
+use crate::search::exhaustive::Budget;
+use crate::sim::expansion::Merge;
+
+/// When a scan is over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum StopAt {
+    /// At the first hazard; auto then ends with its quick part, if that found one.
+    First,
+    /// When the budget is spent.
+    #[default]
+    Budget,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A cell file (.toml), or an FMU with a cell file beside it or inside it
+    #[arg(required_unless_present = "resume")]
+    pub(super) path: Option<PathBuf>,
+    /// Go on with the interrupted scan whose results are in this folder, as it was started; it ends with the same result
+    /// as one that was not interrupted
+    #[arg(long, value_name = "DIR", exclusive = true)]
+    pub(super) resume: Option<PathBuf>,
+    /// The cell file of an FMU that has none of its own
+    #[arg(long)]
+    pub(super) cell: Option<PathBuf>,
+    /// How sequences are chosen
+    #[arg(long, value_enum, default_value = "auto")]
+    strategy: Choice,
+    /// Seed of the random generator (default: the cell's, else 1)
+    #[arg(long)]
+    pub(super) seed: Option<u64>,
+    /// Sequences to try; for auto, in its quick part (default: the cell's, else 320 as in the paper)
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(super) iterations: Option<u32>,
+    /// When to stop
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) stop_at: StopAt,
+    /// Folder for the results (default: out/<cell name>)
+    #[arg(long)]
+    pub(super) out: Option<PathBuf>,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: Format,
+    /// Results of an earlier scan whose hazards are known: the exit code, JUnit and SARIF then tell of new and worse ones
+    #[arg(long, value_name = "SCAN")]
+    pub(super) baseline: Option<PathBuf>,
+    /// Keep this scan's result as the baseline: in the file that --baseline or the cell's fail_on.baseline names, else
+    /// baseline.json beside the cell file. Known hazards are not looked up then
+    #[arg(long)]
+    pub(super) write_baseline: bool,
+    /// Check only the posture of each sequence, so that iterations compare with the paper's
+    #[arg(long)]
+    pub(super) paper_iterations: bool,
+    /// How FMU states are brought back; the results are the same
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) state: StateChoice,
+    #[command(flatten)]
+    pub(super) hosting: HostingArguments,
+    #[command(flatten)]
+    exhaustive: ExhaustiveArguments,
+}
+
+/// How a scan searches: one of the strategies, all sequences, or both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Choice {
+    Auto,
+    Exhaustive,
+    One(StrategyName),
+}
+
+impl ValueEnum for Choice {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<Choice>> = LazyLock::new(|| {
+            let strategies = StrategyName::value_variants().iter().map(|&name| Choice::One(name));
+            [Choice::Auto, Choice::Exhaustive].into_iter().chain(strategies).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::Auto => Some(PossibleValue::new("auto").help(
+                "First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes",
+            )),
+            Self::Exhaustive => Some(PossibleValue::new("exhaustive").help(
+                "Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none \
+                 in the model",
+            )),
+            Self::One(name) => name.to_possible_value(),
+        }
+    }
+}
+
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Exhaustive search")]
+struct ExhaustiveArguments {
+    /// Most distinct states
+    #[arg(long, default_value_t = 20_000_000)]
+    max_states: usize,
+    /// Most memory for states, MB
+    #[arg(long, default_value_t = 4_000)]
+    max_memory: usize,
+    /// Most work of arm searches, millions of joint-angle boxes [default: 600 for auto, a few minutes; none for
+    /// exhaustive]
+    #[arg(long)]
+    max_work: Option<u64>,
+    /// How equal states of the FMU are told
+    #[arg(long, value_enum, default_value_t)]
+    merge: Merge,
+    /// Threads (default: one a core); the result is the same
+    #[arg(long)]
+    workers: Option<usize>,
+}
+
+impl Default for ExhaustiveArguments {
+    fn default() -> Self {
+        Self { max_states: 20_000_000, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
+    }
+}
+
+impl Arguments {
+    /// How sequences are chosen.
+    pub(super) fn method(&self) -> Method {
+        let cores = || std::thread::available_parallelism().map_or(1, Into::into);
+        if let Choice::One(name) = self.strategy {
+            return Method::Strategy(name);
+        }
+        let own = &self.exhaustive;
+        let auto = self.strategy == Choice::Auto;
+        let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
+        let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
+        let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
+        if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
+    }
+
+    /// The command that gives the result of `options` again. What only says how to come by it (threads, saved states,
+    /// folders) is left out.
+    pub(super) fn reproduce(&self, path: &Path, options: &ScanOptions) -> String {
+        let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), path.display().to_string()];
+        let mut add = |option: &str, value: Option<String>| {
+            words.push(option.to_owned());
+            words.extend(value);
+        };
+        if let Some(cell) = &self.cell {
+            add("--cell", Some(cell.display().to_string()));
+        }
+        let strategy = self.strategy.to_possible_value().map(|value| value.get_name().to_owned());
+        add("--strategy", strategy);
+        add("--seed", Some(options.seed.to_string()));
+        add("--iterations", Some(options.iterations.to_string()));
+        if options.stop_at_first {
+            add("--stop-at", Some("first".to_owned()));
+        }
+        if !options.posture_sweep {
+            add("--paper-iterations", None);
+        }
+        let (own, usual) = (&self.exhaustive, ExhaustiveArguments::default());
+        if own.max_states != usual.max_states {
+            add("--max-states", Some(own.max_states.to_string()));
+        }
+        if own.max_memory != usual.max_memory {
+            add("--max-memory", Some(own.max_memory.to_string()));
+        }
+        if let Some(work) = own.max_work {
+            add("--max-work", Some(work.to_string()));
+        }
+        if let Some(merge) = own.merge.to_possible_value().filter(|_| own.merge != usual.merge) {
+            add("--merge", Some(merge.get_name().to_owned()));
+        }
+        self.hosting.told(&mut add);
+        // Nothing to quote it with is needed but for a zero byte, which no path holds.
+        shlex::try_join(words.iter().map(String::as_str)).unwrap_or_default()
+    }
+
+    /// What the demo runs: the quick search alone, `iterations` sequences.
+    pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
+        Self {
+            path: Some(path),
+            resume: None,
+            cell: None,
+            strategy: Choice::One(StrategyName::Hybrid),
+            seed: None,
+            iterations: Some(iterations),
+            stop_at: StopAt::default(),
+            out: Some(out),
+            format: Format::default(),
+            baseline: None,
+            write_baseline: false,
+            paper_iterations: false,
+            state: StateChoice::default(),
+            hosting: HostingArguments::default(),
+            exhaustive: ExhaustiveArguments::default(),
+        }
+    }
+}
+
+/// Work of the exhaustive part of `auto`, millions of boxes.
+const AUTO_WORK: u64 = 600;
