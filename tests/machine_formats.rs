@@ -21,10 +21,16 @@ fn sarif_schema() -> PathBuf {
     Path::new(package["manifest_path"].as_str().unwrap()).with_file_name("src").join("schema.json")
 }
 
+/// The published schemas.
+fn schemas() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/schema")
+}
+
 fn read_by_others(out: &Path, fmu: Option<&Path>) -> String {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tools/check_formats.py");
     let mut command = Command::new(python());
     command.arg(script).arg(out).arg("--sarif-schema").arg(sarif_schema());
+    command.arg("--scan-schema").arg(schemas().join("scan.schema.json"));
     if let Some(fmu) = fmu {
         command.arg("--fmu").arg(fmu);
     }
@@ -96,4 +102,42 @@ fn known_hazards_do_not_fail_a_pipeline_and_new_ones_do() {
         assert!(case.contains(kind), "{case}");
     }
     assert!(read_by_others(&dir.join("again"), None).contains(" 2 failures, 4 skipped"));
+}
+
+#[test]
+fn the_published_schemas_are_those_of_the_program_and_fit_what_it_reads_and_writes() {
+    let dir = examples();
+    let dir = dir.path();
+    let read = |path: PathBuf| std::fs::read_to_string(path).unwrap();
+    for (of, file) in [("cell", "cell.schema.json"), ("scan", "scan.schema.json")] {
+        let output = fmi_hazard(dir).args(["schema", "--of", of]).output().unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        assert!(
+            printed == read(schemas().join(file)),
+            "write it anew: fmi-hazard schema --of {of} > docs/schema/{file}"
+        );
+    }
+    // The example is what this version writes, but for what it was made of.
+    let example = schemas().join("scan.example.json");
+    let compare = fmi_hazard(dir).arg("compare").args([&example, &example]).output().unwrap();
+    assert!(compare.status.code() == Some(0) && String::from_utf8_lossy(&compare.stdout).contains("3 same."));
+    let script = "import json, sys, tomllib, jsonschema\n\
+                  schema = json.load(open(sys.argv[1]))\n\
+                  cells = [json.load(open(p)) if p.endswith('.json') else tomllib.load(open(p, 'rb')) for p in sys.argv[2:]]\n\
+                  [jsonschema.validate(cell, schema) for cell in cells]";
+    let validates = |schema: &str, files: &[PathBuf]| {
+        let mut command = Command::new(python());
+        let output = command.args(["-c", script]).arg(schemas().join(schema)).args(files).output().unwrap();
+        (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (valid, said) = validates("scan.schema.json", &[example]);
+    assert!(valid, "{said}");
+    let examples = fmi_hazard::examples::all().iter();
+    let cells: Vec<PathBuf> =
+        examples.flat_map(|e| ["cell.toml", "fixed.toml"].map(|file| dir.join(e.name).join(file))).collect();
+    let (valid, said) = validates("cell.schema.json", &cells);
+    assert!(valid && cells.len() == 12, "{said}");
+    // It can fail.
+    std::fs::write(&cells[0], read(cells[1].clone()).replace("moving_mass_kg", "moving_mas_kg")).unwrap();
+    assert!(!validates("cell.schema.json", &cells[..1]).0);
 }

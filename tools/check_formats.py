@@ -1,9 +1,9 @@
 """Reads the results of a scan with readers that this project did not write, and compares them with scan.json.
 
-    tools/check_formats.py out/cell --sarif-schema sarif-schema-2.1.0.json --fmu cell.fmu
+    tools/check_formats.py out/cell --scan-schema scan.schema.json --sarif-schema sarif-schema-2.1.0.json --fmu cell.fmu
 
-pandas reads hazards.csv, junitparser reads junit.xml, jsonschema validates hazards.sarif against the OASIS schema, and
-FMPy simulates the FMU with each hazard's inputs and compares the outputs, which must have the same bits. Exit code 1:
+jsonschema validates scan.json against the published schema and hazards.sarif against that of OASIS, pandas reads
+hazards.csv, junitparser reads junit.xml, and FMPy simulates the FMU with each hazard's inputs and compares the outputs, which must have the same bits. Exit code 1:
 problems found.
 """
 
@@ -17,6 +17,28 @@ import pandas
 from fmpy import simulate_fmu
 from fmpy.util import read_csv
 from junitparser import Error, Failure, JUnitXml, Skipped
+
+
+def check_scan(scan, schema):
+    schema = json.loads(pathlib.Path(schema).read_text(encoding="utf-8"))
+    # Everything that is written must be described, too.
+    close(schema)
+    validator = jsonschema.validators.validator_for(schema)
+    validator.check_schema(schema)
+    problems = [f"{list(error.path)}: {error.message}" for error in validator(schema).iter_errors(scan)]
+    assert not problems, problems
+    return "valid"
+
+
+def close(schema):
+    if isinstance(schema, dict):
+        if "properties" in schema:
+            schema.setdefault("additionalProperties", False)
+        for part in schema.values():
+            close(part)
+    elif isinstance(schema, list):
+        for part in schema:
+            close(part)
 
 
 def check_csv(folder, scan):
@@ -86,10 +108,12 @@ def check_traces(folder, fmu):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--scan-schema", required=True)
     parser.add_argument("--sarif-schema", required=True)
     parser.add_argument("--fmu")
     arguments = parser.parse_args()
     scan = json.loads((arguments.folder / "scan.json").read_text(encoding="utf-8"))
+    print("scan:", check_scan(scan, arguments.scan_schema))
     print("csv:", check_csv(arguments.folder, scan))
     print("junit:", check_junit(arguments.folder, scan))
     print("sarif:", check_sarif(arguments.folder, scan, arguments.sarif_schema))

@@ -4,8 +4,9 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
+use serde_json::{Value, json};
 use toml::Spanned;
 
 /// The whole file.
@@ -249,6 +250,7 @@ const fn one() -> f64 {
 /// A collision shape of the robot; several entries may share a name.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = joint_or_frame)]
 pub struct LinkTable {
     /// Name used in results.
     pub name: String,
@@ -263,6 +265,18 @@ pub struct LinkTable {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub hull_m: Option<Spanned<Vec<[f64; 3]>>>,
+}
+
+/// The schema of a link: `frame` is another name of `joint`, and one of them is there.
+fn joint_or_frame(link: &mut Schema) {
+    let Some(joint) = link.pointer("/properties/joint").cloned() else { return };
+    if let Some(Value::Object(properties)) = link.pointer_mut("/properties") {
+        properties.insert("frame".to_owned(), joint);
+    }
+    if let Some(Value::Array(required)) = link.get_mut("required") {
+        required.retain(|name| name != "joint");
+    }
+    link.insert("oneOf".to_owned(), json!([{ "required": ["joint"] }, { "required": ["frame"] }]));
 }
 
 /// A capsule.

@@ -52,8 +52,8 @@ enum Command {
     Bench(bench::Arguments),
     /// List or export the built-in example cells
     Examples(examples::Arguments),
-    /// Print the JSON Schema of the cell file
-    Schema,
+    /// Print the JSON Schema of the cell file, or of scan.json
+    Schema(schema::Arguments),
     /// Serve as a process in which FMUs run: started by this program
     #[command(hide = true)]
     Worker {
@@ -84,7 +84,7 @@ pub fn main() -> ExitCode {
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),
         Command::Examples(a) => examples::run(&a),
-        Command::Schema => schema::run(),
+        Command::Schema(a) => schema::run(&a),
         Command::Worker { channel } => Ok(crate::host::isolation::serve(channel)),
     };
     match outcome {

@@ -1,9 +1,31 @@
-//! `fmi-hazard schema`: the JSON Schema of the cell file.
+//! `fmi-hazard schema`: the JSON Schemas of what people write and of what programs read.
+
+use clap::ValueEnum;
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
 
-pub(super) fn run() -> Result<u8, Failure> {
-    output::json(&format!("{:#}\n", crate::cell::json_schema()));
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Which file
+    #[arg(long, value_enum, default_value_t)]
+    of: File,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum File {
+    /// The cell file, for editors
+    #[default]
+    Cell,
+    /// scan.json
+    Scan,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let schema = match arguments.of {
+        File::Cell => crate::cell::json_schema(),
+        File::Scan => crate::report::model::json_schema(),
+    };
+    output::json(&format!("{schema:#}\n"));
     Ok(NO_HAZARD)
 }

@@ -1,5 +1,6 @@
 //! The potential collision force of a contact and its limit (ISO/TS 15066 Annex A), and whether that is unsafe.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::Vec3;
@@ -10,7 +11,7 @@ use crate::standards::iso_ts_15066::{collision_force_n, robot_effective_mass, sa
 pub const STANDSTILL_M_S: f64 = 1e-3;
 
 /// Why a contact is a finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
     /// The potential collision force exceeds the limit of the body region.

@@ -7,6 +7,7 @@
 
 use std::fmt;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::activity::Activity;
@@ -16,7 +17,7 @@ use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
 
 /// How two runs that should agree compare.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "result")]
 pub enum Agreement {
     /// Every bit of every output.
@@ -89,7 +90,7 @@ impl Stage {
 }
 
 /// The outcome of the self-test.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SelfTest {
     /// Steps of one run.
     pub steps: usize,

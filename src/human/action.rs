@@ -1,8 +1,10 @@
 //! The 36 actions of the virtual human: six ways to walk, each with six postures (Huck et al., ICRA 2021).
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -117,6 +119,21 @@ impl Posture {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Action(u8);
+
+impl JsonSchema for Action {
+    fn schema_name() -> Cow<'static, str> {
+        "Action".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let all = Self::ALL.map(|action| action.to_string());
+        json_schema!({
+            "description": "A walk and a posture, for 200 ms.",
+            "type": "string",
+            "enum": all.as_slice(),
+        })
+    }
+}
 
 /// A text that is no action.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

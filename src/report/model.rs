@@ -1,6 +1,7 @@
 //! The result of a scan as it stands in `scan.json`: SI units in the names, no clock times, so that the same cell, seed
 //! and version give the same bytes.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::hazard::{Class, Group};
@@ -17,8 +18,15 @@ pub const SCHEMA_VERSION: u32 = 3;
 /// The edition of the standard behind the limits, as printed.
 pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
 
+/// The JSON Schema of `scan.json` (draft 2020-12). Within one [`SCHEMA_VERSION`] properties may be added.
+#[must_use]
+pub fn json_schema() -> serde_json::Value {
+    let settings = schemars::generate::SchemaSettings::draft2020_12().for_serialize();
+    settings.into_generator().into_root_schema_for::<ScanReport>().to_value()
+}
+
 /// A whole scan.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ScanReport {
     /// [`SCHEMA_VERSION`].
     pub schema_version: u32,
@@ -54,7 +62,7 @@ pub struct ScanReport {
 }
 
 /// Overall outcome; never a statement of safety.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// At least one hazard.
@@ -70,7 +78,7 @@ pub enum Verdict {
 }
 
 /// What was scanned.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Subject {
     /// Name of the cell.
     pub cell: String,
@@ -87,7 +95,7 @@ pub struct Subject {
 }
 
 /// An FMU that was scanned.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 pub struct FmuSubject {
     /// Name of the unit; empty for the only one.
     pub unit: String,
@@ -102,7 +110,7 @@ pub struct FmuSubject {
 }
 
 /// How it was searched.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Settings {
     /// Strategy name.
     pub strategy: String,
@@ -127,7 +135,7 @@ pub struct Settings {
 }
 
 /// What the search cost.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Spent {
     /// Iterations run.
     pub iterations: u64,
@@ -144,7 +152,7 @@ pub struct Spent {
 }
 
 /// An action the FMU could not finish.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FaultRecord {
     /// What happened.
     pub message: String,
@@ -153,7 +161,7 @@ pub struct FaultRecord {
 }
 
 /// A hazard: the worst sequence of its group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hazard {
     /// Stable id.
     pub id: String,
@@ -220,7 +228,7 @@ pub struct Hazard {
 
 /// The shortest sequence found that ends in a hazard; of these the calmest. The very shortest there is when the search
 /// was exhaustive.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Shortest {
     /// The actions.
     pub actions: Vec<Action>,
@@ -236,7 +244,7 @@ pub struct Shortest {
 
 /// What an exhaustive search covered, and what random search can expect from that. Numbers of sequences are decimal
 /// strings: they do not fit into JSON's numbers.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Certificate {
     /// Whether every sequence is accounted for.
     pub complete: bool,
@@ -281,7 +289,7 @@ pub struct Certificate {
 }
 
 /// Exact figures of uniform random search, from the share of hazardous sequences.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RandomSearch {
     /// Budget, iterations.
     pub iterations: u32,
@@ -295,7 +303,7 @@ pub struct RandomSearch {
 
 /// What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
 /// that a strategy chose are never counted. See [`crate::search::residual`].
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Residual {
     /// What the figures hold for.
     pub holds_for: &'static str,
@@ -315,7 +323,7 @@ pub struct Residual {
 }
 
 /// How often a random sequence ends in a hazard that is not listed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Unlisted {
     /// Random sequences after the first quarter of the search, each checked against the hazards known by then.
     pub checked: u64,
@@ -355,7 +363,7 @@ impl Residual {
 }
 
 /// The touching arm.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Arm {
     /// `left` or `right`.
     pub side: String,
@@ -368,7 +376,7 @@ pub struct Arm {
 }
 
 /// A sensor's output.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct SensorState {
     /// Sensor name.
     pub name: String,

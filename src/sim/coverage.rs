@@ -1,9 +1,10 @@
 //! What a run has seen, so that "no hazard" never stands alone.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Figures beside a verdict.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Coverage {
     /// Episodes begun.
     pub episodes: u64,

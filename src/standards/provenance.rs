@@ -3,12 +3,13 @@
 //! Reports print these records, so that nobody takes an unverified table for a certified transcription. Who owns the
 //! standard's text may compare and set `verified`.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{anthropometry, iso_13855, iso_13857, iso_ts_15066};
 
 /// Origin of one table of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Table {
     /// Stable id in snake case.
     pub id: &'static str,
