@@ -10,6 +10,7 @@ pub mod exit;
 mod hosting;
 mod inspect;
 mod output;
+mod recording;
 mod replay;
 mod results;
 mod resume;

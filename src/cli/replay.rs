@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
-use super::{earlier, output};
+use super::{earlier, output, recording};
 use crate::report::model::{FmuSubject, Hazard};
 use crate::scan::StateChoice;
 use crate::scan::prepare::prepare_in;
@@ -20,6 +20,9 @@ pub(super) struct Arguments {
     /// The cell file or FMU, when it is no longer where it was
     #[arg(long)]
     cell: Option<PathBuf>,
+    /// Write the hazard as a recording for Foxglove and PlotJuggler (builds with the feature mcap)
+    #[arg(long, value_name = "FILE")]
+    mcap: Option<PathBuf>,
     #[command(flatten)]
     hosting: HostingArguments,
 }
@@ -31,6 +34,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     } else {
         vec![earlier::hazard(&recorded, &arguments.id, &arguments.scan)?]
     };
+    if let Some(file) = &arguments.mcap {
+        recording::possible(wanted.len(), file)?;
+    }
     let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
     let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
     if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
@@ -68,6 +74,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             None => format!("{} NOT reproduced: the sequence ends without an unsafe contact", hazard.id),
         };
         output::result(&(line + "\n"));
+        if let Some(file) = &arguments.mcap {
+            recording::write(&prepared, hazard, file)?;
+            output::note(&format!("   Wrote   {}", file.display()));
+        }
     }
     Ok(if still_there { HAZARDS } else { NO_HAZARD })
 }

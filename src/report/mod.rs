@@ -9,6 +9,7 @@
 //! - [`page`]: the report that one looks at
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
+//! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`campaign`]: many seeds of several strategies side by side
@@ -21,8 +22,12 @@ pub mod campaign;
 pub mod comparison;
 pub mod csv;
 pub mod difference;
+#[cfg(feature = "mcap")]
+pub mod foxglove;
 pub mod growth;
 pub mod junit;
+#[cfg(feature = "mcap")]
+pub mod mcap;
 pub mod model;
 pub mod page;
 pub mod paper;
