@@ -5,12 +5,14 @@
 //! - [`validate`]: from the file to a [`Workcell`] in SI units, every mistake with its line
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
+//! - [`knob`]: what in a cell can be turned to make it safer
 //! - [`error`]: messages that point into the file
 
 pub mod binding;
 pub mod error;
 pub mod find;
 pub mod format;
+pub mod knob;
 mod robots;
 mod sensors;
 pub mod validate;

@@ -58,6 +58,7 @@ impl Checker<'_> {
             world_from_base: pose(&robot.base),
             chain: if robot.joints.is_empty() { None } else { Some(self.chain(robot)?) },
             moving_mass_kg: *mass.get_ref(),
+            mass_line: self.0.line(mass.span().start),
         })
     }
 

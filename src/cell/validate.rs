@@ -70,6 +70,8 @@ pub struct Robot {
     pub chain: Option<KinematicChain>,
     /// Mass of the moving parts `M`, kg.
     pub moving_mass_kg: f64,
+    /// Line of the cell file that says so, from 1.
+    pub mass_line: usize,
 }
 
 /// A collision shape of a robot.

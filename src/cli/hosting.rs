@@ -54,18 +54,14 @@ impl HostingArguments {
     /// What `--in-process` and the like choose.
     pub(super) fn hosting(&self) -> Result<Hosting, Failure> {
         if self.in_process {
-            output::note(
-                "   Warning the FMU runs in this process: a crash of it ends everything, it may do what you may",
-            );
+            output::warning("the FMU runs in this process: a crash of it ends everything, it may do what you may");
             return Ok(Hosting::InProcess);
         }
         let program = std::env::current_exe()
             .map_err(|e| Failure::unusable(format!("this program cannot find itself to start a worker: {e}")))?;
         let guard = if self.trust_fmu { Guard::Trusted } else { Guard::Sandboxed };
         if self.trust_fmu {
-            output::note(
-                "   Warning the FMU is trusted: it can read and write your files, use the network and start programs",
-            );
+            output::warning("the FMU is trusted: it can read and write your files, use the network and start programs");
         }
         let call = Duration::from_secs(self.fmu_timeout);
         let limits = Limits { call, memory: self.fmu_memory * 1_000_000, ..Limits::default() };

@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let fmu = Fmu::open(&arguments.fmu)?;
     output::result(&render(&fmu, arguments.all));
     for warning in fmu.warnings() {
-        output::note(&format!("warning: {warning}"));
+        output::warning(&warning.to_string());
     }
     Ok(NO_HAZARD)
 }

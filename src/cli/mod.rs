@@ -7,8 +7,10 @@ mod demo;
 mod earlier;
 mod examples;
 pub mod exit;
+mod explain;
 mod hosting;
 mod inspect;
+mod manual;
 mod output;
 mod recording;
 mod replay;
@@ -31,6 +33,8 @@ use clap::{Parser, Subcommand};
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    verbosity: output::Verbosity,
 }
 
 #[derive(Debug, Subcommand)]
@@ -41,6 +45,8 @@ enum Command {
     Demo(demo::Arguments),
     /// Simulate a recorded hazard again and say whether it reproduces
     Replay(replay::Arguments),
+    /// Explain a hazard in plain words, with its formula, the safe speed, and the smallest changes that remove it
+    Explain(explain::Arguments),
     /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse
     Compare(compare::Arguments),
     /// Try known hazards again in a changed cell. Exit code 1 if one is still there
@@ -55,6 +61,8 @@ enum Command {
     Examples(examples::Arguments),
     /// Print the JSON Schema of the cell file, or of scan.json
     Schema(schema::Arguments),
+    /// Print completions for a shell, or write the manual pages
+    Manual(manual::Arguments),
     /// Serve as a process in which FMUs run: started by this program
     #[command(hide = true)]
     Worker {
@@ -75,10 +83,12 @@ pub fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    arguments.verbosity.apply();
     let outcome = match arguments.command {
         Command::Scan(a) => scan::command(&a),
         Command::Demo(a) => demo::run(&a),
         Command::Replay(a) => replay::run(&a),
+        Command::Explain(a) => explain::run(&a),
         Command::Compare(a) => compare::run(&a),
         Command::Verify(a) => verify::run(&a),
         Command::Inspect(a) => inspect::run(&a),
@@ -86,6 +96,7 @@ pub fn main() -> ExitCode {
         Command::Bench(a) => bench::run(&a),
         Command::Examples(a) => examples::run(&a),
         Command::Schema(a) => schema::run(&a),
+        Command::Manual(a) => manual::run::<Arguments>(&a),
         Command::Worker { channel } => Ok(crate::host::isolation::serve(channel)),
     };
     match outcome {

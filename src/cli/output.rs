@@ -2,6 +2,7 @@
 
 use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
@@ -9,6 +10,32 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
+
+/// How much is told besides results.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct Verbosity {
+    /// Only results, warnings and errors: no progress, no notes
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Also what was found out about the FMU, and where time went
+    #[arg(short, long, global = true)]
+    verbose: bool,
+}
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+static VERBOSE: AtomicBool = AtomicBool::new(false);
+
+impl Verbosity {
+    /// From here on.
+    pub(super) fn apply(self) {
+        QUIET.store(self.quiet, Ordering::Relaxed);
+        VERBOSE.store(self.verbose, Ordering::Relaxed);
+    }
+}
+
+fn quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
 
 /// How a result is printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -23,6 +50,11 @@ pub(super) enum Format {
 /// Prints a result. A reader that has gone away (a closed pipe) is no failure.
 pub(super) fn result(text: &str) {
     let _ = std::io::stdout().lock().write_all(safe(text).as_bytes());
+}
+
+/// Prints a program text of our own as it is.
+pub(super) fn script(text: &str) {
+    let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
 
 /// Prints JSON, which has its own way of escaping.
@@ -40,7 +72,21 @@ pub(super) fn json(text: &str) {
 
 /// Prints a message for the person at the terminal.
 pub(super) fn note(text: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
+    if !quiet() {
+        let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
+    }
+}
+
+/// The same for who wants to know more.
+pub(super) fn detail(text: &str) {
+    if VERBOSE.load(Ordering::Relaxed) {
+        note(text);
+    }
+}
+
+/// Prints what may make a result mean something else.
+pub(super) fn warning(text: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "   Warning {}", safe(text));
 }
 
 /// Prints an error.
@@ -93,7 +139,7 @@ pub(super) struct Progress {
 impl Progress {
     /// Progress towards `total`.
     pub(super) fn new(total: u64, unit: &'static str) -> Self {
-        let bar = std::io::stderr().is_terminal().then(|| {
+        let bar = (std::io::stderr().is_terminal() && !quiet()).then(|| {
             let style = ProgressStyle::with_template("  Scanning [{bar:30}] {pos}/{len} {msg}  ETA {eta}");
             let bar = ProgressBar::new(total);
             match style {
@@ -110,7 +156,7 @@ impl Progress {
             bar.set_position(done);
             bar.set_message(safe(message));
         } else if done >= self.next_line && self.total > 1 {
-            note(&format!("  {done}/{} {}  {message}", self.total, self.unit));
+            note(format!("  {done}/{} {}  {message}", self.total, self.unit).trim_end());
             self.next_line = done + self.total.div_ceil(10).max(1);
         }
     }
@@ -150,6 +196,9 @@ impl Levels {
     /// `done` of the `of` states that are `depth` actions from the start.
     pub(super) fn at(&mut self, depth: usize, done: usize, of: usize, message: &str) {
         let (number, horizon) = (depth + 1, self.horizon);
+        if quiet() {
+            return;
+        }
         if std::io::stderr().is_terminal() {
             let bar = self.bar.get_or_insert_with(|| {
                 let style = ProgressStyle::with_template("  {prefix} [{bar:30}] {pos}/{len} states  {msg}  ETA {eta}");

@@ -40,11 +40,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
     let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
     if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
-        output::note("   Warning the cell file has changed since the scan");
+        output::warning("the cell file has changed since the scan");
     }
     let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
     if hashes(&recorded.subject.fmus) != hashes(&prepared.subject.fmus) {
-        output::note("   Warning the FMU has changed since the scan");
+        output::warning("the FMU has changed since the scan");
     }
     let mut still_there = false;
     for hazard in wanted {

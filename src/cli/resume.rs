@@ -24,7 +24,9 @@ const JOURNAL: &str = "journal.bin";
 impl Command {
     /// The command line of this process; nothing if it cannot be written down.
     pub(super) fn of_this_process() -> Option<Self> {
-        let arguments = std::env::args_os().skip(2).map(|a| a.into_string().ok()).collect::<Option<_>>()?;
+        // Options for every command may stand before this one's name.
+        let own = std::env::args_os().skip_while(|argument| argument != "scan").skip(1);
+        let arguments = own.map(|a| a.into_string().ok()).collect::<Option<_>>()?;
         Some(Self { arguments, folder: std::env::current_dir().ok()? })
     }
 

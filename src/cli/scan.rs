@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use clap::Parser as _;
 
@@ -30,6 +31,8 @@ use crate::sim::journal::Journal;
 struct Alone {
     #[command(flatten)]
     arguments: Arguments,
+    #[command(flatten)]
+    verbosity: output::Verbosity,
 }
 
 /// The command: a scan, or the rest of one.
@@ -113,7 +116,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         }
         if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
+    let began = Instant::now();
     let scan::Scanned { report, effort, remembered } = scan::scan_with(&prepared, options, journal, &mut tell)?;
+    let searched = began.elapsed();
     progress.finish();
     levels.finish();
     let interrupted = stop.load(Ordering::Relaxed);
@@ -122,6 +127,12 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         results::Context { prepared: &prepared, path: cell_path, reproduce, baseline, assessments: &assessments };
     let json = results::write(&report, &context, &out)?;
     results::write_run(&prepared, effort, remembered, &out)?;
+    let (writing, calls) = (began.elapsed() - searched, effort.steps);
+    output::detail(&format!(
+        "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",
+        searched.as_secs_f64(),
+        writing.as_secs_f64()
+    ));
     match arguments.format {
         Format::Json => output::json(&json),
         Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
@@ -201,14 +212,22 @@ fn introduce(prepared: &Prepared, state: StateChoice) {
     };
     let bytes = prepared.self_test.bytes_per_state.map_or_else(String::new, |b| format!(", {b} bytes each"));
     output::note(&format!("   States  {how}{bytes}"));
+    for fmu in prepared.fmus.iter() {
+        output::detail(&format!("   FMU     {}, sha256 {}", fmu.path().display(), fmu.sha256()));
+    }
+    let t = &prepared.self_test;
+    output::detail(&format!(
+        "   Tested  repeats itself {}; states restored {}; process copied {}; fresh process {}; reset {}",
+        t.deterministic, t.restore, t.fork, t.fresh_process, t.reset
+    ));
     for missing in &prepared.missing_protection {
-        output::note(&format!("   Warning protection against the FMU: {missing}"));
+        output::warning(&format!("protection against the FMU: {missing}"));
     }
     for warning in &prepared.binding.warnings {
-        output::note(&format!("   Warning {warning}"));
+        output::warning(warning);
     }
     for warning in prepared.fmus.iter().flat_map(crate::fmi::Fmu::warnings) {
-        output::note(&format!("   Warning modelDescription.xml: {warning}"));
+        output::warning(&format!("modelDescription.xml: {warning}"));
     }
 }
 
@@ -237,7 +256,7 @@ fn conclude(report: &ScanReport, out: &Path) {
         }
     ));
     if let Some(h) = report.hazards.first() {
-        output::note(&format!(" Next: fmi-hazard replay {} {}", out.join("scan.json").display(), h.id));
+        output::note(&format!(" Next: fmi-hazard explain {} {}", out.display(), h.id));
     }
 }
 

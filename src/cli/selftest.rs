@@ -58,12 +58,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             let launcher = Launcher::new(program, vec![Unpacked::of(&fmu)], setup, guard, limits);
             let Examination { result, launcher, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
             for missing in missing {
-                output::note(&format!("   Warning protection against the FMU: {missing}"));
+                output::warning(&format!("protection against the FMU: {missing}"));
             }
             let saves = matches!(result.restore, Agreement::Exact | Agreement::Differs { .. });
             let habits = habits(&launcher, steps, result.deterministic != Agreement::Exact, saves);
             let habits = habits.unwrap_or_else(|e| {
-                output::note(&format!("   Warning the FMU's habits could not be found out: {e}"));
+                output::warning(&format!("the FMU's habits could not be found out: {e}"));
                 Vec::new()
             });
             (result, habits)

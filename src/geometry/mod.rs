@@ -6,6 +6,7 @@
 
 pub mod chain;
 pub mod distance;
+pub mod polygon;
 pub mod segment_cuboid;
 pub mod shape;
 pub mod solid;

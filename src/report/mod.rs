@@ -7,6 +7,7 @@
 //! - [`assessment`]: what people decided about hazards
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
 //! - [`page`]: the report that one looks at
+//! - [`explanation`]: a hazard in plain words and with all its numbers
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
@@ -22,6 +23,7 @@ pub mod campaign;
 pub mod comparison;
 pub mod csv;
 pub mod difference;
+pub mod explanation;
 #[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;

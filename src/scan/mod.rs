@@ -11,14 +11,18 @@
 //! - [`picture`]: the top view of one hazard
 //! - [`film`]: its replay, and what its FMU gets
 //! - [`verify`]: known hazards tried again
+//! - [`explain`]: what there is to tell about a hazard
+//! - [`remedy`]: the smallest change of a cell that removes a hazard
 
 pub mod campaign;
 pub mod comparison;
 pub mod exhaustive;
+pub mod explain;
 pub mod film;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
+pub mod remedy;
 pub mod residual;
 pub mod run;
 mod seeds;

@@ -7,7 +7,9 @@ use std::time::Duration;
 use thiserror::Error;
 
 use crate::cell::binding::BoundUnit;
+use crate::cell::error::Source as CellSource;
 use crate::cell::find::{OpenError, OpenedCell, open};
+use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
@@ -131,10 +133,14 @@ impl PrepareError {
 pub struct Prepared {
     /// The cell.
     pub cell: Arc<Workcell>,
+    /// The cell file.
+    pub text: String,
     /// Its variables.
     pub binding: Arc<Binding>,
     /// The FMUs' files.
-    pub fmus: Vec<Fmu>,
+    pub fmus: Arc<[Fmu]>,
+    /// Their names, which stand in front of variables; empty for the only one.
+    pub names: Vec<String>,
     /// What was scanned.
     pub subject: Subject,
     /// What the FMUs' promises are worth, together.
@@ -166,19 +172,9 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 /// [`PrepareError`].
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
     let OpenedCell { cell, source, fmus, found } = open(path, cell)?;
-    let file_name = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let bound = |(name, fmu): &(String, Fmu)| (name.clone(), file_name(fmu));
-    let names: Vec<(String, String)> = fmus.iter().map(bound).collect();
-    let units: Vec<BoundUnit<'_>> = fmus
-        .iter()
-        .zip(&names)
-        .map(|((_, fmu), (name, file))| BoundUnit { name, description: fmu.description(), file: file.clone() })
-        .collect();
-    let binding = binding::bind(&cell, &source, &units)?;
-    let unit_names: Vec<&str> = names.iter().map(|(name, _)| name.as_str()).collect();
-    let (cell, binding) = (Arc::new(cell), Arc::new(binding));
-    let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
-    let setup = binding.setup(&unit_names, world.initial_inputs(), cell.step_s);
+    let text = source.text().to_owned();
+    let (names, fmus): (Vec<String>, Vec<Fmu>) = fmus.into_iter().unzip();
+    let Fitted { cell, binding, setup, free_start } = fit(cell, &source, &names, &fmus)?;
     let order = setup.order()?;
     let couplings = setup.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
@@ -186,12 +182,12 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     let skip = [Stage::Serialize];
     let (self_test, missing_protection, fork_pays, source) = match hosting {
         Hosting::InProcess => {
-            let slaves = fmus.iter().map(|(_, fmu)| fmu.load()).collect::<Result<Vec<_>, _>>()?;
+            let slaves = fmus.iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
             let result = selftest(&slaves, &setup, episode, &skip, Activity::unseen(), &mut |_| {});
             (result.map_err(PrepareError::FirstRun)?, Vec::new(), false, Source::Here { slaves, setup })
         }
         Hosting::Workers { program, guard, limits } => {
-            let unpacked = fmus.iter().map(|(_, fmu)| Unpacked::of(fmu)).collect();
+            let unpacked = fmus.iter().map(Unpacked::of).collect();
             let launcher = Launcher::new(program.clone(), unpacked, setup, *guard, *limits);
             let Examination { result, launcher, missing, step_time } =
                 examine(&launcher, episode, &skip).map_err(PrepareError::first_run)?;
@@ -207,10 +203,10 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
     }
     let subject_of = |unit: usize| {
-        let (name, fmu) = &fmus[unit];
+        let fmu = &fmus[unit];
         let description = fmu.description();
         FmuSubject {
-            unit: name.clone(),
+            unit: names[unit].clone(),
             sha256: fmu.sha256().to_owned(),
             fmi_version: description.fmi_version.clone(),
             model_name: description.model_name.clone(),
@@ -226,15 +222,62 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         fmus: subjects,
         couplings,
     };
-    let fmus = fmus.into_iter().map(|(_, fmu)| fmu).collect();
-    if !world.start_is_free() {
-        let start = world.position(&world.start());
-        return Err(PrepareError::StartBlocked { x: start.x, y: start.y });
-    }
-    Ok(Prepared { cell, binding, fmus, subject, self_test, rung, missing_protection, source })
+    free_start?;
+    Ok(Prepared { cell, text, binding, fmus: fmus.into(), names, subject, self_test, rung, missing_protection, source })
+}
+
+/// A cell that fits its FMUs.
+struct Fitted {
+    cell: Arc<Workcell>,
+    binding: Arc<Binding>,
+    setup: SystemSetup,
+    /// Whether the person has room at the start.
+    free_start: Result<(), PrepareError>,
+}
+
+/// Binds the cell's variables.
+fn fit(cell: Workcell, source: &CellSource, names: &[String], fmus: &[Fmu]) -> Result<Fitted, PrepareError> {
+    let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let unit = |(name, fmu)| BoundUnit { name, description: Fmu::description(fmu), file: file(fmu) };
+    let units: Vec<BoundUnit<'_>> = names.iter().map(String::as_str).zip(fmus).map(unit).collect();
+    let binding = binding::bind(&cell, source, &units)?;
+    let (cell, binding) = (Arc::new(cell), Arc::new(binding));
+    let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let setup = binding.setup(&names, world.initial_inputs(), cell.step_s);
+    let start = world.position(&world.start());
+    let free_start =
+        if world.start_is_free() { Ok(()) } else { Err(PrepareError::StartBlocked { x: start.x, y: start.y }) };
+    Ok(Fitted { cell, binding, setup, free_start })
 }
 
 impl Prepared {
+    /// The same FMUs in another cell, `text`. What the self-test found is taken over.
+    ///
+    /// # Errors
+    /// When the text is no cell of these FMUs, or the person has no room at the start.
+    pub fn changed(&self, text: &str) -> Result<Self, PrepareError> {
+        let found = CellSource::new(&self.subject.cell_found, text);
+        let Fitted { cell, binding, setup, free_start } = fit(validate(&found)?, &found, &self.names, &self.fmus)?;
+        free_start?;
+        let source = match &self.source {
+            Source::Here { slaves, .. } => Source::Here { slaves: slaves.clone(), setup },
+            Source::Apart(launcher) => Source::Apart(launcher.clone().with_setup(setup)),
+        };
+        Ok(Self {
+            subject: Subject { cell: cell.name.clone(), cell_sha256: cell.sha256.clone(), ..self.subject.clone() },
+            cell,
+            text: text.to_owned(),
+            binding,
+            fmus: Arc::clone(&self.fmus),
+            names: self.names.clone(),
+            self_test: self.self_test.clone(),
+            rung: self.rung,
+            missing_protection: self.missing_protection.clone(),
+            source,
+        })
+    }
+
     /// The FMUs, not yet started, for states that are brought back as chosen.
     ///
     /// # Panics

@@ -87,6 +87,13 @@ impl Launcher {
         self
     }
 
+    /// The same FMUs with another setup.
+    #[must_use]
+    pub fn with_setup(mut self, setup: SystemSetup) -> Self {
+        Arc::make_mut(&mut self.load).setup = setup;
+        self
+    }
+
     /// The setup of the FMUs.
     #[must_use]
     pub fn setup(&self) -> &SystemSetup {

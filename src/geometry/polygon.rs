@@ -1,0 +1,80 @@
+//! Polygons in the floor plan, convex or not: points inside, distance to the edge, and the same polygon wider.
+
+use super::Vec3;
+use super::distance::point_segment;
+
+/// Whether a point is inside, by the even-odd rule; points exactly on a left or lower edge are.
+#[must_use]
+pub fn contains(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let mut inside = false;
+    for ([x1, y1], [x2, y2]) in edges(polygon) {
+        if (y1 > y) != (y2 > y) && x < (x2 - x1) * (y - y1) / (y2 - y1) + x1 {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+/// Distance of a point to the nearest edge, m.
+#[must_use]
+pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+    let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
+    let to = |(a, b): ([f64; 2], [f64; 2])| point_segment(flat([x, y]), flat(a), flat(b)).distance;
+    edges(polygon).map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// The polygon with every edge moved outwards by `by` m, corners kept sharp. Meant for shapes wider than they are notched:
+/// a notch narrower than twice `by` is turned inside out.
+#[must_use]
+pub fn widened(polygon: &[[f64; 2]], by: f64) -> Vec<[f64; 2]> {
+    let count = polygon.len();
+    let doubled_area: f64 = edges(polygon).map(|([x1, y1], [x2, y2])| x1 * y2 - x2 * y1).sum();
+    let outwards = if doubled_area >= 0.0 { 1.0 } else { -1.0 };
+    let normal = |from: [f64; 2], to: [f64; 2]| {
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = libm::hypot(dx, dy).max(f64::MIN_POSITIVE);
+        [outwards * dy / length, -outwards * dx / length]
+    };
+    (0..count)
+        .map(|i| {
+            let (before, here, after) = (polygon[(i + count - 1) % count], polygon[i], polygon[(i + 1) % count]);
+            let (a, b) = (normal(before, here), normal(here, after));
+            // The two moved edges meet where both normals see `by`; nearly opposite edges would meet far away.
+            let scale = by / (1.0 + a[0] * b[0] + a[1] * b[1]).max(0.1);
+            [here[0] + scale * (a[0] + b[0]), here[1] + scale * (a[1] + b[1])]
+        })
+        .collect()
+}
+
+fn edges(polygon: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> + '_ {
+    polygon.iter().copied().zip(polygon.iter().copied().cycle().skip(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const L: [[f64; 2]; 6] = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+
+    #[test]
+    fn an_l_shape() {
+        assert!(contains(&L, [0.5, 0.5]) && contains(&L, [1.5, 0.5]) && contains(&L, [0.5, 1.5]));
+        assert!(!contains(&L, [1.5, 1.5]) && !contains(&L, [-0.1, 0.5]));
+        assert!((distance_to_edge(&L, [1.5, 1.5]) - 0.5).abs() < 1e-12);
+        assert!((distance_to_edge(&L, [3.0, 2.0]) - 2.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn widened_by_the_same_on_every_side_whichever_way_round_it_goes() {
+        let wider = [[-0.5, -0.5], [2.5, -0.5], [2.5, 1.5], [1.5, 1.5], [1.5, 2.5], [-0.5, 2.5]];
+        let close = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+            a.iter().zip(b).all(|(a, b)| libm::hypot(a[0] - b[0], a[1] - b[1]) < 1e-12)
+        };
+        assert!(close(&widened(&L, 0.5), &wider), "{:?}", widened(&L, 0.5));
+        let (mut around, mut expected) = (L, wider);
+        around.reverse();
+        expected.reverse();
+        assert!(close(&widened(&around, 0.5), &expected));
+        assert!(close(&widened(&wider, -0.5), &L));
+    }
+}

@@ -1,0 +1,351 @@
+//! A hazard explained: what happens in plain words, the force with its formula, numbers and sources, the safe speed, and the
+//! smallest changes that remove it.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::model::{Hazard, STANDARD_EDITION};
+use crate::hazard::Class;
+use crate::human::{Action, Posture, Walk};
+use crate::standards::iso_ts_15066 as limits;
+use crate::standards::provenance::{Table, tables};
+
+/// Everything that is told about a hazard.
+#[derive(Clone, Debug, Serialize)]
+pub struct Explanation {
+    /// The hazard.
+    pub hazard: Hazard,
+    /// Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
+    pub start: ([f64; 2], f64),
+    /// Duration of an action, s.
+    pub action_s: f64,
+    /// What the sensors report on the way.
+    pub sensors: Vec<Reports>,
+    /// How far the person stands outside the zones of sensors that do not report anybody.
+    pub outside: Vec<Outside>,
+    /// The robot that hits.
+    pub robot: Robot,
+    /// What was tried against it; empty if nothing was.
+    pub remedies: Vec<Remedy>,
+}
+
+/// What a sensor reports on the way.
+#[derive(Clone, Debug, Serialize)]
+pub struct Reports {
+    /// Its name.
+    pub name: String,
+    /// Times at which it begins and ends to report the person, s; it begins with "clear".
+    pub changes_s: Vec<f64>,
+}
+
+/// A person outside a zone.
+#[derive(Clone, Debug, Serialize)]
+pub struct Outside {
+    /// The sensor.
+    pub name: String,
+    /// From the middle between the feet to the zone's edge, m.
+    pub distance_m: f64,
+}
+
+/// The robot that hits.
+#[derive(Clone, Debug, Serialize)]
+pub struct Robot {
+    /// Its name.
+    pub name: String,
+    /// Mass of its moving parts, kg.
+    pub moving_mass_kg: f64,
+    /// Where that is said.
+    pub mass_from: String,
+}
+
+/// A change of the cell against a hazard.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Remedy {
+    /// The change, in words: the smallest that helps, else the largest that was tried.
+    pub change: String,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// What came of a change.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// The hazard was not met any more.
+    Removed(Removed),
+    /// It is still met.
+    NoHelp,
+    /// The FMU failed.
+    NotTried {
+        /// Why.
+        cause: String,
+    },
+}
+
+/// What stands behind "removed".
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Removed {
+    /// Sequences of the scan that led to the hazard, none of which does any more.
+    pub known_sequences: usize,
+    /// Sequences met while searching that led to it after smaller changes, none of which does any more.
+    pub counterexamples: u32,
+    /// New sequences tried with this change, none of which led to it.
+    pub searched: u32,
+    /// Other hazards that these met.
+    pub others: usize,
+    /// The worst of them.
+    pub worst_other: Option<String>,
+}
+
+/// Tables whose figures are in the formula.
+const BEHIND: [&str; 3] = ["iso_ts_15066_force_limits", "iso_ts_15066_springs_and_masses", "iso_ts_15066_formulas"];
+
+impl Explanation {
+    /// For people.
+    #[must_use]
+    pub fn render(&self) -> String {
+        let hazard = &self.hazard;
+        let mut out = format!(
+            "{}  {} <- {}  {:.2}x{}\n\n What happens\n",
+            hazard.id,
+            hazard.body_region,
+            hazard.robot_link,
+            hazard.ratio,
+            if hazard.class == Class::HeadContact { " (contact with the head is not allowed at all)" } else { "" }
+        );
+        let mut say = |text: &str| out += &wrapped(text, "   ");
+        let ([x, y], heading) = self.start;
+        say(&format!("The person starts at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, and then"));
+        for (from, line) in steps(&hazard.actions, self.action_s) {
+            say(&format!("{from:5.2} s  {line}"));
+        }
+        for sensor in &self.sensors {
+            say(&format!("{} {}.", sensor.name, sensor.words()));
+        }
+        let arm = hazard.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
+        say(&format!(
+            "At {:.2} s the robot's {}, which moves at {:.2} m/s, meets the {}{arm} at ({:.2}, {:.2}, {:.2}) m. The person \
+             stands at ({:.2}, {:.2}) m then.",
+            hazard.time_s,
+            hazard.robot_link,
+            hazard.speed_m_s,
+            hazard.body_region.words(),
+            hazard.contact_point_m[0],
+            hazard.contact_point_m[1],
+            hazard.contact_point_m[2],
+            hazard.person_xy_m[0],
+            hazard.person_xy_m[1],
+        ));
+        for outside in &self.outside {
+            say(&format!("That is {:.2} m outside the zone of {}.", outside.distance_m, outside.name));
+        }
+        if let Some(before) = hazard.through_curtain_s {
+            say(&format!("The arm broke the light curtain {before:.2} s before, on its way there."));
+        }
+        self.force(&mut out);
+        self.changes(&mut out);
+        out
+    }
+
+    fn force(&self, out: &mut String) {
+        let hazard = &self.hazard;
+        let region = hazard.body_region;
+        let (m_r, m_h) = (hazard.effective_mass_kg, limits::effective_mass_kg(region));
+        let (mu, k) = (limits::reduced_mass(m_h, m_r), limits::spring_constant_n_m(region));
+        let quasi_static = limits::quasi_static_limit_n(region);
+        let factor = hazard.limit_n / quasi_static;
+        let half = 0.5 * self.robot.moving_mass_kg;
+        let _ = writeln!(out, "\n Force, after {STANDARD_EDITION}");
+        let _ = writeln!(
+            out,
+            "   F = v sqrt(mu k) = {:.3} m/s x sqrt({mu:.3} kg x {:.0} kN/m) = {:.0} N   limit {:.0} N   {:.2}x",
+            hazard.speed_m_s,
+            k / 1000.0,
+            hazard.force_n,
+            hazard.limit_n,
+            hazard.ratio
+        );
+        let rows = [
+            (
+                "v",
+                format!("{:.3} m/s", hazard.speed_m_s),
+                format!(
+                    "absolute speed of the robot's point, from the FMU; with the speed of approach alone, {:.3} m/s, it \
+                     would be {:.0} N",
+                    hazard.approach_m_s, hazard.directed_force_n
+                ),
+            ),
+            (
+                "m_R",
+                format!("{m_r:.2} kg"),
+                format!(
+                    "effective mass of {} (A.4): half of M = {:.2} kg ({}) and {:.2} kg of tool and workpiece",
+                    self.robot.name,
+                    self.robot.moving_mass_kg,
+                    self.robot.mass_from,
+                    m_r - half
+                ),
+            ),
+            ("m_H", format!("{m_h:.2} kg"), format!("effective mass of the {} (Table A.3)", region.words())),
+            ("mu", format!("{mu:.3} kg"), "reduced mass, 1 / (1/m_H + 1/m_R) (A.3)".to_owned()),
+            ("k", format!("{:.0} kN/m", k / 1000.0), format!("spring constant of the {} (Table A.3)", region.words())),
+            (
+                "limit",
+                format!("{:.0} N", hazard.limit_n),
+                if region.is_head() {
+                    format!(
+                        "quasi-static, {quasi_static:.0} N (Table A.2); for ranking only: contact of the head with a moving \
+                         robot is not allowed (A.3.2)"
+                    )
+                } else {
+                    format!("transient: {factor:.0} x {quasi_static:.0} N (Table A.2)")
+                },
+            ),
+        ];
+        for (symbol, value, what) in rows {
+            *out += &wrapped_under(&format!("   {symbol:<6}{value:<11}"), &what);
+        }
+        for Table { title, source, verified, .. } in tables().filter(|table| BEHIND.contains(&table.id)) {
+            let state = if verified { "verified" } else { "not yet verified against the purchased standard" };
+            *out += &wrapped_under("   from  ", &format!("{title}: {source}; {state}"));
+        }
+        let _ = match hazard.class {
+            Class::Force => writeln!(
+                out,
+                "\n Safe below {:.2} m/s at this point: {:.0} % of the speed it has there",
+                hazard.safe_below_m_s,
+                100.0 * hazard.safe_below_m_s / hazard.speed_m_s
+            ),
+            Class::HeadContact => writeln!(
+                out,
+                "\n No speed is safe: the head may only be met by a robot that stands. (The force would stay within {:.0} N \
+                 below {:.2} m/s.)",
+                hazard.limit_n, hazard.safe_below_m_s
+            ),
+        };
+    }
+
+    fn changes(&self, out: &mut String) {
+        if self.remedies.is_empty() {
+            return;
+        }
+        let _ = writeln!(
+            out,
+            "\n Smallest changes after which {} does not hit the {} beyond its limit",
+            self.robot.name,
+            self.hazard.body_region.words()
+        );
+        let mut none = true;
+        for remedy in &self.remedies {
+            let Outcome::Removed(removed) = &remedy.outcome else { continue };
+            none = false;
+            *out += &wrapped(&remedy.change, "   ");
+            *out += &wrapped(&removed.words(), "      ");
+        }
+        if none {
+            *out += "   none of those tried\n";
+        }
+        let no_help: Vec<&str> =
+            self.remedies.iter().filter(|r| r.outcome == Outcome::NoHelp).map(|r| r.change.as_str()).collect();
+        if !no_help.is_empty() {
+            *out += &wrapped(&format!("Does not help alone: {}.", no_help.join("; ")), "   ");
+        }
+        for remedy in &self.remedies {
+            if let Outcome::NotTried { cause } = &remedy.outcome {
+                *out += &wrapped(&format!("Could not be tried: {}: {cause}", remedy.change), "   ");
+            }
+        }
+        *out += &wrapped(
+            "A search that meets nothing is no proof: make the change, then scan again. Whether it can be built, and what \
+             it does to the work, is for people to judge.",
+            "   ",
+        );
+    }
+}
+
+impl Reports {
+    fn words(&self) -> String {
+        if self.changes_s.is_empty() {
+            return "reports nobody on the way".to_owned();
+        }
+        let word = |(number, time): (usize, &f64)| match number % 2 {
+            0 => format!("reports the person from {time:.2} s"),
+            _ => format!("nobody from {time:.2} s"),
+        };
+        self.changes_s.iter().enumerate().map(word).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl Removed {
+    fn words(&self) -> String {
+        let mut words = format!(
+            "not met again: {} known sequences, {} new ones",
+            self.known_sequences,
+            self.searched + self.counterexamples
+        );
+        if let Some(worst) = &self.worst_other {
+            let _ = write!(words, "; {} other hazards remain, worst {worst}", self.others);
+        } else if self.searched > 0 {
+            words += "; no other hazard met either";
+        }
+        words
+    }
+}
+
+/// Equal actions together, with the time at which they begin.
+fn steps(actions: &[Action], action_s: f64) -> Vec<(f64, String)> {
+    let mut steps: Vec<(usize, usize, Action)> = Vec::new();
+    for (number, action) in actions.iter().enumerate() {
+        match steps.last_mut() {
+            // A turn is made once each time.
+            Some((_, times, last)) if last == action && matches!(action.walk(), Walk::Stop | Walk::Forward) => {
+                *times += 1
+            }
+            _ => steps.push((number, 1, *action)),
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "a few actions")]
+    let told = |(first, times, action): (usize, usize, Action)| {
+        let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
+        (from, format!("{}, {}, for {lasts:.1} s", walks(action.walk()), stands(action.posture())))
+    };
+    steps.into_iter().map(told).collect()
+}
+
+const fn walks(walk: Walk) -> &'static str {
+    match walk {
+        Walk::Stop => "stands",
+        Walk::Forward => "walks straight ahead",
+        Walk::Left45 => "turns left by 45 degrees and walks on",
+        Walk::Left90 => "turns left by 90 degrees and walks on",
+        Walk::Right45 => "turns right by 45 degrees and walks on",
+        Walk::Right90 => "turns right by 90 degrees and walks on",
+    }
+}
+
+const fn stands(posture: Posture) -> &'static str {
+    match posture {
+        Posture::Upright => "upright",
+        Posture::Forward => "bent forward",
+        Posture::Left => "bent to the left",
+        Posture::Right => "bent to the right",
+        Posture::ForwardLeft => "bent forward and to the left",
+        Posture::ForwardRight => "bent forward and to the right",
+    }
+}
+
+/// Width of a line.
+const WIDTH: usize = 100;
+
+fn wrapped(text: &str, indent: &str) -> String {
+    let options = textwrap::Options::new(WIDTH).initial_indent(indent).subsequent_indent(indent);
+    textwrap::fill(text, options) + "\n"
+}
+
+/// Text after a head, further lines below its own beginning.
+fn wrapped_under(head: &str, text: &str) -> String {
+    let under = " ".repeat(head.len());
+    let options = textwrap::Options::new(WIDTH).initial_indent(head).subsequent_indent(&under);
+    textwrap::fill(text, options) + "\n"
+}

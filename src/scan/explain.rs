@@ -1,0 +1,54 @@
+//! What there is to tell about a hazard, gathered from its cell and from its sequence once more.
+
+use super::film::contact_frame;
+use super::prepare::Prepared;
+use crate::cell::Zone;
+use crate::geometry::polygon::{contains, distance_to_edge};
+use crate::human::action::ACTION_S;
+use crate::report::explanation::{Explanation, Outside, Reports, Robot};
+use crate::report::model::Hazard;
+use crate::sim::simulation::Watched;
+
+/// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.
+#[must_use]
+pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Option<Explanation> {
+    let cell = &prepared.cell;
+    let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
+    let robot = &cell.robots[link.robot];
+    let until = &watched.instants[..=contact_frame(prepared, hazard, watched)];
+    let reports = |(number, sensor): (usize, &crate::cell::Sensor)| {
+        let mut reported = false;
+        let mut changes_s = Vec::new();
+        for (frame, instant) in until.iter().enumerate() {
+            if instant.readings[number] != reported {
+                reported = !reported;
+                #[expect(clippy::cast_precision_loss, reason = "a few steps after the start")]
+                changes_s.push(frame as f64 * cell.step_s);
+            }
+        }
+        Reports { name: sensor.name.clone(), changes_s }
+    };
+    let last = &until[until.len() - 1];
+    let outside = |(number, sensor): (usize, &crate::cell::Sensor)| match &sensor.zone {
+        Zone::Mat(polygon) | Zone::Field(polygon)
+            if !last.readings[number] && !contains(polygon, hazard.person_xy_m) =>
+        {
+            let distance_m = distance_to_edge(polygon, hazard.person_xy_m);
+            Some(Outside { name: sensor.name.clone(), distance_m })
+        }
+        _ => None,
+    };
+    Some(Explanation {
+        hazard: hazard.clone(),
+        start: (cell.start.xy_m(), cell.start.heading_deg()),
+        action_s: ACTION_S,
+        sensors: cell.sensors.iter().enumerate().map(reports).collect(),
+        outside: cell.sensors.iter().enumerate().filter_map(outside).collect(),
+        robot: Robot {
+            name: robot.name.clone(),
+            moving_mass_kg: robot.moving_mass_kg,
+            mass_from: format!("{}:{}", prepared.subject.cell_found, robot.mass_line),
+        },
+        remedies: Vec::new(),
+    })
+}
