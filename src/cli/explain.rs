@@ -12,7 +12,7 @@ use crate::scan::explain::explain;
 use crate::scan::prepare::prepare_in;
 use crate::scan::remedy::{Effort, remedies};
 use crate::scan::verify::verify;
-use crate::scan::{ScanError, StateChoice};
+use crate::scan::{ScanError, StateChoice, film};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -58,8 +58,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         output::warning("the cell file has changed since the scan");
     }
     let failed = |cause| Failure::from(ScanError { cause });
-    let watched = prepared.simulation(StateChoice::Auto, false).and_then(|mut s| s.watch(&hazard.actions));
-    let Some(mut explanation) = explain(&prepared, hazard, &watched.map_err(failed)?) else {
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
+    let watched = film::watch(&mut simulation, &prepared, hazard).map_err(failed)?;
+    let Some(mut explanation) = explain(&prepared, hazard, &watched) else {
         return Err(Failure::unusable(format!("the cell has no link {}", hazard.robot_link)));
     };
     if !arguments.no_changes {

@@ -78,7 +78,7 @@ fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result
     let failed = |cause| Failure::from(ScanError { cause });
     let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
-        let watched = simulation.watch(&hazard.actions).map_err(failed)?;
+        let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;

@@ -31,6 +31,8 @@ pub struct Finding {
     pub phase: Option<i64>,
     /// For an arm that reaches through a light curtain: how long before the contact it broke the plane, s.
     pub through_curtain_s: Option<f64>,
+    /// Index of the sensor of that curtain.
+    pub curtain: Option<usize>,
 }
 
 /// Where the touching arm is.

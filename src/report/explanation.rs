@@ -257,8 +257,8 @@ impl Explanation {
             }
         }
         *out += &wrapped(
-            "A search that meets nothing is no proof: make the change, then scan again. Whether it can be built, and what \
-             it does to the work, is for people to judge.",
+            "A search that meets nothing is no proof, and a slower programme is also elsewhere at each instant: make the \
+             change, then scan again. Whether it can be built, and what it does to the work, is for people to judge.",
             "   ",
         );
     }

@@ -212,6 +212,8 @@ pub struct Hazard {
     /// For an arm through a light curtain: how long before the contact it broke the plane, s; the robot is where it is
     /// when the curtain is broken then.
     pub through_curtain_s: Option<f64>,
+    /// That light curtain.
+    pub through_curtain: Option<String>,
     /// The sequence of actions; the contact happens in the last.
     pub actions: Vec<Action>,
     /// Iteration in which the hazard was first met, from 1.
@@ -422,6 +424,7 @@ impl Hazard {
             sensors: sensor_names.iter().zip(&f.sensors).map(sensor).collect(),
             phase: f.phase,
             through_curtain_s: f.through_curtain_s,
+            through_curtain: f.curtain.map(|sensor| sensor_names[sensor].clone()),
             actions: f.actions.clone(),
             first_iteration: group.first_iteration,
             times_found: group.times_found,

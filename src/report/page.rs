@@ -215,8 +215,9 @@ pub const ASSUMPTIONS: [&str; 8] = [
     "Robot links and the body are simplified shapes (capsules, convex hulls) as given in the cell file; hair, clothes, \
      tools in the hand and sharp edges are not in the model.",
     "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file.",
-    "Where a light curtain is reached through, the robot's replay shows it without the curtain broken by the arm; the \
-     contact is judged with the curtain broken at the earliest time given with the hazard.",
+    "Where an arm reaches through a light curtain, the curtain is broken as long before the contact as the hand needs at \
+     2.0 m/s (ISO 13855), rounded up to whole steps; the replay and the input trace show the robot with the curtain broken \
+     then.",
     "The FMU is taken as it is: what it does not model (wear, faults of the safety system, other operating modes) is not \
      examined. No hazard found is never a proof of safety of the real workplace.",
 ];

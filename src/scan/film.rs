@@ -5,13 +5,15 @@ use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::host::system::UnitPort;
+use crate::host::{Hosted, PlantError};
 use crate::human::{Action, BendFraction, Posture};
 use crate::report::model::Hazard;
 use crate::report::page::{
     ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
 };
 use crate::report::trace::Trace;
-use crate::sim::simulation::{Instant, Watched};
+use crate::sim::Simulation;
+use crate::sim::simulation::{Instant, ReachedThrough, Watched};
 use crate::standards::iso_13857::HAND_RADIUS_M;
 
 /// Height of mats and fields in the picture, m; the model has none.
@@ -73,12 +75,34 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
     Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: picture::zone(zone)?, z_m })
 }
 
+/// Runs the sequence of `hazard` and keeps everything that there is to see. Where it takes an arm through a light curtain,
+/// the FMU is told so, at the time with which the contact was judged.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn watch(simulation: &mut Simulation<Hosted>, prepared: &Prepared, hazard: &Hazard) -> Result<Watched, PlantError> {
+    simulation.watch(&hazard.actions, reached_through(prepared, hazard))
+}
+
+fn reached_through(prepared: &Prepared, hazard: &Hazard) -> Option<ReachedThrough> {
+    let cell = &prepared.cell;
+    let sensor = cell.sensors.iter().position(|sensor| Some(&sensor.name) == hazard.through_curtain.as_ref())?;
+    // The hand has all the time from the sample before the one that first told of it.
+    let told = steps(prepared, hazard.through_curtain_s?).saturating_sub(1);
+    let from_step = (steps(prepared, hazard.time_s) + cell.sensors[sensor].delay_steps).checked_sub(told)?;
+    Some(ReachedThrough { sensor, from_step })
+}
+
+/// Whole steps in a time.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
+fn steps(prepared: &Prepared, time_s: f64) -> usize {
+    (time_s / prepared.cell.step_s).round() as usize
+}
+
 /// The frame in which `hazard` happens.
 #[must_use]
 pub fn contact_frame(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> usize {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
-    let frame = (hazard.time_s / prepared.cell.step_s).round() as usize;
-    frame.min(watched.instants.len() - 1)
+    steps(prepared, hazard.time_s).min(watched.instants.len() - 1)
 }
 
 /// The replay of `hazard`, whose sequence was watched, to the end of the action in which it happens.

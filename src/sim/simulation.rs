@@ -81,6 +81,15 @@ pub struct Watched {
     pub outputs: Vec<f64>,
 }
 
+/// An arm that reaches through a light curtain, which then reports it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReachedThrough {
+    /// The curtain's sensor.
+    pub sensor: usize,
+    /// The first step, counted from the start, at which the FMU is told.
+    pub from_step: usize,
+}
+
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
 struct Outcome {
@@ -185,17 +194,22 @@ impl<P: Plant> Simulation<P> {
         &self.world
     }
 
-    /// Runs `actions` from the start and keeps everything that there is to see, without looking for contacts.
+    /// Runs `actions` from the start and keeps everything that there is to see, without looking for contacts. An arm that
+    /// reaches `through` a light curtain is reported, as trunk and legs are, to the end of the sequence.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn watch(&mut self, actions: &[Action]) -> Result<Watched, PlantError> {
+    pub fn watch(&mut self, actions: &[Action], through: Option<ReachedThrough>) -> Result<Watched, PlantError> {
         let world = Arc::clone(&self.world);
         let Snapshot { mut node, mut place, mut delays, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for action in actions {
             let walked = world.walk(place, *action);
-            let sensed = world.sense(&delays, &world.sights(&walked, action.posture()));
+            let mut sensed = world.sense(&delays, &world.sights(&walked, action.posture()));
+            if let Some(through) = &through {
+                let begun = watched.instants.len() - 1;
+                world.report_arm(through.sensor, through.from_step.saturating_sub(begun), &mut sensed);
+            }
             node = match self.robots.advance(node, &sensed.inputs)? {
                 Advanced::To(node) => node,
                 Advanced::Fault(fault) => return Err((*fault).clone()),

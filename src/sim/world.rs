@@ -262,6 +262,17 @@ impl World {
         sensed
     }
 
+    /// An arm is in the light curtain of `sensor` from step `first` of an action on: its reading, and what the FMU is told.
+    pub(super) fn report_arm(&self, sensor: usize, first: usize, sensed: &mut Sensed) {
+        let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return };
+        let active = f64::from(u8::from(self.cell.sensors[sensor].active));
+        let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
+        for (row, readings) in rows.zip(&mut sensed.readings).skip(first) {
+            row[column] = active;
+            readings[sensor] = true;
+        }
+    }
+
     /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
     /// own one at the step's end.
     #[must_use]
@@ -402,6 +413,7 @@ impl World {
             sensors: (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, frame)).collect(),
             phase: hit.phase,
             through_curtain_s: hit.since_s,
+            curtain: hit.broke,
         })
     }
 
