@@ -92,7 +92,7 @@ fn the_distance_that_it_names_is_the_smallest_in_which_no_sequence_hurts() {
         let cell = text.replace(base, &format!("base = {{ xyz_m = [0, {}, 0.8975]", 0.7 + farther));
         hazards(dir, "head-collision", &cell).iter().any(|(hit, _)| hit == region)
     };
-    let farther = number(change(&explanation, "robot UR5e").unwrap(), "robot UR5e ");
+    let farther = number(change(&explanation, "UR5e").unwrap(), "UR5e ");
     assert!(!with(farther) && with(farther - 0.01), "{farther}");
     // No speed but standstill is safe for a head; where the robot is slowed down to makes no difference above that.
     let slow = change(&explanation, "FMU parameter plc.v_reduced");

@@ -184,7 +184,7 @@ impl Knob {
             Turn::Higher { .. } => format!("{name} {amount:.2} m higher"),
             Turn::Lower { .. } => format!("{name} {amount:.2} m farther down"),
             Turn::FartherRobot { direction, .. } => {
-                format!("robot {name} {amount:.2} m farther away, towards {}", axis(*direction))
+                format!("{name} {amount:.2} m farther away, towards {}", axis(*direction))
             }
         }
     }
@@ -376,7 +376,7 @@ mod tests {
         }
         let (cell, words) = turned(Turn::FartherRobot { robot: 1, direction: [1.0, 0.0] }, 35);
         assert_eq!(at(&cell, "robot", 1, &["base", "xyz_m"]), [1.35, 0.9, 0.6]);
-        assert_eq!(words, "robot it 0.35 m farther away, towards +x");
+        assert_eq!(words, "it 0.35 m farther away, towards +x");
         let (cell, _) = turned(Turn::FartherRobot { robot: 0, direction: [0.0, 1.0] }, 1);
         assert_eq!(at(&cell, "robot", 0, &["base", "xyz_m"]), [0.0, 0.01, 0.0]);
     }

@@ -285,7 +285,10 @@ impl Removed {
             self.searched + self.counterexamples
         );
         if let Some(worst) = &self.worst_other {
-            let _ = write!(words, "; {} other hazards remain, worst {worst}", self.others);
+            let _ = match self.others {
+                1 => write!(words, "; another hazard remains, {worst}"),
+                others => write!(words, "; {others} other hazards remain, worst {worst}"),
+            };
         } else if self.searched > 0 {
             words += "; no other hazard met either";
         }
