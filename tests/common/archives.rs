@@ -114,7 +114,7 @@ pub fn refused(command: &str, fmu: &[u8], message: &str) {
 pub fn inspected(fmu: &[u8], warnings: &[&str]) -> String {
     let dir = folder_with(fmu);
     let (code, stdout, stderr) = run(dir.path(), &["inspect", "x.fmu"]);
-    same(&stderr, &warnings.iter().map(|w| format!("warning: {w}\n")).collect::<String>());
+    same(&stderr, &warnings.iter().map(|w| format!("   Warning {w}\n")).collect::<String>());
     assert_eq!(code, 0);
     stdout
 }
