@@ -6,7 +6,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{examples, fmi_hazard, json};
+use common::{examples, faulty_cell, fmi_hazard, json, nearer};
 use serde_json::Value;
 
 fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
@@ -46,10 +46,15 @@ fn explained(dir: &Path, example: &str, text: &str, more: &[&str]) -> (Value, Va
     (hazard, serde_json::from_str(&text).unwrap())
 }
 
-/// The change that begins with `words`, if it helps.
-fn change<'a>(explanation: &'a Value, words: &str) -> Option<&'a str> {
+/// What came of the change that begins with `words`.
+fn remedy<'a>(explanation: &'a Value, words: &str) -> &'a Value {
     let remedies = explanation["remedies"].as_array().unwrap();
-    let found = remedies.iter().find(|remedy| remedy["change"].as_str().unwrap().starts_with(words)).unwrap();
+    remedies.iter().find(|remedy| remedy["change"].as_str().unwrap().starts_with(words)).unwrap()
+}
+
+/// The same change, if it helps.
+fn change<'a>(explanation: &'a Value, words: &str) -> Option<&'a str> {
+    let found = remedy(explanation, words);
     found["outcome"].get("removed").map(|_| found["change"].as_str().unwrap())
 }
 
@@ -94,9 +99,14 @@ fn the_distance_that_it_names_is_the_smallest_in_which_no_sequence_hurts() {
     };
     let farther = number(change(&explanation, "UR5e").unwrap(), "UR5e ");
     assert!(!with(farther) && with(farther - 0.01), "{farther}");
-    // No speed but standstill is safe for a head; where the robot is slowed down to makes no difference above that.
-    let slow = change(&explanation, "FMU parameter plc.v_reduced");
-    assert!(slow.is_none_or(|slow| number(slow, "= ") == 0.0), "{slow:?}");
+    // Where to the robot slows down makes no difference: any motion is too much for a head.
+    assert_eq!(change(&explanation, "FMU parameter plc.v_reduced"), None);
+    // A zone in which the person starts would be a cell that stands still.
+    let zone = remedy(&explanation, "zone of field");
+    assert!(
+        zone["change"].as_str().unwrap() < "zone of field 0.70" || zone["outcome"].get("removed").is_none(),
+        "{zone}"
+    );
 }
 
 #[test]
@@ -118,13 +128,66 @@ fn words_and_numbers() {
     assert!((mu - 1.0 / (1.0 / m_r + 1.0 / m_h)).abs() < 2e-3, "{text}");
     let payload = number(text.split("half of M = ").nth(1).unwrap(), ") and ");
     assert!((m_r - (number(&text, "half of M = ") / 2.0 + payload)).abs() < 0.01, "{text}");
-    for words in ["walks straight ahead, upright, for 0.2 s", "reports the person from", "changed.toml:", "verified"] {
+    for words in [
+        "walks straight ahead, upright, for 0.2 s",
+        "reports the person from",
+        "changed.toml:",
+        "not yet verified against",
+        "not allowed at all",
+        "No speed is safe: the head",
+    ] {
         assert!(text.contains(words), "{words}: {text}");
     }
-    assert!(!text.contains("Smallest changes"));
+    assert!(!text.contains("Smallest changes") && !text.contains("Safe below"));
     // One that nobody knows, and one that is not there any more.
     let (code, _, said) = ran(dir, &["explain", "first", &format!("{id}0")]);
     assert!(code == Some(2) && said.contains(&format!("did you mean {id}?")), "{said}");
     let (code, _, said) = ran(dir, &["explain", "first", id, "--cell", "head-collision/fixed.toml"]);
     assert!(code == Some(2) && said.contains("is not there any more"), "{said}");
+}
+
+#[test]
+fn a_scan_of_an_fmu_with_a_cell_file_elsewhere_is_explained_and_replayed_from_what_it_recorded() {
+    let dir = examples();
+    let dir = dir.path();
+    let text = short(dir, "head-collision", 5).replace("fmu = \"head-collision.fmu\"\n", "");
+    std::fs::write(dir.join("mine.toml"), &text).unwrap();
+    let fmu = "head-collision/head-collision.fmu";
+    let (code, _, said) = ran(dir, &["scan", fmu, "--cell", "mine.toml", "--strategy", "exhaustive", "--out", "first"]);
+    assert_eq!(code, Some(1), "{said}");
+    let id = json(&dir.join("first/scan.json"))["hazards"][0]["id"].as_str().unwrap().to_owned();
+    let (code, _, said) = ran(dir, &["explain", "first", &id, "--no-changes"]);
+    assert!(code == Some(0) && !said.contains("changed"), "{said}");
+    std::fs::rename(dir.join("mine.toml"), dir.join("moved.toml")).unwrap();
+    for command in [&["explain", "first", &id, "--no-changes"][..], &["replay", "first", &id]] {
+        let (code, _, said) = ran(dir, command);
+        assert!(code == Some(2) && said.contains("mine.toml"), "{said}");
+        let (code, text, said) = ran(dir, &[command, &["--cell", "moved.toml"]].concat());
+        assert!(code < Some(2) && text.contains(&id) && !said.contains("changed"), "{said}");
+    }
+    // Another cell is told to be another.
+    std::fs::write(dir.join("moved.toml"), text.replace("actions = 5", "actions = 6")).unwrap();
+    let (_, _, said) = ran(dir, &["replay", "first", &id, "--cell", "moved.toml"]);
+    assert!(said.contains("Warning the cell file has changed"), "{said}");
+}
+
+#[test]
+fn a_zone_that_reaches_the_start_and_one_that_stops_nothing_remove_nothing() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let dir = dir.path();
+    std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.join("faulty.fmu")).unwrap();
+    // A turning table with a mat beside which the person starts.
+    std::fs::write(dir.join("cell.toml"), nearer(&faulty_cell("faulty.fmu", 0, 0))).unwrap();
+    let (code, _, said) = ran(dir, &["scan", "cell.toml", "--strategy", "hybrid", "--out", "out"]);
+    assert_eq!(code, Some(1), "{said}");
+    let id = json(&dir.join("out/scan.json"))["hazards"][0]["id"].as_str().unwrap().to_owned();
+    let (code, text, said) = ran(dir, &["explain", "out", &id, "--format", "json"]);
+    assert_eq!(code, Some(0), "{said}");
+    let explanation: Value = serde_json::from_str(&text).unwrap();
+    // The mat's edge is 0.2 m from the start: nothing that is wider was tried to the end.
+    let mat = remedy(&explanation, "zone of mat");
+    assert_eq!(mat["outcome"], "no_help");
+    assert!(number(mat["change"].as_str().unwrap(), "zone of mat ") < 0.2, "{mat}");
+    // The bar is 1.4 m long, and the person walks after it.
+    assert_eq!(remedy(&explanation, "turntable 1.50 m")["outcome"], "no_help");
 }

@@ -14,10 +14,16 @@ use fmi_hazard::scan::{StateChoice, film};
 fn the_robot_is_where_the_contact_is() {
     let dir = examples();
     let dir = dir.path();
-    for (example, actions, through) in
-        [("light-curtain", 3, true), ("head-collision", 5, false), ("two-scanners", 5, false)]
-    {
+    let slow = ("active = false", "active = false\ndelay_ms = 100");
+    for (example, actions, through, change) in [
+        ("light-curtain", 3, true, ("", "")),
+        ("light-curtain", 3, true, slow),
+        ("head-collision", 5, false, ("", "")),
+        ("two-scanners", 5, false, ("", "")),
+    ] {
         let text = std::fs::read_to_string(dir.join(example).join("cell.toml")).unwrap();
+        assert!(text.contains(change.0));
+        let text = if change.0.is_empty() { text } else { text.replacen(change.0, change.1, 1) };
         let path = dir.join(example).join("short.toml");
         std::fs::write(&path, format!("{text}\n[search]\nactions = {actions}\n")).unwrap();
         let cell = path.to_str().unwrap();

@@ -42,6 +42,20 @@ fn quiet_says_results_and_warnings_only_and_verbose_says_more() {
     assert!(code == Some(2) && said.contains("cannot be used with"), "{said}");
 }
 
+#[test]
+fn a_scan_is_resumed_quietly_too() {
+    let dir = examples();
+    let dir = dir.path();
+    for quiet in [&["scan", "--resume", "nowhere", "-q"][..], &["-q", "scan", "--resume", "nowhere"]] {
+        let (code, _, said) = ran(dir, quiet);
+        assert!(code == Some(2) && said.contains("there is no scan to go on with in nowhere"), "{said}");
+    }
+    for other in [&["head-collision/cell.toml"][..], &["--seed", "2"], &["--fmu-timeout", "3"], &["--workers", "1"]] {
+        let (code, _, said) = ran(dir, &[&["scan", "--resume", "nowhere"], other].concat());
+        assert!(code == Some(2) && said.contains("cannot be used with"), "{other:?}: {said}");
+    }
+}
+
 /// What the command shows on a terminal of its own, without colours if so wished.
 fn on_a_terminal(dir: &Path, arguments: &[&str], no_color: bool) -> String {
     let words = [&[env!("CARGO_BIN_EXE_fmi-hazard")], arguments].concat();

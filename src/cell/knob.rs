@@ -6,6 +6,7 @@ use toml::{Table, Value};
 use super::validate::Workcell;
 use super::{Zone, binding::BoundUnit};
 use crate::fmi::{Causality, Variable, VariableType};
+use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
 
 /// What is turned.
@@ -19,7 +20,7 @@ enum Turn {
     Wider { sensor: usize },
     /// The upper end of a light curtain up.
     HigherCurtain { sensor: usize },
-    /// A light curtain towards the person, so away from the robot.
+    /// A light curtain across its plane, away from the robot.
     FartherCurtain { sensor: usize, direction: [f64; 2] },
     /// The top of a box up.
     Higher { obstacle: usize },
@@ -77,11 +78,13 @@ impl Knob {
         let world_from_base = cell.robots[encounter.robot].world_from_base.translation;
         let away = nearest_axis([world_from_base.x - encounter.person_m[0], world_from_base.y - encounter.person_m[1]]);
         for (number, sensor) in cell.sensors.iter().enumerate() {
-            match sensor.zone {
+            match &sensor.zone {
                 Zone::Mat(_) | Zone::Field(_) => add(Turn::Wider { sensor: number }, &sensor.name, FARTHEST),
-                Zone::Curtain(_) => {
+                Zone::Curtain(plane) => {
                     add(Turn::HigherCurtain { sensor: number }, &sensor.name, FARTHEST);
-                    let direction = away.map(|part| -part);
+                    let normal = plane.rotation * Vec3::Y;
+                    let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
+                    let direction = [side * normal.x, side * normal.y];
                     add(Turn::FartherCurtain { sensor: number, direction }, &sensor.name, FARTHEST);
                 }
                 Zone::Reported => {}
@@ -178,9 +181,7 @@ impl Knob {
             }
             Turn::Wider { .. } => format!("zone of {name} {amount:.2} m wider on every side"),
             Turn::HigherCurtain { .. } => format!("{name} {amount:.2} m higher"),
-            Turn::FartherCurtain { direction, .. } => {
-                format!("{name} {amount:.2} m farther from the robot, towards {}", axis(*direction))
-            }
+            Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
             Turn::Higher { .. } => format!("{name} {amount:.2} m higher"),
             Turn::Lower { .. } => format!("{name} {amount:.2} m farther down"),
             Turn::FartherRobot { direction, .. } => {
@@ -366,7 +367,7 @@ mod tests {
         let (cell, words) = turned(Turn::FartherCurtain { sensor: 1, direction: [0.0, -1.0] }, 25);
         let line = cell["sensor"][1]["zone"]["line_m"].as_array().expect("a list");
         assert_eq!([numbers(&line[0]), numbers(&line[1])], [Some([-1.0, -0.25]), Some([1.0, -0.25])]);
-        assert_eq!(words, "it 0.25 m farther from the robot, towards -y");
+        assert_eq!(words, "it 0.25 m farther from the robot");
         // A box of 0.8 m around 1.6 m: from 1.2 m to 2.0 m.
         for (turn, centre, size) in [(Turn::Higher { obstacle: 0 }, 1.7, 1.0), (Turn::Lower { obstacle: 0 }, 1.5, 1.0)]
         {

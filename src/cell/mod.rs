@@ -5,6 +5,7 @@
 //! - [`validate`]: from the file to a [`Workcell`] in SI units, every mistake with its line
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
+//! - [`roles`]: what the variables of an FMU seem to be for
 //! - [`knob`]: what in a cell can be turned to make it safer
 //! - [`error`]: messages that point into the file
 
@@ -14,6 +15,7 @@ pub mod find;
 pub mod format;
 pub mod knob;
 mod robots;
+pub mod roles;
 mod sensors;
 pub mod validate;
 

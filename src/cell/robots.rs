@@ -19,6 +19,10 @@ impl Checker<'_> {
         })?;
         let (mut robots, mut links) = (Vec::new(), Vec::new());
         for (number, table) in file.robots.iter().enumerate() {
+            let name = &table.get_ref().name;
+            self.that(file.robots[..number].iter().all(|other| other.get_ref().name != *name), table.span(), || {
+                (format!("two robots are called `{name}`"), "give each robot its own name".to_owned())
+            })?;
             robots.push(self.robot(table)?);
             for mut link in self.links(table, number)? {
                 if file.robots.len() > 1 {

@@ -13,6 +13,12 @@ const MAX_DELAY_STEPS: usize = 63;
 impl Checker<'_> {
     /// All sensors.
     pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Result<Vec<Sensor>, Box<CellError>> {
+        for (number, s) in file.sensors.iter().enumerate() {
+            let alone = file.sensors[..number].iter().all(|other| other.name != s.name);
+            self.that(alone, s.variable.span(), || {
+                (format!("two sensors are called `{}`", s.name), "give each sensor its own name".to_owned())
+            })?;
+        }
         file.sensors.iter().map(|s| self.sensor(s, step_s)).collect()
     }
 

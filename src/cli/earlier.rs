@@ -1,11 +1,14 @@
-//! Earlier scans that an argument names: reading them, and finding a hazard in one.
+//! Earlier scans that an argument names: reading them, finding a hazard in one, and preparing what they scanned again.
 
 use std::path::Path;
 
 use super::exit::Failure;
+use super::output;
 use crate::cell::error::{Source, nearest};
-use crate::report::model::Hazard;
+use crate::report::model::{FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
+use crate::scan::prepare::prepare_in;
+use crate::scan::{Hosting, Prepared};
 
 /// A recorded scan: its scan.json, or the folder with its results.
 pub(super) fn read(path: &Path) -> Result<Recorded, Failure> {
@@ -26,6 +29,28 @@ pub(super) fn hazard<'a>(scan: &'a Recorded, id: &str, path: &Path) -> Result<&'
 
 /// The cell file of a scan, if it is still where it was and as it was.
 pub(super) fn cell_text(scan: &Recorded) -> Option<String> {
-    let text = std::fs::read_to_string(&scan.subject.path).ok()?;
+    let file = scan.subject.cell_file.as_ref().unwrap_or(&scan.subject.path);
+    let text = std::fs::read_to_string(file).ok()?;
     (Source::new("", &text).sha256() == scan.subject.cell_sha256).then_some(text)
+}
+
+/// What was scanned, again: from where it was, or from `cell`, a cell file or an FMU, if it is elsewhere now. Warns of what
+/// is not as it was.
+pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, Failure> {
+    let is_cell = |path: &Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+    let own = &scan.subject;
+    let prepared = match cell {
+        // The FMU was named, and a cell file that need not name it.
+        Some(cell) if is_cell(cell) && !is_cell(&own.path) => prepare_in(&own.path, Some(cell), hosting)?,
+        Some(other) => prepare_in(other, None, hosting)?,
+        None => prepare_in(&own.path, own.cell_file.as_deref(), hosting)?,
+    };
+    if own.cell_sha256 != prepared.subject.cell_sha256 {
+        output::warning("the cell file has changed since the scan");
+    }
+    let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
+    if hashes(&own.fmus) != hashes(&prepared.subject.fmus) {
+        output::warning("the FMU has changed since the scan");
+    }
+    Ok(prepared)
 }

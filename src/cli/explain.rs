@@ -9,7 +9,6 @@ use super::output::{Format, Progress};
 use super::{earlier, output};
 use crate::report::verified::Outcome;
 use crate::scan::explain::explain;
-use crate::scan::prepare::prepare_in;
 use crate::scan::remedy::{Effort, remedies};
 use crate::scan::verify::verify;
 use crate::scan::{ScanError, StateChoice, film};
@@ -42,20 +41,23 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let recorded = earlier::read(&arguments.scan)?;
     let hazard = earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
-    let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
-    let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
-    if let changed @ (Outcome::Fixed | Outcome::NotRun { .. }) = verify(&prepared, hazard).outcome {
-        let why = match changed {
-            Outcome::NotRun { cause } => format!("the FMU failed: {cause}"),
-            _ => "its sequences end without an unsafe contact now".to_owned(),
-        };
-        return Err(Failure::unusable_with_help(
-            format!("{} is not there any more in {}: {why}", hazard.id, path.display()),
-            "the cell or the FMU has changed since the scan: scan again, or name the one that was scanned with --cell",
-        ));
-    }
-    if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
-        output::warning("the cell file has changed since the scan");
+    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    match verify(&prepared, hazard).outcome {
+        Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
+        Outcome::StillThere { body_region, robot_link, .. }
+            if body_region == hazard.body_region.to_string() && robot_link == hazard.robot_link => {}
+        other => {
+            let now = match other {
+                Outcome::StillThere { body_region, robot_link, .. } => {
+                    format!("its sequences lead to {body_region} <- {robot_link} now")
+                }
+                _ => "its sequences end without an unsafe contact now".to_owned(),
+            };
+            return Err(Failure::unusable_with_help(
+                format!("{} is not there any more in {}: {now}", hazard.id, prepared.subject.path),
+                "the cell or the FMU has changed since the scan: scan again, or name the cell that was scanned with --cell",
+            ));
+        }
     }
     let failed = |cause| Failure::from(ScanError { cause });
     let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
@@ -73,7 +75,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 progress.get_or_insert_with(|| Progress::new(of as u64, "changes tried")).at(done as u64, "");
             }
         };
-        explanation.remedies = remedies(&prepared, hazard, &recorded.hazards, effort, &tell);
+        explanation.remedies = remedies(&prepared, hazard, &recorded.hazards, effort, &tell).map_err(failed)?;
         if let Ok(Some(progress)) = progress.into_inner() {
             progress.finish();
         }

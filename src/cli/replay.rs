@@ -6,9 +6,8 @@ use std::sync::Arc;
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::{earlier, output, recording};
-use crate::report::model::{FmuSubject, Hazard};
+use crate::report::model::Hazard;
 use crate::scan::StateChoice;
-use crate::scan::prepare::prepare_in;
 use crate::sim::replay::replay;
 
 #[derive(Debug, clap::Args)]
@@ -37,22 +36,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if let Some(file) = &arguments.mcap {
         recording::possible(wanted.len(), file)?;
     }
-    let path = arguments.cell.as_ref().unwrap_or(&recorded.subject.path);
-    let prepared = prepare_in(path, None, &arguments.hosting.hosting()?)?;
-    if recorded.subject.cell_sha256 != prepared.subject.cell_sha256 {
-        output::warning("the cell file has changed since the scan");
-    }
-    let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
-    if hashes(&recorded.subject.fmus) != hashes(&prepared.subject.fmus) {
-        output::warning("the FMU has changed since the scan");
-    }
+    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     let mut still_there = false;
     for hazard in wanted {
         let cell = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
         let again = match replay(cell.0, cell.1, prepared.plant(StateChoice::Replay), &hazard.actions) {
             Ok(again) => again,
             Err(error) => {
-                output::note(&format!("   {} the FMU failed: {error}", hazard.id));
+                output::error(&format!("{}: the FMU failed: {error}", hazard.id));
                 return Ok(FMU_FAILED);
             }
         };

@@ -141,10 +141,17 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     if let Some(baseline) = baseline {
         against(&report, baseline);
     }
-    if arguments.write_baseline && !interrupted {
+    if arguments.write_baseline {
         let path = baseline_path.unwrap_or_else(|| cell_path.with_file_name(BASELINE));
-        output::write_file(&path, &json)?;
-        output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
+        if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
+            output::write_file(&path, &json)?;
+            output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
+        } else {
+            output::warning(&format!(
+                "{} is not written: the scan has no result to hold others against",
+                path.display()
+            ));
+        }
     }
     if command.is_some() {
         if interrupted {
@@ -159,7 +166,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
 /// The baseline: what the command line says, else what the cell says.
 fn baseline_path(arguments: &Arguments, cell_path: &Path, prepared: &Prepared) -> Option<PathBuf> {
     let own = || prepared.cell.baseline.as_ref().map(|name| cell_path.with_file_name(name));
-    arguments.baseline.clone().or_else(own)
+    let path = arguments.baseline.clone().or_else(own)?;
+    // The folder with a scan's results, as everywhere.
+    Some(if path.is_dir() { path.join("scan.json") } else { path })
 }
 
 /// The hazards that a baseline holds.

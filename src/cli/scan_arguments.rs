@@ -23,6 +23,31 @@ pub(super) enum StopAt {
     Budget,
 }
 
+/// What a scan that is resumed was told already.
+const OTHERS: [&str; 21] = [
+    "path",
+    "cell",
+    "strategy",
+    "seed",
+    "iterations",
+    "stop_at",
+    "out",
+    "format",
+    "baseline",
+    "write_baseline",
+    "paper_iterations",
+    "state",
+    "in_process",
+    "trust_fmu",
+    "fmu_timeout",
+    "fmu_memory",
+    "max_states",
+    "max_memory",
+    "max_work",
+    "merge",
+    "workers",
+];
+
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// A cell file (.toml), or an FMU with a cell file beside it or inside it
@@ -30,7 +55,7 @@ pub(super) struct Arguments {
     pub(super) path: Option<PathBuf>,
     /// Go on with the interrupted scan whose results are in this folder, as it was started; it ends with the same result
     /// as one that was not interrupted
-    #[arg(long, value_name = "DIR", exclusive = true)]
+    #[arg(long, value_name = "DIR", conflicts_with_all = OTHERS)]
     pub(super) resume: Option<PathBuf>,
     /// The cell file of an FMU that has none of its own
     #[arg(long)]

@@ -103,7 +103,7 @@ impl Slave {
 }
 
 /// The folder of `binaries/` for this machine: FMI 3.0 renamed them all.
-const fn platform(version: FmiVersion) -> &'static str {
+pub(super) const fn platform(version: FmiVersion) -> &'static str {
     const LINUX: bool = cfg!(target_os = "linux");
     const X86_64: bool = cfg!(target_arch = "x86_64");
     match version {

@@ -170,6 +170,13 @@ impl Fmu {
         &self.platforms
     }
 
+    /// Whether it has a binary for this machine, by the name of the folder.
+    #[must_use]
+    pub fn runs_here(&self) -> bool {
+        let version = self.description.version();
+        version.is_some_and(|version| self.platforms.iter().any(|folder| folder == library::platform(version)))
+    }
+
     /// The folder of the unpacked files; it lives as long as this FMU and what was loaded from it.
     #[must_use]
     pub fn folder(&self) -> &Path {

@@ -6,7 +6,6 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::model::{Hazard, STANDARD_EDITION};
-use crate::hazard::Class;
 use crate::human::{Action, Posture, Walk};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::{Table, tables};
@@ -112,7 +111,7 @@ impl Explanation {
             hazard.body_region,
             hazard.robot_link,
             hazard.ratio,
-            if hazard.class == Class::HeadContact { " (contact with the head is not allowed at all)" } else { "" }
+            if hazard.body_region.is_head() { " (contact with the head is not allowed at all)" } else { "" }
         );
         let mut say = |text: &str| out += &wrapped(text, "   ");
         let ([x, y], heading) = self.start;
@@ -210,19 +209,20 @@ impl Explanation {
             let state = if verified { "verified" } else { "not yet verified against the purchased standard" };
             *out += &wrapped_under("   from  ", &format!("{title}: {source}; {state}"));
         }
-        let _ = match hazard.class {
-            Class::Force => writeln!(
-                out,
-                "\n Safe below {:.2} m/s at this point: {:.0} % of the speed it has there",
-                hazard.safe_below_m_s,
-                100.0 * hazard.safe_below_m_s / hazard.speed_m_s
-            ),
-            Class::HeadContact => writeln!(
+        let _ = if region.is_head() {
+            writeln!(
                 out,
                 "\n No speed is safe: the head may only be met by a robot that stands. (The force would stay within {:.0} N \
                  below {:.2} m/s.)",
                 hazard.limit_n, hazard.safe_below_m_s
-            ),
+            )
+        } else {
+            writeln!(
+                out,
+                "\n Safe below {:.2} m/s at this point: {:.0} % of the speed it has there",
+                hazard.safe_below_m_s,
+                100.0 * hazard.safe_below_m_s / hazard.speed_m_s
+            )
         };
     }
 

@@ -64,7 +64,13 @@ pub fn write(recording: &Recording<'_>, to: impl Write + Seek) -> McapResult<()>
         .to_value();
     let scene = file.topic("/scene", "foxglove.SceneUpdate", &scene_schema)?;
     let curves = ["time_s", "force_ratio", "distance_m", "speed_m_s"].map(|name| (name, "number"));
-    let curves = file.topic("/hazard", "Hazard", &flat(curves.into_iter().chain([("action", "string")])))?;
+    let mut of_hazard = flat(curves.into_iter().chain([("action", "string")]));
+    // Nothing is known where the cell has no such link any more, and there is no action yet at the end of time.
+    for name in ["force_ratio", "speed_m_s", "action"] {
+        let kind = of_hazard["properties"][name]["type"].take();
+        of_hazard["properties"][name]["type"] = json!([kind, "null"]);
+    }
+    let curves = file.topic("/hazard", "Hazard", &of_hazard)?;
     let names = replay.sensors.iter().map(|strip| (strip.name.as_str(), "boolean"));
     let sensors = file.topic("/sensors", "Sensors", &flat(names))?;
     for frame in 0..replay.frames {

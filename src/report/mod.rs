@@ -8,6 +8,7 @@
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
 //! - [`page`]: the report that one looks at
 //! - [`explanation`]: a hazard in plain words and with all its numbers
+//! - [`inspection`]: what an FMU is, and what of it a scan could use
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
@@ -27,6 +28,7 @@ pub mod explanation;
 #[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;
+pub mod inspection;
 pub mod junit;
 #[cfg(feature = "mcap")]
 pub mod mcap;

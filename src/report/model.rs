@@ -88,6 +88,8 @@ pub struct Subject {
     pub cell_sha256: String,
     /// Path that was scanned, as given.
     pub path: String,
+    /// The cell file, if one was named beside the path.
+    pub cell_file: Option<String>,
     /// The FMUs, in the order in which they are stepped.
     pub fmus: Vec<FmuSubject>,
     /// What the connections between them do.

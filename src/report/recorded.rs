@@ -32,6 +32,8 @@ pub struct RecordedSubject {
     pub cell: String,
     /// Path that was scanned, as given.
     pub path: PathBuf,
+    /// The cell file, if one was named beside the path.
+    pub cell_file: Option<PathBuf>,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
     /// The FMUs.

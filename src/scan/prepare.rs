@@ -171,6 +171,7 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 /// # Errors
 /// [`PrepareError`].
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
+    let cell_file = cell.map(|cell| cell.display().to_string());
     let OpenedCell { cell, source, fmus, found } = open(path, cell)?;
     let text = source.text().to_owned();
     let (names, fmus): (Vec<String>, Vec<Fmu>) = fmus.into_iter().unzip();
@@ -219,6 +220,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
         path: path.display().to_string(),
+        cell_file,
         fmus: subjects,
         couplings,
     };

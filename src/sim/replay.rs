@@ -7,12 +7,12 @@ use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Plant, PlantError, Policy};
 use crate::human::action::Action;
-use crate::search::Environment as _;
+use crate::search::{End, Environment as _};
 
 /// Runs `actions` and returns the unsafe contact they lead to, if any.
 ///
 /// # Errors
-/// When the FMU cannot be started, or fails in a way that ends everything.
+/// When the FMU cannot be started, or cannot finish an action: what would come then is not known.
 pub fn replay<P: Plant>(
     cell: Arc<Workcell>,
     binding: Arc<Binding>,
@@ -23,9 +23,10 @@ pub fn replay<P: Plant>(
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
     simulation.reset()?;
     for action in actions {
-        let step = simulation.step(action.index())?;
-        if step.end.is_some() {
-            break;
+        match simulation.step(action.index())?.end {
+            Some(End::NotEvaluated) => return Err(simulation.not_evaluated()),
+            Some(_) => break,
+            None => {}
         }
     }
     Ok(simulation.take_findings().pop())

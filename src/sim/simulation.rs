@@ -182,6 +182,13 @@ impl<P: Plant> Simulation<P> {
         &self.faults
     }
 
+    /// Why the last action that the FMU could not finish was not evaluated.
+    #[must_use]
+    pub fn not_evaluated(&self) -> PlantError {
+        let why = self.faults.last().map_or("the FMU could not finish an action", |fault| &fault.message);
+        PlantError::of(why)
+    }
+
     /// The FMU's states and what reaching them cost.
     #[must_use]
     pub const fn recall(&self) -> &Recall<P> {

@@ -394,8 +394,12 @@ impl World {
         (taken, i): (usize, usize),
     ) -> Option<Finding> {
         let mut readings = readings.to_vec();
-        if let Some(curtain) = hit.broke {
-            readings[curtain] = true;
+        if let (Some(curtain), Some(since_s)) = (hit.broke, hit.since_s) {
+            // The first sample that told of it was taken a step after it was broken, and takes effect later still.
+            let delay = self.cell.sensors[curtain].delay_steps;
+            #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+            let reported = since_s / self.cell.step_s > delay as f64 + 1.5;
+            readings[curtain] |= reported;
         }
         let step = (taken - 1) * self.cell.steps_per_action + i + 1;
         #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]

@@ -74,6 +74,22 @@ iterations = 12
     )
 }
 
+/// The same cell with a robot that is longer and nearer to the person, so that it hurts, and a mat that covers one way to it
+/// only.
+pub fn nearer(cell: &str) -> String {
+    let mut nearer = cell.to_owned();
+    for (old, new) in [
+        ("to_m = [0.8, 0, 0]", "to_m = [1.4, 0, 0]"),
+        ("xy_m = [0, -1.6], heading_deg = 90", "xy_m = [0.9, 1.4], heading_deg = -90"),
+        ("[[-3, -0.9], [3, -0.9], [3, -0.5], [-3, -0.5]]", "[[-3, 0.8], [0.9, 0.8], [0.9, 1.2], [-3, 1.2]]"),
+        ("iterations = 12", "iterations = 30"),
+    ] {
+        assert!(nearer.contains(old), "the cell is another one");
+        nearer = nearer.replace(old, new);
+    }
+    nearer
+}
+
 /// Writes `text` to `dir/name` and returns the path.
 pub fn write(dir: &Path, name: &str, text: &str) -> PathBuf {
     let path = dir.join(name);

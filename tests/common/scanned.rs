@@ -9,7 +9,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 use super::hostile::{CELL, FMU, Hostile};
-use super::json;
+use super::{json, nearer};
 
 /// A folder to work in, with an FMU and its cell, and one for temporary files.
 pub struct Place {
@@ -39,17 +39,7 @@ impl Place {
         std::fs::create_dir(place.temporary()).expect("a folder can be made");
         hostile.write(&place.work());
         let cell = std::fs::read_to_string(place.work().join(CELL)).expect("the cell is there");
-        let mut nearer = cell.clone();
-        for (old, new) in [
-            ("to_m = [0.8, 0, 0]", "to_m = [1.4, 0, 0]"),
-            ("xy_m = [0, -1.6], heading_deg = 90", "xy_m = [0.9, 1.4], heading_deg = -90"),
-            ("[[-3, -0.9], [3, -0.9], [3, -0.5], [-3, -0.5]]", "[[-3, 0.8], [0.9, 0.8], [0.9, 1.2], [-3, 1.2]]"),
-            ("iterations = 12", "iterations = 30"),
-        ] {
-            assert!(nearer.contains(old), "the cell is another one");
-            nearer = nearer.replace(old, new);
-        }
-        std::fs::write(place.work().join(CELL), nearer).expect("a file can be written");
+        std::fs::write(place.work().join(CELL), nearer(&cell)).expect("a file can be written");
         place
     }
 
