@@ -16,7 +16,7 @@ function sequence(actions) {
 
 function what(hazard) {
   const text = `The robot's ${hazard.robot_link} meets the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(hazard.ratio)} the limit.`;
-  return hazard.class === "head_contact" ? `${text} A moving robot may not touch the head at all, whatever the force.` : text;
+  return words.isHead(hazard.body_region) ? `${text} A moving robot may not touch the head at all, whatever the force.` : text;
 }
 
 /** The facts about a hazard. */

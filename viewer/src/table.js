@@ -14,7 +14,7 @@ function columns({ decisionOf, worst, counted }) {
     ["hit by", (z) => z.robot_link, (z) => z.robot_link],
     ["force / limit", (z) => z.force_n, words.forceOfLimit, number],
     ["speed", (z) => z.speed_m_s, (z) => words.speed(z.speed_m_s), number],
-    ["safe below", (z) => z.safe_below_m_s, (z) => words.speed(z.safe_below_m_s), number],
+    ["safe below", (z) => z.safe_below_m_s, words.safeBelow, number],
     ["time", (z) => z.time_s, (z) => words.time(z.time_s), number],
     [counted ? "sequences" : "times found", (z) => Number(times(z)), (z) => words.grouped(times(z)), number],
     ["sensors at contact", (z) => words.sensors(z.sensors), (z) => words.sensors(z.sensors)],

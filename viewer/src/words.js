@@ -56,6 +56,14 @@ export function action(name) {
   return posture === undefined ? name : `${WALKS[walk] ?? walk}, ${POSTURES[posture] ?? posture}`;
 }
 
+/** Whether the region belongs to the head, which no moving robot may touch. */
+export const isHead = (region) => region === "skull_forehead" || region === "face";
+
+/** The speed below which the force stays within the limit; no speed is safe for a head. */
+export function safeBelow(hazard) {
+  return isHead(hazard.body_region) ? "none" : speed(hazard.safe_below_m_s);
+}
+
 /** Force and limit of a hazard; a moving robot may not touch a head at all, whatever the force. */
 export function forceOfLimit(hazard) {
   return `${force(hazard.force_n)} / ${hazard.class === "head_contact" ? "none allowed" : force(hazard.limit_n)}`;
