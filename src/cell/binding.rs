@@ -3,9 +3,11 @@
 
 use toml::Spanned;
 
-use super::error::{Source, nearest};
-use super::format::{ConnectionTable, FrameTable, Literal, RobotTable, SensorKind, VariableTable};
-use super::{CellError, Workcell};
+use super::error::{Problems, Source, nearest};
+use super::format::{
+    CellFile, ConnectionTable, FrameTable, Literal, RobotTable, SensorKind, SensorTable, VariableTable,
+};
+use super::CellError;
 use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
 use crate::host::port::{Port, PortKind};
 use crate::host::system::{Connection, SystemSetup, UnitPort};
@@ -138,93 +140,70 @@ pub struct BoundUnit<'a> {
 
 struct Binder<'a> {
     source: &'a Source,
+    problems: &'a Problems,
     units: &'a [BoundUnit<'a>],
     outputs: Vec<UnitPort>,
     warnings: Vec<String>,
 }
 
-/// Binds `cell` to its FMUs.
+/// Binds what `file` names to its FMUs.
 ///
 /// # Errors
-/// The first name, type or unit that does not fit, with its line in the cell file.
-pub fn bind(cell: &Workcell, source: &Source, units: &[BoundUnit<'_>]) -> Result<Binding, Box<CellError>> {
-    let mut b = Binder { source, units, outputs: Vec::new(), warnings: Vec::new() };
-    let file = &cell.file;
-    let robots = file.robots.iter().map(|robot| b.robot(robot)).collect::<Result<Vec<_>, _>>()?;
+/// All names, types and units that do not fit, each with its line in the cell file.
+pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result<Binding, Box<CellError>> {
+    let problems = &Problems::default();
+    let mut b = Binder { source, problems, units, outputs: Vec::new(), warnings: Vec::new() };
+    let robots = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
     let mut inputs: Vec<UnitPort> = Vec::new();
-    let mut sensors: Vec<SensorBinding> = Vec::new();
+    let mut sensors: Vec<Option<SensorBinding>> = Vec::new();
     for (number, sensor) in file.sensors.iter().enumerate() {
-        if sensor.kind == SensorKind::Reported {
-            sensors.push(SensorBinding::Output(b.whole_number(&sensor.variable, "a reported sensor")?));
-            continue;
-        }
-        let port = b.input(&sensor.variable, Some(PortKind::Boolean))?;
-        let index = inputs.iter().position(|p| *p == port).unwrap_or(inputs.len());
-        if index == inputs.len() {
-            inputs.push(port);
-        }
+        let binding = problems.keep(b.sensor(sensor, &mut inputs));
         let twin = (0..number).find(|&other| {
-            sensors[other] == SensorBinding::Input(index) && file.sensors[other].active != sensor.active
+            matches!(binding, Some(SensorBinding::Input(_)))
+                && sensors[other] == binding
+                && file.sensors[other].active != sensor.active
         });
         if let Some(other) = twin {
-            let message = format!(
-                "sensors `{}` and `{}` drive one input with opposite polarity",
-                file.sensors[other].name, sensor.name
-            );
-            return Err(source.error(sensor.variable.span(), "here", message, None));
+            let (one, two) = (&file.sensors[other].name, &sensor.name);
+            let message = format!("sensors `{one}` and `{two}` drive one input with opposite polarity");
+            let help = Some("give both the same `active`, or each an input of its own".to_owned());
+            let _ = problems.keep(Err::<(), _>(source.error(sensor.variable.span(), "here", message, help)));
         }
-        sensors.push(SensorBinding::Input(index));
+        sensors.push(binding);
     }
     let sensor_inputs = inputs.len();
     for name in file.pose.values() {
-        let port = b.input(name, Some(PortKind::Real))?;
-        b.driven_once(name, &port, &inputs)?;
-        inputs.push(port);
+        let port = b.input(name, Some(PortKind::Real));
+        inputs.extend(problems.keep(port.and_then(|port| b.driven_once(name, port, &inputs))));
     }
     let mut constants = Vec::new();
     for (name, literal) in &file.inputs {
-        let name = &named(name, literal);
-        let literal = literal.get_ref();
-        let port = b.input(name, None)?;
-        b.driven_once(name, &port, &inputs)?;
-        let value = b.literal(name, &port.port, *literal)?;
-        b.within_limits(&port, value);
-        constants.push(value);
-        inputs.push(port);
-    }
-    let mut parameters = Vec::new();
-    for (name, literal) in &file.parameters {
-        let name = &named(name, literal);
-        let literal = literal.get_ref();
-        let (unit, variable) = b.find(name)?;
-        if variable.causality != Causality::Parameter {
-            let message = format!("`{}` is not a parameter of {}", name.get_ref(), b.units[unit].file);
-            return Err(source.error(name.span(), "here", message, Some("inputs belong under [inputs]".to_owned())));
+        if let Some((port, value)) = problems.keep(b.constant(&named(name, literal), *literal.get_ref(), &inputs)) {
+            constants.push(value);
+            inputs.push(port);
         }
-        let port = b.port(name, unit, variable)?;
-        let value = b.literal(name, &port.port, *literal)?;
-        b.within_limits(&port, value);
-        parameters.push((port, value));
     }
+    let parameters = file.parameters.iter();
+    let parameters =
+        problems.keep_all(parameters.map(|(name, literal)| b.parameter(&named(name, literal), *literal.get_ref())));
     let mut connections: Vec<Connection> = Vec::new();
     for table in &file.connections {
-        let connection = b.connection(table)?;
         let taken: Vec<UnitPort> = connections.iter().map(|c| c.to.clone()).chain(inputs.iter().cloned()).collect();
-        b.driven_once(&table.to, &connection.to, &taken)?;
-        connections.push(connection);
+        connections.extend(problems.keep(b.connection(table, &taken)));
     }
-    b.not_written_and_read(&inputs)?;
-    Ok(Binding {
+    let _ = problems.keep(b.not_written_and_read(&inputs));
+    let binding = Binding {
         parameters,
         inputs,
-        sensors,
+        sensors: sensors.into_iter().flatten().collect(),
         sensor_inputs,
         constants,
         outputs: b.outputs,
         connections,
         robots,
         warnings: b.warnings,
-    })
+    };
+    problems.take_or(binding)
 }
 
 impl Binding {
@@ -257,30 +236,72 @@ impl<'a> Binder<'a> {
         }
     }
 
-    fn robot(&mut self, table: &Spanned<RobotTable>) -> Result<RobotBinding, Box<CellError>> {
-        let robot = table.get_ref();
+    /// Where a sensor's reading goes to or comes from; a new input joins `inputs`.
+    fn sensor(&mut self, sensor: &SensorTable, inputs: &mut Vec<UnitPort>) -> Result<SensorBinding, Box<CellError>> {
+        if sensor.kind == SensorKind::Reported {
+            return Ok(SensorBinding::Output(self.whole_number(&sensor.variable, "a reported sensor")?));
+        }
+        let port = self.input(&sensor.variable, Some(PortKind::Boolean))?;
+        let index = inputs.iter().position(|p| *p == port).unwrap_or(inputs.len());
+        if index == inputs.len() {
+            inputs.push(port);
+        }
+        Ok(SensorBinding::Input(index))
+    }
+
+    /// An input that is held constant.
+    fn constant(
+        &mut self,
+        name: &Spanned<String>,
+        literal: Literal,
+        taken: &[UnitPort],
+    ) -> Result<(UnitPort, f64), Box<CellError>> {
+        let port = self.input(name, None)?;
+        let port = self.driven_once(name, port, taken)?;
+        let value = self.literal(name, &port.port, literal)?;
+        self.within_limits(&port, value);
+        Ok((port, value))
+    }
+
+    fn parameter(&mut self, name: &Spanned<String>, literal: Literal) -> Result<(UnitPort, f64), Box<CellError>> {
+        let (unit, variable) = self.find(name)?;
+        if variable.causality != Causality::Parameter {
+            let message = format!("`{}` is not a parameter of {}", name.get_ref(), self.units[unit].file);
+            let help = Some("inputs belong under [inputs]".to_owned());
+            return Err(self.source.error(name.span(), "here", message, help));
+        }
+        let port = self.port(name, unit, variable)?;
+        let value = self.literal(name, &port.port, literal)?;
+        self.within_limits(&port, value);
+        Ok((port, value))
+    }
+
+    fn robot(&mut self, table: &Spanned<RobotTable>) -> Option<RobotBinding> {
+        let (robot, problems) = (table.get_ref(), self.problems);
         let motion = if robot.frames.is_empty() {
-            let mut angles = Vec::new();
-            let mut speeds = Vec::new();
-            for joint in &robot.joints {
-                angles.push(self.reader(&joint.angle, Quantity::Angle)?);
-                speeds.push(self.reader(&joint.speed, Quantity::AngularSpeed)?);
-            }
-            MotionBinding::Joints { angles, speeds }
+            let angles = robot.joints.iter().map(|joint| self.reader(&joint.angle, Quantity::Angle));
+            let angles = problems.keep_all(angles);
+            let speeds = robot.joints.iter().map(|joint| self.reader(&joint.speed, Quantity::AngularSpeed));
+            MotionBinding::Joints { angles, speeds: problems.keep_all(speeds) }
         } else {
-            MotionBinding::Frames(robot.frames.iter().map(|f| self.frame(f)).collect::<Result<_, _>>()?)
+            MotionBinding::Frames(problems.keep_all(robot.frames.iter().map(|f| self.frame(f))))
         };
-        let payload = match (&robot.payload_kg, &robot.payload) {
-            (Some(kg), None) => Reader { terms: Vec::new(), offset: *kg.get_ref() },
-            (None, Some(table)) => self.reader(table, Quantity::Mass)?,
+        let payload = problems.keep(self.payload(table));
+        let phase = robot.phase.as_ref().map(|name| self.whole_number(name, "the programme phase")).transpose();
+        Some(RobotBinding { motion, payload: payload?, phase: problems.keep(phase)? })
+    }
+
+    fn payload(&mut self, table: &Spanned<RobotTable>) -> Result<Reader, Box<CellError>> {
+        let robot = table.get_ref();
+        match (&robot.payload_kg, &robot.payload) {
+            (Some(kg), None) => Ok(Reader { terms: Vec::new(), offset: *kg.get_ref() }),
+            (None, Some(table)) => self.reader(table, Quantity::Mass),
             _ => {
                 let message = "the robot needs either `payload_kg` (a number) or `payload` (an FMU output)";
                 let help = Some("a robot that carries nothing has payload_kg = 0".to_owned());
-                return Err(self.source.error(table.span(), "this robot", message, help));
+                Err(self.source.error(table.span(), "this robot", message, help))
             }
-        };
-        let phase = robot.phase.as_ref().map(|name| self.whole_number(name, "the programme phase")).transpose()?;
-        Ok(RobotBinding { motion, payload, phase })
+        }
     }
 
     fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {
@@ -305,7 +326,7 @@ impl<'a> Binder<'a> {
         Ok(readers)
     }
 
-    fn connection(&self, table: &ConnectionTable) -> Result<Connection, Box<CellError>> {
+    fn connection(&self, table: &ConnectionTable, taken: &[UnitPort]) -> Result<Connection, Box<CellError>> {
         let (unit, variable) = self.readable(&table.from)?;
         let from = self.port(&table.from, unit, variable)?;
         let to = self.input(&table.to, Some(from.port.kind))?;
@@ -323,13 +344,19 @@ impl<'a> Binder<'a> {
             let help = Some("connect variables of one unit".to_owned());
             return Err(self.source.error(table.to.span(), "here", message, help));
         }
+        let to = self.driven_once(&table.to, to, taken)?;
         Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps) })
     }
 
     /// Refuses an input that something else drives already.
-    fn driven_once(&self, name: &Spanned<String>, port: &UnitPort, taken: &[UnitPort]) -> Result<(), Box<CellError>> {
-        if !taken.contains(port) {
-            return Ok(());
+    fn driven_once(
+        &self,
+        name: &Spanned<String>,
+        port: UnitPort,
+        taken: &[UnitPort],
+    ) -> Result<UnitPort, Box<CellError>> {
+        if !taken.contains(&port) {
+            return Ok(port);
         }
         let message = format!("`{}` is driven by two things at once", name.get_ref());
         let help = Some("a sensor, the pose, a constant or a connection: remove one of the two".to_owned());

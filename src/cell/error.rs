@@ -1,5 +1,6 @@
 //! Errors of the cell file: what is wrong, where, and what to do. Shown once, with the line of the file.
 
+use std::cell::RefCell;
 use std::ops::Range;
 use std::path::Path;
 
@@ -23,9 +24,32 @@ pub struct CellError {
     /// What to do.
     #[help]
     pub help: Option<String>,
+    /// Further problems of the same file, in its order.
+    #[related]
+    pub others: Vec<CellError>,
 }
 
 impl CellError {
+    /// This problem and `others` as one, in the order of the file, each once.
+    #[must_use]
+    pub fn and(mut self: Box<Self>, others: impl IntoIterator<Item = Box<Self>>) -> Box<Self> {
+        let mut all = std::mem::take(&mut self.others);
+        all.push(*self);
+        for mut other in others {
+            all.append(&mut other.others);
+            all.push(*other);
+        }
+        all.sort_by_key(|problem| problem.span.map_or(0, |span| span.offset()));
+        all.dedup_by(|a, b| a.message == b.message && a.span == b.span);
+        let first = all.remove(0);
+        Box::new(Self { others: all, ..first })
+    }
+
+    /// This problem and the others, in the order of the file.
+    pub fn each(&self) -> impl Iterator<Item = &Self> {
+        std::iter::once(self).chain(&self.others)
+    }
+
     /// Line of the problem, counted from 1, when it has one.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
@@ -82,6 +106,7 @@ impl Source {
             span,
             label: label.to_owned(),
             help,
+            others: Vec::new(),
         })
     }
 
@@ -91,6 +116,31 @@ impl Source {
         let message = error.message().to_owned();
         let help = did_you_mean(&message);
         self.error(error.span().unwrap_or(0..0), "here", message, help)
+    }
+}
+
+/// Problems met so far: checks go on behind a mistake, so that all are told at once.
+#[derive(Debug, Default)]
+pub(super) struct Problems(RefCell<Vec<Box<CellError>>>);
+
+impl Problems {
+    /// The value of `result`, or nothing and its problem is remembered.
+    pub(super) fn keep<T>(&self, result: Result<T, Box<CellError>>) -> Option<T> {
+        result.map_err(|problem| self.0.borrow_mut().push(problem)).ok()
+    }
+
+    /// What of `results` is well; the problems of the others are remembered.
+    pub(super) fn keep_all<T>(&self, results: impl IntoIterator<Item = Result<T, Box<CellError>>>) -> Vec<T> {
+        results.into_iter().filter_map(|result| self.keep(result)).collect()
+    }
+
+    /// `value` if there was no problem.
+    ///
+    /// # Errors
+    /// All problems together.
+    pub(super) fn take_or<T>(&self, value: T) -> Result<T, Box<CellError>> {
+        let mut all = self.0.take();
+        all.pop().map_or(Ok(value), |last| Err(last.and(all)))
     }
 }
 

@@ -13,25 +13,26 @@ use crate::geometry::{Capsule, Hull, Solid, Vec3};
 
 impl Checker<'_> {
     /// All robots, and their links one robot after the other.
-    pub(super) fn robots(&self, file: &CellFile) -> Result<(Vec<Robot>, Vec<Link>), Box<CellError>> {
-        self.that(!file.robots.is_empty(), 0..0, || {
+    pub(super) fn robots(&self, file: &CellFile) -> (Vec<Robot>, Vec<Link>) {
+        let _ = self.problems.keep(self.that(!file.robots.is_empty(), 0..0, || {
             ("the cell has no robot".to_owned(), "add a [[robot]] table".to_owned())
-        })?;
+        }));
         let (mut robots, mut links) = (Vec::new(), Vec::new());
         for (number, table) in file.robots.iter().enumerate() {
             let name = &table.get_ref().name;
-            self.that(file.robots[..number].iter().all(|other| other.get_ref().name != *name), table.span(), || {
+            let alone = file.robots[..number].iter().all(|other| other.get_ref().name != *name);
+            let _ = self.problems.keep(self.that(alone, table.span(), || {
                 (format!("two robots are called `{name}`"), "give each robot its own name".to_owned())
-            })?;
-            robots.push(self.robot(table)?);
-            for mut link in self.links(table, number)? {
+            }));
+            robots.extend(self.problems.keep(self.robot(table)));
+            for mut link in self.links(table, number) {
                 if file.robots.len() > 1 {
                     link.name = format!("{} {}", table.get_ref().name, link.name);
                 }
                 links.push(link);
             }
         }
-        Ok((robots, links))
+        (robots, links)
     }
 
     fn robot(&self, table: &Spanned<RobotTable>) -> Result<Robot, Box<CellError>> {
@@ -62,7 +63,7 @@ impl Checker<'_> {
             world_from_base: pose(&robot.base),
             chain: if robot.joints.is_empty() { None } else { Some(self.chain(robot)?) },
             moving_mass_kg: *mass.get_ref(),
-            mass_line: self.0.line(mass.span().start),
+            mass_line: self.source.line(mass.span().start),
         })
     }
 
@@ -82,17 +83,17 @@ impl Checker<'_> {
         Ok(KinematicChain { world_from_base: pose(&robot.base), joints })
     }
 
-    fn links(&self, table: &Spanned<RobotTable>, number: usize) -> Result<Vec<Link>, Box<CellError>> {
+    fn links(&self, table: &Spanned<RobotTable>, number: usize) -> Vec<Link> {
         let robot = table.get_ref();
-        self.that(!robot.links.is_empty(), table.span(), || {
+        let _ = self.problems.keep(self.that(!robot.links.is_empty(), table.span(), || {
             (
                 "the cell has no robot geometry: without link shapes nothing can be hit".to_owned(),
                 "add [[robot.link]] tables with a `capsule` or `hull_m` each".to_owned(),
             )
-        })?;
+        }));
         let joints = robot.joints.iter().map(|j| j.name.get_ref().as_str());
         let movers: Vec<&str> = joints.chain(robot.frames.iter().map(|f| f.name.get_ref().as_str())).collect();
-        robot.links.iter().map(|link| self.link(link, number, &movers)).collect()
+        self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &movers)))
     }
 
     fn link(&self, link: &LinkTable, robot: usize, movers: &[&str]) -> Result<Link, Box<CellError>> {
@@ -102,7 +103,7 @@ impl Checker<'_> {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => format!("the joints or frames are {}", movers.join(", ")),
             };
-            return Err(self.0.error(link.joint.span(), "here", format!("there is no joint `{wanted}`"), Some(help)));
+            return Err(self.source.error(link.joint.span(), "here", format!("there is no joint `{wanted}`"), Some(help)));
         };
         let span = link.joint.span();
         let shape = match (&link.capsule, &link.hull_m) {
@@ -111,16 +112,16 @@ impl Checker<'_> {
                 let list: Vec<Vec3> = points.get_ref().iter().map(|p| Vec3::from_array(*p)).collect();
                 let hull = Hull::from_points(&list).ok_or_else(|| {
                     let help = "give at least four corner points that are not in one plane".to_owned();
-                    self.0.error(points.span(), "here", "these points have no convex hull with volume", Some(help))
+                    self.source.error(points.span(), "here", "these points have no convex hull with volume", Some(help))
                 })?;
                 Solid::Hull(hull)
             }
             _ => {
                 let message = format!("link `{}` needs one shape: either `capsule` or `hull_m`", link.name);
-                return Err(self.0.error(span, "in this link", message, None));
+                return Err(self.source.error(span, "in this link", message, None));
             }
         };
-        Ok(Link { name: link.name.clone(), robot, joint, shape, line: self.0.line(span.start) })
+        Ok(Link { name: link.name.clone(), robot, joint, shape, line: self.source.line(span.start) })
     }
 
     fn capsule(&self, table: &CapsuleTable, span: &Range<usize>) -> Result<Capsule, Box<CellError>> {

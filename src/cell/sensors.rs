@@ -12,14 +12,14 @@ const MAX_DELAY_STEPS: usize = 63;
 
 impl Checker<'_> {
     /// All sensors.
-    pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Result<Vec<Sensor>, Box<CellError>> {
+    pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Vec<Sensor> {
         for (number, s) in file.sensors.iter().enumerate() {
             let alone = file.sensors[..number].iter().all(|other| other.name != s.name);
-            self.that(alone, s.variable.span(), || {
+            let _ = self.problems.keep(self.that(alone, s.variable.span(), || {
                 (format!("two sensors are called `{}`", s.name), "give each sensor its own name".to_owned())
-            })?;
+            }));
         }
-        file.sensors.iter().map(|s| self.sensor(s, step_s)).collect()
+        self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)))
     }
 
     fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
@@ -28,12 +28,12 @@ impl Checker<'_> {
             (SensorKind::Reported, None) => Zone::Reported,
             (SensorKind::Reported, Some(zone)) => {
                 let message = format!("sensor `{}` is inside the FMU and has no zone here", s.name);
-                return Err(self.0.error(zone.span(), "here", message, Some("remove the zone".to_owned())));
+                return Err(self.source.error(zone.span(), "here", message, Some("remove the zone".to_owned())));
             }
             (_, None) => {
                 let message = format!("sensor `{}` has no zone", s.name);
                 let help = Some("add zone = { polygon_m = [[x, y], ...] }, or line_m for a light curtain".to_owned());
-                return Err(self.0.error(span, "for this sensor", message, help));
+                return Err(self.source.error(span, "for this sensor", message, help));
             }
             (SensorKind::Mat, Some(zone)) => Zone::Mat(self.polygon(s, zone)?),
             (SensorKind::ScannerField, Some(zone)) => {
@@ -80,7 +80,7 @@ impl Checker<'_> {
         let (Some([from, to]), Some([low, high])) = (zone.get_ref().line_m, zone.get_ref().heights_m) else {
             let message = format!("light curtain `{}` needs `line_m` and `heights_m`", s.name);
             let help = Some("zone = { line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }".to_owned());
-            return Err(self.0.error(zone.span(), "here", message, help));
+            return Err(self.source.error(zone.span(), "here", message, help));
         };
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = libm::hypot(dx, dy);

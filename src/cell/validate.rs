@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use super::CellError;
-use super::error::Source;
-use super::format::{CellFile, FailOnTable, PoseQuantity, PoseTable, SearchTable, Sex};
+use super::error::{Problems, Source};
+use super::format::{CellFile, FailOnTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex};
 use crate::geometry::chain::KinematicChain;
 use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
@@ -115,49 +116,86 @@ pub enum Zone {
     Reported,
 }
 
+impl Workcell {
+    /// The file's tables, for binding variables.
+    #[must_use]
+    pub const fn file(&self) -> &CellFile {
+        &self.file
+    }
+}
+
 /// The baseline's file unless the cell names another.
 pub const BASELINE: &str = "baseline.json";
 
 /// Reads and checks a cell file.
 ///
 /// # Errors
-/// The first mistake, with its line.
+/// All mistakes together, each with its line.
 pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
-    let file: CellFile = toml::from_str(source.text()).map_err(|e| source.parse_error(&e))?;
-    let check = Checker(source);
-    check.that(*file.schema.get_ref() == 1, file.schema.span(), || {
-        (
-            format!("cell format {} is not known to this version", file.schema.get_ref()),
-            "this version reads `schema = 1`".to_owned(),
-        )
-    })?;
-    let (step_s, steps_per_action) = check.step(&file)?;
-    let fmus = check.fmus(&file)?;
-    let (robots, links) = check.robots(&file)?;
-    let sensors = check.sensors(&file, step_s)?;
-    let obstacles = check.obstacles(&file)?;
-    let start = file.human.start.get_ref();
-    check.finite(&[start.xy_m[0], start.xy_m[1], start.heading_deg], &file.human.start.span(), "the start pose")?;
-    let body = check.body(&file)?;
-    check.search(&file.search)?;
-    let baseline = check.baseline(&file.fail_on)?;
-    Ok(Workcell {
-        name: file.name.clone(),
-        sha256: source.sha256(),
-        fmus,
-        step_s,
-        steps_per_action,
-        robots,
-        links,
-        obstacles,
-        sensors,
-        pose: file.pose.keys().copied().collect(),
-        start: Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg),
-        body,
-        search: file.search,
-        baseline,
-        file,
+    check(source, parse(source)?)
+}
+
+/// Reads a cell file's tables.
+///
+/// # Errors
+/// What is no TOML or of another type, and all unknown keys before it.
+pub fn parse(source: &Source) -> Result<CellFile, Box<CellError>> {
+    let unknown = Problems::default();
+    let mut text = source.text().to_owned();
+    loop {
+        let error = match toml::from_str(&text) {
+            Ok(file) => return unknown.take_or(file),
+            Err(error) => error,
+        };
+        let problem = source.parse_error(&error);
+        match without_unknown_key(&text, &error) {
+            Some(rest) => text = rest,
+            None => return Err(problem.and(unknown.take_or(()).err())),
+        }
+        let _ = unknown.keep(Err::<(), _>(problem));
+    }
+}
+
+/// `text` with the unknown key that is complained about blanked out, if it stands on a line of its own.
+fn without_unknown_key(text: &str, error: &toml::de::Error) -> Option<String> {
+    let span = error.span().filter(|_| error.message().starts_with("unknown field"))?;
+    let before = text.get(..span.start)?;
+    let line = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let table = DeTable::parse(text).ok()?;
+    let end = value_of(table.get_ref(), span.start)?;
+    if !before[line..].trim().is_empty() || end < span.end {
+        return None;
+    }
+    let blank = text[span.start..end].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
+    Some(format!("{before}{}{}", blank.collect::<String>(), &text[end..]))
+}
+
+/// Where the value ends whose key begins at `key`.
+fn value_of(table: &DeTable<'_>, key: usize) -> Option<usize> {
+    table.iter().find_map(|(name, value)| {
+        if name.span().start == key {
+            return Some(value.span().end);
+        }
+        in_value(value.get_ref(), key)
     })
+}
+
+fn in_value(value: &DeValue<'_>, key: usize) -> Option<usize> {
+    match value {
+        DeValue::Table(table) => value_of(table, key),
+        DeValue::Array(list) => list.iter().find_map(|item| in_value(item.get_ref(), key)),
+        _ => None,
+    }
+}
+
+/// Checks what a cell file says.
+///
+/// # Errors
+/// All mistakes together, each with its line.
+pub fn check(source: &Source, file: CellFile) -> Result<Workcell, Box<CellError>> {
+    let check = Checker { source, problems: Problems::default() };
+    let cell = check.workcell(file);
+    check.problems.take_or(cell).map(|cell| cell.expect("nothing is missing without a problem"))
 }
 
 pub(super) fn pose(table: &PoseTable) -> Pose {
@@ -171,15 +209,60 @@ fn roll_pitch_yaw(deg: [f64; 3]) -> Rotation {
 }
 
 /// Checks with the file at hand, so that each mistake can be shown where it stands.
-pub(super) struct Checker<'a>(pub(super) &'a Source);
+pub(super) struct Checker<'a> {
+    pub(super) source: &'a Source,
+    pub(super) problems: Problems,
+}
 
 impl Checker<'_> {
+    /// The cell; nothing if there were problems that leave a gap.
+    fn workcell(&self, file: CellFile) -> Option<Workcell> {
+        let known = self.that(*file.schema.get_ref() == 1, file.schema.span(), || {
+            (
+                format!("cell format {} is not known to this version", file.schema.get_ref()),
+                "this version reads `schema = 1`".to_owned(),
+            )
+        });
+        let known = self.problems.keep(known);
+        let step = self.problems.keep(self.step(&file));
+        let fmus = self.problems.keep(self.fmus(&file));
+        let robots = self.robots(&file);
+        let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
+        let obstacles = self.obstacles(&file);
+        let start = file.human.start.get_ref();
+        let place = [start.xy_m[0], start.xy_m[1], start.heading_deg];
+        let finite = self.problems.keep(self.finite(&place, &file.human.start.span(), "the start pose"));
+        let start = Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg);
+        let body = self.problems.keep(self.body(&file));
+        let budget = self.problems.keep(self.search(&file.search));
+        let baseline = self.problems.keep(self.baseline(&file.fail_on));
+        let ((), (), ()) = (known?, finite?, budget?);
+        let ((step_s, steps_per_action), (robots, links)) = (step?, robots);
+        Some(Workcell {
+            name: file.name.clone(),
+            sha256: self.source.sha256(),
+            fmus: fmus?,
+            step_s,
+            steps_per_action,
+            robots,
+            links,
+            obstacles,
+            sensors,
+            pose: file.pose.keys().copied().collect(),
+            start,
+            body: body?,
+            search: file.search,
+            baseline: baseline?,
+            file,
+        })
+    }
+
     fn baseline(&self, table: &FailOnTable) -> Result<Option<String>, Box<CellError>> {
         match (&table.baseline, table.new_only) {
             (None, false) => Ok(None),
             (None, true) => Ok(Some(BASELINE.to_owned())),
             (Some(path), true) => Ok(Some(path.get_ref().clone())),
-            (Some(path), false) => Err(self.0.error(
+            (Some(path), false) => Err(self.source.error(
                 path.span(),
                 "never read",
                 "a baseline is named, and every hazard makes a scan fail all the same",
@@ -198,7 +281,7 @@ impl Checker<'_> {
             return Ok(());
         }
         let (message, help) = say();
-        Err(self.0.error(span, "here", message, Some(help)))
+        Err(self.source.error(span, "here", message, Some(help)))
     }
 
     pub(super) fn positive(&self, value: f64, span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
@@ -232,7 +315,7 @@ impl Checker<'_> {
         if let (Some(fmu), Some(unit)) = (&file.fmu, file.units.first()) {
             let message = "the cell names one FMU with `fmu` and others with `unit`";
             let help = Some(format!("make `{}` a unit as well, or remove it", fmu.get_ref()));
-            return Err(self.0.error(unit.span(), "here", message, help));
+            return Err(self.source.error(unit.span(), "here", message, help));
         }
         for (i, unit) in file.units.iter().enumerate() {
             let name = &unit.get_ref().name;
@@ -248,18 +331,18 @@ impl Checker<'_> {
         Ok(only.chain(units.map(|u| UnitFile { name: u.name.clone(), path: u.fmu.clone() })).collect())
     }
 
-    fn obstacles(&self, file: &CellFile) -> Result<Vec<(String, Cuboid)>, Box<CellError>> {
-        let mut all = Vec::with_capacity(file.obstacles.len());
-        for o in &file.obstacles {
-            for edge in o.size_m.get_ref() {
-                self.positive(*edge, &o.size_m.span(), &format!("each edge of obstacle `{}`", o.name))?;
-            }
-            let centre = Vec3::from_array(o.centre_m);
-            self.finite(&o.centre_m, &o.size_m.span(), &format!("the centre of obstacle `{}`", o.name))?;
-            let half = Vec3::from_array(*o.size_m.get_ref()) * 0.5;
-            all.push((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg) }));
+    fn obstacles(&self, file: &CellFile) -> Vec<(String, Cuboid)> {
+        self.problems.keep_all(file.obstacles.iter().map(|o| self.obstacle(o)))
+    }
+
+    fn obstacle(&self, o: &ObstacleTable) -> Result<(String, Cuboid), Box<CellError>> {
+        for edge in o.size_m.get_ref() {
+            self.positive(*edge, &o.size_m.span(), &format!("each edge of obstacle `{}`", o.name))?;
         }
-        Ok(all)
+        let centre = Vec3::from_array(o.centre_m);
+        self.finite(&o.centre_m, &o.size_m.span(), &format!("the centre of obstacle `{}`", o.name))?;
+        let half = Vec3::from_array(*o.size_m.get_ref()) * 0.5;
+        Ok((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg) }))
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {
@@ -270,7 +353,7 @@ impl Checker<'_> {
             95 => Percentile::P95,
             other => {
                 let message = format!("body measures are known for percentiles 5, 50 and 95, not {other}");
-                return Err(self.0.error(h.percentile.span(), "here", message, None));
+                return Err(self.source.error(h.percentile.span(), "here", message, None));
             }
         };
         let sex = match h.sex {
@@ -283,7 +366,7 @@ impl Checker<'_> {
             bend_forward_deg: h.bend_forward_deg,
             bend_lateral_deg: h.bend_lateral_deg,
         };
-        Body::new(&measures).map_err(|e| self.0.error(h.start.span(), "for this person", e.to_string(), None))
+        Body::new(&measures).map_err(|e| self.source.error(h.start.span(), "for this person", e.to_string(), None))
     }
 
     fn search(&self, s: &SearchTable) -> Result<(), Box<CellError>> {

@@ -242,7 +242,7 @@ fn fit(cell: Workcell, source: &CellSource, names: &[String], fmus: &[Fmu]) -> R
     let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let unit = |(name, fmu)| BoundUnit { name, description: Fmu::description(fmu), file: file(fmu) };
     let units: Vec<BoundUnit<'_>> = names.iter().map(String::as_str).zip(fmus).map(unit).collect();
-    let binding = binding::bind(&cell, source, &units)?;
+    let binding = binding::bind(cell.file(), source, &units)?;
     let (cell, binding) = (Arc::new(cell), Arc::new(binding));
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
