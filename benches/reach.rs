@@ -7,8 +7,8 @@
 use std::sync::LazyLock;
 
 use divan::{Bencher, black_box};
-use fmi_hazard::geometry::chain::Neighbourhood;
 use fmi_hazard::geometry::distance::segment_segment;
+use fmi_hazard::geometry::kinematics::Neighbourhood;
 use fmi_hazard::geometry::segment_cuboid::{segment_cuboid, segment_hits_cuboid};
 use fmi_hazard::geometry::{Capsule, Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use fmi_hazard::human::Side;

@@ -20,6 +20,12 @@ pub struct Example {
 
 include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 
+/// Descriptions of public robots: name and content. Their sources and licences are in them.
+pub const ROBOTS: [(&str, &[u8]); 2] = [
+    ("ur10e.urdf", include_bytes!("../scenarios/robots/ur10e.urdf")),
+    ("lbr_iiwa14_r820.urdf", include_bytes!("../scenarios/robots/lbr_iiwa14_r820.urdf")),
+];
+
 /// All example cells, in a fixed order.
 pub fn all() -> &'static [Example] {
     EXAMPLES
@@ -49,7 +55,21 @@ impl Example {
     }
 }
 
-/// Writes all examples as [`Example::export`] does.
+/// Writes [`ROBOTS`] to `<dir>/robots` and returns the paths written.
+///
+/// # Errors
+/// Whatever the file system says, with the path.
+pub fn export_robots(dir: &Path) -> io::Result<Vec<PathBuf>> {
+    let folder = dir.join("robots");
+    std::fs::create_dir_all(&folder).map_err(|error| naming(&folder, &error))?;
+    let write = |(name, content): &(&str, &[u8])| {
+        let path = folder.join(name);
+        std::fs::write(&path, content).map_err(|error| naming(&path, &error)).map(|()| path)
+    };
+    ROBOTS.iter().map(write).collect()
+}
+
+/// Writes all examples as [`Example::export`] does, and the robots.
 ///
 /// # Errors
 /// Whatever the file system says, with the path.
@@ -58,6 +78,7 @@ pub fn export(dir: &Path) -> io::Result<Vec<PathBuf>> {
     for example in all() {
         written.extend(example.export(dir)?);
     }
+    written.extend(export_robots(dir)?);
     Ok(written)
 }
 

@@ -217,7 +217,7 @@ fn units_that_fit_are_converted() {
         let (name, fmu) = &opened.fmus[0];
         let unit = BoundUnit { name, description: fmu.description(), file: "x.fmu".to_owned() };
         let binding = bind(opened.cell.file(), &opened.source, &[unit]).unwrap();
-        let MotionBinding::Joints { angles, speeds } = &binding.robots[0].motion else { panic!("joints") };
+        let MotionBinding::Joints { positions: angles, speeds } = &binding.robots[0].motion else { panic!("joints") };
         // All outputs one: what is read is the factor.
         let ones = vec![1.0; binding.outputs.len()];
         let read = [angles[0].read(&ones), speeds[0].read(&ones), binding.robots[0].payload.read(&ones)];

@@ -1,14 +1,17 @@
 //! Names in the cell file to variables of the FMU: existence, direction, type and unit are checked, and each quantity
 //! the simulation needs becomes a [`Reader`] over the FMU's bound outputs.
 
+use std::borrow::Cow;
+
 use toml::Spanned;
 
+use super::CellError;
 use super::error::{Problems, Source, nearest};
 use super::format::{
-    CellFile, ConnectionTable, FrameTable, Literal, RobotTable, SensorKind, SensorTable, VariableTable,
+    CellFile, ConnectionTable, FrameTable, JointTable, Literal, RobotTable, SensorKind, SensorTable, VariableTable,
 };
-use super::CellError;
 use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
+use crate::geometry::{Matrix3, Rotation, Vec3};
 use crate::host::port::{Port, PortKind};
 use crate::host::system::{Connection, SystemSetup, UnitPort};
 
@@ -27,6 +30,8 @@ pub struct Binding {
     pub constants: Vec<f64>,
     /// Outputs read after every step.
     pub outputs: Vec<UnitPort>,
+    /// What is worked out from them, and follows them in each row.
+    pub derived: Vec<Derived>,
     /// Connections between FMUs.
     pub connections: Vec<Connection>,
     /// Robots, in the order of the cell.
@@ -58,10 +63,10 @@ pub struct RobotBinding {
 /// How a robot's motion is read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionBinding {
-    /// Joint angles, rad, and speeds, rad/s.
+    /// Joint positions, rad or m, and speeds, rad/s or m/s, of those that the cell file names.
     Joints {
-        /// Angle of each joint.
-        angles: Vec<Reader>,
+        /// Position of each joint.
+        positions: Vec<Reader>,
         /// Speed of each joint.
         speeds: Vec<Reader>,
     },
@@ -74,12 +79,93 @@ pub enum MotionBinding {
 pub struct FrameBinding {
     /// Origin x, y, z.
     pub position: [Reader; 3],
-    /// Quaternion w, x, y, z.
-    pub quaternion: [Reader; 4],
+    /// How it is turned.
+    pub orientation: Orientation,
     /// Velocity of the origin.
     pub velocity: [Reader; 3],
     /// Angular velocity.
     pub angular_velocity: [Reader; 3],
+}
+
+/// How a part is turned, in the base frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Orientation {
+    /// Not known: the part is a point.
+    Unknown,
+    /// Quaternion w, x, y, z.
+    Quaternion(Box<[Reader; 4]>),
+    /// Rotation matrix, row by row.
+    Matrix(Box<[[Reader; 3]; 3]>),
+}
+
+impl Orientation {
+    /// `base_from_frame` in one row of outputs.
+    #[must_use]
+    pub fn read(&self, outputs: &[f64]) -> Rotation {
+        match self {
+            Self::Unknown => Rotation::IDENTITY,
+            Self::Quaternion(readers) => {
+                let [w, x, y, z] = readers.each_ref().map(|r| r.read(outputs));
+                Rotation::from_xyzw(x, y, z, w).normalize()
+            }
+            Self::Matrix(readers) => {
+                let rows = readers.each_ref().map(|row| row.each_ref().map(|r| r.read(outputs)));
+                from_matrix(rows).normalize()
+            }
+        }
+    }
+}
+
+/// What is worked out from outputs of two steps one after the other: their backward difference, so the mean over the step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Derived {
+    /// Change of a value per second.
+    Rate {
+        /// The value.
+        of: Reader,
+        /// Whether it is an angle, which may jump by full turns.
+        turns: bool,
+    },
+    /// Angular velocity x, y, z of what is turned so.
+    Turning {
+        /// How it is turned.
+        of: Orientation,
+    },
+}
+
+impl Derived {
+    /// How many columns it has.
+    const fn columns(&self) -> usize {
+        match self {
+            Self::Rate { .. } => 1,
+            Self::Turning { .. } => 3,
+        }
+    }
+
+    fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
+        match self {
+            Self::Rate { of, turns } => {
+                let change = of.read(now) - of.read(before);
+                let whole = if *turns { (change / std::f64::consts::TAU).round() } else { 0.0 };
+                to.push((change - whole * std::f64::consts::TAU) / step_s);
+            }
+            Self::Turning { of } => {
+                let turned = of.read(now) * of.read(before).inverse();
+                // The shorter way: a quaternion and its negative are one rotation.
+                let sign = if turned.w < 0.0 { -1.0 } else { 1.0 };
+                let vector = Vec3::new(turned.x, turned.y, turned.z) * sign;
+                let sin = vector.length();
+                let angle = 2.0 * libm::atan2(sin, turned.w * sign);
+                let per_s = if sin > 0.0 { angle / (sin * step_s) } else { 0.0 };
+                to.extend((vector * per_s).to_array());
+            }
+        }
+    }
+}
+
+/// The rotation of a matrix, given row by row.
+fn from_matrix(rows: [[f64; 3]; 3]) -> Rotation {
+    Rotation::from_mat3(&Matrix3::from_cols_array_2d(&rows).transpose())
 }
 
 /// A linear combination of bound outputs: `offset + sum(factor * output)`, SI.
@@ -89,7 +175,36 @@ pub struct Reader {
     offset: f64,
 }
 
+/// In a term: the column is counted from the first that is derived.
+const DERIVED: usize = 1 << 32;
+
+impl MotionBinding {
+    /// Every reader.
+    fn readers(&mut self) -> Vec<&mut Reader> {
+        match self {
+            Self::Joints { positions, speeds } => positions.iter_mut().chain(speeds).collect(),
+            Self::Frames(frames) => {
+                frames.iter_mut().flat_map(|f| f.velocity.iter_mut().chain(&mut f.angular_velocity)).collect()
+            }
+        }
+    }
+
+    /// Puts what is derived behind so many outputs.
+    fn settle(&mut self, outputs: usize) {
+        for (column, _) in self.readers().into_iter().flat_map(|reader| &mut reader.terms) {
+            if *column >= DERIVED {
+                *column = *column - DERIVED + outputs;
+            }
+        }
+    }
+}
+
 impl Reader {
+    /// The value of a column that is derived.
+    fn derived(column: usize) -> Self {
+        Self { terms: vec![(DERIVED + column, 1.0)], offset: 0.0 }
+    }
+
     /// The value in one row of outputs.
     #[must_use]
     pub fn read(&self, outputs: &[f64]) -> f64 {
@@ -143,6 +258,7 @@ struct Binder<'a> {
     problems: &'a Problems,
     units: &'a [BoundUnit<'a>],
     outputs: Vec<UnitPort>,
+    derived: Vec<Derived>,
     warnings: Vec<String>,
 }
 
@@ -152,8 +268,8 @@ struct Binder<'a> {
 /// All names, types and units that do not fit, each with its line in the cell file.
 pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result<Binding, Box<CellError>> {
     let problems = &Problems::default();
-    let mut b = Binder { source, problems, units, outputs: Vec::new(), warnings: Vec::new() };
-    let robots = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
+    let mut b = Binder { source, problems, units, outputs: Vec::new(), derived: Vec::new(), warnings: Vec::new() };
+    let mut robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
     let mut inputs: Vec<UnitPort> = Vec::new();
     let mut sensors: Vec<Option<SensorBinding>> = Vec::new();
     for (number, sensor) in file.sensors.iter().enumerate() {
@@ -192,6 +308,8 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
         connections.extend(problems.keep(b.connection(table, &taken)));
     }
     let _ = problems.keep(b.not_written_and_read(&inputs));
+    // What is derived stands behind all outputs, whose number is known only now.
+    robots.iter_mut().for_each(|robot| robot.motion.settle(b.outputs.len()));
     let binding = Binding {
         parameters,
         inputs,
@@ -199,6 +317,7 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
         sensor_inputs,
         constants,
         outputs: b.outputs,
+        derived: b.derived,
         connections,
         robots,
         warnings: b.warnings,
@@ -207,6 +326,30 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
 }
 
 impl Binding {
+    /// Numbers in a row: outputs, then what is derived from them.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.outputs.len() + self.derived.iter().map(Derived::columns).sum::<usize>()
+    }
+
+    /// Rows of `outputs`, one a step of `step_s` seconds, with what is derived from them. `before` are rows that end with
+    /// the one before the first; without them nothing moves in the first.
+    #[must_use]
+    pub fn rows<'a>(&self, outputs: &'a [f64], before: Option<&[f64]>, step_s: f64) -> Cow<'a, [f64]> {
+        let width = self.outputs.len();
+        if self.derived.is_empty() {
+            return Cow::Borrowed(outputs);
+        }
+        let mut rows = Vec::with_capacity(outputs.len() / width * self.columns());
+        let mut before = before.map_or(&outputs[..width], |rows| &rows[rows.len() - width..]);
+        for row in outputs.chunks(width) {
+            rows.extend_from_slice(row);
+            self.derived.iter().for_each(|derived| derived.append(row, before, step_s, &mut rows));
+            before = row;
+        }
+        Cow::Owned(rows)
+    }
+
     /// The setup of the FMUs for this binding.
     #[must_use]
     pub fn setup(&self, names: &[&str], initial_inputs: Vec<f64>, step_s: f64) -> SystemSetup {
@@ -279,10 +422,9 @@ impl<'a> Binder<'a> {
     fn robot(&mut self, table: &Spanned<RobotTable>) -> Option<RobotBinding> {
         let (robot, problems) = (table.get_ref(), self.problems);
         let motion = if robot.frames.is_empty() {
-            let angles = robot.joints.iter().map(|joint| self.reader(&joint.angle, Quantity::Angle));
-            let angles = problems.keep_all(angles);
-            let speeds = robot.joints.iter().map(|joint| self.reader(&joint.speed, Quantity::AngularSpeed));
-            MotionBinding::Joints { angles, speeds: problems.keep_all(speeds) }
+            let joints = robot.joints.iter().filter_map(|joint| problems.keep(self.joint(joint)));
+            let (positions, speeds) = joints.unzip();
+            MotionBinding::Joints { positions, speeds }
         } else {
             MotionBinding::Frames(problems.keep_all(robot.frames.iter().map(|f| self.frame(f))))
         };
@@ -304,13 +446,72 @@ impl<'a> Binder<'a> {
         }
     }
 
+    /// Position and speed of a joint.
+    fn joint(&mut self, joint: &JointTable) -> Result<(Reader, Reader), Box<CellError>> {
+        let still = joint.held_deg.map(f64::to_radians).or(joint.held_m);
+        if let Some(offset) = still {
+            return Ok((Reader { terms: Vec::new(), offset }, Reader::default()));
+        }
+        let (table, position, speed) = match (&joint.angle, &joint.position) {
+            (Some(angle), _) => (angle, Quantity::Angle, Quantity::AngularSpeed),
+            (None, Some(position)) => (position, Quantity::Length, Quantity::Speed),
+            // Checked before; what is missing there is told there.
+            (None, None) => return Ok((Reader::default(), Reader::default())),
+        };
+        let reader = self.reader(table, position)?;
+        let speed = match &joint.speed {
+            Some(table) => self.reader(table, speed)?,
+            None => {
+                let turns = matches!(position, Quantity::Angle);
+                self.differentiated(&format!("the speed of joint `{}`", joint.name.get_ref()));
+                self.derive(Derived::Rate { of: reader.clone(), turns })
+            }
+        };
+        Ok((reader, speed))
+    }
+
+    /// Adds what is derived; a reader of its first column.
+    fn derive(&mut self, derived: Derived) -> Reader {
+        let column = self.derived.iter().map(Derived::columns).sum();
+        self.derived.push(derived);
+        Reader::derived(column)
+    }
+
+    fn differentiated(&mut self, what: &str) {
+        self.warnings.push(format!(
+            "{what} is differentiated from its positions: it is the mean over each step, and lags behind by half a step"
+        ));
+    }
+
     fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {
-        Ok(FrameBinding {
-            position: self.readers(&frame.position, Quantity::Length)?,
-            quaternion: self.readers(&frame.quaternion, Quantity::Number)?,
-            velocity: self.readers(&frame.velocity, Quantity::Speed)?,
-            angular_velocity: self.readers(&frame.angular_velocity, Quantity::AngularSpeed)?,
-        })
+        let name = frame.name.get_ref();
+        let position = self.readers(&frame.position, Quantity::Length)?;
+        let orientation = match (&frame.quaternion, &frame.rotation_matrix) {
+            (Some(names), _) => Orientation::Quaternion(Box::new(self.readers(names, Quantity::Number)?)),
+            (None, Some([a, b, c])) => Orientation::Matrix(Box::new([
+                self.readers(a, Quantity::Number)?,
+                self.readers(b, Quantity::Number)?,
+                self.readers(c, Quantity::Number)?,
+            ])),
+            (None, None) => Orientation::Unknown,
+        };
+        let velocity = if let Some(names) = &frame.velocity {
+            self.readers(names, Quantity::Speed)?
+        } else {
+            self.differentiated(&format!("the velocity of frame `{name}`"));
+            position.clone().map(|of| self.derive(Derived::Rate { of, turns: false }))
+        };
+        let angular_velocity = match (&frame.angular_velocity, &orientation) {
+            (Some(names), _) => self.readers(names, Quantity::AngularSpeed)?,
+            (None, Orientation::Unknown) => std::array::from_fn(|_| Reader::default()),
+            (None, _) => {
+                self.differentiated(&format!("the angular velocity of frame `{name}`"));
+                let Reader { terms, .. } = self.derive(Derived::Turning { of: orientation.clone() });
+                let first = terms[0].0 - DERIVED;
+                std::array::from_fn(|axis| Reader::derived(first + axis))
+            }
+        };
+        Ok(FrameBinding { position, orientation, velocity, angular_velocity })
     }
 
     fn readers<const N: usize>(

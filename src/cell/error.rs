@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use sha2::{Digest as _, Sha256};
@@ -32,12 +32,11 @@ pub struct CellError {
 impl CellError {
     /// This problem and `others` as one, in the order of the file, each once.
     #[must_use]
-    pub fn and(mut self: Box<Self>, others: impl IntoIterator<Item = Box<Self>>) -> Box<Self> {
-        let mut all = std::mem::take(&mut self.others);
-        all.push(*self);
-        for mut other in others {
+    pub fn and(self, others: impl IntoIterator<Item = Self>) -> Box<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        for mut other in std::iter::once(self).chain(others) {
             all.append(&mut other.others);
-            all.push(*other);
+            all.push(other);
         }
         all.sort_by_key(|problem| problem.span.map_or(0, |span| span.offset()));
         all.dedup_by(|a, b| a.message == b.message && a.span == b.span);
@@ -63,13 +62,32 @@ impl CellError {
 pub struct Source {
     name: String,
     text: String,
+    folder: PathBuf,
 }
 
 impl Source {
-    /// A source shown as `name` in messages.
+    /// A source shown as `name` in messages, which is in the current folder.
     #[must_use]
     pub fn new(name: &str, text: &str) -> Self {
-        Self { name: name.to_owned(), text: text.to_owned() }
+        Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new() }
+    }
+
+    /// The same in `folder`: files that it names are relative to that.
+    #[must_use]
+    pub fn in_folder(self, folder: &Path) -> Self {
+        Self { folder: folder.to_owned(), ..self }
+    }
+
+    /// Another text in its place.
+    #[must_use]
+    pub fn with_text(&self, text: &str) -> Self {
+        Self { text: text.to_owned(), ..self.clone() }
+    }
+
+    /// The folder that its files are relative to.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
     }
 
     /// The text.
@@ -121,12 +139,12 @@ impl Source {
 
 /// Problems met so far: checks go on behind a mistake, so that all are told at once.
 #[derive(Debug, Default)]
-pub(super) struct Problems(RefCell<Vec<Box<CellError>>>);
+pub(super) struct Problems(RefCell<Vec<CellError>>);
 
 impl Problems {
     /// The value of `result`, or nothing and its problem is remembered.
     pub(super) fn keep<T>(&self, result: Result<T, Box<CellError>>) -> Option<T> {
-        result.map_err(|problem| self.0.borrow_mut().push(problem)).ok()
+        result.map_err(|problem| self.0.borrow_mut().push(*problem)).ok()
     }
 
     /// What of `results` is well; the problems of the others are remembered.

@@ -8,7 +8,7 @@ use super::error::display_name;
 use super::format::CellFile;
 use super::validate::validate;
 use super::{CellError, Workcell};
-use crate::cell::error::Source;
+use crate::cell::error::{Problems, Source};
 use crate::fmi::Fmu;
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
@@ -111,30 +111,34 @@ fn read(path: &Path) -> Result<String, OpenError> {
     std::fs::read_to_string(path).map_err(|error| OpenError::Read { path: path.to_owned(), error })
 }
 
+fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
 fn open_cell(path: &Path) -> Result<OpenedCell, OpenError> {
-    let source = Source::new(&display_name(path), &read(path)?);
+    let source = Source::new(&display_name(path), &read(path)?).in_folder(folder_of(path));
     let cell = validate(&source)?;
     if cell.fmus.is_empty() {
         return Err(OpenError::NoFmu { cell: path.to_owned() });
     }
+    let problems = Problems::default();
     let mut fmus = Vec::with_capacity(cell.fmus.len());
     for unit in &cell.fmus {
-        let fmu_path = path.parent().unwrap_or(Path::new("")).join(unit.path.get_ref());
-        if !fmu_path.is_file() {
-            return Err(OpenError::Cell(source.error(
-                unit.path.span(),
-                "named here",
-                format!("the FMU {} does not exist", fmu_path.display()),
-                Some("the path is relative to the cell file".to_owned()),
-            )));
+        let fmu_path = source.folder().join(unit.path.get_ref());
+        if fmu_path.is_file() {
+            fmus.push((unit.name.clone(), Fmu::open(&fmu_path)?));
+            continue;
         }
-        fmus.push((unit.name.clone(), Fmu::open(&fmu_path)?));
+        let message = format!("the FMU {} does not exist", fmu_path.display());
+        let help = Some("the path is relative to the cell file".to_owned());
+        let _ = problems.keep(Err::<(), _>(source.error(unit.path.span(), "named here", message, help)));
     }
+    problems.take_or(())?;
     Ok(OpenedCell { found: display_name(path), cell, source, fmus })
 }
 
 fn with_fmu(path: &Path, name: &str, fmu: Fmu) -> Result<OpenedCell, OpenError> {
-    let source = Source::new(name, &read(path)?);
+    let source = Source::new(name, &read(path)?).in_folder(folder_of(path));
     let cell = validate(&source)?;
     if let Some(unit) = cell.fmus.iter().find(|unit| !unit.name.is_empty()) {
         let message = "this cell couples several FMUs and cannot be used with one";

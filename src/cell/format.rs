@@ -155,9 +155,23 @@ pub struct RobotTable {
     /// `world_from_base`.
     #[serde(default)]
     pub base: PoseTable,
-    /// Total mass of the moving parts `M`, kg (ISO/TS 15066 (A.4) uses half of it).
-    #[schemars(with = "f64")]
-    pub moving_mass_kg: Spanned<f64>,
+    /// Robot description (URDF), relative to this file: kinematics, collision shapes and masses. Its joints are then named
+    /// in `joint`, each with what moves it.
+    #[serde(default)]
+    #[schemars(with = "Option<String>")]
+    pub urdf: Option<Spanned<String>>,
+    /// Whether the collision shapes of the URDF are used; `false` takes kinematics and masses only, for instance because
+    /// its meshes are not there.
+    #[serde(default = "yes")]
+    pub urdf_shapes: bool,
+    /// Links of the URDF whose shapes are left out.
+    #[serde(default)]
+    #[schemars(with = "Vec<String>")]
+    pub ignore_links: Vec<Spanned<String>>,
+    /// Total mass of the moving parts `M`, kg (ISO/TS 15066 (A.4) uses half of it). A URDF with inertials gives it too.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub moving_mass_kg: Option<Spanned<f64>>,
     /// Effective payload `m_L` with tool and workpiece, kg; or `payload`.
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
@@ -165,7 +179,7 @@ pub struct RobotTable {
     /// The FMU output that gives the payload; or `payload_kg`.
     #[serde(default)]
     pub payload: Option<VariableTable>,
-    /// Revolute joints from the base to the tool; or `frame`s.
+    /// Joints from the base to the tool, each on the one before, or those of the URDF; or `frame`s.
     #[serde(default, rename = "joint")]
     pub joints: Vec<JointTable>,
     /// Moving parts whose poses the FMU gives; or `joint`s.
@@ -180,26 +194,41 @@ pub struct RobotTable {
     pub phase: Option<Spanned<String>>,
 }
 
-/// A revolute joint.
+/// A joint: it turns by an `angle`, or slides by a `position`, or is held where it is.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointTable {
-    /// Name used by links.
+    /// Name used by links; with a URDF, the joint's name there.
     #[schemars(with = "String")]
     pub name: Spanned<String>,
-    /// `parent_from_joint` at angle zero.
+    /// `parent_from_joint` at angle zero. With a URDF it is said there.
     #[serde(default)]
-    pub origin: PoseTable,
-    /// Rotation axis in the joint frame; normalised on reading.
-    #[schemars(with = "[f64; 3]")]
-    pub axis: Spanned<[f64; 3]>,
-    /// FMU output with the joint angle.
-    pub angle: VariableTable,
-    /// FMU output with the joint speed.
-    pub speed: VariableTable,
+    #[schemars(with = "Option<PoseTable>")]
+    pub origin: Option<Spanned<PoseTable>>,
+    /// Axis in the joint frame; normalised on reading. With a URDF it is said there.
+    #[serde(default)]
+    #[schemars(with = "Option<[f64; 3]>")]
+    pub axis: Option<Spanned<[f64; 3]>>,
+    /// FMU output with the angle of a joint that turns.
+    #[serde(default)]
+    pub angle: Option<VariableTable>,
+    /// FMU output with the position of a joint that slides.
+    #[serde(default)]
+    pub position: Option<VariableTable>,
+    /// FMU output with the joint speed; differentiated, and the results say so, if it is left out.
+    #[serde(default)]
+    pub speed: Option<VariableTable>,
+    /// Instead: the angle of a joint that does not move, degrees.
+    #[serde(default)]
+    pub held_deg: Option<f64>,
+    /// Instead: the position of a slide that does not move, m.
+    #[serde(default)]
+    pub held_m: Option<f64>,
 }
 
-/// A moving part of the robot whose pose and velocity the FMU gives, in the robot's base frame.
+/// A moving part of the robot whose pose and velocity the FMU gives, in the robot's base frame. What it does not give of
+/// the velocities is differentiated, and the results say so. Of a part without orientation only spheres around its origin
+/// are known: the centre of a tool, say.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FrameTable {
@@ -210,14 +239,21 @@ pub struct FrameTable {
     #[schemars(with = "[String; 3]")]
     pub position: [Spanned<String>; 3],
     /// FMU outputs w, x, y, z of the unit quaternion `base_from_frame`.
-    #[schemars(with = "[String; 4]")]
-    pub quaternion: [Spanned<String>; 4],
+    #[serde(default)]
+    #[schemars(with = "Option<[String; 4]>")]
+    pub quaternion: Option<[Spanned<String>; 4]>,
+    /// Or FMU outputs of the rotation matrix `base_from_frame`, row by row. (Modelica's `R.T` is its transpose.)
+    #[serde(default)]
+    #[schemars(with = "Option<[[String; 3]; 3]>")]
+    pub rotation_matrix: Option<[[Spanned<String>; 3]; 3]>,
     /// FMU outputs x, y, z of the velocity of its origin.
-    #[schemars(with = "[String; 3]")]
-    pub velocity: [Spanned<String>; 3],
+    #[serde(default)]
+    #[schemars(with = "Option<[String; 3]>")]
+    pub velocity: Option<[Spanned<String>; 3]>,
     /// FMU outputs x, y, z of its angular velocity.
-    #[schemars(with = "[String; 3]")]
-    pub angular_velocity: [Spanned<String>; 3],
+    #[serde(default)]
+    #[schemars(with = "Option<[String; 3]>")]
+    pub angular_velocity: Option<[Spanned<String>; 3]>,
 }
 
 /// An FMU output and what it takes to read it as SI: `value = sign * unit(variable) + offset + sum(plus)`.
@@ -243,18 +279,22 @@ pub struct VariableTable {
     pub plus: BTreeMap<String, Spanned<f64>>,
 }
 
+const fn yes() -> bool {
+    true
+}
+
 const fn one() -> f64 {
     1.0
 }
 
-/// A collision shape of the robot; several entries may share a name.
+/// A collision shape of the robot, beside those of a URDF; several entries may share a name.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(transform = joint_or_frame)]
 pub struct LinkTable {
     /// Name used in results.
     pub name: String,
-    /// The joint whose moving side carries the shape, or the frame.
+    /// The joint whose moving side carries the shape, or the frame; with a URDF also one of its links.
     #[serde(alias = "frame")]
     #[schemars(with = "String")]
     pub joint: Spanned<String>,
@@ -265,6 +305,37 @@ pub struct LinkTable {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub hull_m: Option<Spanned<Vec<[f64; 3]>>>,
+    /// A mesh file in the joint frame, of which the convex hull is taken.
+    #[serde(default)]
+    pub mesh: Option<MeshTable>,
+}
+
+/// A mesh file: STL, OBJ or COLLADA.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshTable {
+    /// The file, relative to this one.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Metres for one of its units; 0.001 for a file in millimetres.
+    pub metres_per_unit: f64,
+    /// Which of its axes points up.
+    #[serde(default)]
+    pub up: UpAxis,
+    /// Where its origin is.
+    #[serde(default)]
+    pub at: PoseTable,
+}
+
+/// Which axis of a mesh points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum UpAxis {
+    /// y: its (x, y, z) is (x, -z, y) here.
+    Y,
+    /// z, as everywhere here.
+    #[default]
+    Z,
 }
 
 /// The schema of a link: `frame` is another name of `joint`, and one of them is there.

@@ -7,16 +7,21 @@
 //! - [`find`]: where the cell of an FMU is looked for
 //! - [`roles`]: what the variables of an FMU seem to be for
 //! - [`knob`]: what in a cell can be turned to make it safer
+//! - `urdf`, `mesh`, `described`: robots from a URDF and their shapes from mesh files
 //! - [`error`]: messages that point into the file
 
 pub mod binding;
+mod described;
 pub mod error;
+mod files;
 pub mod find;
 pub mod format;
 pub mod knob;
+mod mesh;
 mod robots;
 pub mod roles;
 mod sensors;
+mod urdf;
 pub mod validate;
 
 pub use binding::Binding;

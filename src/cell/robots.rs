@@ -1,15 +1,21 @@
 //! Checks of the robots in a cell file: kinematics, link shapes, masses.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::Spanned;
 
 use super::CellError;
+use super::described::{Described, upright};
 use super::error::nearest;
-use super::format::{CapsuleTable, CellFile, LinkTable, RobotTable};
-use super::validate::{Checker, Link, Robot, pose};
-use crate::geometry::chain::{Joint, KinematicChain};
-use crate::geometry::{Capsule, Hull, Solid, Vec3};
+use super::files::plain;
+use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
+use super::validate::{Checker, Driven, Kinematics, Link, Robot, pose};
+use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
+use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
+
+/// What shapes may be attached to: the index of the joint or frame, and where they are in its frame.
+type Places = BTreeMap<String, (usize, Pose)>;
 
 impl Checker<'_> {
     /// All robots, and their links one robot after the other.
@@ -24,8 +30,9 @@ impl Checker<'_> {
             let _ = self.problems.keep(self.that(alone, table.span(), || {
                 (format!("two robots are called `{name}`"), "give each robot its own name".to_owned())
             }));
-            robots.extend(self.problems.keep(self.robot(table)));
-            for mut link in self.links(table, number) {
+            let Some((robot, own)) = self.robot(table, number) else { continue };
+            robots.push(robot);
+            for mut link in own {
                 if file.robots.len() > 1 {
                     link.name = format!("{} {}", table.get_ref().name, link.name);
                 }
@@ -35,93 +42,231 @@ impl Checker<'_> {
         (robots, links)
     }
 
-    fn robot(&self, table: &Spanned<RobotTable>) -> Result<Robot, Box<CellError>> {
+    fn robot(&self, table: &Spanned<RobotTable>, number: usize) -> Option<(Robot, Vec<Link>)> {
         let robot = table.get_ref();
-        let mass = &robot.moving_mass_kg;
-        self.positive(*mass.get_ref(), &mass.span(), "the moving mass of the robot")?;
-        if let Some(payload) = &robot.payload_kg {
-            let kg = *payload.get_ref();
-            self.that(kg.is_finite() && kg >= 0.0, payload.span(), || {
-                (format!("payload_kg is {kg}"), "use zero or more kilograms".to_owned())
-            })?;
+        let alone = robot.joints.iter().map(|j| &j.name).chain(robot.frames.iter().map(|f| &f.name));
+        self.named_once(&alone.collect::<Vec<_>>());
+        for joint in &robot.joints {
+            let _ = self.problems.keep(self.joint(joint, robot.urdf.is_some()));
         }
-        self.that(robot.joints.is_empty() != robot.frames.is_empty(), table.span(), || {
+        for frame in &robot.frames {
+            let _ = self.problems.keep(self.frame(frame));
+        }
+        let _ = self.problems.keep(self.payload(robot));
+        let described = match &robot.urdf {
+            Some(path) => Some(self.problems.keep(self.described(robot, path))?),
+            None => None,
+        };
+        let moves = self.that(robot.joints.is_empty() != robot.frames.is_empty(), table.span(), || {
             (
                 "the robot needs either joints or frames".to_owned(),
                 "add [[robot.joint]] tables, base to tool, or [[robot.frame]] tables if the FMU gives link poses"
                     .to_owned(),
             )
-        })?;
-        for (i, frame) in robot.frames.iter().enumerate() {
-            let name = frame.name.get_ref();
-            self.that(robot.frames[..i].iter().all(|f| f.name.get_ref() != name), frame.name.span(), || {
-                (format!("two frames are called `{name}`"), "give each frame its own name".to_owned())
-            })?;
+        });
+        self.problems.keep(moves)?;
+        let mass = self.problems.keep(self.mass(table, described.as_ref()));
+        let (shapes, places, kinematics) = match described {
+            Some(Described { kinematics, shapes, places, .. }) => (shapes, places, Some(kinematics)),
+            None => (Vec::new(), places(robot), self.chain(robot)),
+        };
+        let line = robot.urdf.as_ref().map_or(0, |path| self.source.line(path.span().start));
+        let mut links: Vec<Link> =
+            shapes.into_iter().map(|(name, joint, shape)| Link { name, robot: number, joint, shape, line }).collect();
+        links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
+        let _ = self.problems.keep(self.spheres(robot));
+        if robot.links.is_empty() && links.is_empty() {
+            let (message, help) = match robot.urdf {
+                Some(_) => (
+                    "no moving link of the URDF has a collision shape: nothing can be hit",
+                    "add [[robot.link]] tables, for instance capsules, to its joints or links",
+                ),
+                None => (
+                    "the cell has no robot geometry: without link shapes nothing can be hit",
+                    "add [[robot.link]] tables with a `capsule`, `hull_m` or `mesh` each, or name a `urdf`",
+                ),
+            };
+            let error = self.source.error(table.span(), "this robot", message, Some(help.to_owned()));
+            let _ = self.problems.keep(Err::<(), _>(error));
         }
-        Ok(Robot {
-            name: robot.name.clone(),
-            world_from_base: pose(&robot.base),
-            chain: if robot.joints.is_empty() { None } else { Some(self.chain(robot)?) },
-            moving_mass_kg: *mass.get_ref(),
-            mass_line: self.source.line(mass.span().start),
+        let (moving_mass_kg, mass_line) = mass?;
+        let world_from_base = pose(&robot.base);
+        Some((Robot { name: robot.name.clone(), world_from_base, kinematics, moving_mass_kg, mass_line }, links))
+    }
+
+    fn named_once(&self, names: &[&Spanned<String>]) {
+        for (number, name) in names.iter().enumerate() {
+            let alone = names[..number].iter().all(|other| other.get_ref() != name.get_ref());
+            let _ = self.problems.keep(self.that(alone, name.span(), || {
+                let message = format!("two joints or frames are called `{}`", name.get_ref());
+                (message, "give each its own name".to_owned())
+            }));
+        }
+    }
+
+    fn payload(&self, robot: &RobotTable) -> Result<(), Box<CellError>> {
+        let Some(payload) = &robot.payload_kg else { return Ok(()) };
+        let kg = *payload.get_ref();
+        self.that(kg.is_finite() && kg >= 0.0, payload.span(), || {
+            (format!("payload_kg is {kg}"), "use zero or more kilograms".to_owned())
         })
     }
 
-    fn chain(&self, robot: &RobotTable) -> Result<KinematicChain, Box<CellError>> {
-        let mut joints = Vec::with_capacity(robot.joints.len());
-        for (i, joint) in robot.joints.iter().enumerate() {
-            let name = joint.name.get_ref();
-            self.that(robot.joints[..i].iter().all(|j| j.name.get_ref() != name), joint.name.span(), || {
-                (format!("two joints are called `{name}`"), "give each joint its own name".to_owned())
-            })?;
-            let axis = Vec3::from_array(*joint.axis.get_ref());
-            self.that(axis.is_finite() && axis.length() > 1e-9, joint.axis.span(), || {
-                (format!("the axis of joint `{name}` has no direction"), "for instance axis = [0, 0, 1]".to_owned())
-            })?;
-            joints.push(Joint { parent_from_joint: pose(&joint.origin), axis: axis / axis.length() });
-        }
-        Ok(KinematicChain { world_from_base: pose(&robot.base), joints })
-    }
-
-    fn links(&self, table: &Spanned<RobotTable>, number: usize) -> Vec<Link> {
+    /// The moving mass, kg, and the line that says so.
+    fn mass(&self, table: &Spanned<RobotTable>, described: Option<&Described>) -> Result<(f64, usize), Box<CellError>> {
         let robot = table.get_ref();
-        let _ = self.problems.keep(self.that(!robot.links.is_empty(), table.span(), || {
-            (
-                "the cell has no robot geometry: without link shapes nothing can be hit".to_owned(),
-                "add [[robot.link]] tables with a `capsule` or `hull_m` each".to_owned(),
-            )
-        }));
-        let joints = robot.joints.iter().map(|j| j.name.get_ref().as_str());
-        let movers: Vec<&str> = joints.chain(robot.frames.iter().map(|f| f.name.get_ref().as_str())).collect();
-        self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &movers)))
+        if let Some(mass) = &robot.moving_mass_kg {
+            self.positive(*mass.get_ref(), &mass.span(), "the moving mass of the robot")?;
+            return Ok((*mass.get_ref(), self.source.line(mass.span().start)));
+        }
+        let told = described.and_then(|urdf| urdf.moving_mass_kg).zip(robot.urdf.as_ref());
+        if let Some((kg, path)) = told {
+            return Ok((kg, self.source.line(path.span().start)));
+        }
+        let message = match robot.urdf {
+            Some(_) => "the URDF does not say how heavy what moves is",
+            None => "the robot has no moving mass",
+        };
+        let help = "add moving_mass_kg: the mass of all moving parts, from the robot's data sheet".to_owned();
+        Err(self.source.error(table.span(), "this robot", message, Some(help)))
     }
 
-    fn link(&self, link: &LinkTable, robot: usize, movers: &[&str]) -> Result<Link, Box<CellError>> {
+    /// What a joint's table says, whatever moves it.
+    fn joint(&self, joint: &JointTable, in_urdf: bool) -> Result<(), Box<CellError>> {
+        let name = joint.name.get_ref();
+        let held = [joint.held_deg, joint.held_m];
+        let ways = [joint.angle.is_some(), joint.position.is_some(), held[0].is_some(), held[1].is_some()];
+        self.that(ways.iter().filter(|way| **way).count() == 1, joint.name.span(), || {
+            (
+                format!("joint `{name}` needs one of angle, position, held_deg and held_m"),
+                "angle = { variable = \"...\" } for a joint that turns, position for a slide, held_deg or held_m for one \
+                 that stays where it is"
+                    .to_owned(),
+            )
+        })?;
+        self.that(held.iter().flatten().all(|v| v.is_finite()), joint.name.span(), || {
+            (format!("joint `{name}` is held nowhere"), "write a plain number".to_owned())
+        })?;
+        let still = held.iter().any(Option::is_some);
+        self.that(!still || joint.speed.is_none(), joint.name.span(), || {
+            (format!("joint `{name}` is held and has a speed"), "remove one of the two".to_owned())
+        })?;
+        if let Some(span) = joint.axis.as_ref().map(Spanned::span).or(joint.origin.as_ref().map(Spanned::span)) {
+            self.that(!in_urdf, span, || {
+                (
+                    format!("the URDF says where joint `{name}` is and how it moves"),
+                    "remove `axis` and `origin` here".to_owned(),
+                )
+            })?;
+        }
+        match &joint.axis {
+            Some(axis) => {
+                let direction = Vec3::from_array(*axis.get_ref());
+                self.that(direction.is_finite() && direction.length() > 1e-9, axis.span(), || {
+                    (format!("the axis of joint `{name}` has no direction"), "for instance axis = [0, 0, 1]".to_owned())
+                })
+            }
+            None => self.that(in_urdf, joint.name.span(), || {
+                (format!("joint `{name}` has no axis"), "for instance axis = [0, 0, 1]".to_owned())
+            }),
+        }
+    }
+
+    fn frame(&self, frame: &FrameTable) -> Result<(), Box<CellError>> {
+        let name = frame.name.get_ref();
+        self.that(frame.quaternion.is_none() || frame.rotation_matrix.is_none(), frame.name.span(), || {
+            (format!("frame `{name}` has a quaternion and a rotation matrix"), "keep one of the two".to_owned())
+        })?;
+        let oriented = frame.quaternion.is_some() || frame.rotation_matrix.is_some();
+        self.that(oriented || frame.angular_velocity.is_none(), frame.name.span(), || {
+            (
+                format!("frame `{name}` has an angular velocity and no orientation"),
+                "add `quaternion` or `rotation_matrix`, or remove `angular_velocity`".to_owned(),
+            )
+        })
+    }
+
+    /// The joints of the cell file, each on the one before; none if there are frames.
+    fn chain(&self, robot: &RobotTable) -> Option<Kinematics> {
+        let mut tree = KinematicTree { world_from_base: pose(&robot.base), joints: Vec::new() };
+        let mut driven = Vec::new();
+        for (number, joint) in robot.joints.iter().enumerate() {
+            let axis = Vec3::from_array(*joint.axis.as_ref()?.get_ref());
+            let slides = joint.position.is_some() || joint.held_m.is_some();
+            tree.joints.push(Joint {
+                parent: number.checked_sub(1),
+                parent_from_joint: joint.origin.as_ref().map_or(Pose::IDENTITY, |origin| pose(origin.get_ref())),
+                motion: if slides { Motion::Prismatic } else { Motion::Revolute },
+                axis: axis / axis.length(),
+            });
+            driven.push(Driven { named: number, factor: 1.0, offset: 0.0 });
+        }
+        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven })
+    }
+
+    fn link(&self, link: &LinkTable, robot: usize, places: &Places) -> Result<Link, Box<CellError>> {
         let wanted = link.joint.get_ref();
-        let Some(joint) = movers.iter().position(|name| name == wanted) else {
-            let help = match nearest(wanted, movers.iter().copied()) {
+        let Some(&(joint, joint_from_place)) = places.get(wanted) else {
+            let names = || places.keys().map(String::as_str);
+            let help = match nearest(wanted, names()) {
                 Some(name) => format!("did you mean `{name}`?"),
-                None => format!("the joints or frames are {}", movers.join(", ")),
+                None => format!("what moves is {}", names().collect::<Vec<_>>().join(", ")),
             };
-            return Err(self.source.error(link.joint.span(), "here", format!("there is no joint `{wanted}`"), Some(help)));
+            let message = format!("there is no joint `{wanted}` that moves");
+            return Err(self.source.error(link.joint.span(), "here", message, Some(help)));
         };
         let span = link.joint.span();
-        let shape = match (&link.capsule, &link.hull_m) {
-            (Some(capsule), None) => Solid::Capsule(self.capsule(capsule, &span)?),
-            (None, Some(points)) => {
+        let shape = match (&link.capsule, &link.hull_m, &link.mesh) {
+            (Some(capsule), None, None) => Solid::Capsule(self.capsule(capsule, &span)?),
+            (None, Some(points), None) => {
                 let list: Vec<Vec3> = points.get_ref().iter().map(|p| Vec3::from_array(*p)).collect();
-                let hull = Hull::from_points(&list).ok_or_else(|| {
-                    let help = "give at least four corner points that are not in one plane".to_owned();
-                    self.source.error(points.span(), "here", "these points have no convex hull with volume", Some(help))
-                })?;
-                Solid::Hull(hull)
+                self.hull_of(&list, &points.span())?
             }
+            (None, None, Some(mesh)) => self.mesh(mesh)?,
             _ => {
-                let message = format!("link `{}` needs one shape: either `capsule` or `hull_m`", link.name);
-                return Err(self.source.error(span, "in this link", message, None));
+                let message = format!("link `{}` needs one shape: `capsule`, `hull_m` or `mesh`", link.name);
+                let help = "several shapes of one link are several [[robot.link]] tables of one name".to_owned();
+                return Err(self.source.error(span, "in this link", message, Some(help)));
             }
         };
+        let shape = if joint_from_place == Pose::IDENTITY { shape } else { shape.placed(joint_from_place) };
         Ok(Link { name: link.name.clone(), robot, joint, shape, line: self.source.line(span.start) })
+    }
+
+    /// Whether shapes of parts that are known by a point alone are spheres around it.
+    fn spheres(&self, robot: &RobotTable) -> Result<(), Box<CellError>> {
+        let turned = |frame: &&FrameTable| frame.quaternion.is_some() || frame.rotation_matrix.is_some();
+        for frame in robot.frames.iter().filter(|frame| !turned(frame)) {
+            for link in robot.links.iter().filter(|link| link.joint.get_ref() == frame.name.get_ref()) {
+                let centred = |capsule: &CapsuleTable| capsule.from_m == [0.0; 3] && capsule.to_m == [0.0; 3];
+                self.that(link.capsule.as_ref().is_some_and(centred), link.joint.span(), || {
+                    let message = format!("how frame `{}` is turned is not known", frame.name.get_ref());
+                    let help = "give it a sphere: capsule = { from_m = [0, 0, 0], to_m = [0, 0, 0], radius_m = ... }; or \
+                                give the frame a `quaternion` or `rotation_matrix`";
+                    (message, help.to_owned())
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn hull_of(&self, points: &[Vec3], span: &Range<usize>) -> Result<Solid, Box<CellError>> {
+        let hull = Hull::from_points(points).ok_or_else(|| {
+            let help = "give at least four corner points that are not in one plane".to_owned();
+            self.source.error(span.clone(), "here", "these points have no convex hull with volume", Some(help))
+        })?;
+        Ok(Solid::Hull(hull))
+    }
+
+    fn mesh(&self, mesh: &MeshTable) -> Result<Solid, Box<CellError>> {
+        let span = mesh.file.span();
+        self.positive(mesh.metres_per_unit, &span, "metres_per_unit")?;
+        let points = self.points(&plain(mesh.file.get_ref().as_ref())).map_err(|message| {
+            let help = "the path is relative to the cell file; STL and OBJ are read".to_owned();
+            self.source.error(span.clone(), "named here", message, Some(help))
+        })?;
+        let corner = |point: Vec3| pose(&mesh.at) * upright(point, mesh.metres_per_unit, mesh.up);
+        self.hull_of(&points.into_iter().map(corner).collect::<Vec<_>>(), &span)
     }
 
     fn capsule(&self, table: &CapsuleTable, span: &Range<usize>) -> Result<Capsule, Box<CellError>> {
@@ -132,4 +277,11 @@ impl Checker<'_> {
         })?;
         Ok(Capsule { a, b, radius: table.radius_m })
     }
+}
+
+/// What shapes may be attached to without a URDF: joints, or frames.
+fn places(robot: &RobotTable) -> Places {
+    let joints = robot.joints.iter().map(|joint| &joint.name).enumerate();
+    let frames = robot.frames.iter().map(|frame| &frame.name).enumerate();
+    joints.chain(frames).map(|(number, name)| (name.get_ref().clone(), (number, Pose::IDENTITY))).collect()
 }

@@ -1,14 +1,17 @@
 //! From the cell file to a [`Workcell`]: SI units, checked values, every mistake with its line and what to do.
 
+use std::cell::RefCell;
 use std::ops::Range;
+use std::path::PathBuf;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::CellError;
 use super::error::{Problems, Source};
+use super::files::Files;
 use super::format::{CellFile, FailOnTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex};
-use crate::geometry::chain::KinematicChain;
+use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
 use crate::human::{Anthropometry, Body, Start};
@@ -30,6 +33,10 @@ pub struct Workcell {
     pub steps_per_action: usize,
     /// Robots.
     pub robots: Vec<Robot>,
+    /// Files beside the cell file that robots and shapes come from, in the order in which they were first read.
+    pub files: Vec<GeometryFile>,
+    /// What the user should know of those.
+    pub warnings: Vec<String>,
     /// Robot collision shapes, robot after robot.
     pub links: Vec<Link>,
     /// Static boxes by name.
@@ -68,11 +75,50 @@ pub struct Robot {
     /// `world_from_base`.
     pub world_from_base: Pose,
     /// Kinematics, unless the FMU gives the poses of its parts.
-    pub chain: Option<KinematicChain>,
+    pub kinematics: Option<Kinematics>,
     /// Mass of the moving parts `M`, kg.
     pub moving_mass_kg: f64,
-    /// Line of the cell file that says so, from 1.
+    /// Line of the cell file that says so, or names the URDF that does, from 1.
     pub mass_line: usize,
+}
+
+/// What a robot's joints are, and what moves them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kinematics {
+    /// The joints.
+    pub tree: KinematicTree,
+    /// For each joint, its position from those that the cell file names.
+    pub driven: Vec<Driven>,
+}
+
+/// A joint's position: `factor * named + offset`. Other than 1 and 0 for joints that mimic others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven {
+    /// Index among the `joint`s of the cell file.
+    pub named: usize,
+    /// Factor.
+    pub factor: f64,
+    /// Offset, rad or m.
+    pub offset: f64,
+}
+
+impl Kinematics {
+    /// Positions and speeds of all joints from those of the named ones.
+    #[must_use]
+    pub fn all(&self, positions: &[f64], speeds: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let position = |d: &Driven| d.factor * positions[d.named] + d.offset;
+        let speed = |d: &Driven| d.factor * speeds[d.named];
+        (self.driven.iter().map(position).collect(), self.driven.iter().map(speed).collect())
+    }
+}
+
+/// A file beside the cell file that says part of what the cell is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GeometryFile {
+    /// As the cell file, or the URDF, names it; relative to the cell file.
+    pub path: PathBuf,
+    /// SHA-256, lower-case hex.
+    pub sha256: String,
 }
 
 /// A collision shape of a robot.
@@ -150,7 +196,7 @@ pub fn parse(source: &Source) -> Result<CellFile, Box<CellError>> {
         let problem = source.parse_error(&error);
         match without_unknown_key(&text, &error) {
             Some(rest) => text = rest,
-            None => return Err(problem.and(unknown.take_or(()).err())),
+            None => return Err(problem.and(unknown.take_or(()).err().map(|others| *others))),
         }
         let _ = unknown.keep(Err::<(), _>(problem));
     }
@@ -166,7 +212,8 @@ fn without_unknown_key(text: &str, error: &toml::de::Error) -> Option<String> {
     if !before[line..].trim().is_empty() || end < span.end {
         return None;
     }
-    let blank = text[span.start..end].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
+    let blank =
+        text[span.start..end].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
     Some(format!("{before}{}{}", blank.collect::<String>(), &text[end..]))
 }
 
@@ -193,18 +240,18 @@ fn in_value(value: &DeValue<'_>, key: usize) -> Option<usize> {
 /// # Errors
 /// All mistakes together, each with its line.
 pub fn check(source: &Source, file: CellFile) -> Result<Workcell, Box<CellError>> {
-    let check = Checker { source, problems: Problems::default() };
+    let check =
+        Checker { source, problems: Problems::default(), files: Files::default(), warnings: RefCell::default() };
     let cell = check.workcell(file);
     check.problems.take_or(cell).map(|cell| cell.expect("nothing is missing without a problem"))
 }
 
 pub(super) fn pose(table: &PoseTable) -> Pose {
-    Pose::from_parts(Vec3::from_array(table.xyz_m), roll_pitch_yaw(table.rpy_deg))
+    Pose::from_parts(Vec3::from_array(table.xyz_m), roll_pitch_yaw(table.rpy_deg.map(f64::to_radians)))
 }
 
-/// Rotation for roll, pitch, yaw in degrees about the fixed x, y and z axes (the URDF convention).
-fn roll_pitch_yaw(deg: [f64; 3]) -> Rotation {
-    let [r, p, y] = deg.map(f64::to_radians);
+/// Rotation for roll, pitch, yaw in radians about the fixed x, y and z axes (the URDF convention).
+pub(super) fn roll_pitch_yaw([r, p, y]: [f64; 3]) -> Rotation {
     rotation_about(Vec3::Z, y) * rotation_about(Vec3::Y, p) * rotation_about(Vec3::X, r)
 }
 
@@ -212,6 +259,9 @@ fn roll_pitch_yaw(deg: [f64; 3]) -> Rotation {
 pub(super) struct Checker<'a> {
     pub(super) source: &'a Source,
     pub(super) problems: Problems,
+    /// Files that were read.
+    pub(super) files: Files,
+    pub(super) warnings: RefCell<Vec<String>>,
 }
 
 impl Checker<'_> {
@@ -245,6 +295,8 @@ impl Checker<'_> {
             step_s,
             steps_per_action,
             robots,
+            files: self.files.take(),
+            warnings: self.warnings.take(),
             links,
             obstacles,
             sensors,
@@ -342,7 +394,7 @@ impl Checker<'_> {
         let centre = Vec3::from_array(o.centre_m);
         self.finite(&o.centre_m, &o.size_m.span(), &format!("the centre of obstacle `{}`", o.name))?;
         let half = Vec3::from_array(*o.size_m.get_ref()) * 0.5;
-        Ok((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg) }))
+        Ok((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg.map(f64::to_radians)) }))
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {

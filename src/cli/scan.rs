@@ -232,7 +232,7 @@ fn introduce(prepared: &Prepared, state: StateChoice) {
     for missing in &prepared.missing_protection {
         output::warning(&format!("protection against the FMU: {missing}"));
     }
-    for warning in &prepared.binding.warnings {
+    for warning in &prepared.warnings() {
         output::warning(warning);
     }
     for warning in prepared.fmus.iter().flat_map(crate::fmi::Fmu::warnings) {

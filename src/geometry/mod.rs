@@ -4,15 +4,15 @@
 //! Vectors and rotations are parry's own types (glam underneath), so that parry can be called without conversion;
 //! nalgebra is used only for joint-space algebra, converted at that one seam. Transforms are named `a_from_b`.
 
-pub mod chain;
 pub mod distance;
+pub mod kinematics;
 pub mod polygon;
 pub mod segment_cuboid;
 pub mod shape;
 pub mod solid;
 
 pub use distance::Closest;
-pub use parry3d_f64::math::{Pose, Rotation, Vector as Vec3};
+pub use parry3d_f64::math::{Matrix as Matrix3, Pose, Rotation, Vector as Vec3};
 pub use shape::{Capsule, Cuboid};
 pub use solid::{Hull, Solid};
 

@@ -22,8 +22,8 @@ use self::movement::{LimbNear, Movement, NearestMoves, Placed, Share, limb_may_t
 use self::obstructed::{crosses, ends_inside, stays_before_a_face};
 use super::Side;
 use super::arm::{ArmModel, Config, clamped};
-use crate::geometry::chain::Neighbourhood;
 use crate::geometry::distance::point_segment;
+use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 

@@ -4,7 +4,7 @@ use parry3d_f64::query;
 use parry3d_f64::shape;
 
 use super::*;
-use crate::geometry::chain::Twist;
+use crate::geometry::kinematics::Twist;
 use crate::geometry::{Rotation, rotation_about};
 use crate::human::arm::{ABDUCTION, ELBOW, flexion_range, rotation_range};
 use crate::search::Rng;

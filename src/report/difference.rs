@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::model::{FmuSubject, Hazard};
-use super::recorded::Recorded;
+use super::recorded::{Recorded, RecordedSubject};
 
 /// Relative change of the force ratio below which a hazard is the same.
 const SAME: f64 = 0.005;
@@ -203,6 +203,13 @@ fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<
     for key in keys {
         let value = |scan: &Recorded| scan.settings.get(key).map_or_else(|| "none".to_owned(), ToString::to_string);
         tell(&format!("settings.{key}"), &value(before), &value(after));
+    }
+    if before.subject.geometry != after.subject.geometry {
+        let told = |subject: &RecordedSubject| {
+            let files = subject.geometry.iter().map(|file| format!("{} {}", file.path, short(&file.sha256)));
+            files.collect::<Vec<_>>().join(", ")
+        };
+        tell("geometry files", &told(&before.subject), &told(&after.subject));
     }
     if before.subject.cell_sha256 != after.subject.cell_sha256 {
         let tables = texts.map(|text| text.and_then(|text| text.parse::<toml::Table>().ok()));

@@ -86,6 +86,9 @@ pub struct Subject {
     pub cell_found: String,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
+    /// Robot descriptions and meshes that the cell file names.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub geometry: Vec<FileSubject>,
     /// Path that was scanned, as given.
     pub path: String,
     /// The cell file, if one was named beside the path.
@@ -94,6 +97,15 @@ pub struct Subject {
     pub fmus: Vec<FmuSubject>,
     /// What the connections between them do.
     pub couplings: Vec<String>,
+}
+
+/// A file that says part of what the cell is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct FileSubject {
+    /// Relative to the cell file.
+    pub path: String,
+    /// SHA-256 of the file.
+    pub sha256: String,
 }
 
 /// An FMU that was scanned.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::model::{FmuSubject, Hazard, SCHEMA_VERSION};
+use super::model::{FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -36,6 +36,9 @@ pub struct RecordedSubject {
     pub cell_file: Option<PathBuf>,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
+    /// Robot descriptions and meshes.
+    #[serde(default)]
+    pub geometry: Vec<FileSubject>,
     /// The FMUs.
     pub fmus: Vec<FmuSubject>,
 }

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
 use crate::cell::find::{OpenError, OpenedCell, open};
-use crate::cell::validate::validate;
+use crate::cell::validate::{GeometryFile, validate};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
@@ -17,7 +17,7 @@ use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Li
 use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
-use crate::report::model::{FmuSubject, Subject};
+use crate::report::model::{FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
 /// Memory for saved FMU states, bytes.
@@ -150,6 +150,8 @@ pub struct Prepared {
     /// What of the protection against the FMUs this machine lacks.
     pub missing_protection: Vec<String>,
     source: Source,
+    /// The cell file and where it is.
+    found: CellSource,
 }
 
 /// What plants are made of.
@@ -172,10 +174,10 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 /// [`PrepareError`].
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
     let cell_file = cell.map(|cell| cell.display().to_string());
-    let OpenedCell { cell, source, fmus, found } = open(path, cell)?;
-    let text = source.text().to_owned();
+    let OpenedCell { cell, source: cell_source, fmus, found } = open(path, cell)?;
+    let text = cell_source.text().to_owned();
     let (names, fmus): (Vec<String>, Vec<Fmu>) = fmus.into_iter().unzip();
-    let Fitted { cell, binding, setup, free_start } = fit(cell, &source, &names, &fmus)?;
+    let Fitted { cell, binding, setup, free_start } = fit(cell, &cell_source, &names, &fmus)?;
     let order = setup.order()?;
     let couplings = setup.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
@@ -219,13 +221,32 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         cell: cell.name.clone(),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
+        geometry: geometry(&cell),
         path: path.display().to_string(),
         cell_file,
         fmus: subjects,
         couplings,
     };
     free_start?;
-    Ok(Prepared { cell, text, binding, fmus: fmus.into(), names, subject, self_test, rung, missing_protection, source })
+    Ok(Prepared {
+        cell,
+        text,
+        binding,
+        fmus: fmus.into(),
+        names,
+        subject,
+        self_test,
+        rung,
+        missing_protection,
+        source,
+        found: cell_source,
+    })
+}
+
+/// The files that the cell's robots come from.
+fn geometry(cell: &Workcell) -> Vec<FileSubject> {
+    let told = |file: &GeometryFile| FileSubject { path: file.path.display().to_string(), sha256: file.sha256.clone() };
+    cell.files.iter().map(told).collect()
 }
 
 /// A cell that fits its FMUs.
@@ -259,7 +280,7 @@ impl Prepared {
     /// # Errors
     /// When the text is no cell of these FMUs, or the person has no room at the start.
     pub fn changed(&self, text: &str) -> Result<Self, PrepareError> {
-        let found = CellSource::new(&self.subject.cell_found, text);
+        let found = self.found.with_text(text);
         let Fitted { cell, binding, setup, free_start } = fit(validate(&found)?, &found, &self.names, &self.fmus)?;
         free_start?;
         let source = match &self.source {
@@ -267,7 +288,12 @@ impl Prepared {
             Source::Apart(launcher) => Source::Apart(launcher.clone().with_setup(setup)),
         };
         Ok(Self {
-            subject: Subject { cell: cell.name.clone(), cell_sha256: cell.sha256.clone(), ..self.subject.clone() },
+            subject: Subject {
+                cell: cell.name.clone(),
+                cell_sha256: cell.sha256.clone(),
+                geometry: geometry(&cell),
+                ..self.subject.clone()
+            },
             cell,
             text: text.to_owned(),
             binding,
@@ -277,7 +303,14 @@ impl Prepared {
             rung: self.rung,
             missing_protection: self.missing_protection.clone(),
             source,
+            found,
         })
+    }
+
+    /// What the user should know of the cell file.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        self.cell.warnings.iter().chain(&self.binding.warnings).cloned().collect()
     }
 
     /// The FMUs, not yet started, for states that are brought back as chosen.
@@ -327,7 +360,9 @@ impl Prepared {
     /// Whether equal serialised states are equal states: only for FMUs that save them faithfully.
     #[must_use]
     pub fn tells_states_by_bytes(&self) -> bool {
-        self.self_test.restore == Agreement::Exact && self.self_test.bytes_per_state.is_some()
+        // What is differentiated depends on the step before, too.
+        let remembers = self.binding.derived.is_empty();
+        remembers && self.self_test.restore == Agreement::Exact && self.self_test.bytes_per_state.is_some()
     }
 
     /// What the FMUs printed so far, and how many bytes it was; nothing is caught of those in this process.

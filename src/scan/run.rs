@@ -205,7 +205,7 @@ pub fn scan_with(
         remembered,
         notes,
     } = searched;
-    let mut warnings = prepared.binding.warnings.clone();
+    let mut warnings = prepared.warnings();
     warnings.extend(notes);
     // One process for all; each replay has a fresh instance in it.
     let mut plant = prepared.plant(StateChoice::Replay);

@@ -1,13 +1,14 @@
 //! How far robots and person can come at all: from lengths alone, never from what was observed.
 //!
-//! A chain of revolute joints cannot bring a point farther from its first joint than the lengths of its segments add up
+//! Revolute joints cannot bring a point farther from the first of them than the lengths of the segments between add up
 //! to; the person walks at 1.6 m/s and is within a sphere around the middle of the body. So a state may be dropped when
-//! the two cannot meet in the time that is left. Where the FMU itself gives the poses of a robot's parts, nothing bounds
-//! them, and nothing is dropped.
+//! the two cannot meet in the time that is left. Where parts slide, or
+//! the FMU itself gives their poses, nothing bounds them, and nothing is dropped.
 
 use crate::cell::Workcell;
 use crate::cell::validate::{Link, Robot};
 use crate::geometry::Vec3;
+use crate::geometry::kinematics::Motion;
 use crate::human::action::ACTION_S;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
@@ -48,12 +49,21 @@ impl RobotBounds {
 }
 
 fn bound(robot: &Robot, links: &[&Link]) -> Option<(Vec3, f64)> {
-    let chain = robot.chain.as_ref()?;
-    let first = chain.joints.first()?;
-    let centre = (chain.world_from_base * first.parent_from_joint).translation;
-    let mut lengths = vec![0.0; chain.joints.len()];
-    for joint in 1..chain.joints.len() {
-        lengths[joint] = lengths[joint - 1] + chain.joints[joint].parent_from_joint.translation.length();
+    let joints = &robot.kinematics.as_ref()?.tree.joints;
+    // What slides could slide as far as the FMU says.
+    if joints.iter().any(|joint| joint.motion == Motion::Prismatic) {
+        return None;
+    }
+    let roots = joints.iter().filter(|joint| joint.parent.is_none()).count();
+    // A single first joint does not move; several have the base in common.
+    let (centre, offset) = match joints.first()? {
+        first if roots == 1 => ((robot.world_from_base * first.parent_from_joint).translation, 0.0),
+        _ => (robot.world_from_base.translation, 1.0),
+    };
+    let mut lengths: Vec<f64> = Vec::with_capacity(joints.len());
+    for joint in joints {
+        let own = joint.parent_from_joint.translation.length();
+        lengths.push(joint.parent.map_or(offset * own, |parent| lengths[parent] + own));
     }
     let farthest = |link: &&Link| {
         let (middle, radius) = link.shape.bounding_sphere();
@@ -84,12 +94,12 @@ mod tests {
             let bounds = RobotBounds::new(&cell);
             let balls = bounds.balls.as_ref().unwrap();
             for (index, robot) in cell.robots.iter().enumerate() {
-                let chain = robot.chain.as_ref().unwrap();
+                let tree = &robot.kinematics.as_ref().unwrap().tree;
                 let mut farthest: f64 = 0.0;
                 for _ in 0..2000 {
                     let angle = |_: &_| f64::from(random.next_u32()) / f64::from(u32::MAX) * std::f64::consts::TAU;
-                    let angles: Vec<f64> = chain.joints.iter().map(angle).collect();
-                    let placed = chain.place(&angles);
+                    let angles: Vec<f64> = tree.joints.iter().map(angle).collect();
+                    let placed = tree.place(&angles);
                     for link in cell.links.iter().filter(|l| l.robot == index) {
                         let Solid::Capsule(c) = link.shape.placed(placed.world_from_link[link.joint]) else { continue };
                         for end in [c.a, c.b] {

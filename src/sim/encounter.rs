@@ -6,7 +6,7 @@
 
 use super::Coverage;
 use super::robot::RobotFrame;
-use crate::geometry::chain::Neighbourhood;
+use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
 use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::hazard::Contact;

@@ -3,8 +3,8 @@
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
 use crate::cell::validate::{Link, Robot};
 use crate::cell::{Binding, Workcell};
-use crate::geometry::chain::{Neighbourhood, Twist};
-use crate::geometry::{Pose, Rotation, Solid, Vec3};
+use crate::geometry::kinematics::{Neighbourhood, Twist};
+use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Strike;
 use crate::standards::BodyRegion;
 
@@ -32,7 +32,7 @@ pub struct RobotFrame {
 }
 
 impl RobotFrame {
-    /// The robots for one row of FMU outputs.
+    /// The robots for one row of FMU outputs, with what is derived from them ([`Binding::rows`]).
     #[must_use]
     pub fn new(cell: &Workcell, binding: &Binding, outputs: &[f64]) -> Self {
         let placed: Vec<Vec<(Pose, Twist)>> =
@@ -90,7 +90,7 @@ impl RobotFrame {
         self.phases[self.robot_of[link]]
     }
 
-    /// The FMU's outputs, in the order of the binding.
+    /// The FMU's outputs, in the order of the binding, then what is derived from them.
     #[must_use]
     pub fn outputs(&self) -> &[f64] {
         &self.outputs
@@ -105,11 +105,12 @@ impl RobotFrame {
 
 /// Pose and velocity of each moving part of a robot, world.
 fn place(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Vec<(Pose, Twist)> {
-    match (&binding.motion, &robot.chain) {
-        (MotionBinding::Joints { angles, speeds }, Some(chain)) => {
+    match (&binding.motion, &robot.kinematics) {
+        (MotionBinding::Joints { positions, speeds }, Some(kinematics)) => {
             let read = |readers: &[Reader]| -> Vec<f64> { readers.iter().map(|r| r.read(outputs)).collect() };
-            let placed = chain.place(&read(angles));
-            let twists = placed.twists(&read(speeds));
+            let (positions, speeds) = kinematics.all(&read(positions), &read(speeds));
+            let placed = kinematics.tree.place(&positions);
+            let twists = placed.twists(&speeds);
             placed.world_from_link.into_iter().zip(twists).collect()
         }
         (MotionBinding::Frames(frames), _) => frames.iter().map(|f| frame(robot.world_from_base, f, outputs)).collect(),
@@ -123,8 +124,7 @@ fn frame(world_from_base: Pose, binding: &FrameBinding, outputs: &[f64]) -> (Pos
         let [x, y, z] = readers.each_ref().map(|r| r.read(outputs));
         Vec3::new(x, y, z)
     };
-    let [w, x, y, z] = binding.quaternion.each_ref().map(|r| r.read(outputs));
-    let turned = Rotation::from_xyzw(x, y, z, w).normalize();
+    let turned = binding.orientation.read(outputs);
     let pose = world_from_base * Pose::from_parts(vector(&binding.position), turned);
     let angular = world_from_base.rotation * vector(&binding.angular_velocity);
     let velocity = world_from_base.rotation * vector(&binding.velocity);

@@ -53,8 +53,10 @@ impl<P: Plant> Robots<P> {
         if self.frames.len() >= FRAMES_KEPT {
             self.frames.clear();
         }
-        let rows = self.recall.outputs(node).chunks(self.world.binding.outputs.len());
-        let frames: Frames = rows.map(|row| RobotFrame::new(&self.world.cell, &self.world.binding, row)).collect();
+        let before = (node != NodeId::ROOT).then(|| &**self.recall.outputs(self.recall.parent(node)));
+        let rows = self.world.binding.rows(self.recall.outputs(node), before, self.world.cell.step_s);
+        let frame = |row: &[f64]| RobotFrame::new(&self.world.cell, &self.world.binding, row);
+        let frames: Frames = rows.chunks(self.world.binding.columns()).map(frame).collect();
         self.frames.insert(node, Arc::clone(&frames));
         frames
     }

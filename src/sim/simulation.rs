@@ -240,7 +240,8 @@ impl<P: Plant> Simulation<P> {
     /// Person, sensors and robot at the start.
     fn at_start(&self) -> Instant {
         let world = &self.world;
-        let frame = RobotFrame::new(&world.cell, &world.binding, self.robots.recall.outputs(NodeId::ROOT));
+        let row = world.binding.rows(self.robots.recall.outputs(NodeId::ROOT), None, world.cell.step_s);
+        let frame = RobotFrame::new(&world.cell, &world.binding, &row);
         let place = world.start();
         let stance = Stance { place, posture: Posture::Upright, walked: false, broken: Vec::new() };
         Instant {

@@ -1,0 +1,72 @@
+//! Files that a cell file names: each is read once, and remembered with its hash, so that results can say what they are of.
+
+use std::cell::RefCell;
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+
+use sha2::{Digest as _, Sha256};
+
+use super::validate::GeometryFile;
+
+/// Files that were read, in that order.
+#[derive(Debug, Default)]
+pub(super) struct Files(RefCell<Vec<(GeometryFile, Arc<[u8]>)>>);
+
+impl Files {
+    /// The content of `path`, relative to `folder`.
+    pub(super) fn read(&self, folder: &Path, path: &Path) -> std::io::Result<Arc<[u8]>> {
+        let path = plain(path);
+        if let Some((_, bytes)) = self.0.borrow().iter().find(|(file, _)| file.path == path) {
+            return Ok(Arc::clone(bytes));
+        }
+        let bytes: Arc<[u8]> = std::fs::read(folder.join(&path))?.into();
+        let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        self.0.borrow_mut().push((GeometryFile { path, sha256 }, Arc::clone(&bytes)));
+        Ok(bytes)
+    }
+
+    /// What was read so far.
+    pub(super) fn take(&self) -> Vec<GeometryFile> {
+        self.0.take().into_iter().map(|(file, _)| file).collect()
+    }
+}
+
+/// `path` without `.` and without detours by `..`.
+pub(super) fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir if plain.file_name().is_some() => {
+                plain.pop();
+            }
+            other => plain.push(other),
+        }
+    }
+    plain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn detours_are_left_out() {
+        for (path, expected) in [("a/./b", "a/b"), ("a/../b", "b"), ("../a", "../a"), ("a/../../b", "../b")] {
+            assert_eq!(plain(Path::new(path)), Path::new(expected), "{path}");
+        }
+    }
+
+    #[test]
+    fn a_file_is_read_once_and_hashed() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a"), "abc").unwrap();
+        let files = Files::default();
+        assert_eq!(&*files.read(folder.path(), Path::new("a")).unwrap(), b"abc");
+        assert_eq!(&*files.read(folder.path(), Path::new("./a")).unwrap(), b"abc");
+        let read = files.take();
+        assert_eq!(read.len(), 1);
+        // FIPS 180-2, appendix B.1.
+        assert_eq!(read[0].sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    }
+}

@@ -1,0 +1,287 @@
+//! Robot descriptions in URDF: links with masses and collision shapes, joints that turn, slide or are fixed.
+//!
+//! Format: the ROS documentation of URDF (`wiki.ros.org/urdf/XML`). What decides where a link is or how heavy it is must
+//! be understood; anything else (visuals, materials, transmissions, sensors) is passed over. Lengths in m, angles in rad,
+//! masses in kg.
+
+use std::ops::Range;
+
+use roxmltree::{Document, Node};
+
+use super::CellError;
+use super::error::{Source, nearest};
+use super::validate::roll_pitch_yaw;
+use crate::geometry::kinematics::Motion;
+use crate::geometry::{Pose, Vec3};
+
+/// A robot description.
+#[derive(Debug)]
+pub(super) struct Urdf {
+    pub links: Vec<Link>,
+    /// Joints, each after the one that carries its parent link.
+    pub joints: Vec<Joint>,
+}
+
+/// A link.
+#[derive(Debug)]
+pub(super) struct Link {
+    pub name: String,
+    /// Mass, kg; nothing if it has no inertial.
+    pub mass_kg: Option<f64>,
+    /// Collision shapes in the link's frame.
+    pub shapes: Vec<(Pose, Shape)>,
+    /// Whether it can be seen and has no collision shape.
+    pub only_seen: bool,
+}
+
+/// A collision shape.
+#[derive(Debug)]
+pub(super) enum Shape {
+    /// Edge lengths.
+    Box([f64; 3]),
+    /// Around z, centred.
+    Cylinder { radius: f64, length: f64 },
+    /// Around z, centred, with a half sphere beyond each end (an extension that several readers know).
+    Capsule { radius: f64, length: f64 },
+    /// Centred.
+    Sphere { radius: f64 },
+    /// A file, scaled.
+    Mesh { file: String, scale: [f64; 3], place: Range<usize> },
+}
+
+/// A joint.
+#[derive(Debug)]
+pub(super) struct Joint {
+    pub name: String,
+    /// Nothing for one that is fixed.
+    pub motion: Option<Motion>,
+    /// Index of the link that carries it.
+    pub parent: usize,
+    /// Index of the link that it carries.
+    pub child: usize,
+    /// `parent_from_joint` at zero.
+    pub origin: Pose,
+    /// Unit axis.
+    pub axis: Vec3,
+    /// Name of the joint that it follows, factor and offset.
+    pub mimic: Option<(String, f64, f64)>,
+}
+
+type Result<T> = std::result::Result<T, Box<CellError>>;
+
+/// Reads a URDF file.
+///
+/// # Errors
+/// What is no XML, misses what is needed, or is no tree, with its line.
+pub(super) fn read(source: &Source) -> Result<Urdf> {
+    let document = Document::parse(source.text()).map_err(|error| {
+        let place = offset(source.text(), error.pos());
+        let help = "a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`".to_owned();
+        source.error(place..place + 1, "here", format!("it is no XML: {error}"), Some(help))
+    })?;
+    let reader = Reader { source };
+    let root = document.root_element();
+    if !root.has_tag_name("robot") {
+        return Err(reader.wrong(root, "the file has no <robot> at its top", "give a URDF file"));
+    }
+    let links: Vec<(Node<'_, '_>, Link)> =
+        children(root, "link").map(|node| Ok((node, reader.link(node)?))).collect::<Result<_>>()?;
+    for (number, (node, link)) in links.iter().enumerate() {
+        if links[..number].iter().any(|(_, other)| other.name == link.name) {
+            return Err(reader.wrong(*node, format!("two links are called `{}`", link.name), "rename one of them"));
+        }
+    }
+    let names: Vec<&str> = links.iter().map(|(_, link)| link.name.as_str()).collect();
+    let joints: Vec<(Node<'_, '_>, Joint)> =
+        children(root, "joint").map(|node| Ok((node, reader.joint(node, &names)?))).collect::<Result<_>>()?;
+    let joints = reader.sorted(joints, &names)?;
+    Ok(Urdf { links: links.into_iter().map(|(_, link)| link).collect(), joints })
+}
+
+fn offset(text: &str, position: roxmltree::TextPos) -> usize {
+    let row = usize::try_from(position.row).unwrap_or(1).max(1);
+    let line: usize = text.split_inclusive('\n').take(row - 1).map(str::len).sum();
+    line.min(text.len().saturating_sub(1))
+}
+
+fn children<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |child| child.has_tag_name(name))
+}
+
+fn child<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+    children(node, name).next()
+}
+
+struct Reader<'a> {
+    source: &'a Source,
+}
+
+impl Reader<'_> {
+    fn wrong(&self, node: Node<'_, '_>, message: impl Into<String>, help: impl Into<String>) -> Box<CellError> {
+        // The start tag alone: an element may be long.
+        let range = node.range();
+        let tag = self.source.text()[range.clone()].find('>').map_or(range.end, |end| range.start + end + 1);
+        self.source.error(range.start..tag, "here", message, Some(help.into()))
+    }
+
+    fn text<'n>(&self, node: Node<'n, '_>, attribute: &str) -> Result<&'n str> {
+        let tag = node.tag_name().name().to_owned();
+        node.attribute(attribute).ok_or_else(|| {
+            self.wrong(node, format!("<{tag}> has no `{attribute}`"), format!("add {attribute}=\"...\""))
+        })
+    }
+
+    fn numbers<const N: usize>(&self, node: Node<'_, '_>, attribute: &str, or: [f64; N]) -> Result<[f64; N]> {
+        let Some(text) = node.attribute(attribute) else { return Ok(or) };
+        let all: Vec<f64> = text.split_whitespace().filter_map(|word| word.parse().ok()).collect();
+        let wanted = <[f64; N]>::try_from(all).ok().filter(|all| all.iter().all(|v| v.is_finite()));
+        wanted.filter(|_| text.split_whitespace().count() == N).ok_or_else(|| {
+            let message = format!("`{attribute}` is \"{text}\"");
+            self.wrong(node, message, format!("it takes {N} number{}", if N == 1 { "" } else { "s" }))
+        })
+    }
+
+    /// A number that has to be there and greater than zero.
+    fn length(&self, node: Node<'_, '_>, attribute: &str) -> Result<f64> {
+        let text = self.text(node, attribute)?;
+        let [value] = self.numbers(node, attribute, [0.0])?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        Err(self.wrong(node, format!("`{attribute}` is {text}"), "a length is greater than zero"))
+    }
+
+    fn origin(&self, node: Node<'_, '_>) -> Result<Pose> {
+        let Some(origin) = child(node, "origin") else { return Ok(Pose::IDENTITY) };
+        let xyz = self.numbers(origin, "xyz", [0.0; 3])?;
+        let rpy = self.numbers(origin, "rpy", [0.0; 3])?;
+        Ok(Pose::from_parts(Vec3::from_array(xyz), roll_pitch_yaw(rpy)))
+    }
+
+    fn link(&self, node: Node<'_, '_>) -> Result<Link> {
+        let name = self.text(node, "name")?.to_owned();
+        let mass = child(node, "inertial").and_then(|inertial| child(inertial, "mass"));
+        let mass_kg = mass.map(|mass| {
+            let _ = self.text(mass, "value")?;
+            let [kg] = self.numbers(mass, "value", [0.0])?;
+            if kg < 0.0 {
+                return Err(self.wrong(mass, format!("the mass of link `{name}` is {kg} kg"), "zero or more"));
+            }
+            Ok(kg)
+        });
+        let shapes = children(node, "collision").map(|node| Ok((self.origin(node)?, self.shape(node)?)));
+        let shapes = shapes.collect::<Result<Vec<_>>>()?;
+        let only_seen = shapes.is_empty() && child(node, "visual").is_some();
+        Ok(Link { mass_kg: mass_kg.transpose()?, shapes, only_seen, name })
+    }
+
+    fn shape(&self, collision: Node<'_, '_>) -> Result<Shape> {
+        let geometry = child(collision, "geometry");
+        let Some(node) = geometry.and_then(|geometry| geometry.children().find(Node::is_element)) else {
+            return Err(self.wrong(collision, "this collision has no shape", "add <geometry> with a shape in it"));
+        };
+        match node.tag_name().name() {
+            "box" => {
+                let _ = self.text(node, "size")?;
+                let size = self.numbers(node, "size", [0.0; 3])?;
+                if size.iter().all(|edge| *edge > 0.0) {
+                    return Ok(Shape::Box(size));
+                }
+                Err(self.wrong(node, "an edge of this box has no length", "three lengths greater than zero"))
+            }
+            "cylinder" => {
+                let (radius, length) = (self.length(node, "radius")?, self.length(node, "length")?);
+                Ok(Shape::Cylinder { radius, length })
+            }
+            "capsule" => {
+                let (radius, length) = (self.length(node, "radius")?, self.length(node, "length")?);
+                Ok(Shape::Capsule { radius, length })
+            }
+            "sphere" => Ok(Shape::Sphere { radius: self.length(node, "radius")? }),
+            "mesh" => Ok(Shape::Mesh {
+                file: self.text(node, "filename")?.to_owned(),
+                scale: self.numbers(node, "scale", [1.0; 3])?,
+                place: node.range(),
+            }),
+            other => {
+                let help = "box, cylinder, capsule, sphere and mesh are known";
+                Err(self.wrong(node, format!("the shape <{other}> is not known"), help))
+            }
+        }
+    }
+
+    fn joint(&self, node: Node<'_, '_>, links: &[&str]) -> Result<Joint> {
+        let name = self.text(node, "name")?.to_owned();
+        let motion = match self.text(node, "type")? {
+            "fixed" => None,
+            "revolute" | "continuous" => Some(Motion::Revolute),
+            "prismatic" => Some(Motion::Prismatic),
+            other => {
+                let help = "fixed, revolute, continuous and prismatic are known";
+                return Err(self.wrong(node, format!("joint `{name}` is of type `{other}`"), help));
+            }
+        };
+        let end = |tag: &'static str| {
+            let missing = || self.wrong(node, format!("joint `{name}` has no <{tag}>"), "name a link");
+            let end = child(node, tag).ok_or_else(missing)?;
+            let wanted = self.text(end, "link")?;
+            links.iter().position(|link| *link == wanted).ok_or_else(|| {
+                let help = nearest(wanted, links.iter().copied());
+                let help = help.map_or_else(|| "add it".to_owned(), |near| format!("did you mean `{near}`?"));
+                self.wrong(end, format!("there is no link `{wanted}`"), help)
+            })
+        };
+        let (parent, carried) = (end("parent")?, end("child")?);
+        let axis = match child(node, "axis") {
+            Some(axis) => Vec3::from_array(self.numbers(axis, "xyz", [1.0, 0.0, 0.0])?),
+            None => Vec3::X,
+        };
+        let Some(axis) = axis.try_normalize() else {
+            return Err(self.wrong(node, format!("the axis of joint `{name}` has no direction"), "xyz=\"0 0 1\", say"));
+        };
+        let mimic = child(node, "mimic").map(|mimic| -> Result<_> {
+            let of = self.text(mimic, "joint")?.to_owned();
+            let [factor] = self.numbers(mimic, "multiplier", [1.0])?;
+            let [offset] = self.numbers(mimic, "offset", [0.0])?;
+            Ok((of, factor, offset))
+        });
+        let mimic = mimic.transpose()?;
+        Ok(Joint { motion, parent, child: carried, origin: self.origin(node)?, axis, mimic, name })
+    }
+
+    /// The joints, each after the one that carries it.
+    fn sorted(&self, joints: Vec<(Node<'_, '_>, Joint)>, links: &[&str]) -> Result<Vec<Joint>> {
+        for (number, (node, joint)) in joints.iter().enumerate() {
+            let before = &joints[..number];
+            if before.iter().any(|(_, other)| other.name == joint.name) {
+                let message = format!("two joints are called `{}`", joint.name);
+                return Err(self.wrong(*node, message, "rename one of them"));
+            }
+            if before.iter().any(|(_, other)| other.child == joint.child) {
+                let message = format!("link `{}` is carried by two joints", links[joint.child]);
+                return Err(self.wrong(*node, message, "a URDF robot is a tree: remove one of them"));
+            }
+            if let Some((of, ..)) = &joint.mimic
+                && !joints.iter().any(|(_, other)| other.name == *of && other.mimic.is_none() && other.motion.is_some())
+            {
+                let message = format!("joint `{}` mimics `{of}`, which is no moving joint of its own", joint.name);
+                return Err(self.wrong(*node, message, "name a joint that moves"));
+            }
+        }
+        let carried: Vec<usize> = joints.iter().map(|(_, joint)| joint.child).collect();
+        let mut reached: Vec<usize> = (0..links.len()).filter(|link| !carried.contains(link)).collect();
+        let mut left = joints;
+        let mut sorted = Vec::with_capacity(left.len());
+        while !left.is_empty() {
+            let Some(next) = left.iter().position(|(_, joint)| reached.contains(&joint.parent)) else {
+                let (node, joint) = &left[0];
+                let message = format!("joint `{}` is part of a loop", joint.name);
+                return Err(self.wrong(*node, message, "a URDF robot is a tree"));
+            };
+            let (_, joint) = left.remove(next);
+            reached.push(joint.child);
+            sorted.push(joint);
+        }
+        Ok(sorted)
+    }
+}
