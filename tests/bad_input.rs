@@ -9,7 +9,12 @@ use common::{examples, faulty_cell, fmi_hazard, scan_json, test_fmus, write};
 
 /// Runs `scan` on `path`, expects `code` and all of `words` on stderr; returns stderr.
 fn fails(dir: &Path, path: &str, code: i32, words: &[&str]) -> String {
-    let output = fmi_hazard(dir).args(["scan", path, "--out", "o"]).assert().code(code).get_output().clone();
+    let output = fmi_hazard(dir)
+        .args(["scan", path, "--out", "o", "--strategy", "random", "--iterations", "1"])
+        .assert()
+        .code(code)
+        .get_output()
+        .clone();
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     // miette wraps lines: compare without line breaks and box drawing.
     let flat = text.replace(['│', '\n'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
@@ -70,16 +75,130 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     ("[human]", "[fail_on]\nbaseline = \"b.json\"\n[human]", &["never read", "new_only = true"]),
     ("[human]", "[fail_on]\nnew_only = true\n[human]", &["baseline.json does not exist", "--write-baseline"]),
     ("size_m = [1.2, 0.02, 2]", "size_m = [1.2, 0, 2]", &["fence front left", "greater than zero"]),
+    ("schema = 1", "schema = one", &["TOML", "quotes"]),
+    ("schema = 1\n", "", &["missing field `schema`", "add `schema`"]),
+    ("name = \"joint_2\"", "name = \"joint_1\"", &["two joints or frames are called `joint_1`", "its own name"]),
+    ("axis = [0, 1, 0]\n", "", &["joint `joint_2` has no axis", "axis = [0, 0, 1]"]),
+    ("angle = { variable = \"robot.q[1]\" }\n", "", &["needs one of angle, position, held_deg", "variable ="]),
+    (
+        "axis = [0, 1, 0]",
+        "axis = [0, 1, 0]\nheld_deg = 3",
+        &["needs one of angle, position, held_deg", "stays where it is"],
+    ),
+    ("moving_mass_kg = 40.4\n", "", &["no moving mass", "data sheet"]),
+    ("moving_mass_kg = 40.4", "moving_mass_kg = \"40 kg\"", &["invalid type", "numbers and true or false do not"]),
+    ("payload = {", "payload_kg = 3\npayload = {", &["either `payload_kg`", "payload_kg = 0"]),
+    ("payload = { variable = \"gripper.payload\" }", "payload_kg = -2", &["payload_kg is -2", "zero or more"]),
+    ("phase = \"ctrl.leg\"", "phase = \"robot.q[1]\"", &["Integer or Boolean output", "inspect"]),
+    ("radius_m = 0.142", "radius_m = -0.142", &["radius of a link", "greater than zero"]),
+    ("radius_m = 0.142 }", "radius_m = 0.142 }\nhull_m = [[0, 0, 0]]", &["needs one shape", "several [[robot.link]]"]),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "hull_m = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]",
+        &["no convex hull with volume", "not in one plane"],
+    ),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "mesh = { file = \"turret.stl\", metres_per_unit = 0.001 }",
+        &["cannot read turret.stl", "relative to the cell file"],
+    ),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "mesh = { file = \"cell.toml\", metres_per_unit = 0.001 }",
+        &["meshes of type `toml` are not read", "STL and OBJ"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nvariable = \"plc.reset\"\nactive = true\n[human]",
+        &["no zone", "polygon_m"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"matt\"\nvariable = \"plc.reset\"\nactive = true\n[human]",
+        &["unknown variant `matt`", "did you mean `mat`"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nzone = { polygon_m = [[0, 0], [1, 0]] }\nvariable = \"plc.reset\"\nactive = \
+         true\n[human]",
+        &["at least three corners", "[[x, y], ...]"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]] }\nvariable = \
+         \"plc.reset\"\n[human]",
+        &["does not say which value of `plc.reset` means a person", "active = false", "probe"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]] }\nvariable = \
+         \"plc.reset\"\nactive = true\n[human]",
+        &["`plc.reset` is driven by two things at once", "remove one of the two"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"scanner_field\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]], height_m = 3 \
+         }\nvariable = \"plc.guard_closed\"\nactive = false\n[human]",
+        &["height of sensor `m` is 3 m", "0 to 1 m"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"light_curtain\"\nzone = { line_m = [[0, 0], [1, 0]] }\nvariable = \
+         \"plc.guard_closed\"\nactive = false\n[human]",
+        &["needs `line_m` and `heights_m`", "zone = {"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]] }\nvariable = \
+         \"plc.guard_closed\"\nactive = false\ndelay_ms = -5\n[human]",
+        &["delay_ms of sensor `m` is -5", "use 0 to"],
+    ),
+    ("[human]", "[pose]\nx = \"plc.reset\"\n[human]", &["a Real input is needed", "inspect"]),
+    ("[human]", "[pose]\nxx = \"plc.reset\"\n[human]", &["unknown variant `xx`", "did you mean"]),
+    ("[human]", "[parameters]\n\"plc.reset\" = true\n[human]", &["not a parameter", "[inputs]"]),
+    ("[human]", "[human]\npercentile = 40", &["5, 50 and 95, not 40", "nearest"]),
+    ("[human]", "[human]\nbend_forward_deg = 120", &["120", "between 0 and 90"]),
+    ("[human]", "[human]\nsex = \"male\"", &["unknown variant `male`", "did you mean `man`"]),
+    ("[human]", "[search]\nactions = 0\n[human]", &["actions from 1 to 64", "the paper uses"]),
+    ("[human]", "[search]\nreach_tolerance_m = 1\n[human]", &["reach_tolerance_m is 1", "0.001 to 0.05"]),
+    ("[human]", "[human]\n[human]", &["duplicate key", "remove one of the two"]),
+    ("[[robot.joint]]", "urdf = \"no.urdf\"\n[[robot.joint]]", &["cannot read no.urdf", "relative to the cell file"]),
+    ("[[robot.joint]]", "urdf = \"bad.urdf\"\n[[robot.joint]]", &["it is no XML", "xacro", "bad.urdf:2"]),
+    ("[[robot.joint]]", "urdf = \"loop.urdf\"\n[[robot.joint]]", &["is part of a loop", "a tree", "loop.urdf:4"]),
+    ("[[robot.joint]]", "urdf = \"mesh.urdf\"\n[[robot.joint]]", &["axis", "remove `axis` and `origin` here"]),
+];
+
+/// Robot descriptions with mistakes, beside the cell file.
+const DESCRIPTIONS: &[(&str, &str)] = &[
+    ("bad.urdf", "<robot name=\"r\">\n<link name=\"a\"></lnk>\n</robot>\n"),
+    (
+        "loop.urdf",
+        "<robot name=\"r\">\n<link name=\"a\"/>\n<link name=\"b\"/>\n<joint name=\"joint_1\" type=\"fixed\"><parent \
+         link=\"a\"/><child link=\"b\"/></joint>\n<joint name=\"joint_2\" type=\"fixed\"><parent link=\"b\"/><child \
+         link=\"a\"/></joint>\n</robot>\n",
+    ),
+    ("mesh.urdf", "<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n"),
 ];
 
 #[test]
 fn mistakes_in_the_cell_file_are_named_with_their_line_and_a_way_out() {
     let dir = examples();
     let cell = std::fs::read_to_string(dir.path().join("safety-fence/cell.toml")).unwrap();
+    for (name, text) in DESCRIPTIONS {
+        write(&dir.path().join("safety-fence"), name, text);
+    }
+    assert!(CELL_MISTAKES.len() >= 60);
     for (from, to, words) in CELL_MISTAKES {
         assert!(cell.contains(from), "{from}");
-        write(dir.path(), "safety-fence/wrong.toml", &cell.replacen(from, to, 1));
-        fails(dir.path(), "safety-fence/wrong.toml", 2, words);
+        let wrong = write(dir.path(), "safety-fence/wrong.toml", &cell.replacen(from, to, 1));
+        let text = fails(dir.path(), "safety-fence/wrong.toml", 2, words);
+        // Every one: in which file and line, and what to do.
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains("help:"), "{from} -> {to}: no help in:\n{text}");
+        let lines = text.matches(".toml:").count() + text.matches(".urdf:").count();
+        let somewhere = lines > 0 || text.contains("fail_on.baseline");
+        assert!(somewhere, "{from} -> {to}: no line in:\n{text}");
+        std::fs::remove_file(wrong).unwrap();
     }
 }
 

@@ -10,6 +10,7 @@ use super::error::{Problems, Source, nearest};
 use super::format::{
     CellFile, ConnectionTable, FrameTable, JointTable, Literal, RobotTable, SensorKind, SensorTable, VariableTable,
 };
+use super::sensors::fail_safe;
 use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
 use crate::geometry::{Matrix3, Rotation, Vec3};
 use crate::host::port::{Port, PortKind};
@@ -277,7 +278,7 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
         let twin = (0..number).find(|&other| {
             matches!(binding, Some(SensorBinding::Input(_)))
                 && sensors[other] == binding
-                && file.sensors[other].active != sensor.active
+                && polarity(&file.sensors[other]) != polarity(sensor)
         });
         if let Some(other) = twin {
             let (one, two) = (&file.sensors[other].name, &sensor.name);
@@ -656,7 +657,8 @@ impl<'a> Binder<'a> {
         port.map(|port| UnitPort { unit, port }).ok_or_else(|| {
             let kind = self.type_name(unit, variable);
             let message = format!("`{}` is a {kind} variable, which cannot be used here", variable.name);
-            self.source.error(name.span(), "named here", message, None)
+            let help = Some("numbers and truth values can be used: Real, Integer, Boolean and their kin".to_owned());
+            self.source.error(name.span(), "named here", message, help)
         })
     }
 
@@ -665,7 +667,12 @@ impl<'a> Binder<'a> {
         let (unit, variable) = self.find(name)?;
         if variable.causality != Causality::Input {
             let message = format!("`{}` is not an input of {}", variable.name, self.units[unit].file);
-            return Err(self.source.error(name.span(), "named here", message, None));
+            return Err(self.source.error(
+                name.span(),
+                "named here",
+                message,
+                Some("`fmi-hazard inspect` lists the inputs".to_owned()),
+            ));
         }
         let port = self.port(name, unit, variable)?;
         if let Some(wanted) = wanted.filter(|wanted| *wanted != port.port.kind) {
@@ -674,7 +681,12 @@ impl<'a> Binder<'a> {
                 variable.name,
                 self.type_name(unit, variable)
             );
-            return Err(self.source.error(name.span(), "named here", message, None));
+            return Err(self.source.error(
+                name.span(),
+                "named here",
+                message,
+                Some("`fmi-hazard inspect` lists the inputs with their types".to_owned()),
+            ));
         }
         Ok(port)
     }
@@ -682,7 +694,8 @@ impl<'a> Binder<'a> {
     fn literal(&self, name: &Spanned<String>, port: &Port, literal: Literal) -> Result<f64, Box<CellError>> {
         let wrong = |wanted: &str| {
             let message = format!("`{}` needs {wanted}", port.name);
-            Err(self.source.error(name.span(), "set here", message, None))
+            let help = Some("write true or false for Booleans, a number for all others".to_owned());
+            Err(self.source.error(name.span(), "set here", message, help))
         };
         match (port.kind, literal) {
             (PortKind::Boolean, Literal::Bool(b)) => Ok(f64::from(u8::from(b))),
@@ -712,7 +725,12 @@ impl<'a> Binder<'a> {
         }
         let file = &self.units[unit].file;
         let message = format!("`{}` cannot be read as a result: it is not an output of {file}", variable.name);
-        Err(self.source.error(name.span(), "named here", message, None))
+        Err(self.source.error(
+            name.span(),
+            "named here",
+            message,
+            Some("`fmi-hazard inspect` lists the outputs".to_owned()),
+        ))
     }
 
     fn whole_number(&mut self, name: &Spanned<String>, what: &str) -> Result<Reader, Box<CellError>> {
@@ -720,7 +738,12 @@ impl<'a> Binder<'a> {
         let port = self.port(name, unit, variable)?;
         if port.port.kind == PortKind::Real {
             let message = format!("{what} must be an Integer or Boolean output, `{}` is Real", variable.name);
-            return Err(self.source.error(name.span(), "named here", message, None));
+            return Err(self.source.error(
+                name.span(),
+                "named here",
+                message,
+                Some("`fmi-hazard inspect` lists the outputs with their types".to_owned()),
+            ));
         }
         Ok(Reader { terms: vec![(self.output(port), 1.0)], offset: 0.0 })
     }
@@ -729,7 +752,8 @@ impl<'a> Binder<'a> {
         let factor = self.factor(&table.variable, table.unit.as_ref(), quantity)?;
         if table.sign.abs() != 1.0 {
             let message = format!("sign is {}, it can only be 1 or -1", table.sign);
-            return Err(self.source.error(table.variable.span(), "for this variable", message, None));
+            let help = Some("a coupled axis with another factor stands under `plus`".to_owned());
+            return Err(self.source.error(table.variable.span(), "for this variable", message, help));
         }
         let mut terms = vec![(self.real_output(&table.variable)?, table.sign * factor)];
         for (name, weight) in &table.plus {
@@ -751,7 +775,12 @@ impl<'a> Binder<'a> {
         if port.port.kind != PortKind::Real {
             let message =
                 format!("a Real output is needed here, `{}` is {}", variable.name, self.type_name(unit, variable));
-            return Err(self.source.error(name.span(), "named here", message, None));
+            return Err(self.source.error(
+                name.span(),
+                "named here",
+                message,
+                Some("`fmi-hazard inspect` lists the outputs with their types".to_owned()),
+            ));
         }
         Ok(self.output(port))
     }
@@ -803,6 +832,11 @@ impl<'a> Binder<'a> {
             }
         }
     }
+}
+
+/// Value while a person is detected, as far as it is said.
+fn polarity(sensor: &SensorTable) -> Option<bool> {
+    sensor.active.or_else(|| fail_safe(sensor.variable.get_ref()))
 }
 
 /// Whether the port's integer type can hold `v`.

@@ -26,6 +26,61 @@ pub(super) struct Described {
     pub places: BTreeMap<String, (usize, Pose)>,
 }
 
+/// What a URDF says, for a first cell file.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// Joints that move by themselves, in the order of the tree.
+    pub joints: Vec<(String, Motion)>,
+    /// Masses of all links that move, kg; nothing if none is told.
+    pub moving_mass_kg: Option<f64>,
+    /// Why the collision shapes cannot be used, if so.
+    pub unreadable: Option<String>,
+}
+
+/// Reads what the URDF at `path` says.
+///
+/// # Errors
+/// When it is no robot description, with the line.
+pub fn summary(path: &Path) -> Result<Summary> {
+    let (folder, name) = (path.parent().unwrap_or(Path::new("")), path.file_name().unwrap_or_default());
+    let held = |name: &str, motion: &Motion| {
+        let held = if *motion == Motion::Prismatic { "held_m" } else { "held_deg" };
+        format!("[[robot.joint]]\nname = {}\n{held} = 0\n", toml::Value::String(name.to_owned()))
+    };
+    // As a cell would read it, with every joint held.
+    let cell = |joints: &[(String, Motion)], shapes: bool| {
+        let joints: String = joints.iter().map(|(name, motion)| held(name, motion)).collect();
+        let path = toml::Value::String(name.to_string_lossy().into_owned());
+        Source::new(
+            &path.to_string(),
+            &format!(
+                "schema = 1\nname = \"x\"\n[human]\nstart = {{ xy_m = [0, 0], heading_deg = 0 }}\n[[robot]]\nname = \"x\"\n\
+                 urdf = {path}\nurdf_shapes = {shapes}\n{joints}"
+            ),
+        )
+        .in_folder(folder)
+    };
+    let describe = |joints: &[(String, Motion)], shapes: bool| {
+        let source = cell(joints, shapes);
+        let file = super::validate::parse(&source)?;
+        let robot = file.robots[0].get_ref();
+        Checker::new(&source).described(robot, robot.urdf.as_ref().unwrap_or(&Spanned::new(0..0, String::new())))
+    };
+    let bytes = std::fs::read(path).map_err(|error| {
+        Source::new(&path.display().to_string(), "").error(0..0, "", format!("cannot read it: {error}"), None)
+    })?;
+    let urdf = urdf::read(&Source::new(&path.display().to_string(), &String::from_utf8_lossy(&bytes)))?;
+    let moving = urdf.joints.iter().filter(|joint| joint.mimic.is_none());
+    let joints: Vec<(String, Motion)> = moving.filter_map(|joint| Some((joint.name.clone(), joint.motion?))).collect();
+    let Described { moving_mass_kg, .. } = describe(&joints, false)?;
+    let unreadable = match describe(&joints, true) {
+        Ok(described) if described.shapes.is_empty() => Some("no moving link has a collision shape".to_owned()),
+        Ok(_) => None,
+        Err(error) => Some(error.message),
+    };
+    Ok(Summary { joints, moving_mass_kg, unreadable })
+}
+
 /// Edges of the prism that stands around a cylinder: at most 1 % of the radius beyond it.
 const PRISM_EDGES: u16 = 24;
 

@@ -90,6 +90,12 @@ impl Source {
         &self.folder
     }
 
+    /// What it is called in messages.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The text.
     #[must_use]
     pub fn text(&self) -> &str {
@@ -108,7 +114,14 @@ impl Source {
         self.text.get(..offset).map_or(0, |before| before.matches('\n').count()) + 1
     }
 
-    /// An error at `span` (a byte range; empty at 0 means nowhere in particular).
+    /// Where the header `[name]` stands, or the first line if it does not.
+    #[must_use]
+    pub fn table(&self, name: &str) -> Range<usize> {
+        let header = format!("[{name}]");
+        self.text.find(&header).map_or(0..0, |at| at..at + header.len())
+    }
+
+    /// An error at `span` (a byte range; empty at 0 means the file as a whole and shows its first line).
     #[must_use]
     pub fn error(
         &self,
@@ -117,7 +130,9 @@ impl Source {
         message: impl Into<String>,
         help: Option<String>,
     ) -> Box<CellError> {
-        let span = (span.end > 0).then(|| SourceSpan::from((span.start, span.end - span.start)));
+        let first = 0..self.text.lines().next().map_or(0, str::len);
+        let span = if span.end > 0 { span } else { first };
+        let span = Some(SourceSpan::from((span.start, span.end - span.start)));
         Box::new(CellError {
             message: message.into(),
             source_code: NamedSource::new(&self.name, self.text.clone()).with_language("TOML"),
@@ -183,13 +198,29 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// Reads serde's "unknown field `x`, expected one of `a`, `b`" and suggests the nearest.
 fn did_you_mean(message: &str) -> Option<String> {
     let mut quoted = message.split('`').skip(1).step_by(2);
-    if !message.starts_with("unknown") {
-        return None;
+    if let Some(name) = message.starts_with("missing field").then(|| quoted.next()).flatten() {
+        return Some(format!("add `{name}` to this table; `fmi-hazard schema` tells what it takes"));
     }
-    let word = quoted.next()?;
-    let all: Vec<&str> = quoted.collect();
-    Some(match nearest(word, all.iter().copied()) {
+    if message.starts_with("invalid type") {
+        return Some("texts stand in quotes, numbers and true or false do not; lists in [ ], tables in { }".to_owned());
+    }
+    if message.starts_with("duplicate key") {
+        return Some("remove one of the two".to_owned());
+    }
+    if !message.starts_with("unknown") {
+        return Some(
+            "the file is written in TOML: key = value, texts in quotes, tables as [name] (toml.io)".to_owned(),
+        );
+    }
+    Some(match meant(message) {
         Some(candidate) => format!("did you mean `{candidate}`?"),
         None => "`fmi-hazard schema` prints every key with its meaning".to_owned(),
     })
+}
+
+/// What is meant by an unknown key or value, if it is a slip.
+pub(super) fn meant(message: &str) -> Option<&str> {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    let word = quoted.next()?;
+    nearest(word, quoted)
 }

@@ -32,7 +32,8 @@ impl Files {
 }
 
 /// `path` without `.` and without detours by `..`.
-pub(super) fn plain(path: &Path) -> PathBuf {
+#[must_use]
+pub fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {
         match component {

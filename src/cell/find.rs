@@ -3,12 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+use toml::Spanned;
 
+use super::binding::{BoundUnit, bind};
+use super::draft::TODO;
 use super::error::display_name;
+use super::error::{Problems, Source};
 use super::format::CellFile;
-use super::validate::validate;
+use super::validate::{check, parse, validate};
 use super::{CellError, Workcell};
-use crate::cell::error::{Problems, Source};
 use crate::fmi::Fmu;
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
@@ -57,13 +60,6 @@ pub enum OpenError {
         /// Places tried.
         looked: String,
     },
-    /// A cell file that names no FMU and is not inside one.
-    #[error("{cell} does not say which FMU it describes")]
-    #[diagnostic(help("add `fmu = \"your.fmu\"` at its top"))]
-    NoFmu {
-        /// The cell file.
-        cell: PathBuf,
-    },
 }
 
 /// Opens a cell file, or an FMU together with its cell.
@@ -74,27 +70,112 @@ pub enum OpenError {
 /// # Errors
 /// [`OpenError`], each with what to do.
 pub fn open(path: &Path, cell: Option<&Path>) -> Result<OpenedCell, OpenError> {
-    let is_cell = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    if is_cell {
-        return open_cell(path);
+    match located(path, cell)? {
+        Located::Cell(cell) => open_cell(&cell),
+        Located::Inside { cell, name, fmu } => with_fmu(&cell, &name, *fmu),
     }
-    let fmu = Fmu::open(path)?;
+}
+
+/// A cell that may have mistakes.
+pub struct Examined {
+    /// Its text.
+    pub source: Source,
+    /// All that is wrong with it.
+    pub problems: Option<Box<CellError>>,
+    /// Lines that are still to be filled in, with what they say.
+    pub todo: Vec<(usize, String)>,
+}
+
+/// Finds everything that is wrong with a cell file, or with the cell of an FMU, that can be told without running the FMU.
+///
+/// # Errors
+/// When a file cannot be read at all.
+pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> {
+    let (source, own) = match located(path, cell)? {
+        Located::Cell(cell) => (Source::new(&display_name(&cell), &read(&cell)?).in_folder(folder_of(&cell)), None),
+        Located::Inside { cell, name, fmu } => {
+            (Source::new(&name, &read(&cell)?).in_folder(folder_of(&cell)), Some(*fmu))
+        }
+    };
+    let lines = source.text().lines().enumerate().filter(|(_, line)| line.contains(TODO) && !line.contains("`# TODO`"));
+    let todo = lines.map(|(number, line)| (number + 1, line.trim().to_owned())).collect();
+    let problems = Problems::default();
+    let Some(file) = problems.keep(parse(&source)) else {
+        return Ok(Examined { problems: problems.take_or(()).err(), source, todo });
+    };
+    let mut fmus: Vec<(String, Fmu)> = own.map(|fmu| (String::new(), fmu)).into_iter().collect();
+    let mut missing = false;
+    if fmus.is_empty() {
+        let units = file.units.iter().map(|unit| (unit.get_ref().name.clone(), unit.get_ref().fmu.clone()));
+        for (name, path) in file.fmu.clone().map(|path| (String::new(), path)).into_iter().chain(units) {
+            match problems.keep(named_fmu(&source, &path)) {
+                Some(path) => fmus.push((name, Fmu::open(&path)?)),
+                None => missing = true,
+            }
+        }
+    }
+    if fmus.is_empty() && !missing {
+        let _ = problems.keep(Err::<(), _>(no_fmu(&source)));
+    }
+    if !missing && !fmus.is_empty() {
+        let _ = problems.keep(bind(&file, &source, &bound(&fmus)));
+    }
+    let _ = problems.keep(check(&source, file));
+    Ok(Examined { problems: problems.take_or(()).err(), source, todo })
+}
+
+/// The FMUs as the binder sees them.
+#[must_use]
+pub fn bound(fmus: &[(String, Fmu)]) -> Vec<BoundUnit<'_>> {
+    let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    fmus.iter().map(|(name, fmu)| BoundUnit { name, description: fmu.description(), file: file(fmu) }).collect()
+}
+
+/// Where a cell is.
+enum Located {
+    /// A cell file.
+    Cell(PathBuf),
+    /// A cell file without an FMU of its own: that FMU, and what the file is called.
+    Inside { cell: PathBuf, name: String, fmu: Box<Fmu> },
+}
+
+fn located(path: &Path, cell: Option<&Path>) -> Result<Located, OpenError> {
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
+        return Ok(Located::Cell(path.to_owned()));
+    }
+    let fmu = Box::new(Fmu::open(path)?);
     if let Some(cell) = cell {
-        return with_fmu(cell, &display_name(cell), fmu);
+        return Ok(Located::Inside { cell: cell.to_owned(), name: display_name(cell), fmu });
     }
     let beside = [path.with_extension("cell.toml"), path.with_file_name("cell.toml")];
     for candidate in &beside {
         if candidate.is_file() && names_this_fmu(candidate, path) {
-            return with_fmu(candidate, &display_name(candidate), fmu);
+            return Ok(Located::Inside { cell: candidate.clone(), name: display_name(candidate), fmu });
         }
     }
     let inside = format!("{EXTRA_FOLDER}/cell.toml");
     if let Some(file) = fmu.file(&inside) {
         let name = format!("{}!{inside}", path.display());
-        return with_fmu(&file, &name, fmu);
+        return Ok(Located::Inside { cell: file, name, fmu });
     }
     let looked = beside.iter().map(|p| p.display().to_string()).chain([format!("{inside} inside the FMU")]);
     Err(OpenError::NoCell { fmu: path.to_owned(), looked: looked.collect::<Vec<_>>().join(", ") })
+}
+
+/// A cell file names no FMU and is not inside one.
+fn no_fmu(source: &Source) -> Box<CellError> {
+    let help = Some("add `fmu = \"your.fmu\"` at its top".to_owned());
+    source.error(0..0, "in this file", "it does not say which FMU it describes", help)
+}
+
+/// The FMU that a cell file names at `named`.
+fn named_fmu(source: &Source, named: &Spanned<String>) -> Result<PathBuf, Box<CellError>> {
+    let path = source.folder().join(named.get_ref());
+    if path.is_file() {
+        return Ok(path);
+    }
+    let message = format!("the FMU {} does not exist", path.display());
+    Err(source.error(named.span(), "named here", message, Some("the path is relative to the cell file".to_owned())))
 }
 
 /// Whether the cell file beside an FMU is about that FMU: it names it, or names none.
@@ -119,19 +200,14 @@ fn open_cell(path: &Path) -> Result<OpenedCell, OpenError> {
     let source = Source::new(&display_name(path), &read(path)?).in_folder(folder_of(path));
     let cell = validate(&source)?;
     if cell.fmus.is_empty() {
-        return Err(OpenError::NoFmu { cell: path.to_owned() });
+        return Err(OpenError::Cell(no_fmu(&source)));
     }
     let problems = Problems::default();
     let mut fmus = Vec::with_capacity(cell.fmus.len());
     for unit in &cell.fmus {
-        let fmu_path = source.folder().join(unit.path.get_ref());
-        if fmu_path.is_file() {
-            fmus.push((unit.name.clone(), Fmu::open(&fmu_path)?));
-            continue;
+        if let Some(path) = problems.keep(named_fmu(&source, &unit.path)) {
+            fmus.push((unit.name.clone(), Fmu::open(&path)?));
         }
-        let message = format!("the FMU {} does not exist", fmu_path.display());
-        let help = Some("the path is relative to the cell file".to_owned());
-        let _ = problems.keep(Err::<(), _>(source.error(unit.path.span(), "named here", message, help)));
     }
     problems.take_or(())?;
     Ok(OpenedCell { found: display_name(path), cell, source, fmus })

@@ -408,8 +408,10 @@ pub struct SensorTable {
     /// FMU input it drives, or for `reported` the output that tells it (Boolean).
     #[schemars(with = "String")]
     pub variable: Spanned<String>,
-    /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals.
-    pub active: bool,
+    /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals. May be left out where
+    /// the name says that it is one (`S_...` of PLCopen, `...OSSD...`): then it is `false`.
+    #[serde(default)]
+    pub active: Option<bool>,
     /// Response time before the input changes, ms; rounded up to whole steps.
     #[serde(default)]
     #[schemars(with = "f64")]

@@ -11,9 +11,10 @@
 //! - [`error`]: messages that point into the file
 
 pub mod binding;
-mod described;
+pub mod described;
+pub mod draft;
 pub mod error;
-mod files;
+pub mod files;
 pub mod find;
 pub mod format;
 pub mod knob;

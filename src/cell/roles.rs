@@ -156,7 +156,7 @@ fn elements<'a>(description: &ModelDescription, variable: &'a Variable) -> Vec<C
 const MOST_ELEMENTS: usize = 64;
 
 /// Words and numbers, lower case: at other characters, between letters and digits, and where capitals begin.
-fn words(text: &str) -> Vec<String> {
+pub(super) fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut last = ' ';
     for c in text.chars() {

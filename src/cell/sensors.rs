@@ -10,6 +10,12 @@ use crate::geometry::{Cuboid, Vec3, rotation_about};
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
 
+/// The polarity that a name promises: signals of safety devices are false on demand.
+pub(super) fn fail_safe(variable: &str) -> Option<bool> {
+    let last = variable.rsplit(['.', ':', '/']).next().unwrap_or(variable);
+    (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false)
+}
+
 impl Checker<'_> {
     /// All sensors.
     pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Vec<Sensor> {
@@ -23,6 +29,7 @@ impl Checker<'_> {
     }
 
     fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
+        let active = self.problems.keep(self.active(s)).unwrap_or_default();
         let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
         let zone = match (s.kind, &s.zone) {
             (SensorKind::Reported, None) => Zone::Reported,
@@ -64,7 +71,19 @@ impl Checker<'_> {
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;
-        Ok(Sensor { name: s.name.clone(), zone, active: s.active, delay_steps })
+        Ok(Sensor { name: s.name.clone(), zone, active, delay_steps })
+    }
+
+    /// Value while a person is detected.
+    fn active(&self, s: &SensorTable) -> Result<bool, Box<CellError>> {
+        s.active.or_else(|| fail_safe(s.variable.get_ref())).ok_or_else(|| {
+            let message =
+                format!("sensor `{}` does not say which value of `{}` means a person", s.name, s.variable.get_ref());
+            let help = "add active = false if true means clear, as safety signals have it, or active = true; \
+                        `fmi-hazard probe` tries which"
+                .to_owned();
+            self.source.error(s.variable.span(), "of this variable", message, Some(help))
+        })
     }
 
     fn polygon(&self, s: &SensorTable, zone: &Spanned<ZoneTable>) -> Result<Vec<[f64; 2]>, Box<CellError>> {

@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::CellError;
-use super::error::{Problems, Source};
+use super::error::{Problems, Source, meant};
 use super::files::Files;
 use super::format::{CellFile, FailOnTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex};
 use crate::geometry::kinematics::KinematicTree;
@@ -202,19 +202,32 @@ pub fn parse(source: &Source) -> Result<CellFile, Box<CellError>> {
     }
 }
 
-/// `text` with the unknown key that is complained about blanked out, if it stands on a line of its own.
+/// `text` with the unknown key that is complained about put right if it is a slip, else blanked out; other places stay
+/// where they are.
 fn without_unknown_key(text: &str, error: &toml::de::Error) -> Option<String> {
     let span = error.span().filter(|_| error.message().starts_with("unknown field"))?;
-    let before = text.get(..span.start)?;
-    let line = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let table = DeTable::parse(text).ok()?;
-    let end = value_of(table.get_ref(), span.start)?;
-    if !before[line..].trim().is_empty() || end < span.end {
-        return None;
+    let (before, after) = (text.get(..span.start)?, text.get(span.end..)?);
+    let room = span.len() + after.len() - after.trim_start_matches(' ').len();
+    if let Some(meant) = meant(error.message()).filter(|meant| meant.len() <= room) {
+        let mended = format!("{before}{meant:<room$}{}", &text[span.start + room..]);
+        if DeTable::parse(&mended).is_ok() {
+            return Some(mended);
+        }
     }
-    let blank =
-        text[span.start..end].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
-    Some(format!("{before}{}{}", blank.collect::<String>(), &text[end..]))
+    let end = value_of(DeTable::parse(text).ok()?.get_ref(), span.start).filter(|end| *end >= span.end)?;
+    let line = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let (mut from, mut to) = (span.start, end);
+    if !before[line..].trim().is_empty() {
+        // In an inline table, where commas stand between.
+        let rest = &text[end..];
+        match (rest.trim_start().starts_with(','), before.trim_end().ends_with(',')) {
+            (true, _) => to += rest.find(',')? + 1,
+            (false, true) => from = before.rfind(',')?,
+            (false, false) => {}
+        }
+    }
+    let blank = text[from..to].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
+    Some(format!("{}{}{}", &text[..from], blank.collect::<String>(), &text[to..]))
 }
 
 /// Where the value ends whose key begins at `key`.
@@ -240,8 +253,7 @@ fn in_value(value: &DeValue<'_>, key: usize) -> Option<usize> {
 /// # Errors
 /// All mistakes together, each with its line.
 pub fn check(source: &Source, file: CellFile) -> Result<Workcell, Box<CellError>> {
-    let check =
-        Checker { source, problems: Problems::default(), files: Files::default(), warnings: RefCell::default() };
+    let check = Checker::new(source);
     let cell = check.workcell(file);
     check.problems.take_or(cell).map(|cell| cell.expect("nothing is missing without a problem"))
 }
@@ -262,6 +274,12 @@ pub(super) struct Checker<'a> {
     /// Files that were read.
     pub(super) files: Files,
     pub(super) warnings: RefCell<Vec<String>>,
+}
+
+impl<'a> Checker<'a> {
+    pub(super) fn new(source: &'a Source) -> Self {
+        Self { source, problems: Problems::default(), files: Files::default(), warnings: RefCell::default() }
+    }
 }
 
 impl Checker<'_> {
@@ -405,7 +423,8 @@ impl Checker<'_> {
             95 => Percentile::P95,
             other => {
                 let message = format!("body measures are known for percentiles 5, 50 and 95, not {other}");
-                return Err(self.source.error(h.percentile.span(), "here", message, None));
+                let help = Some("take the nearest; 5 and 95 show what size changes".to_owned());
+                return Err(self.source.error(h.percentile.span(), "here", message, help));
             }
         };
         let sex = match h.sex {
@@ -418,14 +437,17 @@ impl Checker<'_> {
             bend_forward_deg: h.bend_forward_deg,
             bend_lateral_deg: h.bend_lateral_deg,
         };
-        Body::new(&measures).map_err(|e| self.source.error(h.start.span(), "for this person", e.to_string(), None))
+        Body::new(&measures).map_err(|e| {
+            let help = "bends of a person are between 0 and 90 degrees".to_owned();
+            self.source.error(h.start.span(), "for this person", e.to_string(), Some(help))
+        })
     }
 
     fn search(&self, s: &SearchTable) -> Result<(), Box<CellError>> {
-        self.that(s.iterations > 0 && (1..=64).contains(&s.actions), 0..0, || {
+        self.that(s.iterations > 0 && (1..=64).contains(&s.actions), self.source.table("search"), || {
             ("[search] needs iterations > 0 and actions from 1 to 64".to_owned(), "the paper uses 320 and 8".to_owned())
         })?;
-        self.that((0.001..=0.05).contains(&s.reach_tolerance_m), 0..0, || {
+        self.that((0.001..=0.05).contains(&s.reach_tolerance_m), self.source.table("search"), || {
             (format!("search.reach_tolerance_m is {}", s.reach_tolerance_m), "use 0.001 to 0.05 m".to_owned())
         })
     }

@@ -2,6 +2,7 @@
 
 mod bench;
 mod bench_strategies;
+mod check;
 mod compare;
 mod demo;
 mod earlier;
@@ -9,9 +10,11 @@ mod examples;
 pub mod exit;
 mod explain;
 mod hosting;
+mod init;
 mod inspect;
 mod manual;
 mod output;
+mod probe;
 mod recording;
 mod replay;
 mod results;
@@ -53,6 +56,12 @@ enum Command {
     Verify(verify::Arguments),
     /// Show what an FMU is, without loading it
     Inspect(inspect::Arguments),
+    /// Write a first cell file for an FMU, with what is guessed marked and what is missing to be filled in
+    Init(init::Arguments),
+    /// Find everything that is wrong with a cell, and draw it from above, without searching
+    Check(check::Arguments),
+    /// Run an FMU: whether it moves, repeats itself, and which inputs stop it, after how long, with which polarity
+    Probe(probe::Arguments),
     /// Try what an FMU's promises about its state are worth
     Selftest(selftest::Arguments),
     /// Run many seeds of several strategies, each to its first hazard, and compare them
@@ -92,6 +101,9 @@ pub fn main() -> ExitCode {
         Command::Compare(a) => compare::run(&a),
         Command::Verify(a) => verify::run(&a),
         Command::Inspect(a) => inspect::run(&a),
+        Command::Init(a) => init::run(&a),
+        Command::Check(a) => check::run(&a),
+        Command::Probe(a) => probe::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),
         Command::Examples(a) => examples::run(&a),

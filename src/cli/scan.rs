@@ -57,7 +57,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
     let cell_path = arguments.cell.as_deref().unwrap_or(path);
     let assessments = results::assessments(cell_path)?;
-    let prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    prepared.try_sensors();
     let baseline_path = baseline_path(arguments, cell_path, &prepared);
     let baseline = match &baseline_path {
         Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),

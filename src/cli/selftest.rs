@@ -91,7 +91,7 @@ struct Told<'a> {
 }
 
 /// All its inputs are moved, all its outputs compared.
-fn setup(description: &ModelDescription, step_s: Option<f64>) -> Result<SystemSetup, Failure> {
+pub(super) fn setup(description: &ModelDescription, step_s: Option<f64>) -> Result<SystemSetup, Failure> {
     let default_step = description.default_experiment.step_size.filter(|h| h.is_finite() && *h > 0.0);
     let (inputs, initial_inputs) = inputs(description);
     let outputs = outputs(description);

@@ -1,4 +1,4 @@
-//! Polygons in the floor plan, convex or not: points inside, distance to the edge, and the same polygon wider.
+//! Polygons in the floor plan, convex or not: points inside, distance to the edge, the same polygon wider, convex hulls.
 
 use super::Vec3;
 use super::distance::point_segment;
@@ -21,6 +21,32 @@ pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
     let to = |(a, b): ([f64; 2], [f64; 2])| point_segment(flat([x, y]), flat(a), flat(b)).distance;
     edges(polygon).map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// The convex hull of points, anticlockwise (Andrew's monotone chain).
+#[must_use]
+pub fn convex_outline(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let turns_left =
+        |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0;
+    let half = |points: &mut dyn Iterator<Item = &[f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for point in points {
+            while chain.len() >= 2 && !turns_left(chain[chain.len() - 2], chain[chain.len() - 1], *point) {
+                chain.pop();
+            }
+            chain.push(*point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut outline = half(&mut points.iter());
+    outline.extend(half(&mut points.iter().rev()));
+    outline
 }
 
 /// The polygon with every edge moved outwards by `by` m, corners kept sharp. Meant for shapes wider than they are notched:
@@ -55,6 +81,14 @@ mod tests {
     use super::*;
 
     const L: [[f64; 2]; 6] = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+
+    #[test]
+    fn a_convex_outline_leaves_out_what_is_inside_or_on_an_edge() {
+        let points =
+            vec![[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [1.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.5, 1.5], [0.0, 0.0]];
+        assert_eq!(convex_outline(points), [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+        assert_eq!(convex_outline(vec![[1.0, 0.0], [0.0, 0.0]]), [[0.0, 0.0], [1.0, 0.0]]);
+    }
 
     #[test]
     fn an_l_shape() {

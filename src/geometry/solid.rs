@@ -23,6 +23,9 @@ impl Hull {
     /// The convex hull of points in the link's own frame, not yet moved; `None` when they do not span a volume.
     #[must_use]
     pub fn from_points(points: &[Vec3]) -> Option<Self> {
+        if !span_a_volume(points) {
+            return None;
+        }
         ConvexPolyhedron::from_convex_hull(points).map(|shape| Self::new(Arc::new(shape), Pose::IDENTITY))
     }
 
@@ -83,6 +86,23 @@ impl Hull {
             }
         }
     }
+}
+
+/// Thinner than this is flat, m.
+const FLAT_M: f64 = 1e-6;
+
+/// Whether points are in no common plane.
+fn span_a_volume(points: &[Vec3]) -> bool {
+    let farthest = |distance: &dyn Fn(Vec3) -> f64| {
+        let by = |a: &&Vec3, b: &&Vec3| distance(**a).total_cmp(&distance(**b));
+        points.iter().max_by(by).map(|point| (*point, distance(*point))).filter(|(_, far)| *far > FLAT_M)
+    };
+    let Some(&a) = points.first() else { return false };
+    let Some((b, length)) = farthest(&|p| (p - a).length()) else { return false };
+    let along = (b - a) / length;
+    let Some((c, _)) = farthest(&|p| (p - a).cross(along).length()) else { return false };
+    let Some(normal) = (c - a).cross(along).try_normalize() else { return false };
+    farthest(&|p| (p - a).dot(normal).abs()).is_some()
 }
 
 /// A robot link where it stands.

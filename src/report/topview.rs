@@ -20,8 +20,10 @@ pub struct Scene {
     pub obstacles: Vec<(String, Vec<Point>, f64)>,
     /// Sensor zones with names.
     pub zones: Vec<(String, Vec<Point>)>,
-    /// Robot core segments with radius, for some instants, the last being the contact.
-    pub robot: Vec<Vec<(Point, Point, f64)>>,
+    /// Where the person may come to.
+    pub reachable: Vec<Point>,
+    /// The robot's shapes, for some instants, the last being the contact.
+    pub robot: Vec<Vec<Part>>,
     /// The person's way, one point a step.
     pub path: Vec<Point>,
     /// Body outline at the contact: capsules.
@@ -30,6 +32,25 @@ pub struct Scene {
     pub arm: Vec<Point>,
     /// Contact point.
     pub contact: Option<Point>,
+}
+
+/// A part of a robot from above.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Part {
+    /// A capsule: the ends of its core, and its radius.
+    Capsule(Point, Point, f64),
+    /// A convex outline.
+    Outline(Vec<Point>),
+}
+
+impl Part {
+    /// Points that the view has to hold.
+    fn ends(&self) -> Vec<Point> {
+        match self {
+            Self::Capsule(a, b, _) => vec![*a, *b],
+            Self::Outline(points) => points.clone(),
+        }
+    }
 }
 
 struct View {
@@ -74,8 +95,13 @@ pub fn render(scene: &Scene) -> String {
     let everything = || {
         let obstacles = scene.obstacles.iter().flat_map(|(_, p, _)| p.iter().copied());
         let zones = scene.zones.iter().flat_map(|(_, p)| p.iter().copied());
-        let robot = scene.robot.iter().flatten().flat_map(|(a, b, _)| [*a, *b]);
-        obstacles.chain(zones).chain(robot).chain(scene.path.iter().copied()).chain(scene.contact)
+        let robot = scene.robot.iter().flatten().flat_map(Part::ends);
+        obstacles
+            .chain(zones)
+            .chain(robot)
+            .chain(scene.reachable.iter().copied())
+            .chain(scene.path.iter().copied())
+            .chain(scene.contact)
     };
     let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| everything().map(|p| p[axis]).fold(start, pick);
     let min = [bound(0, f64::min, f64::MAX) - MARGIN, bound(1, f64::min, f64::MAX) - MARGIN];
@@ -89,6 +115,11 @@ pub fn render(scene: &Scene) -> String {
         .set("font-family", "sans-serif")
         .add(Rectangle::new().set("y", -40).set("width", "100%").set("height", "100%").set("fill", "#ffffff"))
         .add(Text::new(scene.title.as_str()).set("x", 10).set("y", -14).set("font-size", 17).set("fill", "#222222"));
+    let dots = scene.reachable.iter().map(|p| {
+        let (x, y) = view.at(*p);
+        Circle::new().set("cx", x).set("cy", y).set("r", 14).set("fill", "#d6ebfa")
+    });
+    document = document.add(dots.fold(Group::new(), Group::add));
     for (name, polygon) in &scene.zones {
         document = document.add(
             Polygon::new()
@@ -115,8 +146,13 @@ pub fn render(scene: &Scene) -> String {
     let last = scene.robot.len().saturating_sub(1);
     for (i, frame) in scene.robot.iter().enumerate() {
         let opacity = if i == last { 0.85 } else { 0.08 };
-        let shapes = frame.iter().map(|(a, b, r)| view.stroke(*a, *b, *r, "#dd6b20", opacity));
-        document = document.add(shapes.fold(Group::new(), Group::add));
+        let draw = |group: Group, part: &Part| match part {
+            Part::Capsule(a, b, r) => group.add(view.stroke(*a, *b, *r, "#dd6b20", opacity)),
+            Part::Outline(points) => group.add(
+                Polygon::new().set("points", view.points(points)).set("fill", "#dd6b20").set("fill-opacity", opacity),
+            ),
+        };
+        document = document.add(frame.iter().fold(Group::new(), draw));
     }
     let way = Polyline::new()
         .set("points", view.points(&scene.path))

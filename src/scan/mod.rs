@@ -1,6 +1,7 @@
 //! A whole scan: open, bind, self-test, search, confirm. What the commands call, and what a library user calls.
 //!
 //! - [`prepare`]: from a path to a cell that can be simulated
+//! - [`probe`](mod@probe): what inputs do to the robots
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
@@ -22,6 +23,7 @@ pub mod film;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
+pub mod probe;
 pub mod remedy;
 pub mod residual;
 pub mod run;

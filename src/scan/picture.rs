@@ -1,11 +1,20 @@
-//! The top view of one hazard: what is seen from above of its sequence is handed to the drawing.
+//! Top views: of one hazard, and of a cell before any scan. What is seen from above is handed to the drawing.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::film;
 use super::prepare::Prepared;
+use super::probe::Probe;
 use crate::cell::Zone;
+use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Cuboid, Solid, Vec3};
+use crate::human::action::Walk;
+use crate::human::{Action, Place, Posture};
 use crate::report::model::Hazard;
-use crate::report::topview::{Point, Scene};
+use crate::report::topview::{Part, Point, Scene};
+use crate::sim::World;
+use crate::sim::robot::RobotFrame;
 use crate::sim::simulation::Watched;
 
 const fn flat(v: Vec3) -> Point {
@@ -33,7 +42,8 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
-        robot: robot.map(|links| links.iter().map(segment).collect()).collect(),
+        reachable: Vec::new(),
+        robot: robot.map(|links| links.iter().map(part).collect()).collect(),
         path: until.iter().map(|instant| flat(instant.position)).collect(),
         body: until[contact].body.iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
@@ -50,14 +60,61 @@ pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
     }
 }
 
-fn segment(link: &Solid) -> (Point, Point, f64) {
+fn part(link: &Solid) -> Part {
     match link {
-        Solid::Capsule(c) => (flat(c.a), flat(c.b), c.radius),
-        Solid::Hull(_) => {
-            let (centre, radius) = link.bounding_sphere();
-            (flat(centre), flat(centre), radius)
+        Solid::Capsule(c) => Part::Capsule(flat(c.a), flat(c.b), c.radius),
+        Solid::Hull(hull) => {
+            let corners = hull.shape().points().iter().map(|point| flat(hull.pose() * *point));
+            Part::Outline(convex_outline(corners.collect()))
         }
     }
+}
+
+/// Instants of the sweep that are drawn.
+const SWEEP: usize = 60;
+
+/// The cell before any scan: obstacles, zones, what the robots sweep while nobody is detected (as `found` saw it), the
+/// person's start and all places that a sequence can lead to.
+#[must_use]
+pub fn overview(prepared: &Prepared, found: Option<&Probe>) -> Scene {
+    let (cell, binding) = (&prepared.cell, &prepared.binding);
+    let width = binding.outputs.len();
+    let rows = found.map_or(&[][..], |found| &found.rows);
+    let every = (rows.len() / width / SWEEP).max(1);
+    let frame = |row: &[f64]| RobotFrame::new(cell, binding, row).links.iter().map(part).collect();
+    let robot = rows.chunks(width).step_by(every).map(|row| frame(&binding.rows(row, None, cell.step_s)));
+    let mut robot: Vec<Vec<Part>> = robot.collect();
+    // The last is drawn as it stands: the start.
+    robot.reverse();
+    let world = World::new(Arc::clone(cell), Arc::clone(binding));
+    Scene {
+        title: format!("{}: the cell from above", cell.name),
+        obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
+        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        reachable: reachable(&world),
+        robot,
+        path: vec![flat(world.position(&world.start()))],
+        ..Scene::default()
+    }
+}
+
+/// Places at the ends of actions that sequences of the cell's length can lead to.
+#[must_use]
+pub fn reachable(world: &World) -> Vec<Point> {
+    let mut known = BTreeSet::from([world.start()]);
+    let mut last = known.clone();
+    for _ in 0..world.cell.search.actions {
+        let next = last.iter().flat_map(|place| {
+            Walk::ALL.into_iter().map(|walk| world.walk(*place, Action::new(walk, Posture::Upright)).end())
+        });
+        let next: BTreeSet<Place> = next.collect();
+        last = next.into_iter().filter(|place| known.insert(*place)).collect();
+    }
+    // Headings are told apart there, and are one point here.
+    let mut points: Vec<Point> = known.iter().map(|place| flat(world.position(place))).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    points
 }
 
 fn corners(c: &Cuboid) -> impl Iterator<Item = Vec3> + '_ {

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use thiserror::Error;
 
+use super::probe::probe;
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
 use crate::cell::find::{OpenError, OpenedCell, open};
@@ -17,6 +18,7 @@ use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Li
 use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
+use crate::human::action::ACTION_S;
 use crate::report::model::{FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
@@ -102,15 +104,6 @@ pub enum PrepareError {
          has a process of its own"
     ))]
     RunsOnce(String),
-    /// The person starts inside something.
-    #[error("the person's start ({x:.2}, {y:.2}) m is inside an obstacle or touches one")]
-    #[diagnostic(help("move human.start in the cell file; the body needs 0.14 m of room around it"))]
-    StartBlocked {
-        /// Start, m.
-        x: f64,
-        /// Start, m.
-        y: f64,
-    },
 }
 
 impl PrepareError {
@@ -152,6 +145,8 @@ pub struct Prepared {
     source: Source,
     /// The cell file and where it is.
     found: CellSource,
+    /// What came out when its sensors were tried.
+    suspicions: Vec<String>,
 }
 
 /// What plants are made of.
@@ -240,6 +235,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         missing_protection,
         source,
         found: cell_source,
+        suspicions: Vec::new(),
     })
 }
 
@@ -269,8 +265,14 @@ fn fit(cell: Workcell, source: &CellSource, names: &[String], fmus: &[Fmu]) -> R
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let setup = binding.setup(&names, world.initial_inputs(), cell.step_s);
     let start = world.position(&world.start());
-    let free_start =
-        if world.start_is_free() { Ok(()) } else { Err(PrepareError::StartBlocked { x: start.x, y: start.y }) };
+    let free_start = if world.start_is_free() {
+        Ok(())
+    } else {
+        let message =
+            format!("the person's start ({:.2}, {:.2}) m is inside an obstacle or touches one", start.x, start.y);
+        let help = "move human.start; the body needs 0.14 m of room around it".to_owned();
+        Err(PrepareError::Bind(source.error(cell.file().human.start.span(), "here", message, Some(help))))
+    };
     Ok(Fitted { cell, binding, setup, free_start })
 }
 
@@ -304,13 +306,21 @@ impl Prepared {
             missing_protection: self.missing_protection.clone(),
             source,
             found,
+            suspicions: Vec::new(),
         })
     }
 
     /// What the user should know of the cell file.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
-        self.cell.warnings.iter().chain(&self.binding.warnings).cloned().collect()
+        self.cell.warnings.iter().chain(&self.binding.warnings).chain(&self.suspicions).cloned().collect()
+    }
+
+    /// Tries each sensor for as long as a sequence takes: one with the wrong polarity is among the warnings from then on. An
+    /// FMU that fails in it is left for the search to tell.
+    pub fn try_sensors(&mut self) {
+        let horizon_s = f64::from(self.cell.search.actions) * ACTION_S;
+        self.suspicions = probe(self, horizon_s).map_or_else(|_| Vec::new(), |found| found.warnings);
     }
 
     /// The FMUs, not yet started, for states that are brought back as chosen.
@@ -318,14 +328,28 @@ impl Prepared {
     /// # Panics
     /// Never: preparing has shown that the connections form no loop.
     #[must_use]
-    #[expect(clippy::expect_used, reason = "the order was worked out when preparing")]
     pub fn plant(&self, choice: StateChoice) -> Hosted {
+        self.plant_of(choice, SystemSetup::clone)
+    }
+
+    #[expect(clippy::expect_used, reason = "the order was worked out when preparing")]
+    fn plant_of(&self, choice: StateChoice, setup_of: impl Fn(&SystemSetup) -> SystemSetup) -> Hosted {
         match &self.source {
             Source::Here { slaves, setup } => {
-                Hosted::Here(System::new(slaves, setup.clone()).expect("the connections form no loop"))
+                Hosted::Here(System::new(slaves, setup_of(setup)).expect("the connections form no loop"))
             }
-            Source::Apart(launcher) => Hosted::Apart(Isolated::new(launcher.clone(), self.keeping(choice))),
+            Source::Apart(launcher) => {
+                let launcher = launcher.clone().with_setup(setup_of(launcher.setup()));
+                Hosted::Apart(Isolated::new(launcher, self.keeping(choice)))
+            }
         }
+    }
+
+    /// The same, initialised with these `inputs` instead of those that follow from the person's start.
+    #[must_use]
+    pub fn plant_from(&self, choice: StateChoice, inputs: &[f64]) -> Hosted {
+        let with = |setup: &SystemSetup| SystemSetup { initial_inputs: inputs.to_vec(), ..setup.clone() };
+        self.plant_of(choice, with)
     }
 
     fn keeping(&self, choice: StateChoice) -> Keeping {

@@ -1,0 +1,171 @@
+//! `fmi-hazard check`: everything that is wrong with a cell, at once, and a picture of it from above. Nothing is searched.
+
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+use super::exit::{FMU_FAILED, Failure, NO_HAZARD, UNUSABLE};
+use super::hosting::HostingArguments;
+use super::output::{self, Format};
+use crate::cell::find::{Examined, examine};
+use crate::report::topview;
+use crate::scan::prepare::prepare_in;
+use crate::scan::probe::{Probe, RUN_S, probe};
+use crate::scan::{Prepared, picture};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A cell file (.toml), or an FMU with a cell file beside it or inside it
+    path: PathBuf,
+    /// The cell file of an FMU that has none of its own
+    #[arg(long)]
+    cell: Option<PathBuf>,
+    /// Where to write the picture (default: <cell file>.svg beside it)
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Read files only: the FMU is not run, and there is no picture
+    #[arg(long, conflicts_with = "svg")]
+    no_run: bool,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    #[command(flatten)]
+    hosting: HostingArguments,
+}
+
+/// What is printed as JSON.
+#[derive(Serialize)]
+struct Told {
+    problems: Vec<Problem>,
+    warnings: Vec<String>,
+    probe: Option<Probe>,
+    picture: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Problem {
+    line: Option<usize>,
+    message: String,
+    help: Option<String>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let Examined { source, problems, todo } = examine(&arguments.path, arguments.cell.as_deref())?;
+    let file = source.name().to_owned();
+    let mut all: Vec<Problem> = problems.iter().flat_map(|first| first.each()).map(told).collect();
+    all.extend(todo.into_iter().map(|(line, text)| Problem {
+        line: Some(line),
+        message: format!("still to be filled in: {text}"),
+        help: Some("fill it in and remove the word TODO".to_owned()),
+    }));
+    if !all.is_empty() {
+        let count = all.len();
+        match arguments.format {
+            Format::Json => {
+                print(&Told { problems: all, warnings: Vec::new(), probe: None, picture: None })?;
+            }
+            Format::Table => {
+                if let Some(error) = problems {
+                    Failure::from(error).report();
+                }
+                let todo = all.iter().filter(|problem| problem.message.starts_with("still to be filled in"));
+                let lines: String =
+                    todo.map(|p| format!("  {file}:{}: {}\n", p.line.unwrap_or_default(), p.message)).collect();
+                output::result(&format!("{lines}{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
+            }
+        }
+        return Ok(UNUSABLE);
+    }
+    if arguments.no_run {
+        match arguments.format {
+            Format::Json => print(&Told { problems: all, warnings: Vec::new(), probe: None, picture: None })?,
+            Format::Table => output::result(&format!("{file}: nothing wrong; the FMU was not run\n")),
+        }
+        return Ok(NO_HAZARD);
+    }
+    let hosting = arguments.hosting.hosting()?;
+    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &hosting)?;
+    let found = probe(&prepared, RUN_S);
+    let drawn = topview::render(&picture::overview(&prepared, found.as_ref().ok()));
+    let picture = arguments.svg.clone().unwrap_or_else(|| {
+        let beside = arguments.cell.as_ref().unwrap_or(&arguments.path);
+        beside.with_extension("svg")
+    });
+    output::write_file(&picture, &drawn)?;
+    let mut warnings = prepared.warnings();
+    if let Ok(found) = &found {
+        warnings.extend(found.warnings.iter().chain(&found.idle_sensors).cloned());
+        if found.fastest_m_s < 1e-3 {
+            warnings.push(format!(
+                "no robot moves in {RUN_S} s while nobody is detected: are all [inputs] as they should be?"
+            ));
+        }
+    }
+    match arguments.format {
+        Format::Json => {
+            print(&Told { problems: all, warnings, probe: found.as_ref().ok().cloned(), picture: Some(picture) })?;
+        }
+        Format::Table => {
+            output::result(&summary(&prepared, found.as_ref().ok()));
+            warnings.iter().for_each(|warning| output::warning(warning));
+            output::result(&format!("  picture   {}\n{file}: nothing wrong\n", picture.display()));
+        }
+    }
+    match found {
+        Ok(_) => Ok(NO_HAZARD),
+        Err(error) => {
+            output::error(&format!("the FMU failed when it was run for {RUN_S} s: {error}"));
+            Ok(FMU_FAILED)
+        }
+    }
+}
+
+fn told(error: &crate::cell::CellError) -> Problem {
+    Problem { line: error.line(), message: error.message.clone(), help: error.help.clone() }
+}
+
+fn print(told: &Told) -> Result<(), Failure> {
+    output::json(&(serde_json::to_string_pretty(told).map_err(Failure::unusable)? + "\n"));
+    Ok(())
+}
+
+/// What the cell is, one line a thing.
+fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
+    let cell = &prepared.cell;
+    let mut lines = Vec::new();
+    for fmu in prepared.fmus.iter() {
+        let description = fmu.description();
+        lines.push(format!(
+            "  FMU       {} ({}, FMI {})",
+            fmu.path().display(),
+            description.model_name,
+            description.fmi_version
+        ));
+    }
+    for (number, robot) in cell.robots.iter().enumerate() {
+        let shapes = cell.links.iter().filter(|link| link.robot == number).count();
+        let joints = robot.kinematics.as_ref().map_or_else(
+            || "poses from the FMU".to_owned(),
+            |kinematics| format!("{} joints", kinematics.tree.joints.len()),
+        );
+        lines.push(format!(
+            "  robot     {}: {joints}, {shapes} shapes, {:.1} kg moving (line {})",
+            robot.name, robot.moving_mass_kg, robot.mass_line
+        ));
+    }
+    for sensor in &cell.sensors {
+        let reaction = found.and_then(|found| found.reactions.iter().find(|reaction| reaction.input == sensor.name));
+        let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
+        lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.active));
+    }
+    let [x, y] = cell.start.xy_m();
+    lines.push(format!(
+        "  person    starts at ({x:.2}, {y:.2}) m; {} actions of 0.2 s, {:.2} m on foot at most",
+        cell.search.actions,
+        0.32 * f64::from(cell.search.actions)
+    ));
+    if let Some(found) = found {
+        lines.push(format!("  moves     up to {:.2} m/s in {RUN_S} s while nobody is detected", found.fastest_m_s));
+    }
+    lines.join("\n") + "\n"
+}

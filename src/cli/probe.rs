@@ -1,0 +1,252 @@
+//! `fmi-hazard probe`: what an FMU does when it is run: whether it moves, repeats itself and keeps its state, and which
+//! inputs stop it, after how long and with which polarity.
+//!
+//! With a cell the speed is that of the fastest point of any robot; without one, that of the joints that are guessed, or of
+//! whatever changes among the outputs.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
+use super::hosting::HostingArguments;
+use super::output::{self, Format};
+use super::selftest::setup;
+use crate::cell::find::{OpenError, open};
+use crate::cell::roles::{Role, guess};
+use crate::fmi::Fmu;
+use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
+use crate::host::port::PortKind;
+use crate::host::selftest::{SelfTest, Stage};
+use crate::host::{Plant, PlantError, SystemSetup};
+use crate::scan::Hosting;
+use crate::scan::prepare::prepare_in;
+use crate::scan::probe::{Effect, Prober, RUN_S, Reaction, Run, probe};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// An FMU, or a cell file (.toml)
+    path: PathBuf,
+    /// The cell file of an FMU that has none of its own
+    #[arg(long)]
+    cell: Option<PathBuf>,
+    /// Do as if there were no cell file: what is tried follows from the FMU alone
+    #[arg(long, conflicts_with = "cell")]
+    fmu_only: bool,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    #[command(flatten)]
+    hosting: HostingArguments,
+}
+
+/// What is printed as JSON.
+#[derive(Serialize)]
+struct Told {
+    /// Whether a cell file said what is what.
+    with_cell: bool,
+    /// What speeds are measured in.
+    unit: &'static str,
+    /// The fastest that anything was while nobody was detected.
+    fastest: f64,
+    /// Inputs that had to be set for anything to move.
+    set: Vec<String>,
+    reactions: Vec<Reaction>,
+    warnings: Vec<String>,
+    self_test: SelfTest,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
+    let hosting = arguments.hosting.hosting()?;
+    let told = match open(&arguments.path, arguments.cell.as_deref()) {
+        _ if arguments.fmu_only => of_fmu(&arguments.path, &hosting)?,
+        Ok(_) => of_cell(arguments, &hosting)?,
+        Err(OpenError::NoCell { .. }) => of_fmu(&arguments.path, &hosting)?,
+        Err(error) => return Err(error.into()),
+    };
+    match arguments.format {
+        Format::Json => output::json(&(serde_json::to_string_pretty(&told).map_err(Failure::unusable)? + "\n")),
+        Format::Table => {
+            output::result(&render(&told));
+            told.warnings.iter().for_each(|warning| output::warning(warning));
+        }
+    }
+    Ok(if told.self_test.repeatable() { NO_HAZARD } else { FMU_FAILED })
+}
+
+fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
+    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), hosting)?;
+    let found = probe(&prepared, RUN_S).map_err(failed)?;
+    Ok(Told {
+        with_cell: true,
+        unit: "m/s",
+        fastest: found.fastest_m_s,
+        set: Vec::new(),
+        reactions: found.reactions,
+        warnings: found.warnings.into_iter().chain(found.idle_sensors).collect(),
+        self_test: prepared.self_test,
+    })
+}
+
+fn failed(error: PlantError) -> Failure {
+    if error.not_loaded {
+        Failure::unusable(error.message)
+    } else {
+        Failure::running(format!("the FMU failed: {error}"))
+    }
+}
+
+fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
+    let Hosting::Workers { program, guard, limits } = hosting else {
+        return Err(Failure::unusable_with_help(
+            "an FMU without a cell file is probed in worker processes only",
+            "leave out --in-process",
+        ));
+    };
+    let fmu = Fmu::open(path)?;
+    let setup = setup(fmu.description(), None)?;
+    let launcher = Launcher::new(program.clone(), vec![Unpacked::of(&fmu)], setup.clone(), *guard, *limits);
+    let Examination { result, launcher, .. } = examine(&launcher, 80, &[Stage::Serialize]).map_err(failed)?;
+    let roles = guess(fmu.description());
+    let (columns, unit) = measured(&setup, &roles);
+    let (width, step_s) = (setup.outputs.len(), setup.step_s);
+    let speeds = |rows: &[f64]| -> Vec<f64> {
+        let rows: Vec<&[f64]> = rows.chunks(width).collect();
+        rows.windows(2)
+            .map(|pair| columns.iter().map(|c| c.speed(pair[0], pair[1], step_s)).fold(0.0, f64::max))
+            .collect()
+    };
+    let plant = |inputs: &[f64]| {
+        let setup = SystemSetup { initial_inputs: inputs.to_vec(), ..setup.clone() };
+        Isolated::new(launcher.clone().with_setup(setup), Keeping::Processes)
+    };
+    let prober = Prober::new(&plant, step_s, RUN_S, &speeds);
+    let (inputs, idle, set) = moving(&prober, &setup, &roles).map_err(failed)?;
+    let mut reactions = Vec::new();
+    for (column, input) in setup.inputs.iter().enumerate() {
+        if input.port.kind == PortKind::Boolean {
+            reactions.push(prober.reaction(&input.port.name, &inputs, column, &idle).map_err(failed)?);
+        }
+    }
+    let mut warnings = Vec::new();
+    if !idle.moves() {
+        warnings
+            .push("nothing moves, whatever Boolean input is set: other inputs or parameters may have to be".to_owned());
+    }
+    Ok(Told { with_cell: false, unit, fastest: idle.fastest(), set, reactions, warnings, self_test: result })
+}
+
+/// A column of the outputs that tells how fast something is.
+enum Column {
+    /// A speed.
+    Speed(usize),
+    /// What changes.
+    Position(usize),
+}
+
+impl Column {
+    fn speed(&self, before: &[f64], now: &[f64], step_s: f64) -> f64 {
+        match *self {
+            Self::Speed(column) => now[column].abs(),
+            Self::Position(column) => ((now[column] - before[column]) / step_s).abs(),
+        }
+    }
+}
+
+/// The outputs that tell how fast the robot is: joint speeds, else joint angles or poses, else all.
+fn measured(setup: &SystemSetup, roles: &[crate::cell::roles::Guess]) -> (Vec<Column>, &'static str) {
+    let find = |wanted: fn(&Role) -> bool| -> Vec<usize> {
+        let names: Vec<&str> = roles.iter().filter(|g| wanted(&g.role)).map(|g| g.variable.as_str()).collect();
+        let columns = setup.outputs.iter().enumerate().filter(|(_, output)| names.contains(&output.port.name.as_str()));
+        columns.map(|(column, _)| column).collect()
+    };
+    let speeds = find(|role| matches!(role, Role::JointSpeed { .. }));
+    if !speeds.is_empty() {
+        return (speeds.into_iter().map(Column::Speed).collect(), "in the unit of its joint speeds");
+    }
+    let angles = find(|role| matches!(role, Role::JointAngle { .. } | Role::LinkPose { .. }));
+    if !angles.is_empty() {
+        return (angles.into_iter().map(Column::Position).collect(), "per s, of its joint angles or poses");
+    }
+    let real = setup.outputs.iter().enumerate().filter(|(_, output)| output.port.kind == PortKind::Real);
+    (real.map(|(column, _)| Column::Position(column)).collect(), "per s, of any output")
+}
+
+/// Inputs with which something moves: as the FMU starts, or with what the names of its inputs promise, or with Boolean
+/// inputs set all, or one by one. Also the run, and which inputs are not as they start.
+fn moving<P: Plant>(
+    prober: &Prober<'_, P>,
+    setup: &SystemSetup,
+    roles: &[crate::cell::roles::Guess],
+) -> Result<(Vec<f64>, Run, Vec<String>), PlantError> {
+    let start = setup.initial_inputs.clone();
+    let boolean = |column: &usize| setup.inputs[*column].port.kind == PortKind::Boolean;
+    let columns: Vec<usize> = (0..setup.inputs.len()).filter(boolean).collect();
+    let with = |of: &dyn Fn(usize) -> f64| {
+        let mut row = start.clone();
+        columns.iter().for_each(|&column| row[column] = of(column));
+        row
+    };
+    let promised = |column: usize| {
+        let guess = roles.iter().find(|guess| guess.variable == setup.inputs[column].port.name);
+        match guess.map(|guess| &guess.role) {
+            Some(Role::SensorInput { active: Some(active) }) => f64::from(u8::from(!active)),
+            Some(Role::Constant) => 0.0,
+            _ => start[column],
+        }
+    };
+    let mut rows = vec![start.clone(), with(&promised), with(&|_| 1.0), with(&|_| 0.0)];
+    rows.extend(
+        columns.iter().map(|&one| with(&|column| if column == one { 1.0 - start[column] } else { start[column] })),
+    );
+    let mut first = None;
+    for row in rows {
+        let run = prober.run(&row, None)?;
+        if run.moves() {
+            let changed = columns.iter().filter(|&&column| row[column].to_bits() != start[column].to_bits());
+            let set = changed.map(|&c| format!("{} = {}", setup.inputs[c].port.name, row[c] != 0.0)).collect();
+            return Ok((row, run, set));
+        }
+        first.get_or_insert((row, run));
+    }
+    let (row, run) = match first {
+        Some(first) => first,
+        None => (start.clone(), prober.run(&start, None)?),
+    };
+    Ok((row, run, Vec::new()))
+}
+
+fn render(told: &Told) -> String {
+    let mut lines = vec![format!("  moves     {:.3} {} at most in {RUN_S} s", told.fastest, told.unit)];
+    if !told.set.is_empty() {
+        lines.push(format!("  needs     {} to move", told.set.join(", ")));
+    }
+    for reaction in &told.reactions {
+        lines.push(format!("  input     {} = {}: {}", reaction.input, !reaction.idle, words(reaction, "")));
+        if let (Some(active), false) = (reaction.active(), told.with_cell) {
+            lines.push(format!("            so active = {active} would mean a person, if it is a sensor"));
+        }
+    }
+    lines.push(format!("  repeats   {}", told.self_test.deterministic));
+    lines.push(format!("  states    restored {}", told.self_test.restore));
+    lines.join("\n") + "\n"
+}
+
+/// What an input does, in words.
+pub(super) fn words(reaction: &Reaction, unit: &str) -> String {
+    let [before, after] = reaction.mean_speed;
+    let begin = reaction.first_change_s.map_or_else(String::new, |s| format!(", first change after {s:.3} s"));
+    let speeds = format!("{before:.2} to {after:.2} {unit}");
+    let speeds = speeds.trim_end();
+    match reaction.effect {
+        Effect::Stops => {
+            let still = reaction.still_after_s.unwrap_or_default();
+            format!("stops it, at rest after {still:.2} s{begin}")
+        }
+        Effect::Slows => format!("slows it, {speeds}{begin}"),
+        Effect::Starts => format!("starts it, {speeds}{begin}"),
+        Effect::SpeedsUp => format!("makes it faster, {speeds}{begin}"),
+        Effect::Changes => format!("changes something, not how fast it is{begin}"),
+        Effect::Nothing => "changes nothing".to_owned(),
+    }
+}

@@ -1,0 +1,259 @@
+//! What inputs do to the robots, found out by running the FMU: which slow them, after how long, and with which polarity.
+//!
+//! A run with all inputs idle is compared with runs in which one input changes while the robots move. The person plays no
+//! part in it.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use super::prepare::{Prepared, StateChoice};
+use crate::cell::binding::SensorBinding;
+use crate::host::{Plant, PlantError};
+use crate::sim::World;
+use crate::sim::robot::RobotFrame;
+
+/// How long the FMU is run to see what it does, s.
+pub const RUN_S: f64 = 10.0;
+
+/// A robot slower than this stands still: m/s, or the unit of what is measured per second.
+const STILL: f64 = 1e-3;
+
+/// What the robots do after an input has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Effect {
+    /// They come to rest.
+    Stops,
+    /// They go on, more slowly.
+    Slows,
+    /// They stood still and begin to move.
+    Starts,
+    /// They become faster.
+    SpeedsUp,
+    /// Something changes, not how fast they are.
+    Changes,
+    /// Every output is the same to the last bit.
+    Nothing,
+}
+
+/// What an input does.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reaction {
+    /// The input, or the sensor that drives it.
+    pub input: String,
+    /// Its value in the run to compare with.
+    pub idle: bool,
+    /// What the other value does.
+    pub effect: Effect,
+    /// Time from the change of the input to the first change of any output, s.
+    pub first_change_s: Option<f64>,
+    /// Time from the change of the input until the robots stand still, s.
+    pub still_after_s: Option<f64>,
+    /// Mean speed in the second half of the time after the change: idle, then changed.
+    pub mean_speed: [f64; 2],
+}
+
+impl Reaction {
+    /// The value that means that a person is detected, if the robots' reaction tells.
+    #[must_use]
+    pub const fn active(&self) -> Option<bool> {
+        match self.effect {
+            Effect::Stops | Effect::Slows => Some(!self.idle),
+            Effect::Starts | Effect::SpeedsUp => Some(self.idle),
+            Effect::Changes | Effect::Nothing => None,
+        }
+    }
+}
+
+/// A run of the FMU, and how fast the robots were after each step.
+pub struct Run {
+    /// Outputs at the start and after each step, row-major.
+    pub rows: Vec<f64>,
+    /// Speed after each step.
+    pub speeds: Vec<f64>,
+}
+
+impl Run {
+    /// The fastest that anything was.
+    #[must_use]
+    pub fn fastest(&self) -> f64 {
+        self.speeds.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Whether anything moved.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.fastest() > STILL
+    }
+}
+
+/// Runs a plant with constant inputs, which may change once.
+pub struct Prober<'a, P: Plant> {
+    /// A plant that is initialised with these inputs.
+    plant: &'a dyn Fn(&[f64]) -> P,
+    step_s: f64,
+    run_s: f64,
+    /// How fast the robots are after each step, from the outputs at the start and after each step.
+    speeds: &'a dyn Fn(&[f64]) -> Vec<f64>,
+}
+
+impl<'a, P: Plant> Prober<'a, P> {
+    /// A prober of what `plant` gives for the inputs that it is initialised with, with steps of `step_s` seconds, for runs of `run_s`.
+    pub const fn new(
+        plant: &'a dyn Fn(&[f64]) -> P,
+        step_s: f64,
+        run_s: f64,
+        speeds: &'a dyn Fn(&[f64]) -> Vec<f64>,
+    ) -> Self {
+        Self { plant, step_s, run_s, speeds }
+    }
+
+    /// Steps of a run.
+    fn steps(&self) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
+        let steps = (self.run_s / self.step_s).round().clamp(10.0, 50_000.0) as usize;
+        steps
+    }
+
+    /// Runs with `inputs`, and with `changed` from step `at` on.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn run(&self, inputs: &[f64], change: Option<(usize, &[f64])>) -> Result<Run, PlantError> {
+        let steps = self.steps();
+        let mut plant = (self.plant)(inputs);
+        let mut rows = plant.restart()?;
+        let (at, changed) = change.unwrap_or((steps, inputs));
+        rows.extend(plant.advance(at, &inputs.repeat(at))?);
+        if at < steps {
+            rows.extend(plant.advance(steps - at, &changed.repeat(steps - at))?);
+        }
+        let speeds = (self.speeds)(&rows);
+        Ok(Run { rows, speeds })
+    }
+
+    /// What changing input `column` does while the robots move as in `idle`, the run with `inputs`.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn reaction(&self, name: &str, inputs: &[f64], column: usize, idle: &Run) -> Result<Reaction, PlantError> {
+        let steps = self.steps();
+        // Where the robots are fastest, so that the time to standstill is a long one; early enough to see what follows.
+        let first_half = idle.speeds[..steps / 2].iter().enumerate();
+        let at = first_half.max_by(|a, b| a.1.total_cmp(b.1)).map_or(1, |(step, _)| step.max(1));
+        let mut changed = inputs.to_vec();
+        changed[column] = 1.0 - changed[column];
+        let run = self.run(inputs, Some((at, &changed)))?;
+        let width = run.rows.len() / (steps + 1);
+        let differs = |step: &usize| {
+            let row = |run: &Run| run.rows[(step + 1) * width..(step + 2) * width].to_vec();
+            row(&run).iter().zip(row(idle)).any(|(a, b)| a.to_bits() != b.to_bits())
+        };
+        let first = (at..steps).find(differs);
+        let settled = at + (steps - at) / 2;
+        #[expect(clippy::cast_precision_loss, reason = "thousands")]
+        let mean = |run: &Run| run.speeds[settled..].iter().sum::<f64>() / (steps - settled) as f64;
+        let mut means = [mean(idle), mean(&run)];
+        // A stop may be kept until somebody resets it: then only a run that begins with the other value tells.
+        let kept = means.iter().all(|mean| *mean <= STILL);
+        let begun = if kept { mean(&self.run(&changed, None)?) } else { 0.0 };
+        means[1] = means[1].max(begun);
+        let still = run.speeds[settled..].iter().all(|speed| *speed <= STILL);
+        let moved = run.speeds.iter().rposition(|speed| *speed > STILL).unwrap_or(at);
+        #[expect(clippy::cast_precision_loss, reason = "thousands")]
+        let after = |step: usize| (step + 1 - at) as f64 * self.step_s;
+        // By the means: robots may take a moment to come to rest, or to begin, in either run.
+        let effect = match (first, means[0] > STILL, means[1] > STILL) {
+            (None, ..) if begun <= STILL => Effect::Nothing,
+            (_, true, _) if still => Effect::Stops,
+            (_, true, _) if means[1] < 0.8 * means[0] => Effect::Slows,
+            (_, false, true) => Effect::Starts,
+            (_, true, _) if means[1] > 1.25 * means[0] => Effect::SpeedsUp,
+            _ => Effect::Changes,
+        };
+        Ok(Reaction {
+            input: name.to_owned(),
+            idle: inputs[column] != 0.0,
+            effect,
+            first_change_s: first.map(after),
+            still_after_s: (effect == Effect::Stops).then(|| after(moved.max(at))),
+            mean_speed: means,
+        })
+    }
+}
+
+/// What was found out about a cell.
+#[derive(Clone, Debug, Serialize)]
+pub struct Probe {
+    /// Fastest point of any robot while nobody is detected, m/s.
+    pub fastest_m_s: f64,
+    /// What each sensor does that the cell drives.
+    pub reactions: Vec<Reaction>,
+    /// What seems to be wrong.
+    pub warnings: Vec<String>,
+    /// Sensors that change nothing.
+    pub idle_sensors: Vec<String>,
+    /// Outputs of the run with nobody detected: at the start and after each step.
+    #[serde(skip)]
+    pub rows: Vec<f64>,
+}
+
+/// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor reporting a person.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
+    let (cell, binding) = (&prepared.cell, &prepared.binding);
+    let world = World::new(Arc::clone(cell), Arc::clone(binding));
+    let mut inputs = world.initial_inputs();
+    let driven = |sensor: usize| match binding.sensors[sensor] {
+        SensorBinding::Input(column) => Some(column),
+        SensorBinding::Output(_) => None,
+    };
+    for (number, sensor) in cell.sensors.iter().enumerate() {
+        if let Some(column) = driven(number) {
+            inputs[column] = f64::from(u8::from(!sensor.active));
+        }
+    }
+    let width = binding.outputs.len();
+    let speeds = |rows: &[f64]| -> Vec<f64> {
+        let derived = binding.rows(&rows[width..], Some(&rows[..width]), cell.step_s);
+        derived.chunks(binding.columns()).map(|row| RobotFrame::new(cell, binding, row).fastest).collect()
+    };
+    let plant = |inputs: &[f64]| prepared.plant_from(StateChoice::Replay, inputs);
+    let prober = Prober::new(&plant, cell.step_s, run_s, &speeds);
+    let idle = prober.run(&inputs, None)?;
+    let mut found = Probe {
+        fastest_m_s: idle.fastest(),
+        reactions: Vec::new(),
+        warnings: Vec::new(),
+        idle_sensors: Vec::new(),
+        rows: idle.rows.clone(),
+    };
+    let mut tried = Vec::new();
+    for (number, sensor) in cell.sensors.iter().enumerate() {
+        let Some(column) = driven(number).filter(|column| !tried.contains(column)) else { continue };
+        tried.push(column);
+        let reaction = prober.reaction(&sensor.name, &inputs, column, &idle)?;
+        let variable = &binding.inputs[column].port.name;
+        let (name, active) = (&sensor.name, sensor.active);
+        match reaction.effect {
+            Effect::Starts | Effect::SpeedsUp => {
+                let how = if reaction.effect == Effect::Starts { "stand still" } else { "are slower" };
+                found.warnings.push(format!(
+                    "sensor `{name}` seems to have the wrong polarity: while `{variable}` says that nobody is there the \
+                     robots {how}, and when it says that somebody is they {}. Try active = {}",
+                    if reaction.effect == Effect::Starts { "move" } else { "are faster" },
+                    !active
+                ));
+            }
+            Effect::Nothing => found.idle_sensors.push(format!(
+                "sensor `{name}` changes nothing: with `{variable}` = {active} every output is the same for {run_s} s"
+            )),
+            Effect::Stops | Effect::Slows | Effect::Changes => {}
+        }
+        found.reactions.push(reaction);
+    }
+    Ok(found)
+}

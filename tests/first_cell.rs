@@ -1,0 +1,221 @@
+//! From an FMU to a cell file: `init`, `check` and `probe`.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use common::{examples, fmi_hazard, json, scan_json, write};
+
+const CELLS: [&str; 6] =
+    ["safety-fence", "sensor-mat", "two-scanners", "light-curtain", "heavy-workpiece", "head-collision"];
+
+/// Exit code, stdout and stderr without line breaks and box drawing.
+fn run(dir: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let output = fmi_hazard(dir).args(arguments).output().unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr).replace(['│', '\n'], " ");
+    assert!(!stderr.contains("panicked"), "{stderr}");
+    let stderr = stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap(), stderr)
+}
+
+/// Each robot's variables in order, and the sensors with polarity and whether they are inside the FMU.
+#[derive(Debug, PartialEq)]
+struct Bound {
+    robots: BTreeSet<Vec<String>>,
+    sensors: BTreeMap<String, (bool, bool)>,
+    payload: BTreeSet<String>,
+    pose: BTreeSet<String>,
+    inputs: BTreeMap<String, String>,
+}
+
+fn bound(text: &str) -> Bound {
+    let table: toml::Table = text.parse().unwrap();
+    let list = |key: &str| table.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
+    let name = |value: &toml::Value| value.as_str().unwrap().to_owned();
+    let mut found = Bound {
+        robots: BTreeSet::new(),
+        sensors: BTreeMap::new(),
+        payload: BTreeSet::new(),
+        pose: BTreeSet::new(),
+        inputs: BTreeMap::new(),
+    };
+    for robot in list("robot") {
+        let mut variables = Vec::new();
+        for joint in robot.get("joint").and_then(toml::Value::as_array).into_iter().flatten() {
+            variables.extend(["angle", "speed"].map(|key| name(&joint[key]["variable"])));
+        }
+        for frame in robot.get("frame").and_then(toml::Value::as_array).into_iter().flatten() {
+            for key in ["position", "quaternion", "velocity", "angular_velocity"] {
+                variables.extend(frame[key].as_array().unwrap().iter().map(name));
+            }
+        }
+        found.robots.insert(variables);
+        found.payload.extend(robot.get("payload").map(|payload| name(&payload["variable"])));
+    }
+    for sensor in list("sensor") {
+        let inside = sensor["kind"].as_str() == Some("reported");
+        found.sensors.insert(name(&sensor["variable"]), (sensor["active"].as_bool().unwrap(), inside));
+    }
+    let pose = table.get("pose").and_then(toml::Value::as_table).cloned().unwrap_or_default();
+    found.pose.extend(pose.iter().map(|(key, value)| format!("{key} {}", value.as_str().unwrap())));
+    let inputs = table.get("inputs").and_then(toml::Value::as_table).cloned().unwrap_or_default();
+    found.inputs.extend(inputs.iter().map(|(key, value)| (key.clone(), value.to_string())));
+    found
+}
+
+#[test]
+fn init_guesses_every_joint_sensor_and_input_of_the_examples() {
+    let dir = examples();
+    for cell in CELLS {
+        for suffix in ["", "-fmi3"] {
+            let fmu = format!("{cell}/{cell}{suffix}.fmu");
+            let (code, out, said) = run(dir.path(), &["init", &fmu, "--out", "first.toml", "--force"]);
+            assert!(code == 0 && out == "first.toml\n" && said.contains("fill in"), "{fmu}: {code} {said}");
+            let first = std::fs::read_to_string(dir.path().join("first.toml")).unwrap();
+            let expected = std::fs::read_to_string(dir.path().join(cell).join("cell.toml")).unwrap();
+            assert_eq!(bound(&first), bound(&expected), "{fmu}");
+            assert!(first.starts_with("#:schema ./cell.schema.json\n"));
+            // What cannot be known is asked for, and a check says so line by line.
+            let (code, out, _) = run(dir.path(), &["check", "first.toml"]);
+            assert!(code == 2 && out.contains("where the person begins") && out.contains("problems"), "{out}");
+        }
+    }
+    assert!(json(&dir.path().join("cell.schema.json"))["properties"]["robot"].is_object());
+}
+
+#[test]
+fn init_asks_nothing_without_a_terminal_and_replaces_nothing() {
+    let dir = examples();
+    let fmu = "sensor-mat/sensor-mat.fmu";
+    let (code, _, said) = run(dir.path(), &["init", fmu, "--urdf", "robots/ur10e.urdf", "--out", "sub.toml"]);
+    assert!(code == 0 && !said.contains('?'), "{said}");
+    let text = std::fs::read_to_string(dir.path().join("sub.toml")).unwrap();
+    assert!(
+        text.contains("fmu = \"sensor-mat/sensor-mat.fmu\"\n") && text.contains("urdf = \"robots/ur10e.urdf\"\n"),
+        "{text}"
+    );
+    let (code, _, said) = run(dir.path(), &["init", fmu, "--out", "sub.toml"]);
+    assert!(code == 2 && said.contains("is there already") && said.contains("--force"), "{said}");
+    assert_eq!(std::fs::read_to_string(dir.path().join("sub.toml")).unwrap(), text);
+    // Filled in, it is a cell: the robot of the URDF, moved by this FMU.
+    let filled = text
+        .replace(
+            "# zone = { polygon_m = [[-1, -2], [1, -2], [1, -1], [-1, -1]] } # TODO corners on the floor",
+            "zone = { polygon_m = [[-1, -2], [1, -2], [1, -1], [-1, -1]] }",
+        )
+        .replace(" # TODO where its base stands", "")
+        .replace(" # TODO where the person begins and looks (0: +x, 90: +y)", "");
+    write(dir.path(), "filled.toml", &filled);
+    let (code, out, said) = run(dir.path(), &["check", "filled.toml"]);
+    assert!(code == 0 && out.contains("29.1 kg moving") && out.contains("nothing wrong"), "{out} {said}");
+}
+
+#[test]
+fn check_tells_all_problems_at_once_and_draws_what_is_right() {
+    let dir = examples();
+    for cell in CELLS {
+        let (code, out, said) = run(dir.path(), &["check", &format!("{cell}/cell.toml")]);
+        assert!(code == 0 && out.contains("nothing wrong"), "{cell}: {out} {said}");
+        let picture = std::fs::read_to_string(dir.path().join(cell).join("cell.svg")).unwrap();
+        assert!(picture.starts_with("<svg") && picture.contains("the cell from above"), "{cell}");
+        let parts = |what: &str| picture.matches(what).count();
+        assert!(parts("<circle") > 100 && parts("#dd6b20") > 20, "{cell}: places and robots are drawn");
+    }
+    let text = std::fs::read_to_string(dir.path().join("sensor-mat/cell.toml")).unwrap();
+    let mut wrong = text.clone();
+    let mistakes = [
+        ("schema = 1", "schema = 2", "format 2"),
+        ("robot.q[3]", "robot.q[7]", "`robot.q[7]` is not in sensor-mat.fmu"),
+        ("robot.qd[5]", "robot.qqd[5]", "`robot.qqd[5]` is not in sensor-mat.fmu"),
+        ("axis = [0, 0, 1]", "axis = [0, 0, 0]", "no direction"),
+        ("\"plc.mat_clear\"", "\"robot.q[1]\"", "not an input"),
+        ("joint = \"joint_6\"", "joint = \"joint_66\"", "no joint `joint_66`"),
+        ("heading_deg", "# TODO which way\nheading_deg", "which way"),
+    ];
+    for (from, to, _) in &mistakes[..6] {
+        assert!(wrong.contains(from), "{from}");
+        wrong = wrong.replacen(from, to, 1);
+    }
+    wrong.push_str("# TODO which way\n");
+    write(dir.path(), "sensor-mat/wrong.toml", &wrong);
+    let (code, out, said) = run(dir.path(), &["check", "sensor-mat/wrong.toml"]);
+    assert_eq!(code, 2);
+    for (.., words) in &mistakes {
+        assert!(said.contains(words) || out.contains(words), "`{words}`: {out} {said}");
+    }
+    assert!(out.contains("wrong.toml: 7 problems"), "{out}");
+    let (_, out, _) = run(dir.path(), &["check", "sensor-mat/wrong.toml", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let problems = told["problems"].as_array().unwrap();
+    assert_eq!(problems.len(), 7);
+    for problem in problems {
+        assert!(problem["line"].as_u64().is_some() && problem["help"].as_str().is_some(), "{problem}");
+    }
+    // Unknown keys do not hide one another.
+    let unknown = text.replacen("moving_mass_kg", "moving_mas_kg", 1).replacen("heading_deg", "heding_deg", 1);
+    let unknown = unknown.replacen("payload =", "payloat =", 1).replacen("phase =", "phases =", 1);
+    write(dir.path(), "sensor-mat/unknown.toml", &unknown);
+    let (_, _, said) = run(dir.path(), &["check", "sensor-mat/unknown.toml", "--no-run"]);
+    for key in ["moving_mas_kg", "payloat", "phases"] {
+        assert!(said.contains(&format!("unknown field `{key}`")), "{key}: {said}");
+    }
+}
+
+#[test]
+fn probe_finds_what_stops_the_robot_after_how_long_and_with_which_polarity() {
+    let dir = examples();
+    // By the FMU alone: a mat that stops, a field that slows down, a curtain that stops; from scenarios.md: the mat's
+    // controller reacts after 0.06 s and ramps down in 0.3 s.
+    for (cell, input, effect, active) in [
+        ("sensor-mat", "plc.mat_clear", "stops", Some(false)),
+        ("light-curtain", "plc.curtain_clear", "stops", Some(false)),
+        ("head-collision", "plc.field_clear", "slows", Some(false)),
+        ("safety-fence", "plc.guard_closed", "stops", Some(false)),
+    ] {
+        let fmu = format!("{cell}/{cell}.fmu");
+        let (code, out, said) = run(dir.path(), &["probe", &fmu, "--fmu-only", "--format", "json"]);
+        assert_eq!(code, 0, "{said}");
+        let told: serde_json::Value = serde_json::from_str(&out).unwrap();
+        assert!(told["fastest"].as_f64().unwrap() > 0.1, "{cell}: {out}");
+        let reactions = told["reactions"].as_array().unwrap();
+        let reaction = reactions.iter().find(|reaction| reaction["input"] == input).unwrap_or_else(|| panic!("{out}"));
+        assert_eq!(reaction["effect"], effect, "{cell}: {out}");
+        assert_eq!(reaction["idle"].as_bool(), active.map(|active| !active), "{cell}");
+        let first = reaction["first_change_s"].as_f64().unwrap();
+        assert!(first > 0.0 && first < 0.2, "{cell}: first change after {first} s");
+        let (_, table, _) = run(dir.path(), &["probe", &fmu, "--fmu-only"]);
+        assert!(table.contains("so active = false would mean a person"), "{table}");
+    }
+    let (_, out, _) = run(dir.path(), &["probe", "sensor-mat/sensor-mat.fmu", "--fmu-only", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let mat = told["reactions"].as_array().unwrap().iter().find(|r| r["input"] == "plc.mat_clear").unwrap().clone();
+    assert!((mat["still_after_s"].as_f64().unwrap() - 0.35).abs() < 0.05, "{mat}");
+}
+
+#[test]
+fn a_wrong_polarity_is_told_before_a_scan() {
+    let dir = examples();
+    for (cell, effect) in
+        [("sensor-mat", "stand still"), ("light-curtain", "stand still"), ("head-collision", "are slower")]
+    {
+        let folder = dir.path().join(cell);
+        let text = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
+        let wrong = text.replacen("active = false", "active = true", 1);
+        assert_ne!(text, wrong);
+        write(&folder, "wrong.toml", &wrong);
+        let scan = ["scan", "wrong.toml", "--out", "o", "--iterations", "5", "--strategy", "random"];
+        let (_, _, said) = run(&folder, &scan);
+        let (warned, searched) = (said.find("wrong polarity").unwrap(), said.find("iterations").unwrap());
+        assert!(warned < searched && said.contains(effect) && said.contains("Try active = false"), "{cell}: {said}");
+        let warnings = scan_json(&folder.join("o"))["warnings"].to_string();
+        assert!(warnings.contains("wrong polarity"), "{warnings}");
+        let (_, _, said) = run(&folder, &["check", "wrong.toml"]);
+        assert!(said.contains("wrong polarity"), "{said}");
+        // And not where it is right.
+        let right = ["scan", "cell.toml", "--out", "r", "--iterations", "5", "--strategy", "random"];
+        assert!(!run(&folder, &right).2.contains("wrong polarity"));
+        assert!(!run(&folder, &["check", "cell.toml"]).2.contains("Warning"));
+    }
+}
