@@ -216,7 +216,7 @@ fn units_that_fit_are_converted() {
         let opened = fmi_hazard::cell::find::open(&write(dir.path(), "cell.toml", &cell), None).unwrap();
         let (name, fmu) = &opened.fmus[0];
         let unit = BoundUnit { name, description: fmu.description(), file: "x.fmu".to_owned() };
-        let binding = bind(opened.cell.file(), &opened.source, &[unit]).unwrap();
+        let binding = bind(opened.cell.file(), &opened.source, &[unit], None).unwrap();
         let MotionBinding::Joints { positions: angles, speeds } = &binding.robots[0].motion else { panic!("joints") };
         // All outputs one: what is read is the factor.
         let ones = vec![1.0; binding.outputs.len()];

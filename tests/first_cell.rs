@@ -219,3 +219,70 @@ fn a_wrong_polarity_is_told_before_a_scan() {
         assert!(!run(&folder, &["check", "cell.toml"]).2.contains("Warning"));
     }
 }
+
+/// Name, compressed bytes and checksum of every entry.
+fn entries(path: &Path) -> BTreeMap<String, (Vec<u8>, u32)> {
+    use std::io::Read as _;
+    let mut archive = zip::ZipArchive::new(std::fs::File::open(path).unwrap()).unwrap();
+    let mut all = BTreeMap::new();
+    for index in 0..archive.len() {
+        let mut entry = archive.by_index_raw(index).unwrap();
+        let mut bytes = Vec::new();
+        entry.read_to_end(&mut bytes).unwrap();
+        all.insert(entry.name().unwrap().into_owned(), (bytes, entry.crc32()));
+    }
+    all
+}
+
+#[test]
+fn a_packed_fmu_is_scanned_alone_and_is_otherwise_the_same() {
+    let dir = examples();
+    let folder = dir.path().join("sensor-mat");
+    std::fs::create_dir(folder.join("geometry")).unwrap();
+    std::fs::copy(dir.path().join("robots/ur10e.urdf"), folder.join("geometry/ur10e.urdf")).unwrap();
+    let (code, ..) = run(&folder, &["init", "sensor-mat.fmu", "--urdf", "geometry/ur10e.urdf", "--out", "first.toml"]);
+    assert_eq!(code, 0);
+    let text = std::fs::read_to_string(folder.join("first.toml")).unwrap();
+    let text = text.replace(
+        "# zone = { polygon_m = [[-1, -2], [1, -2], [1, -1], [-1, -1]] }",
+        "zone = { polygon_m = [[-1, -2], [1, -2], [1, -1], [-1, -1]] }",
+    );
+    write(&folder, "first.toml", &text);
+    let (code, out, said) = run(&folder, &["pack", "first.toml"]);
+    assert!(code == 0 && out == "sensor-mat-packed.fmu\n", "{out} {said}");
+    let (code, _, said) = run(&folder, &["pack", "first.toml"]);
+    assert!(code == 2 && said.contains("--force"), "{said}");
+    let (before, mut after) = (entries(&folder.join("sensor-mat.fmu")), entries(&folder.join("sensor-mat-packed.fmu")));
+    for name in ["cell.toml", "geometry/ur10e.urdf"] {
+        assert!(after.remove(&format!("extra/io.github.fmi-hazard/{name}")).is_some(), "{name}");
+    }
+    assert!(!after.is_empty());
+    for (name, entry) in &after {
+        assert_eq!(before.get(name), Some(entry), "{name}");
+    }
+    // Nothing else is needed.
+    let alone = tempfile::TempDir::new().unwrap();
+    std::fs::copy(folder.join("sensor-mat-packed.fmu"), alone.path().join("x.fmu")).unwrap();
+    let budget = ["--iterations", "20", "--strategy", "random"];
+    let scan = |dir: &Path, what: &str| {
+        let (code, _, said) = run(dir, &[&["scan", what, "--out", "o"], &budget[..]].concat());
+        assert!([0, 1, 4].contains(&code), "{said}");
+        scan_json(&dir.join("o"))
+    };
+    let (packed, beside) = (scan(alone.path(), "x.fmu"), scan(&folder, "first.toml"));
+    assert_eq!(packed["hazards"], beside["hazards"]);
+    assert_eq!(packed["coverage"], beside["coverage"]);
+    assert_eq!(packed["subject"]["geometry"], beside["subject"]["geometry"]);
+    assert!(packed["subject"]["cell_found"].as_str().unwrap().contains("x.fmu!extra/"));
+    common::fmpy::compare(&folder, &folder.join("sensor-mat-packed.fmu"));
+    // What is outside the folder cannot travel.
+    let (code, _, said) = run(
+        dir.path(),
+        &["init", "sensor-mat/sensor-mat.fmu", "--urdf", "robots/ur10e.urdf", "--out", "sensor-mat/out.toml"],
+    );
+    assert_eq!(code, 0, "{said}");
+    let text = std::fs::read_to_string(folder.join("out.toml")).unwrap();
+    write(&folder, "out.toml", &text.replace("# zone = { polygon_m", "zone = { polygon_m"));
+    let (code, _, said) = run(&folder, &["pack", "out.toml", "--force"]);
+    assert!(code == 2 && said.contains("outside the folder of the cell file"), "{said}");
+}

@@ -7,14 +7,16 @@ use toml::Spanned;
 
 use super::CellError;
 use super::error::{Problems, Source, nearest};
+use super::find::Wiring;
 use super::format::{
     CellFile, ConnectionTable, FrameTable, JointTable, Literal, RobotTable, SensorKind, SensorTable, VariableTable,
 };
 use super::sensors::fail_safe;
+use super::ssp::{Link, Structure};
 use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
 use crate::geometry::{Matrix3, Rotation, Vec3};
 use crate::host::port::{Port, PortKind};
-use crate::host::system::{Connection, SystemSetup, UnitPort};
+use crate::host::system::{AlgebraicLoop, Connection, SystemSetup, UnitPort};
 
 /// Which FMU variables are written and read, and how.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +37,8 @@ pub struct Binding {
     pub derived: Vec<Derived>,
     /// Connections between FMUs.
     pub connections: Vec<Connection>,
+    /// Further variables that get what an input gets: its column, and the variable.
+    pub mirrors: Vec<(usize, UnitPort)>,
     /// Robots, in the order of the cell.
     pub robots: Vec<RobotBinding>,
     /// Things the user should know, for instance an assumed unit.
@@ -256,6 +260,10 @@ pub struct BoundUnit<'a> {
 
 struct Binder<'a> {
     source: &'a Source,
+    /// The system that the units come in.
+    wiring: Option<&'a Wiring>,
+    /// Inputs of the system that drive several variables: the first, and each of the others.
+    mirrors: Vec<(UnitPort, UnitPort)>,
     problems: &'a Problems,
     units: &'a [BoundUnit<'a>],
     outputs: Vec<UnitPort>,
@@ -267,9 +275,23 @@ struct Binder<'a> {
 ///
 /// # Errors
 /// All names, types and units that do not fit, each with its line in the cell file.
-pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result<Binding, Box<CellError>> {
+pub fn bind(
+    file: &CellFile,
+    source: &Source,
+    units: &[BoundUnit<'_>],
+    wiring: Option<&Wiring>,
+) -> Result<Binding, Box<CellError>> {
     let problems = &Problems::default();
-    let mut b = Binder { source, problems, units, outputs: Vec::new(), derived: Vec::new(), warnings: Vec::new() };
+    let mut b = Binder {
+        source,
+        wiring,
+        mirrors: Vec::new(),
+        problems,
+        units,
+        outputs: Vec::new(),
+        derived: Vec::new(),
+        warnings: Vec::new(),
+    };
     let mut robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
     let mut inputs: Vec<UnitPort> = Vec::new();
     let mut sensors: Vec<Option<SensorBinding>> = Vec::new();
@@ -303,11 +325,23 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
     let parameters = file.parameters.iter();
     let parameters =
         problems.keep_all(parameters.map(|(name, literal)| b.parameter(&named(name, literal), *literal.get_ref())));
+    let mirrors = b.mirrors.iter().filter_map(|(first, other)| {
+        inputs.iter().position(|input| input == first).map(|column| (column, other.clone()))
+    });
+    let mirrors: Vec<(usize, UnitPort)> = mirrors.collect();
+    let driven: Vec<UnitPort> = inputs.iter().chain(mirrors.iter().map(|(_, port)| port)).cloned().collect();
+    let mut system = b.system(&driven);
     let mut connections: Vec<Connection> = Vec::new();
     for table in &file.connections {
-        let taken: Vec<UnitPort> = connections.iter().map(|c| c.to.clone()).chain(inputs.iter().cloned()).collect();
-        connections.extend(problems.keep(b.connection(table, &taken)));
+        let others = connections.iter().chain(&system).map(|c| c.to.clone());
+        let taken: Vec<UnitPort> = others.chain(driven.iter().cloned()).collect();
+        // A connection of the system may be given a delay.
+        if let Some(known) = problems.keep(b.of_system(table, &mut system)) {
+            known.unwrap_or_else(|| connections.extend(problems.keep(b.connection(table, &taken))));
+        }
     }
+    let connections = without_loops(units, [system, connections]);
+    let parameters = b.system_parameters(&parameters).into_iter().chain(parameters).collect();
     let _ = problems.keep(b.not_written_and_read(&inputs));
     // What is derived stands behind all outputs, whose number is known only now.
     robots.iter_mut().for_each(|robot| robot.motion.settle(b.outputs.len()));
@@ -320,6 +354,7 @@ pub fn bind(file: &CellFile, source: &Source, units: &[BoundUnit<'_>]) -> Result
         outputs: b.outputs,
         derived: b.derived,
         connections,
+        mirrors,
         robots,
         warnings: b.warnings,
     };
@@ -361,6 +396,7 @@ impl Binding {
             initial_inputs,
             outputs: self.outputs.clone(),
             connections: self.connections.clone(),
+            mirrors: self.mirrors.clone(),
             step_s,
         }
     }
@@ -528,7 +564,7 @@ impl<'a> Binder<'a> {
         Ok(readers)
     }
 
-    fn connection(&self, table: &ConnectionTable, taken: &[UnitPort]) -> Result<Connection, Box<CellError>> {
+    fn connection(&mut self, table: &ConnectionTable, taken: &[UnitPort]) -> Result<Connection, Box<CellError>> {
         let (unit, variable) = self.readable(&table.from)?;
         let from = self.port(&table.from, unit, variable)?;
         let to = self.input(&table.to, Some(from.port.kind))?;
@@ -547,7 +583,142 @@ impl<'a> Binder<'a> {
             return Err(self.source.error(table.to.span(), "here", message, help));
         }
         let to = self.driven_once(&table.to, to, taken)?;
-        Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps) })
+        Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps), factor: 1.0, offset: 0.0 })
+    }
+
+    /// The connections of the system. Problems point into its description.
+    fn system(&self, driven: &[UnitPort]) -> Vec<Connection> {
+        let Some(Wiring { structure, source, .. }) = self.wiring else { return Vec::new() };
+        let mut taken = driven.to_vec();
+        let mut connections = Vec::new();
+        for link in &structure.links {
+            let connection = self.system_link(structure, link, &taken);
+            let connection =
+                connection.map_err(|(message, help)| source.error(link.place.clone(), "here", message, Some(help)));
+            if let Some(connection) = self.problems.keep(connection) {
+                taken.push(connection.to.clone());
+                connections.push(connection);
+            }
+        }
+        connections
+    }
+
+    fn system_link(
+        &self,
+        structure: &Structure,
+        link: &Link,
+        taken: &[UnitPort],
+    ) -> Result<Connection, (String, String)> {
+        let inspect = || "`fmi-hazard inspect` lists the variables of each component".to_owned();
+        let end = |(unit, name): &(usize, String), input: bool| {
+            let shown = format!("{}.{name}", structure.components[*unit].name);
+            let found = self.units[*unit].description.element(name);
+            let (variable, _, _) = found.ok_or_else(|| (format!("there is no variable `{shown}`"), inspect()))?;
+            let fits = match variable.causality {
+                Causality::Input => input,
+                Causality::Output | Causality::Local | Causality::CalculatedParameter => !input,
+                _ => false,
+            };
+            if !fits {
+                let what = if input { "an input" } else { "an output" };
+                return Err((format!("`{shown}` is not {what} of its FMU"), inspect()));
+            }
+            let at = Spanned::new(0..0, format!("{}:{name}", self.units[*unit].name));
+            let port = self.port(&at, *unit, variable);
+            port.map(|port| (port, variable)).map_err(|error| (error.message, inspect()))
+        };
+        let ((from, source), (to, target)) = (end(&link.from, false)?, end(&link.to, true)?);
+        if from.port.kind != to.port.kind {
+            let (a, b) = (self.type_name(from.unit, source), self.type_name(to.unit, target));
+            return Err((format!("{a} is connected with {b}"), "connect variables of one type".to_owned()));
+        }
+        if taken.contains(&to) {
+            let message = format!("`{}.{}` is driven by two things at once", self.units[to.unit].name, to.port.name);
+            let help =
+                "another connection, or a sensor, the pose or a constant of the cell file: remove one".to_owned();
+            return Err((message, help));
+        }
+        let plain = link.factor == 1.0 && link.offset == 0.0;
+        if !plain && from.port.kind != PortKind::Real {
+            return Err(("a transformation of what is no Real".to_owned(), "transform Reals only".to_owned()));
+        }
+        let declared = |variable: &Variable| match &variable.kind {
+            VariableType::Real { unit, .. } => unit.clone(),
+            _ => None,
+        };
+        let units = [link.units[0].clone().or(declared(source)), link.units[1].clone().or(declared(target))];
+        let converted = match units {
+            [Some(a), Some(b)] if a != b && link.converts && plain => {
+                let factor = |units: &[(&str, f64)], of: &str| units.iter().find(|(n, _)| *n == of).map(|(_, f)| *f);
+                let both = CONVERTIBLE.iter().find_map(|units| Some(factor(units, &a)? / factor(units, &b)?));
+                both.ok_or_else(|| {
+                    let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
+                    (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
+                })?
+            }
+            _ => 1.0,
+        };
+        Ok(Connection { from, to, delay_steps: 0, factor: link.factor * converted, offset: link.offset })
+    }
+
+    /// Gives a connection of the system the delay that the cell file wants; nothing if it is none of the system's.
+    fn of_system(&self, table: &ConnectionTable, system: &mut [Connection]) -> Result<Option<()>, Box<CellError>> {
+        if self.wiring.is_none() {
+            return Ok(None);
+        }
+        let (unit, variable) = self.readable(&table.from)?;
+        let from = self.port(&table.from, unit, variable)?;
+        let (unit, variable) = self.find(&table.to)?;
+        let to = self.port(&table.to, unit, variable)?;
+        let known = system.iter_mut().find(|connection| connection.from == from && connection.to == to);
+        Ok(known.map(|connection| connection.delay_steps = usize::from(table.delay_steps)))
+    }
+
+    /// The parameters that the system gives and the cell file does not.
+    fn system_parameters(&mut self, own: &[(UnitPort, f64)]) -> Vec<(UnitPort, f64)> {
+        let Some(wiring) = self.wiring else { return Vec::new() };
+        let mut all: Vec<(UnitPort, f64)> = Vec::new();
+        for parameter in &wiring.structure.parameters {
+            let name = format!("{}:{}", self.units[parameter.component].name, parameter.name);
+            let value = self.parameter(&Spanned::new(0..0, name), parameter.value);
+            let value = value.map_err(|error| {
+                let help = error.help.clone();
+                parameter.source.error(parameter.place.clone(), "here", error.message.clone(), help)
+            });
+            let Some((port, value)) = self.problems.keep(value) else { continue };
+            all.retain(|(other, _)| *other != port);
+            if own.iter().all(|(other, _)| *other != port) {
+                all.push((port, value));
+            }
+        }
+        all
+    }
+
+    /// What a name of the system's own connectors stands for.
+    fn canonical(&self, name: &Spanned<String>) -> Spanned<String> {
+        let variable = || {
+            let structure = &self.wiring?.structure;
+            let written = name.get_ref();
+            let input = structure.inputs.get(written).and_then(|driven| driven.first());
+            let (component, variable) = input.or_else(|| structure.outputs.get(written))?;
+            Some(format!("{}:{variable}", self.units[*component].name))
+        };
+        Spanned::new(name.span(), variable().unwrap_or_else(|| name.get_ref().clone()))
+    }
+
+    /// Notes what else an input of the system drives.
+    fn mirror(&mut self, name: &Spanned<String>, port: &UnitPort) -> Result<(), Box<CellError>> {
+        let Some(driven) = self.wiring.and_then(|wiring| wiring.structure.inputs.get(name.get_ref())) else {
+            return Ok(());
+        };
+        for (component, variable) in driven.iter().skip(1) {
+            let other = Spanned::new(name.span(), format!("{}:{variable}", self.units[*component].name));
+            let other = self.input(&other, Some(port.port.kind))?;
+            if !self.mirrors.iter().any(|(_, known)| *known == other) {
+                self.mirrors.push((port.clone(), other));
+            }
+        }
+        Ok(())
     }
 
     /// Refuses an input that something else drives already.
@@ -597,13 +768,24 @@ impl<'a> Binder<'a> {
 
     /// The FMU and variable that a name of the cell file means.
     fn find(&self, name: &Spanned<String>) -> Result<(usize, &'a Variable), Box<CellError>> {
+        let name = &self.canonical(name);
         let written = name.get_ref().as_str();
         let (unit, wanted) = if let [BoundUnit { name: "", .. }] = self.units {
             (0, written)
         } else {
             let names = || self.units.iter().map(|u| u.name);
             let Some((prefix, wanted)) = written.split_once(':') else {
-                let help = format!("write `unit:{written}`; the units are {}", names().collect::<Vec<_>>().join(", "));
+                let units = names().collect::<Vec<_>>().join(", ");
+                let own = self.wiring.map(|wiring| &wiring.structure);
+                let own: Vec<&str> =
+                    own.into_iter().flat_map(|s| s.inputs.keys().chain(s.outputs.keys())).map(String::as_str).collect();
+                let help = match own.as_slice() {
+                    [] => format!("write `unit:{written}`; the units are {units}"),
+                    own => format!(
+                        "write `unit:{written}`, the units being {units}, or one of the system's own: {}",
+                        own.join(", ")
+                    ),
+                };
                 let message = format!("`{written}` does not say which FMU it belongs to");
                 return Err(self.source.error(name.span(), "named here", message, Some(help)));
             };
@@ -647,6 +829,7 @@ impl<'a> Binder<'a> {
 
     fn port(&self, name: &Spanned<String>, unit: usize, variable: &Variable) -> Result<UnitPort, Box<CellError>> {
         // Found under this name before, so there is a handle.
+        let name = &self.canonical(name);
         let local = self.local(name.get_ref());
         let handle = self.units[unit].description.handle(local);
         let start = variable.numeric_start();
@@ -663,7 +846,7 @@ impl<'a> Binder<'a> {
     }
 
     /// An input of this type, if one is asked for.
-    fn input(&self, name: &Spanned<String>, wanted: Option<PortKind>) -> Result<UnitPort, Box<CellError>> {
+    fn input(&mut self, name: &Spanned<String>, wanted: Option<PortKind>) -> Result<UnitPort, Box<CellError>> {
         let (unit, variable) = self.find(name)?;
         if variable.causality != Causality::Input {
             let message = format!("`{}` is not an input of {}", variable.name, self.units[unit].file);
@@ -688,6 +871,7 @@ impl<'a> Binder<'a> {
                 Some("`fmi-hazard inspect` lists the inputs with their types".to_owned()),
             ));
         }
+        self.mirror(name, &port)?;
         Ok(port)
     }
 
@@ -833,6 +1017,34 @@ impl<'a> Binder<'a> {
         }
     }
 }
+
+/// The connections of a system and of a cell file; where those of the system form a loop, its last ones are held back by a
+/// step.
+fn without_loops(units: &[BoundUnit<'_>], [mut system, own]: [Vec<Connection>; 2]) -> Vec<Connection> {
+    let names: Vec<String> = units.iter().map(|unit| unit.name.to_owned()).collect();
+    loop {
+        let connections: Vec<Connection> = system.iter().chain(&own).cloned().collect();
+        let setup = SystemSetup { names: names.clone(), connections, ..SystemSetup::default() };
+        let Err(AlgebraicLoop { units: inside }) = setup.order() else { return setup.connections };
+        let within = |c: &&mut Connection| {
+            c.delay_steps == 0 && [&c.from, &c.to].iter().all(|end| inside.contains(&names[end.unit]))
+        };
+        match system.iter_mut().rev().find(within) {
+            Some(connection) => connection.delay_steps = 1,
+            None => return setup.connections,
+        }
+    }
+}
+
+/// SI factors of units that may be converted into one another.
+const CONVERTIBLE: [&[(&str, f64)]; 6] = [
+    &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0), ("mrad", 1e-3)],
+    &[("rad/s", 1.0), ("deg/s", std::f64::consts::PI / 180.0), ("rpm", std::f64::consts::PI / 30.0)],
+    &[("m", 1.0), ("mm", 1e-3), ("cm", 1e-2)],
+    &[("m/s", 1.0), ("mm/s", 1e-3)],
+    &[("kg", 1.0), ("g", 1e-3)],
+    &[("s", 1.0), ("ms", 1e-3)],
+];
 
 /// Value while a person is detected, as far as it is said.
 fn polarity(sensor: &SensorTable) -> Option<bool> {

@@ -1,6 +1,7 @@
 //! Where the cell of an FMU is looked for, and reading it.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use thiserror::Error;
 use toml::Spanned;
@@ -10,9 +11,10 @@ use super::draft::TODO;
 use super::error::display_name;
 use super::error::{Problems, Source};
 use super::format::CellFile;
+use super::ssp::{self, Structure, is_ssp};
 use super::validate::{check, parse, validate};
 use super::{CellError, Workcell};
-use crate::fmi::Fmu;
+use crate::fmi::{Archive, Fmu};
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
 pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
@@ -25,8 +27,50 @@ pub struct OpenedCell {
     pub source: Source,
     /// The FMUs with their names; one without a name, or several.
     pub fmus: Vec<(String, Fmu)>,
+    /// How they are connected, when they come as a system.
+    pub wiring: Option<Wiring>,
     /// Where the cell was found, in words.
     pub found: String,
+}
+
+/// A system of FMUs, without them.
+#[derive(Clone)]
+pub struct Wiring {
+    /// Components, connections, parameters.
+    pub structure: Structure,
+    /// The description, for messages.
+    pub source: Source,
+    /// The SSP file.
+    pub path: PathBuf,
+    /// SHA-256 of it, lower-case hex.
+    pub sha256: String,
+    /// Its files, if it is an archive: a cell file inside may name some.
+    pub archive: Option<Arc<Archive>>,
+}
+
+/// What a path to an FMU or a system gives.
+struct Plants {
+    fmus: Vec<(String, Fmu)>,
+    wiring: Option<Wiring>,
+    /// A cell file inside: what it is called, its text, and the folder that its files are in.
+    inside: Option<(String, String, PathBuf)>,
+}
+
+impl Plants {
+    fn open(path: &Path) -> Result<Self, OpenError> {
+        if is_ssp(path) {
+            let ssp::System { structure, source, fmus, sha256, cell: inside, archive } = ssp::open(path)?;
+            let wiring = Some(Wiring { structure, source, path: path.to_owned(), sha256, archive });
+            return Ok(Self { fmus, wiring, inside });
+        }
+        let fmu = Fmu::open(path)?;
+        let own = format!("{EXTRA_FOLDER}/cell.toml");
+        let inside = match fmu.file(&own) {
+            Some(file) => Some((format!("{}!{own}", path.display()), read(&file)?, folder_of(&file).to_owned())),
+            None => None,
+        };
+        Ok(Self { fmus: vec![(String::new(), fmu)], wiring: None, inside })
+    }
 }
 
 /// Why a cell could not be opened.
@@ -62,18 +106,38 @@ pub enum OpenError {
     },
 }
 
-/// Opens a cell file, or an FMU together with its cell.
+/// Opens a cell file, or an FMU or a system of FMUs together with its cell.
 ///
-/// For an FMU the cell is, in this order, `cell` if given; `<stem>.cell.toml` and then `cell.toml` beside it;
+/// For an FMU (or system) the cell is, in this order, `cell` if given; `<stem>.cell.toml` and then `cell.toml` beside it;
 /// `extra/io.github.fmi-hazard/cell.toml` inside it.
 ///
 /// # Errors
 /// [`OpenError`], each with what to do.
 pub fn open(path: &Path, cell: Option<&Path>) -> Result<OpenedCell, OpenError> {
-    match located(path, cell)? {
-        Located::Cell(cell) => open_cell(&cell),
-        Located::Inside { cell, name, fmu } => with_fmu(&cell, &name, *fmu),
-    }
+    let (source, own) = located(path, cell)?;
+    let found = source.name().to_owned();
+    let cell = validate(&source)?;
+    let Plants { fmus, wiring, .. } = match own {
+        Some(own) => {
+            if let Some(unit) = cell.fmus.iter().find(|unit| !unit.name.is_empty()) {
+                let message = "this cell couples several FMUs and cannot be used with one";
+                let help = Some("give the cell file instead of the FMU".to_owned());
+                return Err(OpenError::Cell(source.error(unit.path.span(), "one of them", message, help)));
+            }
+            own
+        }
+        None => {
+            if cell.fmus.is_empty() {
+                return Err(OpenError::Cell(no_fmu(&source)));
+            }
+            let problems = Problems::default();
+            let units = cell.fmus.iter().map(|unit| (unit.name.clone(), unit.path.clone()));
+            let plants = named_plants(&source, units, &problems)?;
+            problems.take_or(())?;
+            plants
+        }
+    };
+    Ok(OpenedCell { found, cell, source, fmus, wiring })
 }
 
 /// A cell that may have mistakes.
@@ -91,34 +155,28 @@ pub struct Examined {
 /// # Errors
 /// When a file cannot be read at all.
 pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> {
-    let (source, own) = match located(path, cell)? {
-        Located::Cell(cell) => (Source::new(&display_name(&cell), &read(&cell)?).in_folder(folder_of(&cell)), None),
-        Located::Inside { cell, name, fmu } => {
-            (Source::new(&name, &read(&cell)?).in_folder(folder_of(&cell)), Some(*fmu))
-        }
-    };
+    let (source, own) = located(path, cell)?;
     let lines = source.text().lines().enumerate().filter(|(_, line)| line.contains(TODO) && !line.contains("`# TODO`"));
     let todo = lines.map(|(number, line)| (number + 1, line.trim().to_owned())).collect();
     let problems = Problems::default();
     let Some(file) = problems.keep(parse(&source)) else {
         return Ok(Examined { problems: problems.take_or(()).err(), source, todo });
     };
-    let mut fmus: Vec<(String, Fmu)> = own.map(|fmu| (String::new(), fmu)).into_iter().collect();
-    let mut missing = false;
-    if fmus.is_empty() {
-        let units = file.units.iter().map(|unit| (unit.get_ref().name.clone(), unit.get_ref().fmu.clone()));
-        for (name, path) in file.fmu.clone().map(|path| (String::new(), path)).into_iter().chain(units) {
-            match problems.keep(named_fmu(&source, &path)) {
-                Some(path) => fmus.push((name, Fmu::open(&path)?)),
-                None => missing = true,
-            }
+    let named = file.units.len() + usize::from(file.fmu.is_some());
+    let plants = match own {
+        Some(own) => own,
+        None => {
+            let units = file.units.iter().map(|unit| (unit.get_ref().name.clone(), unit.get_ref().fmu.clone()));
+            let only = file.fmu.clone().map(|path| (String::new(), path));
+            named_plants(&source, only.into_iter().chain(units), &problems)?
         }
-    }
-    if fmus.is_empty() && !missing {
+    };
+    if plants.fmus.is_empty() && named == 0 {
         let _ = problems.keep(Err::<(), _>(no_fmu(&source)));
     }
-    if !missing && !fmus.is_empty() {
-        let _ = problems.keep(bind(&file, &source, &bound(&fmus)));
+    // With an FMU missing, names of its variables cannot be told from mistakes.
+    if !plants.fmus.is_empty() && plants.fmus.len() >= named {
+        let _ = problems.keep(bind(&file, &source, &bound(&plants.fmus), plants.wiring.as_ref()));
     }
     let _ = problems.keep(check(&source, file));
     Ok(Examined { problems: problems.take_or(()).err(), source, todo })
@@ -131,41 +189,52 @@ pub fn bound(fmus: &[(String, Fmu)]) -> Vec<BoundUnit<'_>> {
     fmus.iter().map(|(name, fmu)| BoundUnit { name, description: fmu.description(), file: file(fmu) }).collect()
 }
 
-/// Where a cell is.
-enum Located {
-    /// A cell file.
-    Cell(PathBuf),
-    /// A cell file without an FMU of its own: that FMU, and what the file is called.
-    Inside { cell: PathBuf, name: String, fmu: Box<Fmu> },
-}
-
-fn located(path: &Path, cell: Option<&Path>) -> Result<Located, OpenError> {
+/// The cell file, and the FMUs if it was they that were named.
+fn located(path: &Path, cell: Option<&Path>) -> Result<(Source, Option<Plants>), OpenError> {
+    let file = |cell: &Path| -> Result<Source, OpenError> {
+        Ok(Source::new(&display_name(cell), &read(cell)?).in_folder(folder_of(cell)))
+    };
     if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-        return Ok(Located::Cell(path.to_owned()));
+        return Ok((file(path)?, None));
     }
-    let fmu = Box::new(Fmu::open(path)?);
+    let mut plants = Plants::open(path)?;
     if let Some(cell) = cell {
-        return Ok(Located::Inside { cell: cell.to_owned(), name: display_name(cell), fmu });
+        return Ok((file(cell)?, Some(plants)));
     }
     let beside = [path.with_extension("cell.toml"), path.with_file_name("cell.toml")];
     for candidate in &beside {
         if candidate.is_file() && names_this_fmu(candidate, path) {
-            return Ok(Located::Inside { cell: candidate.clone(), name: display_name(candidate), fmu });
+            return Ok((file(candidate)?, Some(plants)));
         }
     }
-    let inside = format!("{EXTRA_FOLDER}/cell.toml");
-    if let Some(file) = fmu.file(&inside) {
-        let name = format!("{}!{inside}", path.display());
-        return Ok(Located::Inside { cell: file, name, fmu });
+    if let Some((name, text, folder)) = plants.inside.take() {
+        return Ok((Source::new(&name, &text).in_folder(&folder), Some(plants)));
     }
-    let looked = beside.iter().map(|p| p.display().to_string()).chain([format!("{inside} inside the FMU")]);
+    let inside = format!("{EXTRA_FOLDER}/cell.toml inside it");
+    let looked = beside.iter().map(|p| p.display().to_string()).chain([inside]);
     Err(OpenError::NoCell { fmu: path.to_owned(), looked: looked.collect::<Vec<_>>().join(", ") })
 }
 
-/// A cell file names no FMU and is not inside one.
-fn no_fmu(source: &Source) -> Box<CellError> {
-    let help = Some("add `fmu = \"your.fmu\"` at its top".to_owned());
-    source.error(0..0, "in this file", "it does not say which FMU it describes", help)
+/// The FMUs, or the system, that a cell file names. Those that are not there are among `problems`.
+fn named_plants(
+    source: &Source,
+    units: impl Iterator<Item = (String, Spanned<String>)>,
+    problems: &Problems,
+) -> Result<Plants, OpenError> {
+    let mut plants = Plants { fmus: Vec::new(), wiring: None, inside: None };
+    for (name, path) in units {
+        let Some(file) = problems.keep(named_fmu(source, &path)) else { continue };
+        if !is_ssp(&file) {
+            plants.fmus.push((name, Fmu::open(&file)?));
+        } else if name.is_empty() {
+            return Plants::open(&file);
+        } else {
+            let message = format!("unit `{name}` is a system of FMUs, not an FMU");
+            let help = "name the system with `fmu` alone".to_owned();
+            let _ = problems.keep(Err::<(), _>(source.error(path.span(), "named here", message, Some(help))));
+        }
+    }
+    Ok(plants)
 }
 
 /// The FMU that a cell file names at `named`.
@@ -176,6 +245,12 @@ fn named_fmu(source: &Source, named: &Spanned<String>) -> Result<PathBuf, Box<Ce
     }
     let message = format!("the FMU {} does not exist", path.display());
     Err(source.error(named.span(), "named here", message, Some("the path is relative to the cell file".to_owned())))
+}
+
+/// A cell file names no FMU and is not inside one.
+fn no_fmu(source: &Source) -> Box<CellError> {
+    let help = Some("add `fmu = \"your.fmu\"` at its top".to_owned());
+    source.error(0..0, "in this file", "it does not say which FMU it describes", help)
 }
 
 /// Whether the cell file beside an FMU is about that FMU: it names it, or names none.
@@ -194,32 +269,4 @@ fn read(path: &Path) -> Result<String, OpenError> {
 
 fn folder_of(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
-}
-
-fn open_cell(path: &Path) -> Result<OpenedCell, OpenError> {
-    let source = Source::new(&display_name(path), &read(path)?).in_folder(folder_of(path));
-    let cell = validate(&source)?;
-    if cell.fmus.is_empty() {
-        return Err(OpenError::Cell(no_fmu(&source)));
-    }
-    let problems = Problems::default();
-    let mut fmus = Vec::with_capacity(cell.fmus.len());
-    for unit in &cell.fmus {
-        if let Some(path) = problems.keep(named_fmu(&source, &unit.path)) {
-            fmus.push((unit.name.clone(), Fmu::open(&path)?));
-        }
-    }
-    problems.take_or(())?;
-    Ok(OpenedCell { found: display_name(path), cell, source, fmus })
-}
-
-fn with_fmu(path: &Path, name: &str, fmu: Fmu) -> Result<OpenedCell, OpenError> {
-    let source = Source::new(name, &read(path)?).in_folder(folder_of(path));
-    let cell = validate(&source)?;
-    if let Some(unit) = cell.fmus.iter().find(|unit| !unit.name.is_empty()) {
-        let message = "this cell couples several FMUs and cannot be used with one";
-        let help = Some("give the cell file instead of the FMU".to_owned());
-        return Err(OpenError::Cell(source.error(unit.path.span(), "one of them", message, help)));
-    }
-    Ok(OpenedCell { found: name.to_owned(), cell, source, fmus: vec![(String::new(), fmu)] })
 }

@@ -7,6 +7,7 @@
 //! - [`find`]: where the cell of an FMU is looked for
 //! - [`roles`]: what the variables of an FMU seem to be for
 //! - [`knob`]: what in a cell can be turned to make it safer
+//! - [`ssp`]: several FMUs as a system, from SSP files
 //! - `urdf`, `mesh`, `described`: robots from a URDF and their shapes from mesh files
 //! - [`error`]: messages that point into the file
 
@@ -22,8 +23,10 @@ mod mesh;
 mod robots;
 pub mod roles;
 mod sensors;
+pub mod ssp;
 mod urdf;
 pub mod validate;
+mod xml;
 
 pub use binding::Binding;
 pub use error::CellError;

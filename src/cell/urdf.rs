@@ -6,11 +6,11 @@
 
 use std::ops::Range;
 
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
-use super::CellError;
 use super::error::{Source, nearest};
 use super::validate::roll_pitch_yaw;
+use super::xml::{Result, Xml, child, children};
 use crate::geometry::kinematics::Motion;
 use crate::geometry::{Pose, Vec3};
 
@@ -67,19 +67,13 @@ pub(super) struct Joint {
     pub mimic: Option<(String, f64, f64)>,
 }
 
-type Result<T> = std::result::Result<T, Box<CellError>>;
-
 /// Reads a URDF file.
 ///
 /// # Errors
 /// What is no XML, misses what is needed, or is no tree, with its line.
 pub(super) fn read(source: &Source) -> Result<Urdf> {
-    let document = Document::parse(source.text()).map_err(|error| {
-        let place = offset(source.text(), error.pos());
-        let help = "a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`".to_owned();
-        source.error(place..place + 1, "here", format!("it is no XML: {error}"), Some(help))
-    })?;
-    let reader = Reader { source };
+    let reader = Xml { source };
+    let document = reader.parse("a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`")?;
     let root = document.root_element();
     if !root.has_tag_name("robot") {
         return Err(reader.wrong(root, "the file has no <robot> at its top", "give a URDF file"));
@@ -98,49 +92,7 @@ pub(super) fn read(source: &Source) -> Result<Urdf> {
     Ok(Urdf { links: links.into_iter().map(|(_, link)| link).collect(), joints })
 }
 
-fn offset(text: &str, position: roxmltree::TextPos) -> usize {
-    let row = usize::try_from(position.row).unwrap_or(1).max(1);
-    let line: usize = text.split_inclusive('\n').take(row - 1).map(str::len).sum();
-    line.min(text.len().saturating_sub(1))
-}
-
-fn children<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
-    node.children().filter(move |child| child.has_tag_name(name))
-}
-
-fn child<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
-    children(node, name).next()
-}
-
-struct Reader<'a> {
-    source: &'a Source,
-}
-
-impl Reader<'_> {
-    fn wrong(&self, node: Node<'_, '_>, message: impl Into<String>, help: impl Into<String>) -> Box<CellError> {
-        // The start tag alone: an element may be long.
-        let range = node.range();
-        let tag = self.source.text()[range.clone()].find('>').map_or(range.end, |end| range.start + end + 1);
-        self.source.error(range.start..tag, "here", message, Some(help.into()))
-    }
-
-    fn text<'n>(&self, node: Node<'n, '_>, attribute: &str) -> Result<&'n str> {
-        let tag = node.tag_name().name().to_owned();
-        node.attribute(attribute).ok_or_else(|| {
-            self.wrong(node, format!("<{tag}> has no `{attribute}`"), format!("add {attribute}=\"...\""))
-        })
-    }
-
-    fn numbers<const N: usize>(&self, node: Node<'_, '_>, attribute: &str, or: [f64; N]) -> Result<[f64; N]> {
-        let Some(text) = node.attribute(attribute) else { return Ok(or) };
-        let all: Vec<f64> = text.split_whitespace().filter_map(|word| word.parse().ok()).collect();
-        let wanted = <[f64; N]>::try_from(all).ok().filter(|all| all.iter().all(|v| v.is_finite()));
-        wanted.filter(|_| text.split_whitespace().count() == N).ok_or_else(|| {
-            let message = format!("`{attribute}` is \"{text}\"");
-            self.wrong(node, message, format!("it takes {N} number{}", if N == 1 { "" } else { "s" }))
-        })
-    }
-
+impl Xml<'_> {
     /// A number that has to be there and greater than zero.
     fn length(&self, node: Node<'_, '_>, attribute: &str) -> Result<f64> {
         let text = self.text(node, attribute)?;

@@ -1,15 +1,16 @@
-//! `fmi-hazard inspect`: what an FMU is. Nothing of it is loaded or run.
+//! `fmi-hazard inspect`: what an FMU or a system of FMUs is. Nothing of it is loaded or run.
 
 use std::path::PathBuf;
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output::{self, Format};
+use crate::cell::ssp;
 use crate::fmi::Fmu;
-use crate::report::inspection::{Filter, Inspection};
+use crate::report::inspection::{Filter, Inspection, SystemInspection};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The FMU
+    /// The FMU, or the system of FMUs (.ssp, .ssd)
     fmu: PathBuf,
     /// List local variables and parameters too
     #[arg(long)]
@@ -23,8 +24,11 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let fmu = Fmu::open(&arguments.fmu)?;
     let filter = Filter { all: arguments.all, containing: arguments.find.clone() };
+    if ssp::is_ssp(&arguments.fmu) {
+        return system(arguments, &filter);
+    }
+    let fmu = Fmu::open(&arguments.fmu)?;
     let inspection = Inspection::new(&fmu, &filter);
     match arguments.format {
         Format::Table => output::result(&inspection.render()),
@@ -32,6 +36,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     for warning in fmu.warnings() {
         output::warning(&warning.to_string());
+    }
+    Ok(NO_HAZARD)
+}
+
+/// What a system is: its components, each as an FMU, and what is connected.
+fn system(arguments: &Arguments, filter: &Filter) -> Result<u8, Failure> {
+    let system = ssp::open(&arguments.fmu)?;
+    let components: Vec<(String, Inspection)> =
+        system.fmus.iter().map(|(name, fmu)| (name.clone(), Inspection::new(fmu, filter))).collect();
+    let inspection = SystemInspection::new(&arguments.fmu, &system, components);
+    match arguments.format {
+        Format::Table => output::result(&inspection.render()),
+        Format::Json => output::json(&(serde_json::to_string_pretty(&inspection).map_err(Failure::unusable)? + "\n")),
+    }
+    for warning in &inspection.warnings {
+        output::warning(warning);
     }
     Ok(NO_HAZARD)
 }

@@ -14,6 +14,7 @@ mod init;
 mod inspect;
 mod manual;
 mod output;
+mod pack;
 mod probe;
 mod recording;
 mod replay;
@@ -60,6 +61,8 @@ enum Command {
     Init(init::Arguments),
     /// Find everything that is wrong with a cell, and draw it from above, without searching
     Check(check::Arguments),
+    /// Put a cell file and its geometry into a copy of its FMU, which can then be scanned alone
+    Pack(pack::Arguments),
     /// Run an FMU: whether it moves, repeats itself, and which inputs stop it, after how long, with which polarity
     Probe(probe::Arguments),
     /// Try what an FMU's promises about its state are worth
@@ -103,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Inspect(a) => inspect::run(&a),
         Command::Init(a) => init::run(&a),
         Command::Check(a) => check::run(&a),
+        Command::Pack(a) => pack::run(&a),
         Command::Probe(a) => probe::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),

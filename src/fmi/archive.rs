@@ -40,6 +40,35 @@ const SMALL: u64 = 1 << 20;
 const LONGEST_NAME: usize = 255;
 const LONGEST_PATH: usize = 3000;
 
+/// An unpacked archive that is no FMU, for instance one that holds FMUs. Its files are removed with it.
+pub struct Archive {
+    files: Folder,
+    sha256: String,
+}
+
+impl Archive {
+    /// Checks and unpacks `path` as FMUs are, within the default [`ArchiveLimits`].
+    ///
+    /// # Errors
+    /// When it cannot be read, is damaged, or could do harm.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let Unpacked { files, sha256 } = unpack_any(path, &ArchiveLimits::default(), false)?;
+        Ok(Self { files, sha256 })
+    }
+
+    /// Where its files are.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        self.files.path()
+    }
+
+    /// SHA-256 of the archive, lower-case hex.
+    #[must_use]
+    pub fn sha256(&self) -> &str {
+        &self.sha256
+    }
+}
+
 /// An unpacked archive.
 pub(super) struct Unpacked {
     pub(super) files: Folder,
@@ -48,6 +77,10 @@ pub(super) struct Unpacked {
 
 /// Checks and unpacks `path`.
 pub(super) fn unpack(path: &Path, limits: &ArchiveLimits) -> Result<Unpacked, Error> {
+    unpack_any(path, limits, true)
+}
+
+fn unpack_any(path: &Path, limits: &ArchiveLimits, is_fmu: bool) -> Result<Unpacked, Error> {
     let cannot_read = |error| Error::Read { path: path.to_owned(), error };
     let damaged = |reason: String| Error::Archive { path: path.to_owned(), reason };
     let kind = std::fs::metadata(path).map_err(cannot_read)?;
@@ -60,7 +93,7 @@ pub(super) fn unpack(path: &Path, limits: &ArchiveLimits) -> Result<Unpacked, Er
     let sha256 = sha256(path).map_err(cannot_read)?;
     let file = File::open(path).map_err(cannot_read)?;
     let mut archive = ZipArchive::new(BufReader::new(file)).map_err(|e| damaged(format!("not a zip archive ({e})")))?;
-    let entries = check(path, &mut archive, limits)?;
+    let entries = check(path, &mut archive, limits, is_fmu)?;
     let files = Folder::new("fmu-");
     let folder = tempfile::env::temp_dir();
     let cannot_unpack = |error| Error::Unpack { path: path.to_owned(), folder: folder.clone(), error };
@@ -120,7 +153,12 @@ fn too_large(limits: &ArchiveLimits) -> String {
     format!("it unpacks to more than {} MiB", limits.total_bytes >> 20)
 }
 
-fn check(path: &Path, archive: &mut ZipArchive<BufReader<File>>, limits: &ArchiveLimits) -> Result<Vec<Entry>, Error> {
+fn check(
+    path: &Path,
+    archive: &mut ZipArchive<BufReader<File>>,
+    limits: &ArchiveLimits,
+    is_fmu: bool,
+) -> Result<Vec<Entry>, Error> {
     let refused = |reason: String| Error::Refused { path: path.to_owned(), reason };
     let damaged = |reason: String| Error::Archive { path: path.to_owned(), reason };
     if archive.len() > limits.entries {
@@ -175,7 +213,7 @@ fn check(path: &Path, archive: &mut ZipArchive<BufReader<File>>, limits: &Archiv
     both_file_and_folder(&entries).map_or(Ok(()), |name| {
         Err(refused(format!("it contains {} both as a file and as a folder", printable(name))))
     })?;
-    if !entries.iter().any(|e| e.name == "modelDescription.xml") {
+    if is_fmu && !entries.iter().any(|e| e.name == "modelDescription.xml") {
         let like = |e: &&Entry| e.name.to_lowercase().ends_with("modeldescription.xml");
         let hint = match entries.iter().find(like).map(|e| printable(&e.name)) {
             Some(name) if name.contains('/') => format!(", only {name}: zip the folder's contents, not the folder"),

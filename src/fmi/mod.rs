@@ -59,7 +59,7 @@ mod variable;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use archive::ArchiveLimits;
+pub use archive::{Archive, ArchiveLimits};
 pub use description::{Capabilities, CoSimulation, DefaultExperiment, FmiVersion, MOST_VALUES, ModelDescription};
 pub use error::{CallFailure, Error, Status};
 pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};

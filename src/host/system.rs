@@ -35,6 +35,10 @@ pub struct Connection {
     pub to: UnitPort,
     /// Whole communication steps by which the value is held back.
     pub delay_steps: usize,
+    /// The input gets `factor * output + offset`.
+    pub factor: f64,
+    /// See `factor`.
+    pub offset: f64,
 }
 
 /// What to write to and read from the FMUs, and at which steps.
@@ -52,6 +56,8 @@ pub struct SystemSetup {
     pub outputs: Vec<UnitPort>,
     /// Connections between the FMUs.
     pub connections: Vec<Connection>,
+    /// Further variables that get what is written to an input: its column, and the variable.
+    pub mirrors: Vec<(usize, UnitPort)>,
     /// Communication step, s.
     pub step_s: f64,
 }
@@ -108,20 +114,23 @@ impl SystemSetup {
         self.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
     }
 
-    /// The part of one FMU: its external inputs, then its connected inputs; its bound outputs, then what it passes on.
+    /// The part of one FMU: its external inputs, those that mirror others, then its connected inputs; its bound outputs, then what it passes on.
     #[must_use]
     pub fn unit(&self, unit: usize) -> Setup {
         let own = |p: &UnitPort| p.unit == unit;
         let ports = |all: &[UnitPort]| all.iter().filter(|p| own(p)).map(|p| p.port.clone()).collect::<Vec<_>>();
         let mut inputs = ports(&self.inputs);
+        let mirrors = || self.mirrors.iter().filter(|(_, p)| own(p));
+        inputs.extend(mirrors().map(|(_, p)| p.port.clone()));
         inputs.extend(self.connections.iter().filter(|c| own(&c.to)).map(|c| c.to.port.clone()));
         let mut outputs = ports(&self.outputs);
         outputs.extend(self.connections.iter().filter(|c| own(&c.from)).map(|c| c.from.port.clone()));
         let external = self.inputs.iter().zip(&self.initial_inputs).filter(|(p, _)| own(p)).map(|(_, v)| *v);
+        let mirrored = mirrors().map(|(column, _)| self.initial_inputs[*column]);
         let connected = self.connections.iter().filter(|c| own(&c.to)).map(|c| c.to.port.start);
         Setup {
             parameters: self.parameters.iter().filter(|(p, _)| own(p)).map(|(p, v)| (p.port.clone(), *v)).collect(),
-            initial_inputs: external.chain(connected).collect(),
+            initial_inputs: external.chain(mirrored).chain(connected).collect(),
             inputs,
             outputs,
             step_s: self.step_s,
@@ -193,7 +202,8 @@ impl System {
                 let found = setup.connections.iter().enumerate().filter(move |(_, c)| end(c) == unit);
                 found.map(|(i, _)| i).collect::<Vec<_>>()
             };
-            let external = columns(&setup.inputs, unit).into_iter().map(Source::External);
+            let mirrors = setup.mirrors.iter().filter(|(_, p)| p.unit == unit).map(|(column, _)| *column);
+            let external = columns(&setup.inputs, unit).into_iter().chain(mirrors).map(Source::External);
             let connected = at(|c| c.to.unit).into_iter().map(Source::Connection);
             Wiring {
                 inputs: external.chain(connected).collect(),
@@ -251,7 +261,7 @@ impl System {
 
     /// What a connection's input gets in the present step: the output `delay_steps` before the end of this step.
     fn arriving(&self, connection: usize) -> f64 {
-        let Connection { from, to, delay_steps } = &self.setup.connections[connection];
+        let Connection { from, to, delay_steps, .. } = &self.setup.connections[connection];
         let place = |unit: usize| self.order.iter().position(|&u| u == unit);
         // A source that comes later in the order has not given its value of this step yet.
         let behind = if place(from.unit) < place(to.unit) { *delay_steps } else { delay_steps.saturating_sub(1) };
@@ -276,9 +286,10 @@ impl System {
             row[column] = value;
         }
         for (&connection, &value) in wiring.feeds.iter().zip(&given[wiring.outputs.len()..]) {
-            let (line, delay) = (&mut self.lines[connection], self.setup.connections[connection].delay_steps);
-            line.push_back(value);
-            while line.len() > delay + 1 {
+            let Connection { delay_steps, factor, offset, .. } = self.setup.connections[connection];
+            let line = &mut self.lines[connection];
+            line.push_back(factor * value + offset);
+            while line.len() > delay_steps + 1 {
                 line.pop_front();
             }
         }
@@ -376,7 +387,13 @@ mod tests {
         let scalar = Scalar::Float64;
         let handle = Handle { value_reference: 0, scalar, offset: 0, count: 1, discrete: false };
         let port = |unit: usize| UnitPort { unit, port: Port::new("v".to_owned(), handle, 0.0).unwrap() };
-        let connect = |&(from, to, delay_steps)| Connection { from: port(from), to: port(to), delay_steps };
+        let connect = |&(from, to, delay_steps)| Connection {
+            from: port(from),
+            to: port(to),
+            delay_steps,
+            factor: 1.0,
+            offset: 0.0,
+        };
         SystemSetup {
             names: units.iter().map(ToString::to_string).collect(),
             connections: connections.iter().map(connect).collect(),

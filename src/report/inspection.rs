@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use serde::Serialize;
 
 use crate::cell::find::EXTRA_FOLDER;
 use crate::cell::roles::{Guess, Role, guess};
+use crate::cell::ssp::{Link, System};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType, printable};
 
 /// What an FMU is.
@@ -165,6 +167,91 @@ impl Inspection {
             };
             let _ = writeln!(text, "  {head:<12} {what:<26} {confidence:.2}  {}", printable(&names));
         }
+    }
+}
+
+/// What a system of FMUs is.
+#[derive(Clone, Debug, Serialize)]
+pub struct SystemInspection {
+    /// The file.
+    pub path: String,
+    /// SHA-256 of it.
+    pub sha256: String,
+    /// SSP version.
+    pub ssp_version: String,
+    /// Name of the system.
+    pub name: String,
+    /// Inputs of the system, each with the variables that it drives.
+    pub inputs: BTreeMap<String, Vec<String>>,
+    /// Outputs of the system, each with the variable that it is.
+    pub outputs: BTreeMap<String, String>,
+    /// Connections between components, in words.
+    pub connections: Vec<String>,
+    /// Parameters that the system sets, by variable.
+    pub parameters: Vec<String>,
+    /// Its components, by name.
+    pub components: Vec<(String, Inspection)>,
+    /// What was passed over and may matter.
+    pub warnings: Vec<String>,
+}
+
+impl SystemInspection {
+    /// What `system`, read from `path`, is.
+    #[must_use]
+    pub fn new(path: &Path, system: &System, components: Vec<(String, Inspection)>) -> Self {
+        let structure = &system.structure;
+        let shown =
+            |(component, variable): &(usize, String)| format!("{}:{variable}", structure.components[*component].name);
+        let link = |link: &Link| {
+            let (from, to) = (shown(&link.from), shown(&link.to));
+            match (link.factor == 1.0, link.offset == 0.0) {
+                (true, true) => format!("{from} -> {to}"),
+                _ => format!("{from} -> {to} (x {} + {})", link.factor, link.offset),
+            }
+        };
+        Self {
+            path: path.display().to_string(),
+            sha256: system.sha256.clone(),
+            ssp_version: structure.version.clone(),
+            name: structure.name.clone(),
+            inputs: structure.inputs.iter().map(|(name, to)| (name.clone(), to.iter().map(shown).collect())).collect(),
+            outputs: structure.outputs.iter().map(|(name, from)| (name.clone(), shown(from))).collect(),
+            connections: structure.links.iter().map(link).collect(),
+            parameters: structure.parameters.iter().map(|p| shown(&(p.component, p.name.clone()))).collect(),
+            components,
+            warnings: structure.warnings.clone(),
+        }
+    }
+
+    /// For people.
+    #[must_use]
+    pub fn render(&self) -> String {
+        let mut text = String::new();
+        let _ = writeln!(
+            text,
+            "{}: SSP {}, {} with {} components, {} connections",
+            printable(&self.path),
+            self.ssp_version,
+            printable(&self.name),
+            self.components.len(),
+            self.connections.len()
+        );
+        for (name, driven) in &self.inputs {
+            let _ = writeln!(text, "  input        {} -> {}", printable(name), printable(&driven.join(", ")));
+        }
+        for (name, from) in &self.outputs {
+            let _ = writeln!(text, "  output       {} = {}", printable(name), printable(from));
+        }
+        for connection in &self.connections {
+            let _ = writeln!(text, "  connection   {}", printable(connection));
+        }
+        if !self.parameters.is_empty() {
+            let _ = writeln!(text, "  parameters   {}", printable(&self.parameters.join(", ")));
+        }
+        for (name, component) in &self.components {
+            let _ = write!(text, "\ncomponent {}: {}", printable(name), component.render());
+        }
+        text
     }
 }
 

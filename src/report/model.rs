@@ -86,7 +86,7 @@ pub struct Subject {
     pub cell_found: String,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
-    /// Robot descriptions and meshes that the cell file names.
+    /// Other files that say what was scanned: the system of FMUs, robot descriptions, meshes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub geometry: Vec<FileSubject>,
     /// Path that was scanned, as given.

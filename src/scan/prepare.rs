@@ -9,8 +9,8 @@ use thiserror::Error;
 use super::probe::probe;
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
-use crate::cell::find::{OpenError, OpenedCell, open};
-use crate::cell::validate::{GeometryFile, validate};
+use crate::cell::find::{OpenError, OpenedCell, Wiring, open};
+use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
@@ -145,6 +145,8 @@ pub struct Prepared {
     source: Source,
     /// The cell file and where it is.
     found: CellSource,
+    /// How the FMUs are connected, when they come as a system.
+    wiring: Option<Wiring>,
     /// What came out when its sensors were tried.
     suspicions: Vec<String>,
 }
@@ -169,10 +171,10 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 /// [`PrepareError`].
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
     let cell_file = cell.map(|cell| cell.display().to_string());
-    let OpenedCell { cell, source: cell_source, fmus, found } = open(path, cell)?;
+    let OpenedCell { cell, source: cell_source, fmus, wiring, found } = open(path, cell)?;
     let text = cell_source.text().to_owned();
     let (names, fmus): (Vec<String>, Vec<Fmu>) = fmus.into_iter().unzip();
-    let Fitted { cell, binding, setup, free_start } = fit(cell, &cell_source, &names, &fmus)?;
+    let Fitted { cell, binding, setup, free_start } = fit(cell, &cell_source, &names, &fmus, wiring.as_ref())?;
     let order = setup.order()?;
     let couplings = setup.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
@@ -216,7 +218,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         cell: cell.name.clone(),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
-        geometry: geometry(&cell),
+        geometry: geometry(&cell, wiring.as_ref()),
         path: path.display().to_string(),
         cell_file,
         fmus: subjects,
@@ -235,14 +237,16 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         missing_protection,
         source,
         found: cell_source,
+        wiring,
         suspicions: Vec::new(),
     })
 }
 
-/// The files that the cell's robots come from.
-fn geometry(cell: &Workcell) -> Vec<FileSubject> {
-    let told = |file: &GeometryFile| FileSubject { path: file.path.display().to_string(), sha256: file.sha256.clone() };
-    cell.files.iter().map(told).collect()
+/// The files that the cell's robots come from, and the system that its FMUs come in.
+fn geometry(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
+    let told = |path: &Path, sha256: &str| FileSubject { path: path.display().to_string(), sha256: sha256.to_owned() };
+    let system = wiring.map(|wiring| told(&wiring.path, &wiring.sha256));
+    system.into_iter().chain(cell.files.iter().map(|file| told(&file.path, &file.sha256))).collect()
 }
 
 /// A cell that fits its FMUs.
@@ -255,11 +259,17 @@ struct Fitted {
 }
 
 /// Binds the cell's variables.
-fn fit(cell: Workcell, source: &CellSource, names: &[String], fmus: &[Fmu]) -> Result<Fitted, PrepareError> {
+fn fit(
+    cell: Workcell,
+    source: &CellSource,
+    names: &[String],
+    fmus: &[Fmu],
+    wiring: Option<&Wiring>,
+) -> Result<Fitted, PrepareError> {
     let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let unit = |(name, fmu)| BoundUnit { name, description: Fmu::description(fmu), file: file(fmu) };
     let units: Vec<BoundUnit<'_>> = names.iter().map(String::as_str).zip(fmus).map(unit).collect();
-    let binding = binding::bind(cell.file(), source, &units)?;
+    let binding = binding::bind(cell.file(), source, &units, wiring)?;
     let (cell, binding) = (Arc::new(cell), Arc::new(binding));
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -283,7 +293,8 @@ impl Prepared {
     /// When the text is no cell of these FMUs, or the person has no room at the start.
     pub fn changed(&self, text: &str) -> Result<Self, PrepareError> {
         let found = self.found.with_text(text);
-        let Fitted { cell, binding, setup, free_start } = fit(validate(&found)?, &found, &self.names, &self.fmus)?;
+        let Fitted { cell, binding, setup, free_start } =
+            fit(validate(&found)?, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
         free_start?;
         let source = match &self.source {
             Source::Here { slaves, .. } => Source::Here { slaves: slaves.clone(), setup },
@@ -293,7 +304,7 @@ impl Prepared {
             subject: Subject {
                 cell: cell.name.clone(),
                 cell_sha256: cell.sha256.clone(),
-                geometry: geometry(&cell),
+                geometry: geometry(&cell, self.wiring.as_ref()),
                 ..self.subject.clone()
             },
             cell,
@@ -306,6 +317,7 @@ impl Prepared {
             missing_protection: self.missing_protection.clone(),
             source,
             found,
+            wiring: self.wiring.clone(),
             suspicions: Vec::new(),
         })
     }
