@@ -77,6 +77,10 @@ impl Checker<'_> {
         let _ = self.problems.keep(self.spheres(robot));
         if robot.links.is_empty() && links.is_empty() {
             let (message, help) = match robot.urdf {
+                Some(_) if !robot.urdf_shapes => (
+                    "the robot has no shapes, and those of the URDF are not used: nothing can be hit",
+                    "add [[robot.link]] tables, for instance capsules, to its joints or links",
+                ),
                 Some(_) => (
                     "no moving link of the URDF has a collision shape: nothing can be hit",
                     "add [[robot.link]] tables, for instance capsules, to its joints or links",

@@ -188,7 +188,9 @@ impl Xml<'_> {
             Some(axis) => Vec3::from_array(self.numbers(axis, "xyz", [1.0, 0.0, 0.0])?),
             None => Vec3::X,
         };
-        let Some(axis) = axis.try_normalize() else {
+        // The axis of a fixed joint means nothing, and is 0 0 0 in many files.
+        let axis = if motion.is_some() { axis.try_normalize() } else { Some(Vec3::X) };
+        let Some(axis) = axis else {
             return Err(self.wrong(node, format!("the axis of joint `{name}` has no direction"), "xyz=\"0 0 1\", say"));
         };
         let mimic = child(node, "mimic").map(|mimic| -> Result<_> {

@@ -47,6 +47,11 @@ impl Failure {
     }
 
     /// The same, with what to do about it.
+    pub fn running_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self { code: FMU_FAILED, report: miette::miette!(help = help.to_string(), "{message}") }
+    }
+
+    /// Something is wrong with what the user gave, with what to do about it.
     pub fn unusable_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
         Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }
     }

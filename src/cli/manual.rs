@@ -1,4 +1,5 @@
-//! `fmi-hazard manual`: shell completions and manual pages, made from the same definition as the command line.
+//! `fmi-hazard manual`: shell completions, manual pages and the reference of the book, made from the same definitions as
+//! the command line and the cell file.
 
 use std::path::PathBuf;
 
@@ -6,7 +7,7 @@ use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
 use super::exit::{Failure, NO_HAZARD};
-use super::output;
+use super::{output, reference};
 
 #[derive(Debug, clap::Args)]
 #[group(required = true, multiple = false)]
@@ -17,6 +18,9 @@ pub(super) struct Arguments {
     /// Write the manual pages into this folder: fmi-hazard.1 and one for each command
     #[arg(long, value_name = "DIR")]
     pages: Option<PathBuf>,
+    /// Write the reference of the book into this folder: commands.md and cell-file.md
+    #[arg(long, value_name = "DIR")]
+    book: Option<PathBuf>,
 }
 
 pub(super) fn run<C: CommandFactory>(arguments: &Arguments) -> Result<u8, Failure> {
@@ -35,6 +39,13 @@ pub(super) fn run<C: CommandFactory>(arguments: &Arguments) -> Result<u8, Failur
         std::fs::create_dir_all(folder).map_err(cannot)?;
         clap_mangen::generate_to(command, folder).map_err(cannot)?;
         output::note(&format!("   Wrote   manual pages into {}", folder.display()));
+    }
+    if let Some(folder) = &arguments.book {
+        let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write to {}: {e}", folder.display()));
+        std::fs::create_dir_all(folder).map_err(cannot)?;
+        output::write_file(&folder.join("commands.md"), &reference::commands(&shown(&C::command())))?;
+        output::write_file(&folder.join("cell-file.md"), &reference::cell_file(&crate::cell::json_schema()))?;
+        output::note(&format!("   Wrote   commands.md and cell-file.md into {}", folder.display()));
     }
     Ok(NO_HAZARD)
 }

@@ -17,6 +17,7 @@ mod output;
 mod pack;
 mod probe;
 mod recording;
+mod reference;
 mod replay;
 mod results;
 mod resume;
@@ -73,7 +74,7 @@ enum Command {
     Examples(examples::Arguments),
     /// Print the JSON Schema of the cell file, or of scan.json
     Schema(schema::Arguments),
-    /// Print completions for a shell, or write the manual pages
+    /// Print completions for a shell, or write the manual pages or the reference of the book
     Manual(manual::Arguments),
     /// Serve as a process in which FMUs run: started by this program
     #[command(hide = true)]

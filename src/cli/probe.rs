@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
-use super::selftest::setup;
+use super::selftest::{TRUST, setup};
 use crate::cell::find::{OpenError, open};
 use crate::cell::roles::{Role, guess};
 use crate::fmi::Fmu;
@@ -92,7 +92,7 @@ fn failed(error: PlantError) -> Failure {
     if error.not_loaded {
         Failure::unusable(error.message)
     } else {
-        Failure::running(format!("the FMU failed: {error}"))
+        Failure::running_with_help(format!("the FMU failed: {error}"), TRUST)
     }
 }
 

@@ -1,0 +1,207 @@
+//! Connections between FMUs: those of the cell file, and those that a system brings with its parameters and its own names.
+
+use toml::Spanned;
+
+use super::{Binder, BoundUnit};
+use crate::cell::CellError;
+use crate::cell::find::Wiring;
+use crate::cell::format::ConnectionTable;
+use crate::cell::ssp::{Link, Structure};
+use crate::fmi::{Causality, Variable, VariableType};
+use crate::host::port::PortKind;
+use crate::host::system::{AlgebraicLoop, Connection, SystemSetup, UnitPort};
+
+impl Binder<'_> {
+    pub(super) fn connection(
+        &mut self,
+        table: &ConnectionTable,
+        taken: &[UnitPort],
+    ) -> Result<Connection, Box<CellError>> {
+        let (unit, variable) = self.readable(&table.from)?;
+        let from = self.port(&table.from, unit, variable)?;
+        let to = self.input(&table.to, Some(from.port.kind))?;
+        let unit_of = |p: &UnitPort| {
+            let found = self.units[p.unit].description.element(&p.port.name);
+            found.and_then(|(variable, _, _)| match &variable.kind {
+                VariableType::Real { unit, .. } => unit.clone(),
+                _ => None,
+            })
+        };
+        if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to))
+            && a != b
+        {
+            let message = format!("`{}` is in `{a}`, `{}` in `{b}`", table.from.get_ref(), table.to.get_ref());
+            let help = Some("connect variables of one unit".to_owned());
+            return Err(self.source.error(table.to.span(), "here", message, help));
+        }
+        let to = self.driven_once(&table.to, to, taken)?;
+        Ok(Connection { from, to, delay_steps: usize::from(table.delay_steps), factor: 1.0, offset: 0.0 })
+    }
+
+    /// The connections of the system. Problems point into its description.
+    pub(super) fn system(&self, driven: &[UnitPort]) -> Vec<Connection> {
+        let Some(Wiring { structure, source, .. }) = self.wiring else { return Vec::new() };
+        let mut taken = driven.to_vec();
+        let mut connections = Vec::new();
+        for link in &structure.links {
+            let connection = self.system_link(structure, link, &taken);
+            let connection =
+                connection.map_err(|(message, help)| source.error(link.place.clone(), "here", message, Some(help)));
+            if let Some(connection) = self.problems.keep(connection) {
+                taken.push(connection.to.clone());
+                connections.push(connection);
+            }
+        }
+        connections
+    }
+
+    pub(super) fn system_link(
+        &self,
+        structure: &Structure,
+        link: &Link,
+        taken: &[UnitPort],
+    ) -> Result<Connection, (String, String)> {
+        let inspect = || "`fmi-hazard inspect` lists the variables of each component".to_owned();
+        let end = |(unit, name): &(usize, String), input: bool| {
+            let shown = format!("{}.{name}", structure.components[*unit].name);
+            let found = self.units[*unit].description.element(name);
+            let (variable, _, _) = found.ok_or_else(|| (format!("there is no variable `{shown}`"), inspect()))?;
+            let fits = match variable.causality {
+                Causality::Input => input,
+                Causality::Output | Causality::Local | Causality::CalculatedParameter => !input,
+                _ => false,
+            };
+            if !fits {
+                let what = if input { "an input" } else { "an output" };
+                return Err((format!("`{shown}` is not {what} of its FMU"), inspect()));
+            }
+            let at = Spanned::new(0..0, format!("{}:{name}", self.units[*unit].name));
+            let port = self.port(&at, *unit, variable);
+            port.map(|port| (port, variable)).map_err(|error| (error.message, inspect()))
+        };
+        let ((from, source), (to, target)) = (end(&link.from, false)?, end(&link.to, true)?);
+        if from.port.kind != to.port.kind {
+            let (a, b) = (self.type_name(from.unit, source), self.type_name(to.unit, target));
+            return Err((format!("{a} is connected with {b}"), "connect variables of one type".to_owned()));
+        }
+        if taken.contains(&to) {
+            let message = format!("`{}.{}` is driven by two things at once", self.units[to.unit].name, to.port.name);
+            let help =
+                "another connection, or a sensor, the pose or a constant of the cell file: remove one".to_owned();
+            return Err((message, help));
+        }
+        let plain = link.factor == 1.0 && link.offset == 0.0;
+        if !plain && from.port.kind != PortKind::Real {
+            return Err(("a transformation of what is no Real".to_owned(), "transform Reals only".to_owned()));
+        }
+        let declared = |variable: &Variable| match &variable.kind {
+            VariableType::Real { unit, .. } => unit.clone(),
+            _ => None,
+        };
+        let units = [link.units[0].clone().or(declared(source)), link.units[1].clone().or(declared(target))];
+        let converted = match units {
+            [Some(a), Some(b)] if a != b && link.converts && plain => {
+                let factor = |units: &[(&str, f64)], of: &str| units.iter().find(|(n, _)| *n == of).map(|(_, f)| *f);
+                let both = CONVERTIBLE.iter().find_map(|units| Some(factor(units, &a)? / factor(units, &b)?));
+                both.ok_or_else(|| {
+                    let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
+                    (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
+                })?
+            }
+            _ => 1.0,
+        };
+        Ok(Connection { from, to, delay_steps: 0, factor: link.factor * converted, offset: link.offset })
+    }
+
+    /// Gives a connection of the system the delay that the cell file wants; nothing if it is none of the system's.
+    pub(super) fn of_system(
+        &self,
+        table: &ConnectionTable,
+        system: &mut [Connection],
+    ) -> Result<Option<()>, Box<CellError>> {
+        if self.wiring.is_none() {
+            return Ok(None);
+        }
+        let (unit, variable) = self.readable(&table.from)?;
+        let from = self.port(&table.from, unit, variable)?;
+        let (unit, variable) = self.find(&table.to)?;
+        let to = self.port(&table.to, unit, variable)?;
+        let known = system.iter_mut().find(|connection| connection.from == from && connection.to == to);
+        Ok(known.map(|connection| connection.delay_steps = usize::from(table.delay_steps)))
+    }
+
+    /// The parameters that the system gives and the cell file does not.
+    pub(super) fn system_parameters(&mut self, own: &[(UnitPort, f64)]) -> Vec<(UnitPort, f64)> {
+        let Some(wiring) = self.wiring else { return Vec::new() };
+        let mut all: Vec<(UnitPort, f64)> = Vec::new();
+        for parameter in &wiring.structure.parameters {
+            let name = format!("{}:{}", self.units[parameter.component].name, parameter.name);
+            let value = self.parameter(&Spanned::new(0..0, name), parameter.value);
+            let value = value.map_err(|error| {
+                let help = error.help.clone();
+                parameter.source.error(parameter.place.clone(), "here", error.message.clone(), help)
+            });
+            let Some((port, value)) = self.problems.keep(value) else { continue };
+            all.retain(|(other, _)| *other != port);
+            if own.iter().all(|(other, _)| *other != port) {
+                all.push((port, value));
+            }
+        }
+        all
+    }
+
+    /// What a name of the system's own connectors stands for.
+    pub(super) fn canonical(&self, name: &Spanned<String>) -> Spanned<String> {
+        let variable = || {
+            let structure = &self.wiring?.structure;
+            let written = name.get_ref();
+            let input = structure.inputs.get(written).and_then(|driven| driven.first());
+            let (component, variable) = input.or_else(|| structure.outputs.get(written))?;
+            Some(format!("{}:{variable}", self.units[*component].name))
+        };
+        Spanned::new(name.span(), variable().unwrap_or_else(|| name.get_ref().clone()))
+    }
+
+    /// Notes what else an input of the system drives.
+    pub(super) fn mirror(&mut self, name: &Spanned<String>, port: &UnitPort) -> Result<(), Box<CellError>> {
+        let Some(driven) = self.wiring.and_then(|wiring| wiring.structure.inputs.get(name.get_ref())) else {
+            return Ok(());
+        };
+        for (component, variable) in driven.iter().skip(1) {
+            let other = Spanned::new(name.span(), format!("{}:{variable}", self.units[*component].name));
+            let other = self.input(&other, Some(port.port.kind))?;
+            if !self.mirrors.iter().any(|(_, known)| *known == other) {
+                self.mirrors.push((port.clone(), other));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The connections of a system and of a cell file; where those of the system form a loop, its last ones are held back by a
+/// step.
+pub(super) fn without_loops(units: &[BoundUnit<'_>], [mut system, own]: [Vec<Connection>; 2]) -> Vec<Connection> {
+    let names: Vec<String> = units.iter().map(|unit| unit.name.to_owned()).collect();
+    loop {
+        let connections: Vec<Connection> = system.iter().chain(&own).cloned().collect();
+        let setup = SystemSetup { names: names.clone(), connections, ..SystemSetup::default() };
+        let Err(AlgebraicLoop { units: inside }) = setup.order() else { return setup.connections };
+        let within = |c: &&mut Connection| {
+            c.delay_steps == 0 && [&c.from, &c.to].iter().all(|end| inside.contains(&names[end.unit]))
+        };
+        match system.iter_mut().rev().find(within) {
+            Some(connection) => connection.delay_steps = 1,
+            None => return setup.connections,
+        }
+    }
+}
+
+/// SI factors of units that may be converted into one another.
+const CONVERTIBLE: [&[(&str, f64)]; 6] = [
+    &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0), ("mrad", 1e-3)],
+    &[("rad/s", 1.0), ("deg/s", std::f64::consts::PI / 180.0), ("rpm", std::f64::consts::PI / 30.0)],
+    &[("m", 1.0), ("mm", 1e-3), ("cm", 1e-2)],
+    &[("m/s", 1.0), ("mm/s", 1e-3)],
+    &[("kg", 1.0), ("g", 1e-3)],
+    &[("s", 1.0), ("ms", 1e-3)],
+];
