@@ -153,8 +153,8 @@ fn names_and_references_that_stand_twice() {
     write(dir.path(), "cell.toml", &cell);
     let (code, _, stderr) = run(dir.path(), &["scan", "cell.toml"]);
     let text = "Error: × `qd` and `push` are one variable in the FMU (value reference 4): reading the one gives what \
-                was written to the other help: use another output, or have the FMU exported with a value reference for \
-                each";
+                was written to the other ╭─[cell.toml:1:1] 1 schema = 1 · ─────┬──── · ╰── in this file 2 name = \"faulty\" \
+                ╰──── help: use another output, or have the FMU exported with a value reference for each";
     same(&stderr, text);
     assert_eq!(code, 2);
     let both = changed3("name=\"qd\" valueReference=\"6\"", "name=\"qd\" valueReference=\"5\"");

@@ -123,6 +123,8 @@ struct Binder<'a> {
     derived: Vec<Derived>,
     /// Variables whose unit is not told, by the unit that they are taken to be in.
     unitless: BTreeMap<&'static str, Vec<String>>,
+    /// What is differentiated.
+    differentiated: Vec<String>,
     warnings: Vec<String>,
 }
 
@@ -146,6 +148,7 @@ pub fn bind(
         outputs: Vec::new(),
         derived: Vec::new(),
         unitless: BTreeMap::new(),
+        differentiated: Vec::new(),
         warnings: Vec::new(),
     };
     let mut robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
@@ -185,6 +188,13 @@ pub fn bind(
         inputs.iter().position(|input| input == first).map(|column| (column, other.clone()))
     });
     let mirrors: Vec<(usize, UnitPort)> = mirrors.collect();
+    for (place, (_, port)) in mirrors.iter().enumerate() {
+        if inputs.contains(port) || mirrors[..place].iter().any(|(_, other)| other == port) {
+            let message = format!("`{}:{}` is driven by two things at once", units[port.unit].name, port.port.name);
+            let help = "an input of the system drives it too: remove one of the two".to_owned();
+            let _ = problems.keep(Err::<(), _>(source.error(0..0, "in this file", message, Some(help))));
+        }
+    }
     let driven: Vec<UnitPort> = inputs.iter().chain(mirrors.iter().map(|(_, port)| port)).cloned().collect();
     let mut system = b.system(&driven);
     let mut connections: Vec<Connection> = Vec::new();
@@ -199,6 +209,18 @@ pub fn bind(
     let connections = system::without_loops(units, [system, connections]);
     let parameters = b.system_parameters(&parameters).into_iter().chain(parameters).collect();
     let _ = problems.keep(b.not_written_and_read(&inputs));
+    if b.outputs.is_empty() && !file.robots.is_empty() {
+        let help = "name the FMU output that moves at least one joint or frame".to_owned();
+        let message = "nothing is read from the FMU: no robot could move";
+        let _ = problems.keep(Err::<(), _>(source.error(0..0, "in this file", message, Some(help))));
+    }
+    if !b.differentiated.is_empty() {
+        b.warnings.push(format!(
+            "not given by the FMU, so differentiated from positions: {}. Such a speed is the mean over each step, and lags \
+             behind by half a step",
+            b.differentiated.join(", ")
+        ));
+    }
     let unitless = b.unitless.iter().map(|(si, names)| {
         let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
         let has = if all.len() == 1 { "has" } else { "have" };
@@ -346,7 +368,7 @@ impl<'a> Binder<'a> {
                 );
                 let help =
                     Some("use another output, or have the FMU exported with a value reference for each".to_owned());
-                return Err(self.source.error(0..0, "", message, help));
+                return Err(self.source.error(0..0, "in this file", message, help));
             }
         }
         Ok(())

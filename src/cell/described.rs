@@ -49,13 +49,14 @@ pub fn summary(path: &Path) -> Result<Summary> {
     };
     // As a cell would read it, with every joint held.
     let cell = |joints: &[(String, Motion)], shapes: bool| {
+        let mass = "moving_mass_kg = 1\n";
         let joints: String = joints.iter().map(|(name, motion)| held(name, motion)).collect();
         let path = toml::Value::String(name.to_string_lossy().into_owned());
         Source::new(
             &path.to_string(),
             &format!(
                 "schema = 1\nname = \"x\"\n[human]\nstart = {{ xy_m = [0, 0], heading_deg = 0 }}\n[[robot]]\nname = \"x\"\n\
-                 urdf = {path}\nurdf_shapes = {shapes}\n{joints}"
+                 urdf = {path}\nurdf_shapes = {shapes}\n{mass}{joints}"
             ),
         )
         .in_folder(folder)
@@ -128,12 +129,30 @@ impl Checker<'_> {
             .filter_map(|(link, _)| link.mass_kg)
             .collect();
         let total: f64 = moving.iter().sum();
+        // Forces follow from the mass: part of it is worse than none.
+        let light: Vec<&str> = urdf
+            .links
+            .iter()
+            .zip(&movers)
+            .filter(|(link, mover)| mover.is_some() && (link.only_seen || !link.shapes.is_empty()))
+            .filter(|(link, _)| link.mass_kg.is_none_or(|kg| kg == 0.0))
+            .map(|(link, _)| link.name.as_str())
+            .collect();
+        let told = total > 0.0 && light.is_empty();
+        if total > 0.0 && !told && robot.moving_mass_kg.is_none() {
+            let message = format!("the URDF does not say how heavy {} is", light.join(", "));
+            let help = format!(
+                "the links with a mass add up to {total:.1} kg, which is too little: add moving_mass_kg, from the robot's \
+                 data sheet"
+            );
+            return Err(self.source.error(named.span(), "of this robot", message, Some(help)));
+        }
         let links = urdf.links.iter().zip(&movers);
         let mut places: BTreeMap<String, (usize, Pose)> =
             links.filter_map(|(link, mover)| Some((link.name.clone(), (*mover)?))).collect();
         let moved = urdf.joints.iter().filter(|joint| joint.motion.is_some());
         places.extend(moved.enumerate().map(|(number, joint)| (joint.name.clone(), (number, Pose::IDENTITY))));
-        Ok(Described { kinematics, shapes, moving_mass_kg: (total > 0.0).then_some(total), places })
+        Ok(Described { kinematics, shapes, moving_mass_kg: told.then_some(total), places })
     }
 
     /// Whether the joints and links that the cell file names are there.
@@ -187,6 +206,18 @@ impl Checker<'_> {
                 let (of, factor, offset) = joint.mimic.as_ref()?;
                 Some(Driven { named: at(of)?, factor: *factor, offset: *offset })
             });
+            if let Some(table) = at(&joint.name).map(|at| &robot.joints[at]) {
+                let slides = table.position.is_some() || table.held_m.is_some();
+                if slides != (motion == Motion::Prismatic) {
+                    let (does, keys) = match motion {
+                        Motion::Revolute => ("turns", "`angle` or `held_deg`"),
+                        Motion::Prismatic => ("slides", "`position` or `held_m`"),
+                    };
+                    let message = format!("joint `{}` of the URDF {does}", joint.name);
+                    let help = format!("use {keys}");
+                    return Err(self.source.error(table.name.span(), "here", message, Some(help)));
+                }
+            }
             match found {
                 Some(one) => driven.push(one),
                 None if joint.mimic.is_none() => unnamed.push((joint.name.as_str(), motion)),

@@ -212,23 +212,25 @@ fn joints(out: &mut Out, robot: &Robot<'_>, urdf: Option<&Described<'_>>) {
     if let Some(urdf) = urdf {
         out.line(&format!("urdf = {}", quoted(urdf.path)));
         if !urdf.has_shapes {
-            out.line("urdf_shapes = false # its meshes are not there: shapes are given below");
+            out.line("urdf_shapes = false # they cannot be used (init says why): give shapes below");
         }
     }
     // Joints of the URDF by name where the variables have it, else one after the other.
     let told: Option<Vec<&(String, Motion)>> = urdf.map(|urdf| urdf.joints.iter().collect());
     let numbers: Vec<usize> = robot.angles.keys().copied().collect();
-    let by_name = |name: &str| {
+    let named = |name: &str| {
         let wanted: Vec<String> = words(name).into_iter().filter(|word| word != "joint").collect();
+        // A number says which one in a row it is, not what it is called.
+        let telling = wanted.iter().any(|word| word.parse::<u32>().is_err() && word.len() > 1);
         numbers.iter().copied().find(|n| {
             let has = words(&robot.angles[n].variable);
-            wanted.iter().all(|word| has.contains(word))
+            telling && wanted.iter().all(|word| has.contains(word))
         })
     };
-    let motion = |out: &mut Out, number: usize, slides: bool| {
+    let motion = |out: &mut Out, number: usize, slides: bool, most: f64| {
         let key = if slides { "position" } else { "angle" };
         let guess = robot.angles[&number];
-        out.guessed(&format!("{key} = {{ variable = {} }}", quoted(&guess.variable)), guess.confidence);
+        out.guessed(&format!("{key} = {{ variable = {} }}", quoted(&guess.variable)), guess.confidence.min(most));
         match robot.speeds.get(&number) {
             Some(guess) => {
                 out.guessed(&format!("speed = {{ variable = {} }}", quoted(&guess.variable)), guess.confidence);
@@ -238,13 +240,18 @@ fn joints(out: &mut Out, robot: &Robot<'_>, urdf: Option<&Described<'_>>) {
     };
     match told {
         Some(joints) => {
-            for (place, (name, kind)) in joints.into_iter().enumerate() {
+            let turning: Vec<&str> =
+                joints.iter().filter(|(_, kind)| *kind == Motion::Revolute).map(|(name, _)| name.as_str()).collect();
+            for (name, kind) in joints {
                 out.line("");
                 out.line("[[robot.joint]]");
                 out.line(&format!("name = {}", quoted(name)));
                 let slides = *kind == Motion::Prismatic;
-                match by_name(name).or_else(|| numbers.get(place).copied().filter(|_| !slides)) {
-                    Some(number) => motion(out, number, slides),
+                // In the order of the tree: to be checked.
+                let in_order =
+                    || turning.iter().position(|other| other == name).and_then(|at| numbers.get(at).copied());
+                match named(name).or_else(in_order) {
+                    Some(number) => motion(out, number, slides, 0.9),
                     None if slides => out.line(&format!("held_m = 0 {TODO} or position = {{ variable = \"...\" }}")),
                     None => out.line(&format!("held_deg = 0 {TODO} or angle = {{ variable = \"...\" }}")),
                 }
@@ -262,7 +269,7 @@ fn joints(out: &mut Out, robot: &Robot<'_>, urdf: Option<&Described<'_>>) {
                 out.line(&format!(
                     "# axis = [0, 0, 1] {TODO} axis, and origin in the frame of the joint before; or a `urdf`"
                 ));
-                motion(out, *number, false);
+                motion(out, *number, false, 1.0);
             }
             shapes(out, &format!("joint_{}", numbers.last().unwrap_or(&1)), "joint");
         }

@@ -310,7 +310,7 @@ pub struct LinkTable {
     pub mesh: Option<MeshTable>,
 }
 
-/// A mesh file: STL, OBJ or COLLADA.
+/// A mesh file: STL or OBJ.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshTable {

@@ -20,7 +20,7 @@ pub(super) struct Arguments {
     /// The cell file of an FMU that has none of its own
     #[arg(long)]
     cell: Option<PathBuf>,
-    /// Where to write the picture (default: <cell file>.svg beside it)
+    /// Where to write the picture (default: <cell file>.check.svg beside it)
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     /// Read files only: the FMU is not run, and there is no picture
@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let drawn = topview::render(&picture::overview(&prepared, found.as_ref().ok()));
     let picture = arguments.svg.clone().unwrap_or_else(|| {
         let beside = arguments.cell.as_ref().unwrap_or(&arguments.path);
-        beside.with_extension("svg")
+        beside.with_extension("check.svg")
     });
     output::write_file(&picture, &drawn)?;
     let mut warnings = prepared.warnings();
@@ -108,7 +108,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         Format::Table => {
             output::result(&summary(&prepared, found.as_ref().ok()));
             warnings.iter().for_each(|warning| output::warning(warning));
-            output::result(&format!("  picture   {}\n{file}: nothing wrong\n", picture.display()));
+            output::result(&format!("  picture   {}\n", picture.display()));
+            if found.is_ok() {
+                output::result(&format!("{file}: nothing wrong\n"));
+            }
         }
     }
     match found {

@@ -83,8 +83,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 fn write(from: &Path, to: &Path, added: &[(String, Vec<u8>)]) -> Result<(), Box<dyn std::error::Error>> {
     let mut archive = ZipArchive::new(BufReader::new(File::open(from)?))?;
     // Whole or not at all, and never onto what is being read.
-    let temporary = to.with_extension("part");
-    let mut copy = ZipWriter::new(BufWriter::new(File::create(&temporary)?));
+    let folder = to.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let temporary = tempfile::NamedTempFile::new_in(folder)?;
+    let mut copy = ZipWriter::new(BufWriter::new(temporary));
     let names: BTreeSet<&str> = added.iter().map(|(name, _)| name.as_str()).collect();
     for index in 0..archive.len() {
         let entry = archive.by_index_raw(index)?;
@@ -96,7 +97,9 @@ fn write(from: &Path, to: &Path, added: &[(String, Vec<u8>)]) -> Result<(), Box<
         copy.start_file(name.as_str(), SimpleFileOptions::default())?;
         copy.write_all(bytes)?;
     }
-    copy.finish()?.flush()?;
-    std::fs::rename(&temporary, to)?;
+    let written = copy.finish()?.into_inner().map_err(std::io::IntoInnerError::into_error)?;
+    // As files that are made otherwise: readable by who may read what it is a copy of.
+    written.as_file().set_permissions(std::fs::metadata(from)?.permissions())?;
+    written.persist(to)?;
     Ok(())
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
-use super::selftest::{TRUST, setup};
+use super::selftest::setup;
 use crate::cell::find::{OpenError, open};
 use crate::cell::roles::{Role, guess};
 use crate::fmi::Fmu;
@@ -22,6 +22,10 @@ use crate::host::{Plant, PlantError, SystemSetup};
 use crate::scan::Hosting;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Effect, Prober, RUN_S, Reaction, Run, probe};
+
+/// What may help an FMU that fails from the start.
+const TRUST: &str = "`fmi-hazard selftest` tries it in parts; an FMU that needs files or a tool of this machine (Python, \
+                     MATLAB, a licence) runs with --trust-fmu";
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {

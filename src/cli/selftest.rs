@@ -17,10 +17,6 @@ use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
 use crate::host::{PlantError, SystemSetup, UnitPort};
 use crate::scan::Hosting;
 
-/// What may help an FMU that fails from the start.
-pub(super) const TRUST: &str = "an FMU that needs files or a tool of this machine (Python, MATLAB, a licence) runs with \
-                                --trust-fmu";
-
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The FMU
@@ -51,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let steps = usize::try_from(arguments.steps).unwrap_or(80);
     let failed = |e: PlantError| match e.not_loaded {
         true => Failure::unusable(e.message),
-        false => Failure::running_with_help(format!("the FMU failed in its first plain run: {e}"), TRUST),
+        false => Failure::running(format!("the FMU failed in its first plain run: {e}")),
     };
     let (result, habits) = match arguments.hosting.hosting()? {
         Hosting::InProcess => {

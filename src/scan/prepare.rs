@@ -88,10 +88,7 @@ pub enum PrepareError {
     NotLoaded(String),
     /// The FMU failed when it was first run.
     #[error("the FMU failed in its first run: {0}")]
-    #[diagnostic(help(
-        "no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell; one that needs files or a \
-         tool of this machine (Python, MATLAB, a licence) runs with --trust-fmu"
-    ))]
+    #[diagnostic(help("no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell"))]
     FirstRun(PlantError),
     /// The FMU does not repeat itself.
     #[error("two fresh instances of the FMU gave different outputs for the same inputs ({0})")]
@@ -193,7 +190,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
             let unpacked = fmus.iter().map(Unpacked::of).collect();
             let launcher = Launcher::new(program.clone(), unpacked, setup, *guard, *limits);
             let Examination { result, launcher, missing, step_time } =
-                examine(&launcher, episode, &skip).map_err(PrepareError::first_run)?;
+                examine(&launcher, episode, &skip).map_err(|error| PrepareError::first_run(hinted(error, &fmus)))?;
             let action = step_time * u32::try_from(cell.steps_per_action).unwrap_or(1);
             (result, missing, action > COPY_PAYS, Source::Apart(launcher))
         }
@@ -250,6 +247,18 @@ fn geometry(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
     let told = |path: &Path, sha256: &str| FileSubject { path: path.display().to_string(), sha256: sha256.to_owned() };
     let system = wiring.map(|wiring| told(&wiring.path, &wiring.sha256));
     system.into_iter().chain(cell.files.iter().map(|file| told(&file.path, &file.sha256))).collect()
+}
+
+/// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
+fn hinted(error: PlantError, fmus: &[Fmu]) -> PlantError {
+    let needs =
+        |fmu: &Fmu| fmu.description().co_simulation.as_ref().is_some_and(|cs| cs.capabilities.needs_execution_tool);
+    if !fmus.iter().any(needs) {
+        return error;
+    }
+    let message =
+        format!("{}. It needs the tool that made it, which it may reach with --trust-fmu only", error.message);
+    PlantError { message, ..error }
 }
 
 /// A cell that fits its FMUs.
@@ -328,7 +337,9 @@ impl Prepared {
     /// What the user should know of the cell file.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
-        self.cell.warnings.iter().chain(&self.binding.warnings).chain(&self.suspicions).cloned().collect()
+        let system = self.wiring.iter().flat_map(|wiring| &wiring.structure.warnings);
+        let cell = self.cell.warnings.iter().chain(&self.binding.warnings);
+        system.chain(cell).chain(&self.suspicions).cloned().collect()
     }
 
     /// Tries each sensor for as long as a sequence takes: one with the wrong polarity is among the warnings from then on. An

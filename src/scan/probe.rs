@@ -88,6 +88,12 @@ impl Run {
     }
 }
 
+/// Whether the robots moved for most of the time and then came to rest: a programme at its end, not a stop at the beginning.
+fn ended(run: &Run) -> bool {
+    let moving = run.speeds.iter().filter(|speed| **speed > STILL).count();
+    moving * 2 > run.speeds.len()
+}
+
 /// Runs a plant with constant inputs, which may change once.
 pub struct Prober<'a, P: Plant> {
     /// A plant that is initialised with these inputs.
@@ -156,20 +162,22 @@ impl<'a, P: Plant> Prober<'a, P> {
         let mean = |run: &Run| run.speeds[settled..].iter().sum::<f64>() / (steps - settled) as f64;
         let mut means = [mean(idle), mean(&run)];
         // A stop may be kept until somebody resets it: then only a run that begins with the other value tells.
-        let kept = means.iter().all(|mean| *mean <= STILL);
+        let kept = means.iter().all(|mean| *mean <= STILL) && !ended(idle);
         let begun = if kept { mean(&self.run(&changed, None)?) } else { 0.0 };
         means[1] = means[1].max(begun);
         let still = run.speeds[settled..].iter().all(|speed| *speed <= STILL);
         let moved = run.speeds.iter().rposition(|speed| *speed > STILL).unwrap_or(at);
         #[expect(clippy::cast_precision_loss, reason = "thousands")]
         let after = |step: usize| (step + 1 - at) as f64 * self.step_s;
+        let peak = |run: &Run| run.speeds[at..].iter().copied().fold(0.0, f64::max);
         // By the means: robots may take a moment to come to rest, or to begin, in either run.
         let effect = match (first, means[0] > STILL, means[1] > STILL) {
             (None, ..) if begun <= STILL => Effect::Nothing,
             (_, true, _) if still => Effect::Stops,
             (_, true, _) if means[1] < 0.8 * means[0] => Effect::Slows,
-            (_, false, true) => Effect::Starts,
-            (_, true, _) if means[1] > 1.25 * means[0] => Effect::SpeedsUp,
+            // A programme that has come to its end says nothing: slowed down, it would still be on its way.
+            (_, false, true) if !ended(idle) => Effect::Starts,
+            (_, true, _) if means[1] > 1.25 * means[0] && peak(&run) > 1.25 * peak(idle) => Effect::SpeedsUp,
             _ => Effect::Changes,
         };
         Ok(Reaction {
@@ -177,7 +185,7 @@ impl<'a, P: Plant> Prober<'a, P> {
             idle: inputs[column] != 0.0,
             effect,
             first_change_s: first.map(after),
-            still_after_s: (effect == Effect::Stops).then(|| after(moved.max(at))),
+            still_after_s: (effect == Effect::Stops).then(|| after(moved.max(at) + 1)),
             mean_speed: means,
         })
     }
@@ -249,7 +257,7 @@ pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
                 ));
             }
             Effect::Nothing => found.idle_sensors.push(format!(
-                "sensor `{name}` changes nothing: with `{variable}` = {active} every output is the same for {run_s} s"
+                "sensor `{name}` changes nothing: with `{variable}` = {active} every output that the cell uses stays the same, in a run of {run_s} s"
             )),
             Effect::Stops | Effect::Slows | Effect::Changes => {}
         }

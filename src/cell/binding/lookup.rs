@@ -226,6 +226,11 @@ impl<'a> Binder<'a> {
             let factor = self.factor(name, table.unit.as_ref(), quantity)?;
             terms.push((self.real_output(name)?, weight * factor));
         }
+        if table.offset_deg != 0.0 && !matches!(quantity, Quantity::Angle) {
+            let message = "offset_deg is for angles".to_owned();
+            let help = "remove it here; a slide with another zero has it in the `origin` of its joint".to_owned();
+            return Err(self.source.error(table.variable.span(), "for this variable", message, Some(help)));
+        }
         let offset = match quantity {
             Quantity::Angle => table.offset_deg.to_radians(),
             _ => 0.0,

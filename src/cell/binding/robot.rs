@@ -68,9 +68,7 @@ impl Binder<'_> {
     }
 
     pub(super) fn differentiated(&mut self, what: &str) {
-        self.warnings.push(format!(
-            "{what} is differentiated from its positions: it is the mean over each step, and lags behind by half a step"
-        ));
+        self.differentiated.push(what.to_owned());
     }
 
     pub(super) fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {

@@ -5,8 +5,8 @@ use toml::Spanned;
 use super::{Binder, BoundUnit};
 use crate::cell::CellError;
 use crate::cell::find::Wiring;
-use crate::cell::format::ConnectionTable;
-use crate::cell::ssp::{Link, Structure};
+use crate::cell::format::{ConnectionTable, Literal};
+use crate::cell::ssp::{Link, Parameter, Structure};
 use crate::fmi::{Causality, Variable, VariableType};
 use crate::host::port::PortKind;
 use crate::host::system::{AlgebraicLoop, Connection, SystemSetup, UnitPort};
@@ -20,6 +20,11 @@ impl Binder<'_> {
         let (unit, variable) = self.readable(&table.from)?;
         let from = self.port(&table.from, unit, variable)?;
         let to = self.input(&table.to, Some(from.port.kind))?;
+        if self.mirrors.iter().any(|(first, _)| *first == to) {
+            let message = format!("`{}` of the system drives several variables", table.to.get_ref());
+            let help = "connect each of them by itself, as component:variable".to_owned();
+            return Err(self.source.error(table.to.span(), "here", message, Some(help)));
+        }
         let unit_of = |p: &UnitPort| {
             let found = self.units[p.unit].description.element(&p.port.name);
             found.and_then(|(variable, _, _)| match &variable.kind {
@@ -100,14 +105,10 @@ impl Binder<'_> {
         };
         let units = [link.units[0].clone().or(declared(source)), link.units[1].clone().or(declared(target))];
         let converted = match units {
-            [Some(a), Some(b)] if a != b && link.converts && plain => {
-                let factor = |units: &[(&str, f64)], of: &str| units.iter().find(|(n, _)| *n == of).map(|(_, f)| *f);
-                let both = CONVERTIBLE.iter().find_map(|units| Some(factor(units, &a)? / factor(units, &b)?));
-                both.ok_or_else(|| {
-                    let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
-                    (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
-                })?
-            }
+            [Some(a), Some(b)] if a != b && link.converts => ratio(&a, &b).ok_or_else(|| {
+                let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
+                (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
+            })?,
             _ => 1.0,
         };
         Ok(Connection { from, to, delay_steps: 0, factor: link.factor * converted, offset: link.offset })
@@ -136,7 +137,7 @@ impl Binder<'_> {
         let mut all: Vec<(UnitPort, f64)> = Vec::new();
         for parameter in &wiring.structure.parameters {
             let name = format!("{}:{}", self.units[parameter.component].name, parameter.name);
-            let value = self.parameter(&Spanned::new(0..0, name), parameter.value);
+            let value = self.in_unit(parameter).and_then(|value| self.parameter(&Spanned::new(0..0, name), value));
             let value = value.map_err(|error| {
                 let help = error.help.clone();
                 parameter.source.error(parameter.place.clone(), "here", error.message.clone(), help)
@@ -148,6 +149,26 @@ impl Binder<'_> {
             }
         }
         all
+    }
+
+    /// A parameter's value in the unit of its variable.
+    fn in_unit(&self, parameter: &Parameter) -> Result<Literal, Box<CellError>> {
+        let found = self.units[parameter.component].description.element(&parameter.name);
+        let declared = found.and_then(|(variable, _, _)| match &variable.kind {
+            VariableType::Real { unit, .. } => unit.as_deref(),
+            _ => None,
+        });
+        match (&parameter.unit, declared, parameter.value) {
+            (Some(a), Some(b), Literal::Number(value)) if a != b => match ratio(a, b) {
+                Some(factor) => Ok(Literal::Number(value * factor)),
+                None => {
+                    let message = format!("how `{a}` is converted to `{b}` is not known");
+                    let help = format!("give the value in `{b}`");
+                    Err(parameter.source.error(parameter.place.clone(), "here", message, Some(help)))
+                }
+            },
+            (.., value) => Ok(value),
+        }
     }
 
     /// What a name of the system's own connectors stands for.
@@ -186,14 +207,33 @@ pub(super) fn without_loops(units: &[BoundUnit<'_>], [mut system, own]: [Vec<Con
         let connections: Vec<Connection> = system.iter().chain(&own).cloned().collect();
         let setup = SystemSetup { names: names.clone(), connections, ..SystemSetup::default() };
         let Err(AlgebraicLoop { units: inside }) = setup.order() else { return setup.connections };
+        let all: Vec<Connection> = setup.connections.clone();
         let within = |c: &&mut Connection| {
-            c.delay_steps == 0 && [&c.from, &c.to].iter().all(|end| inside.contains(&names[end.unit]))
+            let inside = inside.contains(&names[c.from.unit]);
+            inside && c.delay_steps == 0 && leads(&all, c.to.unit, c.from.unit, names.len())
         };
         match system.iter_mut().rev().find(within) {
             Some(connection) => connection.delay_steps = 1,
             None => return setup.connections,
         }
     }
+}
+
+/// Whether connections without delay lead from one of so many units to another.
+fn leads(connections: &[Connection], from: usize, to: usize, units: usize) -> bool {
+    let mut reached = vec![from];
+    for _ in 0..units {
+        let next = connections.iter().filter(|c| c.delay_steps == 0 && reached.contains(&c.from.unit));
+        let next: Vec<usize> = next.map(|c| c.to.unit).filter(|unit| !reached.contains(unit)).collect();
+        reached.extend(next);
+    }
+    reached.contains(&to)
+}
+
+/// What a value in unit `a` is multiplied by for unit `b`; nothing if they are no units of one quantity.
+fn ratio(a: &str, b: &str) -> Option<f64> {
+    let factor = |units: &[(&str, f64)], of: &str| units.iter().find(|(name, _)| *name == of).map(|(_, f)| *f);
+    CONVERTIBLE.iter().find_map(|units| Some(factor(units, a)? / factor(units, b)?))
 }
 
 /// SI factors of units that may be converted into one another.

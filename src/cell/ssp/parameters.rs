@@ -16,8 +16,10 @@ pub struct Parameter {
     pub component: usize,
     /// Name of the FMU's variable.
     pub name: String,
-    /// Value, in the unit of the variable.
+    /// Value.
     pub value: Literal,
+    /// Its unit, if told.
+    pub unit: Option<String>,
     /// The file that says so, and where in it.
     pub source: Source,
     /// The same.
@@ -28,6 +30,7 @@ pub struct Parameter {
 pub(super) struct Named {
     pub name: String,
     pub value: Literal,
+    pub unit: Option<String>,
     pub source: Source,
     pub place: Range<usize>,
 }
@@ -103,10 +106,11 @@ fn values(xml: Xml<'_>, set: Node<'_, '_>, prefix: &str) -> Result<Vec<Named>> {
                     return Err(xml.wrong(value, format!("parameters of type {other} are not supported"), help));
                 }
             };
+            let unit = value.attribute("unit").map(str::to_owned);
             let value = literal.ok_or_else(|| {
                 xml.wrong(value, format!("`{text}` is no {kind} value"), "write one number, or true or false")
             })?;
-            Ok(Named { name, value, source: xml.source.clone(), place: node.range() })
+            Ok(Named { name, value, unit, source: xml.source.clone(), place: node.range() })
         })
         .collect()
 }

@@ -129,13 +129,15 @@ pub(super) fn read(source: &Source) -> Result<Structure> {
 
 /// Whose parameter it is: a system's begins with the component's name.
 fn placed(component: Option<usize>, one: Named, components: &[Component]) -> Result<Parameter> {
-    let Named { name, value, source, place } = one;
+    let Named { name, value, unit, source, place } = one;
     let (component, name) = match component {
         Some(component) => (component, name),
         None => {
-            let found = components.iter().enumerate().find_map(|(number, component)| {
+            let fits = components.iter().enumerate().filter_map(|(number, component)| {
                 Some((number, name.strip_prefix(&component.name)?.strip_prefix('.')?.to_owned()))
             });
+            // Of `a` and `a.b`, `a.b.k` is of the latter.
+            let found = fits.min_by_key(|(_, rest)| rest.len());
             found.ok_or_else(|| {
                 let message = format!("parameter `{name}` is of no component");
                 let help = "a system's parameters are named component.variable".to_owned();
@@ -143,7 +145,7 @@ fn placed(component: Option<usize>, one: Named, components: &[Component]) -> Res
             })?
         }
     };
-    Ok(Parameter { component, name, value, source, place })
+    Ok(Parameter { component, name, value, unit, source, place })
 }
 
 fn component(xml: Xml<'_>, node: Node<'_, '_>, before: &[Component]) -> Result<Component> {
@@ -259,7 +261,7 @@ fn connect(
         let [offset] = xml.numbers(linear, "offset", [0.0])?;
         transformation = [factor, offset];
     }
-    let converts = node.attribute("suppressUnitConversion") != Some("true");
+    let mut converts = node.attribute("suppressUnitConversion") != Some("true");
     let (from, to) = (end(xml, node, structure, "start")?, end(xml, node, structure, "end")?);
     let unit = |end: &End| match end {
         End::Component(component, name) => structure.components[*component].units.get(name).cloned(),
@@ -276,6 +278,7 @@ fn connect(
             let (factor, offset) = (fa / fb, (oa - ob) / fb);
             transformation = [transformation[0] * factor, transformation[0] * offset + transformation[1]];
             units = [None, None];
+            converts = false;
         }
     }
     let [factor, offset] = transformation;
