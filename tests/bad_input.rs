@@ -165,6 +165,16 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     ("[[robot.joint]]", "urdf = \"no.urdf\"\n[[robot.joint]]", &["cannot read no.urdf", "relative to the cell file"]),
     ("[[robot.joint]]", "urdf = \"bad.urdf\"\n[[robot.joint]]", &["it is no XML", "xacro", "bad.urdf:2"]),
     ("[[robot.joint]]", "urdf = \"loop.urdf\"\n[[robot.joint]]", &["is part of a loop", "a tree", "loop.urdf:4"]),
+    (
+        "[[robot.joint]]",
+        "urdf = \"kinds.urdf\"\n[[robot.joint]]",
+        &["`joint_1` of the URDF slides", "`position` or `held_m`"],
+    ),
+    (
+        "payload = { variable = \"gripper.payload\" }",
+        "payload = { variable = \"gripper.payload\", offset_deg = 3 }",
+        &["offset_deg is for angles"],
+    ),
     ("[[robot.joint]]", "urdf = \"mesh.urdf\"\n[[robot.joint]]", &["axis", "remove `axis` and `origin` here"]),
 ];
 
@@ -176,6 +186,17 @@ const DESCRIPTIONS: &[(&str, &str)] = &[
         "<robot name=\"r\">\n<link name=\"a\"/>\n<link name=\"b\"/>\n<joint name=\"joint_1\" type=\"fixed\"><parent \
          link=\"a\"/><child link=\"b\"/></joint>\n<joint name=\"joint_2\" type=\"fixed\"><parent link=\"b\"/><child \
          link=\"a\"/></joint>\n</robot>\n",
+    ),
+    (
+        "kinds.urdf",
+        "<robot name=\"r\">\n<link name=\"l0\"/><link name=\"l1\"/><link name=\"l2\"/><link name=\"l3\"/><link \
+         name=\"l4\"/><link name=\"l5\"/><link name=\"l6\"/>\n<joint name=\"joint_1\" type=\"prismatic\"><parent \
+         link=\"l0\"/><child link=\"l1\"/></joint><joint name=\"joint_2\" type=\"revolute\"><parent link=\"l1\"/><child \
+         link=\"l2\"/></joint><joint name=\"joint_3\" type=\"revolute\"><parent link=\"l2\"/><child \
+         link=\"l3\"/></joint><joint name=\"joint_4\" type=\"revolute\"><parent link=\"l3\"/><child \
+         link=\"l4\"/></joint><joint name=\"joint_5\" type=\"revolute\"><parent link=\"l4\"/><child \
+         link=\"l5\"/></joint><joint name=\"joint_6\" type=\"revolute\"><parent link=\"l5\"/><child \
+         link=\"l6\"/></joint>\n</robot>\n",
     ),
     ("mesh.urdf", "<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n"),
 ];

@@ -356,3 +356,28 @@ fn joints_that_slide_mimic_or_are_held() {
     let cell = cell_of(dir.path(), "g.urdf", &["turn"], held);
     assert_eq!(cell.robots[0].kinematics.as_ref().unwrap().driven.len(), 3);
 }
+
+#[test]
+fn part_of_the_masses_is_no_mass() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let sphere = "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision>";
+    let urdf = format!(
+        "<robot name=\"g\"><link name=\"base\"/><link name=\"arm\">{sphere}<inertial><mass value=\"2\"/></inertial></link>\
+         <link name=\"hand\">{sphere}</link><joint name=\"turn\" type=\"revolute\"><parent link=\"base\"/><child \
+         link=\"arm\"/><axis xyz=\"0 0 1\"/></joint><joint name=\"fixed\" type=\"fixed\"><parent link=\"arm\"/><child \
+         link=\"hand\"/><axis xyz=\"0 0 0\"/></joint></robot>"
+    );
+    write(dir.path(), "g.urdf", &urdf);
+    let text = |mass: &str| {
+        format!(
+            "schema = 1\nname = \"r\"\nfmu = \"r.fmu\"\n[human]\nstart = {{ xy_m = [0, -2], heading_deg = 90 }}\n[[robot]]\n\
+             name = \"r\"\nurdf = \"g.urdf\"\npayload_kg = 1\n{mass}[[robot.joint]]\nname = \"turn\"\nangle = {{ \
+             variable = \"q\" }}\n"
+        )
+    };
+    let read = |mass: &str| validate(&Source::new("cell.toml", &text(mass)).in_folder(dir.path()));
+    let error = read("").unwrap_err();
+    assert!(error.message.contains("how heavy hand is"), "{error}");
+    assert!(error.help.as_ref().unwrap().contains("2.0 kg"), "{:?}", error.help);
+    assert!((read("moving_mass_kg = 7\n").unwrap().robots[0].moving_mass_kg - 7.0).abs() < 1e-12);
+}

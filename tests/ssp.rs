@@ -278,7 +278,7 @@ fn units_transformations_and_parameters() {
         .filter(|v| matches!(v.kind, fmi_hazard::fmi::VariableType::Real { .. }))
         .map(|v| v.name.as_str())
         .collect();
-    let [first, second, ..] = parameters[..] else { panic!("{parameters:?}") };
+    let [first @ "t_ramp", second, ..] = parameters[..] else { panic!("{parameters:?}") };
     let changed = description(|text| {
         let units = "<ssd:Units><ssc:Unit name=\"u\"><ssc:BaseUnit m=\"1\" factor=\"0.001\" offset=\"2\"/></ssc:Unit>\
                      <ssc:Unit name=\"w\"><ssc:BaseUnit m=\"1\" factor=\"0.01\"/></ssc:Unit></ssd:Units>";
@@ -290,6 +290,9 @@ fn units_transformations_and_parameters() {
             text.replacen(&old, &old.replace("<ssc:Real/>", &format!("<ssc:Real unit=\"{unit}\"/>")), 1)
         };
         let text = real("tcp.position.x", "u", real("tcp.position.x", "w", text));
+        // Millimetres that the description says nothing about; the FMU's own unit is the metre.
+        let old = "<ssd:Connector name=\"tcp.position.y\" kind=\"output\"><ssc:Real/>";
+        let text = text.replacen(old, &old.replace("<ssc:Real/>", "<ssc:Real unit=\"mm\"/>"), 1);
         let scaled = "startConnector=\"tcp.position.y\" endElement=\"kinematics\" endConnector=\"tcp.position.y\"";
         text.replacen("</ssd:System>\n", &format!("</ssd:System>\n{units}\n"), 1)
             .replacen(&format!("{scaled}/>"), &format!("{scaled}><ssc:LinearTransformation factor=\"-2\" offset=\"0.25\"/></ssd:Connection>"), 1)
@@ -299,7 +302,7 @@ fn units_transformations_and_parameters() {
                     "implementation=\"CoSimulation\">\n<ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues>{}\
                      </ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>\n<ssd:Connectors>\n<ssd:Connector \
                      name=\"stop\" kind=\"input\">",
-                    values.replace("PARAMETER", first)
+                    values.replace("PARAMETER", first).replace("value=\"0.5\"", "value=\"500\" unit=\"ms\"")
                 ),
                 1,
             )
@@ -321,7 +324,8 @@ fn units_transformations_and_parameters() {
     // By hand: 0.001 u + 2 = 0.01 w, so w = 0.1 u + 200.
     let (factor, offset) = of("tcp.position.x");
     assert!((factor - 0.1).abs() < 1e-12 && (offset - 200.0).abs() < 1e-9, "{factor} {offset}");
-    assert_eq!(of("tcp.position.y"), (-2.0, 0.25));
+    let (factor, offset) = of("tcp.position.y");
+    assert!((factor + 0.002).abs() < 1e-15 && (offset - 0.25).abs() < 1e-15, "{factor} {offset}");
     assert_eq!(of("tcp.position.z"), (1.0, 0.0));
     let set: Vec<(&str, f64)> =
         binding.parameters.iter().map(|(port, value)| (port.port.name.as_str(), *value)).collect();

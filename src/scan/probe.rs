@@ -185,7 +185,7 @@ impl<'a, P: Plant> Prober<'a, P> {
             idle: inputs[column] != 0.0,
             effect,
             first_change_s: first.map(after),
-            still_after_s: (effect == Effect::Stops).then(|| after(moved.max(at) + 1)),
+            still_after_s: (effect == Effect::Stops).then(|| after((moved + 1).max(at))),
             mean_speed: means,
         })
     }
@@ -264,4 +264,95 @@ pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
         found.reactions.push(reaction);
     }
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A robot that moves at 1 m/s, until `way` is done or for ever; its input stops it (for ever, if `latched`) or slows it.
+    #[derive(Clone)]
+    struct Toy {
+        way: f64,
+        done: f64,
+        stops: bool,
+        latched: bool,
+        stopped: bool,
+        demand: f64,
+    }
+
+    impl Plant for Toy {
+        type Checkpoint = ();
+
+        fn input_count(&self) -> usize {
+            1
+        }
+
+        fn output_count(&self) -> usize {
+            1
+        }
+
+        fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+            (self.done, self.stopped) = (0.0, false);
+            Ok(vec![0.0])
+        }
+
+        fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+            let row = |step: usize| {
+                let demanded = inputs[step].to_bits() == self.demand.to_bits();
+                self.stopped = demanded && self.stops || self.stopped && self.latched;
+                let speed = match () {
+                    () if self.stopped || self.done >= self.way => 0.0,
+                    () if demanded => 0.25,
+                    () => 1.0,
+                };
+                self.done += 0.02 * speed;
+                speed
+            };
+            Ok((0..steps).map(row).collect())
+        }
+
+        fn save(&mut self) -> Result<(), PlantError> {
+            Ok(())
+        }
+
+        fn restore(&mut self, (): &()) -> Result<(), PlantError> {
+            Ok(())
+        }
+    }
+
+    /// What changing the input from `idle` does.
+    fn effect(toy: &Toy, idle: f64) -> Reaction {
+        let plant = |_: &[f64]| toy.clone();
+        let speeds = |rows: &[f64]| rows[1..].to_vec();
+        let prober = Prober::new(&plant, 0.02, RUN_S, &speeds);
+        let run = prober.run(&[idle], None).unwrap();
+        prober.reaction("input", &[idle], 0, &run).unwrap()
+    }
+
+    #[test]
+    fn the_robots_tell_the_polarity() {
+        let endless = Toy { way: f64::INFINITY, done: 0.0, stops: true, latched: false, stopped: false, demand: 0.0 };
+        let stops = effect(&endless, 1.0);
+        assert_eq!((stops.effect, stops.active()), (Effect::Stops, Some(false)));
+        // It stands from the first step with the other value on.
+        assert!((stops.still_after_s.unwrap() - 0.02).abs() < 1e-12, "{stops:?}");
+        let slows = effect(&Toy { stops: false, ..endless.clone() }, 1.0);
+        assert_eq!((slows.effect, slows.active()), (Effect::Slows, Some(false)));
+        // The wrong way round, and also where a stop is kept.
+        for latched in [false, true] {
+            let starts = effect(&Toy { latched, ..endless.clone() }, 0.0);
+            assert_eq!((starts.effect, starts.active()), (Effect::Starts, Some(false)), "latched: {latched}");
+        }
+        let faster = effect(&Toy { stops: false, ..endless }, 0.0);
+        assert_eq!((faster.effect, faster.active()), (Effect::SpeedsUp, Some(false)));
+    }
+
+    #[test]
+    fn a_programme_that_has_come_to_its_end_tells_no_polarity() {
+        // Done after 6 s of 10, slowed down it would be on its way still.
+        let ending = Toy { way: 6.0, done: 0.0, stops: false, latched: false, stopped: false, demand: 0.0 };
+        let changes = effect(&ending, 1.0);
+        assert_eq!((changes.effect, changes.active()), (Effect::Changes, None), "{changes:?}");
+    }
 }

@@ -245,3 +245,41 @@ const CONVERTIBLE: [&[(&str, f64)]; 6] = [
     &[("kg", 1.0), ("g", 1e-3)],
     &[("s", 1.0), ("ms", 1e-3)],
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi::{Handle, Scalar};
+    use crate::host::port::Port;
+
+    #[test]
+    fn only_what_leads_back_is_part_of_a_loop() {
+        let scalar = Scalar::Float64;
+        let handle = Handle { value_reference: 0, scalar, offset: 0, count: 1, discrete: false };
+        let port = |unit: usize| UnitPort { unit, port: Port::new("v".to_owned(), handle, 0.0).unwrap() };
+        let connect = |(from, to, delay_steps)| Connection {
+            from: port(from),
+            to: port(to),
+            delay_steps,
+            factor: 1.0,
+            offset: 0.0,
+        };
+        // 0 and 1 drive each other; 2 follows 1, and drives nothing.
+        let loop_and_tail: Vec<Connection> = [(0, 1, 0), (1, 0, 0), (1, 2, 0)].map(connect).to_vec();
+        assert!(leads(&loop_and_tail, 1, 0, 3) && leads(&loop_and_tail, 0, 1, 3));
+        assert!(!leads(&loop_and_tail, 2, 1, 3), "what follows a loop is not in it");
+        let description = crate::fmi::ModelDescription::default();
+        let unit = |name| BoundUnit { name, description: &description, file: String::new() };
+        let units = [unit("a"), unit("b"), unit("c")];
+        let delays: Vec<usize> =
+            without_loops(&units, [loop_and_tail, Vec::new()]).iter().map(|c| c.delay_steps).collect();
+        assert_eq!(delays, [0, 1, 0]);
+    }
+
+    #[test]
+    fn units_of_one_quantity_are_converted() {
+        assert!((ratio("deg", "rad").unwrap() - 0.017_453_292_519_943_295).abs() < 1e-18);
+        assert!((ratio("mm", "m").unwrap() - 1e-3).abs() < 1e-18);
+        assert_eq!(ratio("mm", "rad"), None);
+    }
+}
