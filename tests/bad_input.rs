@@ -294,3 +294,16 @@ fn a_cell_in_which_no_sensor_can_fire_is_inconclusive() {
     assert!(text.contains("no sensor ever reported the person") && text.contains("Inconclusive"), "{text}");
     assert_eq!(scan_json(&dir.path().join("o"))["verdict"], "inconclusive");
 }
+
+#[test]
+fn a_cell_that_reads_nothing_from_its_fmu_is_refused() {
+    let dir = tempfile::TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    let cell = faulty_cell("faulty.fmu", 0, 0);
+    let held = cell
+        .replace("angle = { variable = \"q\", unit = \"rad\" }", "held_deg = 30")
+        .replace("speed = { variable = \"qd\", unit = \"rad/s\" }\n", "");
+    assert!(held.contains("held_deg") && !held.contains("speed ="));
+    write(dir.path(), "cell.toml", &held);
+    fails(dir.path(), "cell.toml", 2, &["nothing is read from the FMU", "at least one joint or frame"]);
+}

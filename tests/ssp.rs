@@ -435,3 +435,43 @@ fn inspect_tells_what_a_system_is() {
     assert_eq!(json["components"].as_array().unwrap().len(), 3);
     assert_eq!(json["ssp_version"], "1.0");
 }
+
+#[test]
+fn an_input_of_the_system_may_drive_several_variables_and_each_is_driven_once() {
+    let dir = examples();
+    let folder = dir.path().join("sensor-mat");
+    let own = "<ssd:Connection startConnector=\"reset\" endElement=\"plc\" endConnector=\"reset\"/>\n";
+    let also = "<ssd:Connection startConnector=\"mat_clear\" endElement=\"plc\" endConnector=\"reset\"/>\n";
+    let text = cell(&folder, true);
+    // The mat's signal at the reset button too, which then is no input of its own.
+    system(&folder, &description(|text| text.replacen(own, also, 1)), "", &[]);
+    let mut table: toml::Table = text.parse().unwrap();
+    table.remove("inputs");
+    let without = toml::to_string(&table).unwrap();
+    write(&folder, "both.toml", &without);
+    let opened = fmi_hazard::cell::find::open(&folder.join("both.toml"), None).unwrap();
+    let units = fmi_hazard::cell::find::bound(&opened.fmus);
+    let binding =
+        fmi_hazard::cell::binding::bind(opened.cell.file(), &opened.source, &units, opened.wiring.as_ref()).unwrap();
+    assert_eq!(binding.inputs.len(), 1);
+    let [(0, mirror)] = &binding.mirrors[..] else { panic!("{:?}", binding.mirrors) };
+    assert_eq!(mirror.port.name, "reset");
+    let setup = binding.setup(&["plc", "controller", "kinematics"], vec![1.0], 0.01);
+    let plc = setup.unit(0);
+    let names: Vec<&str> = plc.inputs.iter().map(|port| port.name.as_str()).collect();
+    assert_eq!((names, plc.initial_inputs), (vec!["mat_clear", "reset"], vec![1.0, 1.0]));
+    // Held constant as well, or connected as a whole: refused.
+    let refused = |text: &str, words: &str| {
+        write(&folder, "refused.toml", text);
+        let output = fmi_hazard(&folder).args(["check", "refused.toml", "--no-run"]).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).replace(['│', '\n'], " ");
+        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(output.status.code() == Some(2) && said.contains(words), "`{words}`: {said}");
+    };
+    let held = format!("{without}\n[inputs]\n\"plc:reset\" = false\n");
+    refused(&held, "`plc:reset` is driven by two things at once");
+    refused(
+        &format!("{without}\n[[connection]]\nfrom = \"plc:stop\"\nto = \"mat_clear\"\n"),
+        "`mat_clear` of the system drives several variables",
+    );
+}

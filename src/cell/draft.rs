@@ -401,3 +401,41 @@ fn inputs(out: &mut Out, description: &ModelDescription, roles: &[Guess]) {
         out.line(&format!("# Inputs left at the FMU's start values:{text}"));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Joint and variable of each pair in the draft, with the rest of the line.
+    fn pairs(variables: &[&str], joints: &[&str]) -> Vec<(String, String)> {
+        let role = |(number, variable): (usize, &&str)| Guess {
+            variable: (*variable).to_owned(),
+            role: Role::JointAngle { robot: "r".to_owned(), number: number + 1 },
+            confidence: 0.97,
+        };
+        let roles: Vec<Guess> = variables.iter().enumerate().map(role).collect();
+        let joints = joints.iter().map(|name| ((*name).to_owned(), Motion::Revolute)).collect();
+        let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true };
+        let facts = Facts { name: "x", fmu: "x.fmu", urdf: Some(urdf), ..Facts::default() };
+        let text = draft(&ModelDescription::default(), &roles, &facts);
+        let after = |line: &str, key: &str| line.strip_prefix(key).map(str::to_owned);
+        let names = text.lines().filter_map(|line| after(line, "name = ")).skip(2);
+        let angles = text.lines().filter_map(|line| after(line, "angle = { variable = "));
+        names.zip(angles).collect()
+    }
+
+    #[test]
+    fn numbers_in_names_do_not_pair_joints_but_words_do() {
+        // The robot's own number is none of a joint; pairs by order are to be checked.
+        let variables = ["robot2.q[1]", "robot2.q[2]", "robot2.q[3]"];
+        let in_order = pairs(&variables, &["joint_1", "joint_2", "joint_3"]);
+        let expected: Vec<(String, String)> =
+            (1..=3).map(|n| (format!("\"joint_{n}\""), format!("\"robot2.q[{n}]\" }} # GUESS 0.90"))).collect();
+        assert_eq!(in_order, expected);
+        let named = pairs(&["elbow_angle", "shoulder_pan_angle"], &["shoulder_pan_joint", "elbow_joint"]);
+        assert!(
+            named[0].1.starts_with("\"shoulder_pan_angle\"") && named[1].1.starts_with("\"elbow_angle\""),
+            "{named:?}"
+        );
+    }
+}
