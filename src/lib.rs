@@ -29,7 +29,7 @@
 //! | [`cell`] | the cell file and its binding to FMU variables |
 //! | [`human`] | actions, exact place, body, arms and their reach |
 //! | [`host`] | where an FMU runs, and how its state is brought back |
-//! | [`geometry`] | shapes, distances, kinematic chains |
+//! | [`geometry`] | shapes, distances, kinematic trees |
 //! | [`fmi`] | open an FMU safely, read it, call it; useful alone |
 //! | [`standards`] | the numbers, with their sources |
 //!

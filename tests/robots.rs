@@ -189,13 +189,13 @@ fn a_cell_whose_robot_comes_from_a_urdf_has_the_same_hazards() {
         assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-6 && a.2 == b.2, "{a:?} {b:?}");
     }
     let scan = scan_json(&folder.join("out"));
-    assert_eq!(scan["subject"]["geometry"][0]["path"], "geometry/robot.urdf");
+    assert_eq!(scan["subject"]["files"][0]["path"], "geometry/robot.urdf");
     // Another robot under the same name is told.
     let changed = std::fs::read_to_string(folder.join("geometry/robot.urdf")).unwrap() + "<!-- -->\n";
     write(&folder, "geometry/robot.urdf", &changed);
     let replay = fmi_hazard(&folder).args(["replay", "out", scan["hazards"][0]["id"].as_str().unwrap()]).assert();
     let text = String::from_utf8_lossy(&replay.get_output().stderr).into_owned();
-    assert!(text.contains("robot description or mesh has changed"), "{text}");
+    assert!(text.contains("robot description, a mesh or the system of FMUs has changed"), "{text}");
 }
 
 /// Centre and its velocity of every shape over a second of the cell at rest from people.

@@ -133,7 +133,7 @@ fn a_system_of_three_fmus_has_the_hazards_of_the_one() {
         }
         let coupling = |scan: &serde_json::Value| scan["subject"]["couplings"][0].as_str().unwrap().to_owned();
         assert!(coupling(&delayed).contains("plc:stop -> controller:stop: 10 ms later"), "{}", coupling(&delayed));
-        assert_eq!(delayed["subject"]["geometry"][0]["path"], "mat.ssp");
+        assert_eq!(delayed["subject"]["files"][0]["path"], "mat.ssp");
         // As the system says: the stop acts up to a step early, and the scan says so. Every sequence that hurts then hurts
         // in the one FMU too, and no contact is more than a step away in time.
         write(&folder, "plain.toml", &cell(&folder, false));
@@ -316,7 +316,7 @@ fn units_transformations_and_parameters() {
     system(&folder, &changed, "", &[("resources/p.ssv", &values.replace("PARAMETER", second))]);
     write(&folder, "cell.toml", &cell(&folder, true));
     let opened = fmi_hazard::cell::find::open(&folder.join("cell.toml"), None).unwrap();
-    let units = fmi_hazard::cell::find::bound(&opened.fmus);
+    let units = fmi_hazard::cell::binding::BoundUnit::all(opened.fmus.iter().map(|(name, fmu)| (name, fmu)));
     let binding =
         fmi_hazard::cell::binding::bind(opened.cell.file(), &opened.source, &units, opened.wiring.as_ref()).unwrap();
     let of =
@@ -450,7 +450,7 @@ fn an_input_of_the_system_may_drive_several_variables_and_each_is_driven_once() 
     let without = toml::to_string(&table).unwrap();
     write(&folder, "both.toml", &without);
     let opened = fmi_hazard::cell::find::open(&folder.join("both.toml"), None).unwrap();
-    let units = fmi_hazard::cell::find::bound(&opened.fmus);
+    let units = fmi_hazard::cell::binding::BoundUnit::all(opened.fmus.iter().map(|(name, fmu)| (name, fmu)));
     let binding =
         fmi_hazard::cell::binding::bind(opened.cell.file(), &opened.source, &units, opened.wiring.as_ref()).unwrap();
     assert_eq!(binding.inputs.len(), 1);

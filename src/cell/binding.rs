@@ -13,10 +13,10 @@ use toml::Spanned;
 
 use super::CellError;
 use super::error::{Problems, Source};
-use super::find::Wiring;
 use super::format::{CellFile, Literal, SensorKind, SensorTable};
-use super::sensors::fail_safe;
-use crate::fmi::{Causality, FmiVersion, ModelDescription, Variable, VariableType};
+use super::sensors::polarity;
+use super::ssp::Wiring;
+use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 use crate::host::port::PortKind;
 use crate::host::system::{Connection, SystemSetup, UnitPort};
 
@@ -111,6 +111,15 @@ pub struct BoundUnit<'a> {
     pub file: String,
 }
 
+impl<'a> BoundUnit<'a> {
+    /// FMUs by their names.
+    pub fn all(units: impl IntoIterator<Item = (&'a String, &'a Fmu)>) -> Vec<Self> {
+        let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |f| f.to_string_lossy().into_owned());
+        let unit = |(name, fmu): (&'a String, &'a Fmu)| Self { name, description: fmu.description(), file: file(fmu) };
+        units.into_iter().map(unit).collect()
+    }
+}
+
 struct Binder<'a> {
     source: &'a Source,
     /// The system that the units come in.
@@ -151,7 +160,7 @@ pub fn bind(
         differentiated: Vec::new(),
         warnings: Vec::new(),
     };
-    let mut robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
+    let robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
     let mut inputs: Vec<UnitPort> = Vec::new();
     let mut sensors: Vec<Option<SensorBinding>> = Vec::new();
     for (number, sensor) in file.sensors.iter().enumerate() {
@@ -165,7 +174,7 @@ pub fn bind(
             let (one, two) = (&file.sensors[other].name, &sensor.name);
             let message = format!("sensors `{one}` and `{two}` drive one input with opposite polarity");
             let help = Some("give both the same `active`, or each an input of its own".to_owned());
-            let _ = problems.keep(Err::<(), _>(source.error(sensor.variable.span(), "here", message, help)));
+            problems.tell(source.error(sensor.variable.span(), "here", message, help));
         }
         sensors.push(binding);
     }
@@ -192,7 +201,7 @@ pub fn bind(
         if inputs.contains(port) || mirrors[..place].iter().any(|(_, other)| other == port) {
             let message = format!("`{}:{}` is driven by two things at once", units[port.unit].name, port.port.name);
             let help = "an input of the system drives it too: remove one of the two".to_owned();
-            let _ = problems.keep(Err::<(), _>(source.error(0..0, "in this file", message, Some(help))));
+            problems.tell(source.error(0..0, "in this file", message, Some(help)));
         }
     }
     let driven: Vec<UnitPort> = inputs.iter().chain(mirrors.iter().map(|(_, port)| port)).cloned().collect();
@@ -212,7 +221,7 @@ pub fn bind(
     if b.outputs.is_empty() && !file.robots.is_empty() {
         let help = "name the FMU output that moves at least one joint or frame".to_owned();
         let message = "nothing is read from the FMU: no robot could move";
-        let _ = problems.keep(Err::<(), _>(source.error(0..0, "in this file", message, Some(help))));
+        problems.tell(source.error(0..0, "in this file", message, Some(help)));
     }
     if !b.differentiated.is_empty() {
         b.warnings.push(format!(
@@ -227,8 +236,6 @@ pub fn bind(
         format!("{} {has} no unit in the FMU: taken as {si}; confirm with unit = \"{si}\"", all.join(", "))
     });
     let unitless: Vec<String> = unitless.collect();
-    // What is derived stands behind all outputs, whose number is known only now.
-    robots.iter_mut().for_each(|robot| robot.motion.settle(b.outputs.len()));
     let binding = Binding {
         parameters,
         inputs,
@@ -261,10 +268,13 @@ impl Binding {
             return Cow::Borrowed(outputs);
         }
         let mut rows = Vec::with_capacity(outputs.len() / width * self.columns());
+        let mut derived = Vec::new();
         let mut before = before.map_or(&outputs[..width], |rows| &rows[rows.len() - width..]);
         for row in outputs.chunks(width) {
             rows.extend_from_slice(row);
-            self.derived.iter().for_each(|derived| derived.append(row, before, step_s, &mut rows));
+            derived.clear();
+            self.derived.iter().for_each(|one| one.append(row, before, step_s, &mut derived));
+            rows.extend(derived.iter().rev());
             before = row;
         }
         Cow::Owned(rows)
@@ -384,9 +394,4 @@ impl<'a> Binder<'a> {
             self.warnings.push(format!("`{name}` is set to {value}, the FMU allows {low} to {high}"));
         }
     }
-}
-
-/// Value while a person is detected, as far as it is said.
-fn polarity(sensor: &SensorTable) -> Option<bool> {
-    sensor.active.or_else(|| fail_safe(sensor.variable.get_ref()))
 }

@@ -14,6 +14,8 @@ use super::validate::{Checker, Driven, Kinematics, pose};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
 
+type Result<T> = std::result::Result<T, Box<CellError>>;
+
 /// What a URDF says of a robot, with the joints of the cell file.
 pub(super) struct Described {
     pub kinematics: Kinematics,
@@ -42,117 +44,141 @@ pub struct Summary {
 /// # Errors
 /// When it is no robot description, with the line.
 pub fn summary(path: &Path) -> Result<Summary> {
-    let (folder, name) = (path.parent().unwrap_or(Path::new("")), path.file_name().unwrap_or_default());
-    let held = |name: &str, motion: &Motion| {
-        let held = if *motion == Motion::Prismatic { "held_m" } else { "held_deg" };
-        format!("[[robot.joint]]\nname = {}\n{held} = 0\n", toml::Value::String(name.to_owned()))
-    };
-    // As a cell would read it, with every joint held.
-    let cell = |joints: &[(String, Motion)], shapes: bool| {
-        let mass = "moving_mass_kg = 1\n";
-        let joints: String = joints.iter().map(|(name, motion)| held(name, motion)).collect();
-        let path = toml::Value::String(name.to_string_lossy().into_owned());
-        Source::new(
-            &path.to_string(),
-            &format!(
-                "schema = 1\nname = \"x\"\n[human]\nstart = {{ xy_m = [0, 0], heading_deg = 0 }}\n[[robot]]\nname = \"x\"\n\
-                 urdf = {path}\nurdf_shapes = {shapes}\n{mass}{joints}"
-            ),
-        )
-        .in_folder(folder)
-    };
-    let describe = |joints: &[(String, Motion)], shapes: bool| {
-        let source = cell(joints, shapes);
-        let file = super::validate::parse(&source)?;
-        let robot = file.robots[0].get_ref();
-        Checker::new(&source).described(robot, robot.urdf.as_ref().unwrap_or(&Spanned::new(0..0, String::new())))
-    };
-    let bytes = std::fs::read(path).map_err(|error| {
-        Source::new(&path.display().to_string(), "").error(0..0, "", format!("cannot read it: {error}"), None)
-    })?;
-    let urdf = urdf::read(&Source::new(&path.display().to_string(), &String::from_utf8_lossy(&bytes)))?;
-    let moving = urdf.joints.iter().filter(|joint| joint.mimic.is_none());
-    let joints: Vec<(String, Motion)> = moving.filter_map(|joint| Some((joint.name.clone(), joint.motion?))).collect();
-    let Described { moving_mass_kg, .. } = describe(&joints, false)?;
-    let unreadable = match describe(&joints, true) {
-        Ok(described) if described.shapes.is_empty() => Some("no moving link has a collision shape".to_owned()),
+    // As a cell file beside it would name it.
+    let beside = Source::new("", "").in_folder(path.parent().unwrap_or(Path::new("")));
+    let check = Checker::new(&beside);
+    let named = Spanned::new(0..0, path.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    let file = check.urdf(&named)?;
+    let tree = Tree::of(&file.urdf, Pose::IDENTITY);
+    let moving = tree.moving.iter().filter(|joint| joint.mimic.is_none());
+    let joints = moving.filter_map(|joint| Some((joint.name.clone(), joint.motion?))).collect();
+    let unreadable = match check.shapes(&file, &tree, |_| true) {
+        Ok(shapes) if shapes.is_empty() => Some("no moving link has a collision shape".to_owned()),
         Ok(_) => None,
         Err(error) => Some(error.message),
     };
-    Ok(Summary { joints, moving_mass_kg, unreadable })
+    Ok(Summary { joints, moving_mass_kg: masses(&file.urdf, &tree).ok(), unreadable })
+}
+
+/// A URDF file.
+struct UrdfFile {
+    /// As the cell file names it.
+    path: PathBuf,
+    source: Source,
+    urdf: Urdf,
+}
+
+/// Its moving joints as a tree.
+struct Tree<'a> {
+    tree: KinematicTree,
+    /// The joints of the tree.
+    moving: Vec<&'a urdf::Joint>,
+    /// For each link the joint that moves it, with where it is in that joint's frame.
+    movers: Vec<Option<(usize, Pose)>>,
+}
+
+impl<'a> Tree<'a> {
+    fn of(urdf: &'a Urdf, world_from_base: Pose) -> Self {
+        let mut tree = KinematicTree { world_from_base, joints: Vec::new() };
+        let mut moving = Vec::new();
+        // For each link the moving joint behind it, if any, and its pose in that joint's frame or the base.
+        let mut placed: Vec<(Option<usize>, Pose)> = vec![(None, Pose::IDENTITY); urdf.links.len()];
+        for joint in &urdf.joints {
+            let (parent, parent_from_link) = placed[joint.parent];
+            let parent_from_joint = parent_from_link * joint.origin;
+            placed[joint.child] = match joint.motion {
+                None => (parent, parent_from_joint),
+                Some(motion) => {
+                    tree.joints.push(Joint { parent, parent_from_joint, motion, axis: joint.axis });
+                    moving.push(joint);
+                    (Some(tree.joints.len() - 1), Pose::IDENTITY)
+                }
+            };
+        }
+        let movers = placed.into_iter().map(|(joint, pose)| joint.map(|joint| (joint, pose))).collect();
+        Self { tree, moving, movers }
+    }
+
+    /// Links that move, with the joint that moves them and where they are in its frame.
+    fn links(&self, urdf: &'a Urdf) -> impl Iterator<Item = (&'a urdf::Link, usize, Pose)> {
+        urdf.links.iter().zip(&self.movers).filter_map(|(link, mover)| mover.map(|(joint, pose)| (link, joint, pose)))
+    }
+}
+
+/// Mass of all links that move, kg; else what is told, and the links that miss a mass. Forces follow from it: part of it is
+/// worse than none.
+fn masses<'a>(urdf: &'a Urdf, tree: &Tree<'a>) -> std::result::Result<f64, (f64, Vec<&'a str>)> {
+    let total: f64 = tree.links(urdf).filter_map(|(link, ..)| link.mass_kg).sum();
+    let light = tree
+        .links(urdf)
+        .map(|(link, ..)| link)
+        .filter(|link| (link.only_seen || !link.shapes.is_empty()) && link.mass_kg.is_none_or(|kg| kg == 0.0));
+    let light: Vec<&str> = light.map(|link| link.name.as_str()).collect();
+    if total > 0.0 && light.is_empty() { Ok(total) } else { Err((total, light)) }
 }
 
 /// Edges of the prism that stands around a cylinder: at most 1 % of the radius beyond it.
 const PRISM_EDGES: u16 = 24;
 
-type Result<T> = std::result::Result<T, Box<CellError>>;
-
 impl Checker<'_> {
-    /// The robot that the URDF of `robot` describes.
-    pub(super) fn described(&self, robot: &RobotTable, named: &Spanned<String>) -> Result<Described> {
+    /// Reads the URDF that is named.
+    fn urdf(&self, named: &Spanned<String>) -> Result<UrdfFile> {
         let path = PathBuf::from(named.get_ref());
         let bytes = self.files.read(self.source.folder(), &path).map_err(|error| {
+            let message = format!("cannot read {}: {error}", path.display());
             let help = "the path is relative to the cell file".to_owned();
-            self.source.error(
-                named.span(),
-                "named here",
-                format!("cannot read {}: {error}", path.display()),
-                Some(help),
-            )
+            self.source.error(named.span(), "named here", message, Some(help))
         })?;
-        let text = String::from_utf8_lossy(&bytes);
-        let shown = self.source.folder().join(&path);
-        let source = Source::new(&shown.display().to_string(), &text);
+        let shown = self.source.folder().join(&path).display().to_string();
+        let source = Source::new(&shown, &String::from_utf8_lossy(&bytes));
         let urdf = urdf::read(&source)?;
-        self.mentioned(robot, &urdf)?;
-        let (kinematics, movers) = self.kinematics(robot, named, &urdf)?;
-        let mut shapes = Vec::new();
-        for (link, mover) in urdf.links.iter().zip(&movers) {
-            let Some((joint, joint_from_link)) = mover else { continue };
-            if !robot.urdf_shapes || robot.ignore_links.iter().any(|name| *name.get_ref() == link.name) {
-                continue;
+        Ok(UrdfFile { path, source, urdf })
+    }
+
+    /// The robot that the URDF of `robot` describes.
+    pub(super) fn described(&self, robot: &RobotTable, named: &Spanned<String>) -> Result<Described> {
+        let file = self.urdf(named)?;
+        self.mentioned(robot, &file.urdf)?;
+        let tree = Tree::of(&file.urdf, pose(&robot.base));
+        let driven = self.driven(robot, named, &tree)?;
+        let used = |link: &str| robot.urdf_shapes && robot.ignore_links.iter().all(|name| name.get_ref() != link);
+        let shapes = self.shapes(&file, &tree, used)?;
+        let moving_mass_kg = match masses(&file.urdf, &tree) {
+            Err((told, missing)) if told > 0.0 && robot.moving_mass_kg.is_none() => {
+                let message = format!("the URDF does not say how heavy {} is", missing.join(", "));
+                let help = format!(
+                    "the links with a mass add up to {told:.1} kg, which is too little: add moving_mass_kg, from the \
+                     robot's data sheet"
+                );
+                return Err(self.source.error(named.span(), "of this robot", message, Some(help)));
             }
+            other => other.ok(),
+        };
+        let links = tree.links(&file.urdf).map(|(link, joint, pose)| (link.name.clone(), (joint, pose)));
+        let joints = tree.moving.iter().enumerate().map(|(at, joint)| (joint.name.clone(), (at, Pose::IDENTITY)));
+        let places = links.chain(joints).collect();
+        Ok(Described { kinematics: Kinematics { tree: tree.tree, driven }, shapes, moving_mass_kg, places })
+    }
+
+    /// Collision shapes of the links that move and are `used`: name of the link, its joint, shape in the joint's frame.
+    fn shapes(
+        &self,
+        file: &UrdfFile,
+        tree: &Tree<'_>,
+        used: impl Fn(&str) -> bool,
+    ) -> Result<Vec<(String, usize, Solid)>> {
+        let mut shapes = Vec::new();
+        for (link, joint, joint_from_link) in tree.links(&file.urdf).filter(|(link, ..)| used(&link.name)) {
             if link.only_seen {
                 let text = "can be seen and has no collision shape: it cannot be hit";
-                self.warnings.borrow_mut().push(format!("{}: link `{}` {text}", path.display(), link.name));
+                self.warnings.borrow_mut().push(format!("{}: link `{}` {text}", file.path.display(), link.name));
             }
             for (link_from_shape, shape) in &link.shapes {
-                let solid = self.solid(shape, &path, &source)?;
-                shapes.push((link.name.clone(), *joint, solid.placed(*joint_from_link * *link_from_shape)));
+                let solid = self.solid(shape, &file.path, &file.source)?;
+                shapes.push((link.name.clone(), joint, solid.placed(joint_from_link * *link_from_shape)));
             }
         }
-        let moving: Vec<f64> = urdf
-            .links
-            .iter()
-            .zip(&movers)
-            .filter(|(_, mover)| mover.is_some())
-            .filter_map(|(link, _)| link.mass_kg)
-            .collect();
-        let total: f64 = moving.iter().sum();
-        // Forces follow from the mass: part of it is worse than none.
-        let light: Vec<&str> = urdf
-            .links
-            .iter()
-            .zip(&movers)
-            .filter(|(link, mover)| mover.is_some() && (link.only_seen || !link.shapes.is_empty()))
-            .filter(|(link, _)| link.mass_kg.is_none_or(|kg| kg == 0.0))
-            .map(|(link, _)| link.name.as_str())
-            .collect();
-        let told = total > 0.0 && light.is_empty();
-        if total > 0.0 && !told && robot.moving_mass_kg.is_none() {
-            let message = format!("the URDF does not say how heavy {} is", light.join(", "));
-            let help = format!(
-                "the links with a mass add up to {total:.1} kg, which is too little: add moving_mass_kg, from the robot's \
-                 data sheet"
-            );
-            return Err(self.source.error(named.span(), "of this robot", message, Some(help)));
-        }
-        let links = urdf.links.iter().zip(&movers);
-        let mut places: BTreeMap<String, (usize, Pose)> =
-            links.filter_map(|(link, mover)| Some((link.name.clone(), (*mover)?))).collect();
-        let moved = urdf.joints.iter().filter(|joint| joint.motion.is_some());
-        places.extend(moved.enumerate().map(|(number, joint)| (joint.name.clone(), (number, Pose::IDENTITY))));
-        Ok(Described { kinematics, shapes, moving_mass_kg: told.then_some(total), places })
+        Ok(shapes)
     }
 
     /// Whether the joints and links that the cell file names are there.
@@ -178,67 +204,50 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// The moving joints, and for each link the one that moves it, with where it is in that joint's frame.
-    #[expect(clippy::type_complexity, reason = "one place")]
-    fn kinematics(
-        &self,
-        robot: &RobotTable,
-        named: &Spanned<String>,
-        urdf: &Urdf,
-    ) -> Result<(Kinematics, Vec<Option<(usize, Pose)>>)> {
-        let mut tree = KinematicTree { world_from_base: pose(&robot.base), joints: Vec::new() };
+    /// What moves each joint of the tree: a joint of the cell file, or one that it mimics.
+    fn driven(&self, robot: &RobotTable, named: &Spanned<String>, tree: &Tree<'_>) -> Result<Vec<Driven>> {
+        let at = |name: &str| robot.joints.iter().position(|table| table.name.get_ref() == name);
         let mut driven = Vec::new();
         let mut unnamed = Vec::new();
-        // For each link the moving joint behind it, if any, and its pose in that joint's frame or the base.
-        let mut placed: Vec<(Option<usize>, Pose)> = vec![(None, Pose::IDENTITY); urdf.links.len()];
-        for joint in &urdf.joints {
-            let (parent, parent_from_link) = placed[joint.parent];
-            let parent_from_joint = parent_from_link * joint.origin;
-            let Some(motion) = joint.motion else {
-                placed[joint.child] = (parent, parent_from_joint);
-                continue;
-            };
-            placed[joint.child] = (Some(tree.joints.len()), Pose::IDENTITY);
-            tree.joints.push(Joint { parent, parent_from_joint, motion, axis: joint.axis });
-            let at = |name: &str| robot.joints.iter().position(|table| table.name.get_ref() == name);
+        for (joint, Joint { motion, .. }) in tree.moving.iter().zip(&tree.tree.joints) {
             // What the cell file says of a joint counts, also of one that follows another.
-            let found = at(&joint.name).map(|named| Driven { named, factor: 1.0, offset: 0.0 }).or_else(|| {
+            let own = at(&joint.name);
+            if let Some(table) = own.map(|own| &robot.joints[own]) {
+                self.fits(table, *motion)?;
+            }
+            let found = own.map(|named| Driven { named, factor: 1.0, offset: 0.0 }).or_else(|| {
                 let (of, factor, offset) = joint.mimic.as_ref()?;
                 Some(Driven { named: at(of)?, factor: *factor, offset: *offset })
             });
-            if let Some(table) = at(&joint.name).map(|at| &robot.joints[at]) {
-                let slides = table.position.is_some() || table.held_m.is_some();
-                if slides != (motion == Motion::Prismatic) {
-                    let (does, keys) = match motion {
-                        Motion::Revolute => ("turns", "`angle` or `held_deg`"),
-                        Motion::Prismatic => ("slides", "`position` or `held_m`"),
-                    };
-                    let message = format!("joint `{}` of the URDF {does}", joint.name);
-                    let help = format!("use {keys}");
-                    return Err(self.source.error(table.name.span(), "here", message, Some(help)));
-                }
-            }
             match found {
                 Some(one) => driven.push(one),
-                None if joint.mimic.is_none() => unnamed.push((joint.name.as_str(), motion)),
+                None if joint.mimic.is_none() => unnamed.push((joint.name.as_str(), *motion)),
                 None => {}
             }
         }
-        if let Some((name, motion)) = unnamed.first() {
-            let all: Vec<&str> = unnamed.iter().map(|(name, _)| *name).collect();
-            let message = format!("nothing says where joint{} {} of the URDF are", plural(&all), all.join(", "));
-            let (by, held) = match motion {
-                Motion::Revolute => ("angle", "held_deg = 0"),
-                Motion::Prismatic => ("position", "held_m = 0"),
-            };
-            let help = format!(
-                "add [[robot.joint]] with name = \"{name}\" and {by} = {{ variable = \"...\" }}, or {held} if it never \
-                 moves"
-            );
-            return Err(self.source.error(named.span(), "of this robot", message, Some(help)));
-        }
-        let movers = placed.into_iter().map(|(joint, pose)| joint.map(|joint| (joint, pose))).collect();
-        Ok((Kinematics { tree, driven }, movers))
+        let Some((name, motion)) = unnamed.first() else { return Ok(driven) };
+        let all: Vec<&str> = unnamed.iter().map(|(name, _)| *name).collect();
+        let message = format!("nothing says where joint{} {} of the URDF are", plural(&all), all.join(", "));
+        let (by, held) = match motion {
+            Motion::Revolute => ("angle", "held_deg = 0"),
+            Motion::Prismatic => ("position", "held_m = 0"),
+        };
+        let help = format!(
+            "add [[robot.joint]] with name = \"{name}\" and {by} = {{ variable = \"...\" }}, or {held} if it never moves"
+        );
+        Err(self.source.error(named.span(), "of this robot", message, Some(help)))
+    }
+
+    /// Whether a joint's keys are those of how it moves.
+    fn fits(&self, table: &JointTable, motion: Motion) -> Result<()> {
+        let slides = table.position.is_some() || table.held_m.is_some();
+        let (does, keys) = match motion {
+            Motion::Revolute => ("turns", "`angle` or `held_deg`"),
+            Motion::Prismatic => ("slides", "`position` or `held_m`"),
+        };
+        self.that(slides == (motion == Motion::Prismatic), table.name.span(), || {
+            (format!("joint `{}` of the URDF {does}", table.name.get_ref()), format!("use {keys}"))
+        })
     }
 
     fn solid(&self, shape: &Shape, urdf: &Path, source: &Source) -> Result<Solid> {

@@ -59,12 +59,12 @@ pub fn draft(description: &ModelDescription, roles: &[Guess], facts: &Facts<'_>)
     let mut out = Out(String::new());
     out.line("#:schema ./cell.schema.json");
     out.line(&format!(
-        "# The cell around {}. `# GUESS 0.62`: from names and units, 1 is sure; check it and remove the word.",
+        "# The cell around {}. GUESS 0.62: from names and units, 1 is sure; check it and remove the word.",
         facts.fmu
     ));
-    out.line(&format!(
-        "# `{TODO}`: fill it in. Then: fmi-hazard check <this file>. World: z up, floor at z = 0, metres."
-    ));
+    out.line(
+        "# Fill in what is marked as to do. Then: fmi-hazard check <this file>. World: z up, floor at z = 0, metres.",
+    );
     out.line("schema = 1");
     out.line(&format!("name = {}", quoted(facts.name)));
     out.line(&format!("fmu = {}", quoted(facts.fmu)));

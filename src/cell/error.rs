@@ -5,8 +5,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
-use sha2::{Digest as _, Sha256};
 use thiserror::Error;
+
+use super::files::sha256;
 
 /// A problem in a cell file, with its place.
 #[derive(Clone, Debug, Error, Diagnostic)]
@@ -57,6 +58,39 @@ impl CellError {
     }
 }
 
+/// Why a cell could not be opened.
+#[derive(Debug, Error, miette::Diagnostic)]
+#[non_exhaustive]
+pub enum OpenError {
+    /// The cell file is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Cell(#[from] Box<CellError>),
+    /// The FMU could not be read.
+    #[error(transparent)]
+    Fmu(#[from] crate::fmi::Error),
+    /// A file could not be read.
+    #[error("cannot read {path}: {error}")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        error: std::io::Error,
+    },
+    /// An FMU without a cell.
+    #[error("{fmu} comes without a cell file, so neither the robot's shape nor the person's start is known")]
+    #[diagnostic(help(
+        "write a cell file and scan that: `fmi-hazard examples export DIR` gives complete examples, `fmi-hazard schema` \
+         every key. Looked for: {looked}"
+    ))]
+    NoCell {
+        /// The FMU.
+        fmu: PathBuf,
+        /// Places tried.
+        looked: String,
+    },
+}
+
 /// The text of a cell file, for making errors that point into it.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -105,7 +139,7 @@ impl Source {
     /// SHA-256 of the text, lower-case hex.
     #[must_use]
     pub fn sha256(&self) -> String {
-        Sha256::digest(self.text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+        sha256(self.text.as_bytes())
     }
 
     /// Line of a place in the text, from 1.
@@ -159,7 +193,13 @@ pub(super) struct Problems(RefCell<Vec<CellError>>);
 impl Problems {
     /// The value of `result`, or nothing and its problem is remembered.
     pub(super) fn keep<T>(&self, result: Result<T, Box<CellError>>) -> Option<T> {
-        result.map_err(|problem| self.0.borrow_mut().push(*problem)).ok()
+        result.map_err(|problem| self.tell(problem)).ok()
+    }
+
+    /// Remembers a problem.
+    #[expect(clippy::boxed_local, reason = "problems are made in boxes")]
+    pub(super) fn tell(&self, problem: Box<CellError>) {
+        self.0.borrow_mut().push(*problem);
     }
 
     /// What of `results` is well; the problems of the others are remembered.

@@ -20,7 +20,7 @@ impl Files {
             return Ok(Arc::clone(bytes));
         }
         let bytes: Arc<[u8]> = std::fs::read(folder.join(&path))?.into();
-        let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        let sha256 = sha256(&bytes);
         self.0.borrow_mut().push((GeometryFile { path, sha256 }, Arc::clone(&bytes)));
         Ok(bytes)
     }
@@ -29,6 +29,11 @@ impl Files {
     pub(super) fn take(&self) -> Vec<GeometryFile> {
         self.0.take().into_iter().map(|(file, _)| file).collect()
     }
+}
+
+/// SHA-256, lower-case hex.
+pub(super) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// `path` without `.` and without detours by `..`.

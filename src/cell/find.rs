@@ -1,23 +1,17 @@
 //! Where the cell of an FMU is looked for, and reading it.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use thiserror::Error;
 use toml::Spanned;
 
 use super::binding::{BoundUnit, bind};
 use super::draft::TODO;
-use super::error::display_name;
-use super::error::{Problems, Source};
+use super::error::{OpenError, Problems, Source, display_name};
 use super::format::CellFile;
-use super::ssp::{self, Structure, is_ssp};
+use super::ssp::{self, Wiring, is_ssp};
 use super::validate::{check, parse, validate};
-use super::{CellError, Workcell};
-use crate::fmi::{Archive, Fmu};
-
-/// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
-pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
+use super::{CellError, EXTRA_FOLDER, Workcell};
+use crate::fmi::Fmu;
 
 /// A cell with its FMU opened, not loaded.
 pub struct OpenedCell {
@@ -31,21 +25,6 @@ pub struct OpenedCell {
     pub wiring: Option<Wiring>,
     /// Where the cell was found, in words.
     pub found: String,
-}
-
-/// A system of FMUs, without them.
-#[derive(Clone)]
-pub struct Wiring {
-    /// Components, connections, parameters.
-    pub structure: Structure,
-    /// The description, for messages.
-    pub source: Source,
-    /// The SSP file.
-    pub path: PathBuf,
-    /// SHA-256 of it, lower-case hex.
-    pub sha256: String,
-    /// Its files, if it is an archive: a cell file inside may name some.
-    pub archive: Option<Arc<Archive>>,
 }
 
 /// What a path to an FMU or a system gives.
@@ -71,39 +50,6 @@ impl Plants {
         };
         Ok(Self { fmus: vec![(String::new(), fmu)], wiring: None, inside })
     }
-}
-
-/// Why a cell could not be opened.
-#[derive(Debug, Error, miette::Diagnostic)]
-#[non_exhaustive]
-pub enum OpenError {
-    /// The cell file is wrong.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Cell(#[from] Box<CellError>),
-    /// The FMU could not be read.
-    #[error(transparent)]
-    Fmu(#[from] crate::fmi::Error),
-    /// A file could not be read.
-    #[error("cannot read {path}: {error}")]
-    Read {
-        /// The file.
-        path: PathBuf,
-        /// The system's reason.
-        error: std::io::Error,
-    },
-    /// An FMU without a cell.
-    #[error("{fmu} comes without a cell file, so neither the robot's shape nor the person's start is known")]
-    #[diagnostic(help(
-        "write a cell file and scan that: `fmi-hazard examples export DIR` gives complete examples, `fmi-hazard schema` \
-         every key. Looked for: {looked}"
-    ))]
-    NoCell {
-        /// The FMU.
-        fmu: PathBuf,
-        /// Places tried.
-        looked: String,
-    },
 }
 
 /// Opens a cell file, or an FMU or a system of FMUs together with its cell.
@@ -156,7 +102,7 @@ pub struct Examined {
 /// When a file cannot be read at all.
 pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> {
     let (source, own) = located(path, cell)?;
-    let lines = source.text().lines().enumerate().filter(|(_, line)| line.contains(TODO) && !line.contains("`# TODO`"));
+    let lines = source.text().lines().enumerate().filter(|(_, line)| line.contains(TODO));
     let todo = lines.map(|(number, line)| (number + 1, line.trim().to_owned())).collect();
     let problems = Problems::default();
     let Some(file) = problems.keep(parse(&source)) else {
@@ -172,21 +118,19 @@ pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> 
         }
     };
     if plants.fmus.is_empty() && named == 0 {
-        let _ = problems.keep(Err::<(), _>(no_fmu(&source)));
+        problems.tell(no_fmu(&source));
     }
     // With an FMU missing, names of its variables cannot be told from mistakes.
     if !plants.fmus.is_empty() && plants.fmus.len() >= named {
-        let _ = problems.keep(bind(&file, &source, &bound(&plants.fmus), plants.wiring.as_ref()));
+        let _ = problems.keep(bind(
+            &file,
+            &source,
+            &BoundUnit::all(plants.fmus.iter().map(|(name, fmu)| (name, fmu))),
+            plants.wiring.as_ref(),
+        ));
     }
     let _ = problems.keep(check(&source, file));
     Ok(Examined { problems: problems.take_or(()).err(), source, todo })
-}
-
-/// The FMUs as the binder sees them.
-#[must_use]
-pub fn bound(fmus: &[(String, Fmu)]) -> Vec<BoundUnit<'_>> {
-    let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    fmus.iter().map(|(name, fmu)| BoundUnit { name, description: fmu.description(), file: file(fmu) }).collect()
 }
 
 /// The cell file, and the FMUs if it was they that were named.
@@ -231,7 +175,7 @@ fn named_plants(
         } else {
             let message = format!("unit `{name}` is a system of FMUs, not an FMU");
             let help = "name the system with `fmu` alone".to_owned();
-            let _ = problems.keep(Err::<(), _>(source.error(path.span(), "named here", message, Some(help))));
+            problems.tell(source.error(path.span(), "named here", message, Some(help)));
         }
     }
     Ok(plants)

@@ -6,10 +6,15 @@
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
 //! - [`roles`]: what the variables of an FMU seem to be for
+//! - [`draft`]: a first cell file, from those roles
 //! - [`knob`]: what in a cell can be turned to make it safer
 //! - [`ssp`]: several FMUs as a system, from SSP files
-//! - `urdf`, `mesh`, `described`: robots from a URDF and their shapes from mesh files
+//! - `robots`, `sensors`: the parts of `validate` that check those
+//! - [`described`]: robots from a URDF; below it `urdf` reads the file, `mesh` the shapes
+//! - [`files`]: what a cell file names, read once and hashed; `xml`: errors that point into XML files
 //! - [`error`]: messages that point into the file
+//!
+//! `binding` and `validate` do not know each other; `find` puts them together. Nothing here runs an FMU.
 
 pub mod binding;
 pub mod described;
@@ -31,6 +36,9 @@ mod xml;
 pub use binding::Binding;
 pub use error::CellError;
 pub use validate::{Sensor, Workcell, Zone};
+
+/// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
+pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
 
 /// The JSON Schema of the cell file (draft 2020-12), for editors.
 #[must_use]

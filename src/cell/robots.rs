@@ -91,7 +91,7 @@ impl Checker<'_> {
                 ),
             };
             let error = self.source.error(table.span(), "this robot", message, Some(help.to_owned()));
-            let _ = self.problems.keep(Err::<(), _>(error));
+            self.problems.tell(error);
         }
         let (moving_mass_kg, mass_line) = mass?;
         let world_from_base = pose(&robot.base);

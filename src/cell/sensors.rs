@@ -10,10 +10,11 @@ use crate::geometry::{Cuboid, Vec3, rotation_about};
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
 
-/// The polarity that a name promises: signals of safety devices are false on demand.
-pub(super) fn fail_safe(variable: &str) -> Option<bool> {
+/// Value while a person is detected: as said, or as the name promises, because signals of safety devices are false on demand.
+pub(super) fn polarity(s: &SensorTable) -> Option<bool> {
+    let variable = s.variable.get_ref();
     let last = variable.rsplit(['.', ':', '/']).next().unwrap_or(variable);
-    (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false)
+    s.active.or_else(|| (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false))
 }
 
 impl Checker<'_> {
@@ -76,7 +77,7 @@ impl Checker<'_> {
 
     /// Value while a person is detected.
     fn active(&self, s: &SensorTable) -> Result<bool, Box<CellError>> {
-        s.active.or_else(|| fail_safe(s.variable.get_ref())).ok_or_else(|| {
+        polarity(s).ok_or_else(|| {
             let message =
                 format!("sensor `{}` does not say which value of `{}` means a person", s.name, s.variable.get_ref());
             let help = "add active = false if true means clear, as safety signals have it, or active = true; \

@@ -10,8 +10,8 @@ mod structure;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::error::{Source, display_name};
-use super::find::OpenError;
+use super::EXTRA_FOLDER;
+use super::error::{OpenError, Source, display_name};
 use crate::fmi::{Archive, Fmu};
 
 pub use parameters::Parameter;
@@ -30,6 +30,21 @@ pub struct System {
     /// A cell file that travels inside: what it is called, its text, and its folder.
     pub cell: Option<(String, String, PathBuf)>,
     /// The unpacked archive, for as long as files in it are wanted.
+    pub archive: Option<Arc<Archive>>,
+}
+
+/// A system of FMUs, without them.
+#[derive(Clone)]
+pub struct Wiring {
+    /// Components, connections, parameters.
+    pub structure: Structure,
+    /// The description, for messages.
+    pub source: Source,
+    /// The SSP file.
+    pub path: PathBuf,
+    /// SHA-256 of it, lower-case hex.
+    pub sha256: String,
+    /// Its files, if it is an archive: a cell file inside may name some.
     pub archive: Option<Arc<Archive>>,
 }
 
@@ -74,7 +89,7 @@ pub fn open(path: &Path) -> Result<System, OpenError> {
         Some(archive) => archive.sha256().to_owned(),
         None => source.sha256(),
     };
-    let own = format!("{}/cell.toml", super::find::EXTRA_FOLDER);
+    let own = format!("{}/cell.toml", EXTRA_FOLDER);
     let cell = archive.as_ref().map(|archive| archive.folder().join(&own)).filter(|cell| cell.is_file());
     let cell = match cell {
         Some(cell) => {

@@ -198,7 +198,7 @@ pub fn parse(source: &Source) -> Result<CellFile, Box<CellError>> {
             Some(rest) => text = rest,
             None => return Err(problem.and(unknown.take_or(()).err().map(|others| *others))),
         }
-        let _ = unknown.keep(Err::<(), _>(problem));
+        unknown.tell(problem);
     }
 }
 

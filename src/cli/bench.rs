@@ -118,8 +118,8 @@ fn cells(path: &Path, hosting: &HostingArguments) -> Result<(Vec<Prepared>, Opti
 
 fn render(campaigns: &[Campaign], format: Format) -> Result<String, Failure> {
     Ok(match (format, campaigns) {
-        (Format::Json, [one]) => serde_json::to_string_pretty(one).map_err(Failure::unusable)? + "\n",
-        (Format::Json, all) => serde_json::to_string_pretty(all).map_err(Failure::unusable)? + "\n",
+        (Format::Json, [one]) => output::pretty(one)?,
+        (Format::Json, all) => output::pretty(all)?,
         (Format::Csv, all) => CSV_HEADER.to_owned() + &all.iter().map(Campaign::csv).collect::<String>(),
         (Format::Md, all) => beside_the_paper(all, true),
         (Format::Table, [one]) => one.render(),

@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn render(comparisons: &[Comparison], arguments: &Arguments) -> Result<String, Failure> {
     Ok(match arguments.format {
-        Format::Json => serde_json::to_string_pretty(comparisons).map_err(Failure::unusable)? + "\n",
+        Format::Json => output::pretty(comparisons)?,
         Format::Csv => csv_header(arguments.iterations) + &comparisons.iter().map(Comparison::csv).collect::<String>(),
         Format::Md => table(comparisons, true) + "\n" + &growth_table(comparisons, true),
         Format::Table => {

@@ -34,7 +34,7 @@ pub(super) struct Arguments {
 }
 
 /// What is printed as JSON.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Told {
     problems: Vec<Problem>,
     warnings: Vec<String>,
@@ -53,32 +53,30 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let Examined { source, problems, todo } = examine(&arguments.path, arguments.cell.as_deref())?;
     let file = source.name().to_owned();
     let mut all: Vec<Problem> = problems.iter().flat_map(|first| first.each()).map(told).collect();
-    all.extend(todo.into_iter().map(|(line, text)| Problem {
-        line: Some(line),
+    let left = |(line, text): &(usize, String)| Problem {
+        line: Some(*line),
         message: format!("still to be filled in: {text}"),
         help: Some("fill it in and remove the word TODO".to_owned()),
-    }));
-    if !all.is_empty() {
-        let count = all.len();
-        match arguments.format {
-            Format::Json => {
-                print(&Told { problems: all, warnings: Vec::new(), probe: None, picture: None })?;
-            }
-            Format::Table => {
-                if let Some(error) = problems {
-                    Failure::from(error).report();
-                }
-                let todo = all.iter().filter(|problem| problem.message.starts_with("still to be filled in"));
-                let lines: String =
-                    todo.map(|p| format!("  {file}:{}: {}\n", p.line.unwrap_or_default(), p.message)).collect();
-                output::result(&format!("{lines}{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
-            }
+    };
+    let left: Vec<Problem> = todo.iter().map(left).collect();
+    if problems.is_some() || !left.is_empty() {
+        if arguments.format == Format::Json {
+            all.extend(left);
+            output::json_of(&Told { problems: all, ..Told::default() })?;
+            return Ok(UNUSABLE);
         }
+        let count = all.len() + left.len();
+        if let Some(error) = problems {
+            Failure::from(error).report();
+        }
+        let line = |p: &Problem| format!("  {file}:{}: {}\n", p.line.unwrap_or_default(), p.message);
+        let lines: String = left.iter().map(line).collect();
+        output::result(&format!("{lines}{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
         return Ok(UNUSABLE);
     }
     if arguments.no_run {
         match arguments.format {
-            Format::Json => print(&Told { problems: all, warnings: Vec::new(), probe: None, picture: None })?,
+            Format::Json => output::json_of(&Told::default())?,
             Format::Table => output::result(&format!("{file}: nothing wrong; the FMU was not run\n")),
         }
         return Ok(NO_HAZARD);
@@ -103,7 +101,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     match arguments.format {
         Format::Json => {
-            print(&Told { problems: all, warnings, probe: found.as_ref().ok().cloned(), picture: Some(picture) })?;
+            let probe = found.as_ref().ok().cloned();
+            output::json_of(&Told { warnings, probe, picture: Some(picture), ..Told::default() })?;
         }
         Format::Table => {
             output::result(&summary(&prepared, found.as_ref().ok()));
@@ -125,11 +124,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn told(error: &crate::cell::CellError) -> Problem {
     Problem { line: error.line(), message: error.message.clone(), help: error.help.clone() }
-}
-
-fn print(told: &Told) -> Result<(), Failure> {
-    output::json(&(serde_json::to_string_pretty(told).map_err(Failure::unusable)? + "\n"));
-    Ok(())
 }
 
 /// What the cell is, one line a thing.

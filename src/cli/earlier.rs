@@ -48,8 +48,8 @@ pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");
     }
-    if own.geometry != prepared.subject.geometry {
-        output::warning("a robot description or mesh has changed since the scan");
+    if own.files != prepared.subject.files {
+        output::warning("a robot description, a mesh or the system of FMUs has changed since the scan");
     }
     let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
     if hashes(&own.fmus) != hashes(&prepared.subject.fmus) {

@@ -4,7 +4,7 @@ use miette::Diagnostic;
 
 use super::output;
 use crate::cell::CellError;
-use crate::cell::find::OpenError;
+use crate::cell::error::OpenError;
 use crate::scan::{PrepareError, ScanError};
 
 /// Nothing found, or the command did what it was asked.

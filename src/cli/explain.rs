@@ -83,7 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     match arguments.format {
         Format::Table => output::result(&explanation.render()),
         Format::Json => {
-            output::json(&(serde_json::to_string_pretty(&explanation).map_err(Failure::unusable)? + "\n"));
+            output::json_of(&explanation)?;
         }
     }
     Ok(NO_HAZARD)

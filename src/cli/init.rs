@@ -64,15 +64,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     output::write_file(&path, &text)?;
     let schema = folder.join(SCHEMA);
     if !schema.exists() {
-        let json = serde_json::to_string_pretty(&json_schema()).map_err(Failure::unusable)? + "\n";
+        let json = output::pretty(&json_schema())?;
         output::write_file(&schema, &json)?;
     }
     if let Some(reason) = summary.and_then(|summary| summary.unreadable) {
         output::warning(&format!("{reason}; the cell file takes the kinematics only"));
     }
     let count = |of: &str| text.lines().filter(|line| line.contains(of)).count();
-    // The head of the file explains both words.
-    let (guesses, todos) = (count("# GUESS") - 1, count(TODO) - 1);
+    let (guesses, todos) = (count("# GUESS"), count(TODO));
     output::result(&format!("{}\n", path.display()));
     output::note(&format!(
         "   Wrote {} ({guesses} guesses to check, {todos} things to fill in). Next: edit it, then fmi-hazard check {}",

@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let inspection = Inspection::new(&fmu, &filter);
     match arguments.format {
         Format::Table => output::result(&inspection.render()),
-        Format::Json => output::json(&(serde_json::to_string_pretty(&inspection).map_err(Failure::unusable)? + "\n")),
+        Format::Json => output::json_of(&inspection)?,
     }
     for warning in fmu.warnings() {
         output::warning(&warning.to_string());
@@ -48,7 +48,7 @@ fn system(arguments: &Arguments, filter: &Filter) -> Result<u8, Failure> {
     let inspection = SystemInspection::new(&arguments.fmu, &system, components);
     match arguments.format {
         Format::Table => output::result(&inspection.render()),
-        Format::Json => output::json(&(serde_json::to_string_pretty(&inspection).map_err(Failure::unusable)? + "\n")),
+        Format::Json => output::json_of(&inspection)?,
     }
     for warning in &inspection.warnings {
         output::warning(warning);

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
 
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
@@ -68,6 +69,17 @@ pub(super) fn json(text: &str) {
         }
     }
     let _ = std::io::stdout().lock().write_all(out.as_bytes());
+}
+
+/// Anything as JSON for people to read, with a line break at its end.
+pub(super) fn pretty(what: &(impl Serialize + ?Sized)) -> Result<String, Failure> {
+    Ok(serde_json::to_string_pretty(what).map_err(Failure::unusable)? + "\n")
+}
+
+/// Prints it as JSON.
+pub(super) fn json_of(what: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
+    json(&pretty(what)?);
+    Ok(())
 }
 
 /// Prints a message for the person at the terminal.

@@ -11,7 +11,8 @@ use zip::{ZipArchive, ZipWriter};
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
-use crate::cell::find::{EXTRA_FOLDER, open};
+use crate::cell::EXTRA_FOLDER;
+use crate::cell::find::open;
 use crate::cell::ssp::is_ssp;
 
 #[derive(Debug, clap::Args)]

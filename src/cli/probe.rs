@@ -12,7 +12,8 @@ use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
 use super::selftest::setup;
-use crate::cell::find::{OpenError, open};
+use crate::cell::error::OpenError;
+use crate::cell::find::open;
 use crate::cell::roles::{Role, guess};
 use crate::fmi::Fmu;
 use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
@@ -69,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         Err(error) => return Err(error.into()),
     };
     match arguments.format {
-        Format::Json => output::json(&(serde_json::to_string_pretty(&told).map_err(Failure::unusable)? + "\n")),
+        Format::Json => output::json_of(&told)?,
         Format::Table => {
             output::result(&render(&told));
             told.warnings.iter().for_each(|warning| output::warning(warning));

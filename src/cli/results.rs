@@ -47,7 +47,7 @@ pub(super) fn assessments(path: &Path) -> Result<Assessments, Failure> {
 
 /// Writes everything that is derived from the report. Returns what stands in `scan.json`.
 pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<String, Failure> {
-    let json = serde_json::to_string_pretty(report).map_err(Failure::unusable)? + "\n";
+    let json = output::pretty(report)?;
     output::write_file(&out.join("scan.json"), &json)?;
     // The log of the search is written again with what confirmation added, in the order of scan.json.
     let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
@@ -58,10 +58,7 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     let cases = junit::render(report, context.baseline).map_err(Failure::unusable)?;
     output::write_file(&out.join("junit.xml"), &cases)?;
     let log = sarif::render(report, &cell_file(context), context.baseline);
-    output::write_file(
-        &out.join("hazards.sarif"),
-        &(serde_json::to_string_pretty(&log).map_err(Failure::unusable)? + "\n"),
-    )?;
+    output::write_file(&out.join("hazards.sarif"), &(output::pretty(&log)?))?;
     let replays = write_hazards(report, context.prepared, out)?;
     let scenery = film::scenery(context.prepared);
     let page = page::render(report, context.reproduce, context.assessments, &scenery, &replays);
@@ -103,7 +100,7 @@ pub(super) fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, ou
         "missing_protection": prepared.missing_protection,
         "fmu_printed_bytes": bytes,
     });
-    let text = serde_json::to_string_pretty(&run).map_err(Failure::unusable)? + "\n";
+    let text = output::pretty(&run)?;
     output::write_file(&out.join("run.json"), &text)?;
     if bytes > 0 {
         output::write_file(&out.join("fmu.log"), &printed)?;

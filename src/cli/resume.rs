@@ -46,7 +46,7 @@ impl Command {
 
     /// Writes it into the folder of the results.
     pub(super) fn write(&self, out: &Path) -> Result<(), Failure> {
-        let text = serde_json::to_string_pretty(self).map_err(Failure::unusable)? + "\n";
+        let text = output::pretty(self)?;
         output::write_file(&out.join(COMMAND), &text)
     }
 }
@@ -58,12 +58,12 @@ pub(super) fn journal(out: &Path, prepared: &Prepared, goes_on: bool) -> Result<
         let _ = std::fs::remove_file(&path);
     }
     let fmus: Vec<&str> = prepared.subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
-    let geometry = prepared.subject.geometry.iter().map(|file| format!(" {}", file.sha256));
+    let files = prepared.subject.files.iter().map(|file| format!(" {}", file.sha256));
     let subject = format!(
         "fmi-hazard {}, journal 1, cell {}{}, FMUs {}, told by bytes: {}",
         env!("CARGO_PKG_VERSION"),
         prepared.subject.cell_sha256,
-        geometry.collect::<String>(),
+        files.collect::<String>(),
         fmus.join(" "),
         prepared.tells_states_by_bytes()
     );

@@ -21,6 +21,7 @@ use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::terminal;
 use crate::scan::prepare::prepare_in;
+use crate::scan::probe::wrong_polarities;
 use crate::scan::run::Method;
 use crate::scan::{self, Prepared, ScanOptions, StateChoice};
 use crate::sim::journal::Journal;
@@ -58,7 +59,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let cell_path = arguments.cell.as_deref().unwrap_or(path);
     let assessments = results::assessments(cell_path)?;
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
-    prepared.try_sensors();
+    prepared.warn(wrong_polarities(&prepared));
     let baseline_path = baseline_path(arguments, cell_path, &prepared);
     let baseline = match &baseline_path {
         Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),

@@ -114,7 +114,8 @@ impl SystemSetup {
         self.connections.iter().map(|c| format!("{} -> {}: {}", name(&c.from), name(&c.to), delay(c))).collect()
     }
 
-    /// The part of one FMU: its external inputs, those that mirror others, then its connected inputs; its bound outputs, then what it passes on.
+    /// The part of one FMU: its external inputs, those that mirror others, then its connected inputs; its bound outputs, then
+    /// what it passes on.
     #[must_use]
     pub fn unit(&self, unit: usize) -> Setup {
         let own = |p: &UnitPort| p.unit == unit;

@@ -204,12 +204,12 @@ fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<
         let value = |scan: &Recorded| scan.settings.get(key).map_or_else(|| "none".to_owned(), ToString::to_string);
         tell(&format!("settings.{key}"), &value(before), &value(after));
     }
-    if before.subject.geometry != after.subject.geometry {
+    if before.subject.files != after.subject.files {
         let told = |subject: &RecordedSubject| {
-            let files = subject.geometry.iter().map(|file| format!("{} {}", file.path, short(&file.sha256)));
+            let files = subject.files.iter().map(|file| format!("{} {}", file.path, short(&file.sha256)));
             files.collect::<Vec<_>>().join(", ")
         };
-        tell("geometry files", &told(&before.subject), &told(&after.subject));
+        tell("other files", &told(&before.subject), &told(&after.subject));
     }
     if before.subject.cell_sha256 != after.subject.cell_sha256 {
         let tables = texts.map(|text| text.and_then(|text| text.parse::<toml::Table>().ok()));

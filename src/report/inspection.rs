@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::cell::find::EXTRA_FOLDER;
+use crate::cell::EXTRA_FOLDER;
 use crate::cell::roles::{Guess, Role, guess};
 use crate::cell::ssp::{Link, System};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType, printable};

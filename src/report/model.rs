@@ -88,7 +88,7 @@ pub struct Subject {
     pub cell_sha256: String,
     /// Other files that say what was scanned: the system of FMUs, robot descriptions, meshes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub geometry: Vec<FileSubject>,
+    pub files: Vec<FileSubject>,
     /// Path that was scanned, as given.
     pub path: String,
     /// The cell file, if one was named beside the path.
@@ -102,7 +102,7 @@ pub struct Subject {
 /// A file that says part of what the cell is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct FileSubject {
-    /// Relative to the cell file.
+    /// As the cell file names it; of a system of FMUs the file name.
     pub path: String,
     /// SHA-256 of the file.
     pub sha256: String,

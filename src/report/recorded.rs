@@ -36,9 +36,9 @@ pub struct RecordedSubject {
     pub cell_file: Option<PathBuf>,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
-    /// Robot descriptions and meshes.
+    /// The system of FMUs, robot descriptions, meshes.
     #[serde(default)]
-    pub geometry: Vec<FileSubject>,
+    pub files: Vec<FileSubject>,
     /// The FMUs.
     pub fmus: Vec<FmuSubject>,
 }

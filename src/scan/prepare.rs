@@ -6,10 +6,11 @@ use std::time::Duration;
 
 use thiserror::Error;
 
-use super::probe::probe;
 use crate::cell::binding::BoundUnit;
+use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
-use crate::cell::find::{OpenError, OpenedCell, Wiring, open};
+use crate::cell::find::{OpenedCell, open};
+use crate::cell::ssp::Wiring;
 use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
@@ -18,7 +19,6 @@ use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Li
 use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
-use crate::human::action::ACTION_S;
 use crate::report::model::{FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
@@ -218,7 +218,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         cell: cell.name.clone(),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
-        geometry: geometry(&cell, wiring.as_ref()),
+        files: files(&cell, wiring.as_ref()),
         path: path.display().to_string(),
         cell_file,
         fmus: subjects,
@@ -243,9 +243,9 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
 }
 
 /// The files that the cell's robots come from, and the system that its FMUs come in.
-fn geometry(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
+fn files(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
     let told = |path: &Path, sha256: &str| FileSubject { path: path.display().to_string(), sha256: sha256.to_owned() };
-    let system = wiring.map(|wiring| told(&wiring.path, &wiring.sha256));
+    let system = wiring.map(|w| told(w.path.file_name().unwrap_or_default().as_ref(), &w.sha256));
     system.into_iter().chain(cell.files.iter().map(|file| told(&file.path, &file.sha256))).collect()
 }
 
@@ -278,9 +278,7 @@ fn fit(
     fmus: &[Fmu],
     wiring: Option<&Wiring>,
 ) -> Result<Fitted, PrepareError> {
-    let file = |fmu: &Fmu| fmu.path().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let unit = |(name, fmu)| BoundUnit { name, description: Fmu::description(fmu), file: file(fmu) };
-    let units: Vec<BoundUnit<'_>> = names.iter().map(String::as_str).zip(fmus).map(unit).collect();
+    let units = BoundUnit::all(names.iter().zip(fmus));
     let binding = binding::bind(cell.file(), source, &units, wiring)?;
     let (cell, binding) = (Arc::new(cell), Arc::new(binding));
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
@@ -316,7 +314,7 @@ impl Prepared {
             subject: Subject {
                 cell: cell.name.clone(),
                 cell_sha256: cell.sha256.clone(),
-                geometry: geometry(&cell, self.wiring.as_ref()),
+                files: files(&cell, self.wiring.as_ref()),
                 ..self.subject.clone()
             },
             cell,
@@ -342,11 +340,9 @@ impl Prepared {
         system.chain(cell).chain(&self.suspicions).cloned().collect()
     }
 
-    /// Tries each sensor for as long as a sequence takes: one with the wrong polarity is among the warnings from then on. An
-    /// FMU that fails in it is left for the search to tell.
-    pub fn try_sensors(&mut self) {
-        let horizon_s = f64::from(self.cell.search.actions) * ACTION_S;
-        self.suspicions = probe(self, horizon_s).map_or_else(|_| Vec::new(), |found| found.warnings);
+    /// Adds to what the user should know.
+    pub fn warn(&mut self, warnings: Vec<String>) {
+        self.suspicions.extend(warnings);
     }
 
     /// The FMUs, not yet started, for states that are brought back as chosen.

@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::prepare::{Prepared, StateChoice};
 use crate::cell::binding::SensorBinding;
 use crate::host::{Plant, PlantError};
+use crate::human::action::ACTION_S;
 use crate::sim::World;
 use crate::sim::robot::RobotFrame;
 
@@ -205,6 +206,14 @@ pub struct Probe {
     /// Outputs of the run with nobody detected: at the start and after each step.
     #[serde(skip)]
     pub rows: Vec<f64>,
+}
+
+/// Sensors that seem to have the wrong polarity, tried for as long as a sequence takes. An FMU that fails in it is left for
+/// the search to tell.
+#[must_use]
+pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
+    let horizon_s = f64::from(prepared.cell.search.actions) * ACTION_S;
+    probe(prepared, horizon_s).map_or_else(|_| Vec::new(), |found| found.warnings)
 }
 
 /// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor reporting a person.

@@ -69,9 +69,7 @@ pub fn remedies(
     };
     let Some(own) = kind(hazard) else { return Ok(Vec::new()) };
     let at_start = at_start(&mut prepared.simulation(StateChoice::Auto, false)?)?;
-    let names = prepared.names.iter().map(String::as_str).zip(prepared.fmus.iter());
-    let units: Vec<BoundUnit<'_>> =
-        names.map(|(name, fmu)| BoundUnit { name, description: fmu.description(), file: String::new() }).collect();
+    let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: own.robot };
     let knobs = Knob::all(&prepared.cell, &text, &units, &encounter);
     let alike = known.iter().filter(|other| kind(other) == Some(own));

@@ -2,8 +2,8 @@
 //!
 //! Revolute joints cannot bring a point farther from the first of them than the lengths of the segments between add up
 //! to; the person walks at 1.6 m/s and is within a sphere around the middle of the body. So a state may be dropped when
-//! the two cannot meet in the time that is left. Where parts slide, or
-//! the FMU itself gives their poses, nothing bounds them, and nothing is dropped.
+//! the two cannot meet in the time that is left. Where parts slide, or the FMU itself
+//! gives their poses, nothing bounds them, and nothing is dropped.
 
 use crate::cell::Workcell;
 use crate::cell::validate::{Link, Robot};

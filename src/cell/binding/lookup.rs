@@ -2,6 +2,7 @@
 
 use toml::Spanned;
 
+use super::reading::Column;
 use super::{Binder, BoundUnit, Reader, named};
 use crate::cell::CellError;
 use crate::cell::error::nearest;
@@ -18,10 +19,20 @@ pub(super) enum Quantity {
     Mass,
     Length,
     Speed,
+    Duration,
     Number,
 }
 
+/// What a value in unit `a` is multiplied by for unit `b`; nothing if they are no units of one quantity.
+pub(super) fn ratio(a: &str, b: &str) -> Option<f64> {
+    let factor = |quantity: Quantity, of: &str| quantity.units().iter().find(|(name, _)| *name == of).map(|(_, f)| *f);
+    Quantity::ALL.into_iter().find_map(|quantity| Some(factor(quantity, a)? / factor(quantity, b)?))
+}
+
 impl Quantity {
+    const ALL: [Self; 7] =
+        [Self::Angle, Self::AngularSpeed, Self::Mass, Self::Length, Self::Speed, Self::Duration, Self::Number];
+
     fn units(self) -> &'static [(&'static str, f64)] {
         const DEG: f64 = std::f64::consts::PI / 180.0;
         const RPM: f64 = std::f64::consts::PI / 30.0;
@@ -29,8 +40,9 @@ impl Quantity {
             Self::Angle => &[("rad", 1.0), ("deg", DEG), ("mrad", 1e-3)],
             Self::AngularSpeed => &[("rad/s", 1.0), ("deg/s", DEG), ("rpm", RPM), ("1/min", RPM)],
             Self::Mass => &[("kg", 1.0), ("g", 1e-3)],
-            Self::Length => &[("m", 1.0), ("mm", 1e-3)],
+            Self::Length => &[("m", 1.0), ("mm", 1e-3), ("cm", 1e-2)],
             Self::Speed => &[("m/s", 1.0), ("mm/s", 1e-3)],
+            Self::Duration => &[("s", 1.0), ("ms", 1e-3)],
             Self::Number => &[("1", 1.0)],
         }
     }
@@ -209,7 +221,7 @@ impl<'a> Binder<'a> {
                 Some("`fmi-hazard inspect` lists the outputs with their types".to_owned()),
             ));
         }
-        Ok(Reader { terms: vec![(self.output(port), 1.0)], offset: 0.0 })
+        Ok(Reader::output(self.output(port), 1.0))
     }
 
     pub(super) fn reader(&mut self, table: &VariableTable, quantity: Quantity) -> Result<Reader, Box<CellError>> {
@@ -219,12 +231,12 @@ impl<'a> Binder<'a> {
             let help = Some("a coupled axis with another factor stands under `plus`".to_owned());
             return Err(self.source.error(table.variable.span(), "for this variable", message, help));
         }
-        let mut terms = vec![(self.real_output(&table.variable)?, table.sign * factor)];
+        let mut terms = vec![(Column::Output(self.real_output(&table.variable)?), table.sign * factor)];
         for (name, weight) in &table.plus {
             let name = &named(name, weight);
             let weight = weight.get_ref();
             let factor = self.factor(name, table.unit.as_ref(), quantity)?;
-            terms.push((self.real_output(name)?, weight * factor));
+            terms.push((Column::Output(self.real_output(name)?), weight * factor));
         }
         if table.offset_deg != 0.0 && !matches!(quantity, Quantity::Angle) {
             let message = "offset_deg is for angles".to_owned();

@@ -1,7 +1,6 @@
 //! What the simulation reads from the outputs of one step: linear combinations, orientations, and differences of two
 //! steps where the FMU gives no speed.
 
-use super::MotionBinding;
 use crate::geometry::{Matrix3, Rotation, Vec3};
 
 /// How a part is turned, in the base frame.
@@ -59,6 +58,7 @@ impl Derived {
         }
     }
 
+    /// Its columns in a row, from the outputs of this step and of the one before.
     pub(super) fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
         match self {
             Self::Rate { of, turns } => {
@@ -81,50 +81,48 @@ impl Derived {
 }
 
 /// The rotation of a matrix, given row by row.
-pub(super) fn from_matrix(rows: [[f64; 3]; 3]) -> Rotation {
+fn from_matrix(rows: [[f64; 3]; 3]) -> Rotation {
     Rotation::from_mat3(&Matrix3::from_cols_array_2d(&rows).transpose())
+}
+
+/// A number in a row: an output, or what is derived from outputs. The latter stand behind the outputs and are counted from the
+/// end of the row, so that outputs may still be added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    Output(usize),
+    Derived(usize),
 }
 
 /// A linear combination of bound outputs: `offset + sum(factor * output)`, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reader {
-    pub(super) terms: Vec<(usize, f64)>,
+    pub(super) terms: Vec<(Column, f64)>,
     pub(super) offset: f64,
-}
-
-/// In a term: the column is counted from the first that is derived.
-pub(super) const DERIVED: usize = 1 << 32;
-
-impl MotionBinding {
-    /// Every reader.
-    pub(super) fn readers(&mut self) -> Vec<&mut Reader> {
-        match self {
-            Self::Joints { positions, speeds } => positions.iter_mut().chain(speeds).collect(),
-            Self::Frames(frames) => {
-                frames.iter_mut().flat_map(|f| f.velocity.iter_mut().chain(&mut f.angular_velocity)).collect()
-            }
-        }
-    }
-
-    /// Puts what is derived behind so many outputs.
-    pub(super) fn settle(&mut self, outputs: usize) {
-        for (column, _) in self.readers().into_iter().flat_map(|reader| &mut reader.terms) {
-            if *column >= DERIVED {
-                *column = *column - DERIVED + outputs;
-            }
-        }
-    }
 }
 
 impl Reader {
     /// The value of a column that is derived.
     pub(super) fn derived(column: usize) -> Self {
-        Self { terms: vec![(DERIVED + column, 1.0)], offset: 0.0 }
+        Self { terms: vec![(Column::Derived(column), 1.0)], offset: 0.0 }
     }
 
-    /// The value in one row of outputs.
+    /// The value of an output, times a factor.
+    pub(super) fn output(column: usize, factor: f64) -> Self {
+        Self { terms: vec![(Column::Output(column), factor)], offset: 0.0 }
+    }
+
+    /// A value that never changes.
+    pub(super) const fn constant(offset: f64) -> Self {
+        Self { terms: Vec::new(), offset }
+    }
+
+    /// The value in one row of outputs, with what is derived from them.
     #[must_use]
-    pub fn read(&self, outputs: &[f64]) -> f64 {
-        self.terms.iter().fold(self.offset, |sum, &(i, factor)| sum + factor * outputs[i])
+    pub fn read(&self, row: &[f64]) -> f64 {
+        let value = |column: &Column| match *column {
+            Column::Output(column) => row[column],
+            Column::Derived(column) => row[row.len() - 1 - column],
+        };
+        self.terms.iter().fold(self.offset, |sum, (column, factor)| sum + factor * value(column))
     }
 }

@@ -3,7 +3,6 @@
 use toml::Spanned;
 
 use super::lookup::Quantity;
-use super::reading::DERIVED;
 use super::{Binder, Derived, FrameBinding, MotionBinding, Orientation, Reader, RobotBinding};
 use crate::cell::CellError;
 use crate::cell::format::{FrameTable, JointTable, RobotTable};
@@ -23,10 +22,10 @@ impl Binder<'_> {
         Some(RobotBinding { motion, payload: payload?, phase: problems.keep(phase)? })
     }
 
-    pub(super) fn payload(&mut self, table: &Spanned<RobotTable>) -> Result<Reader, Box<CellError>> {
+    fn payload(&mut self, table: &Spanned<RobotTable>) -> Result<Reader, Box<CellError>> {
         let robot = table.get_ref();
         match (&robot.payload_kg, &robot.payload) {
-            (Some(kg), None) => Ok(Reader { terms: Vec::new(), offset: *kg.get_ref() }),
+            (Some(kg), None) => Ok(Reader::constant(*kg.get_ref())),
             (None, Some(table)) => self.reader(table, Quantity::Mass),
             _ => {
                 let message = "the robot needs either `payload_kg` (a number) or `payload` (an FMU output)";
@@ -37,10 +36,10 @@ impl Binder<'_> {
     }
 
     /// Position and speed of a joint.
-    pub(super) fn joint(&mut self, joint: &JointTable) -> Result<(Reader, Reader), Box<CellError>> {
+    fn joint(&mut self, joint: &JointTable) -> Result<(Reader, Reader), Box<CellError>> {
         let still = joint.held_deg.map(f64::to_radians).or(joint.held_m);
         if let Some(offset) = still {
-            return Ok((Reader { terms: Vec::new(), offset }, Reader::default()));
+            return Ok((Reader::constant(offset), Reader::default()));
         }
         let (table, position, speed) = match (&joint.angle, &joint.position) {
             (Some(angle), _) => (angle, Quantity::Angle, Quantity::AngularSpeed),
@@ -54,24 +53,25 @@ impl Binder<'_> {
             None => {
                 let turns = matches!(position, Quantity::Angle);
                 self.differentiated(&format!("the speed of joint `{}`", joint.name.get_ref()));
-                self.derive(Derived::Rate { of: reader.clone(), turns })
+                let [speed] = self.derive(Derived::Rate { of: reader.clone(), turns });
+                speed
             }
         };
         Ok((reader, speed))
     }
 
-    /// Adds what is derived; a reader of its first column.
-    pub(super) fn derive(&mut self, derived: Derived) -> Reader {
-        let column = self.derived.iter().map(Derived::columns).sum();
+    /// Adds what is derived; readers of its columns.
+    fn derive<const N: usize>(&mut self, derived: Derived) -> [Reader; N] {
+        let first: usize = self.derived.iter().map(Derived::columns).sum();
         self.derived.push(derived);
-        Reader::derived(column)
+        std::array::from_fn(|column| Reader::derived(first + column))
     }
 
-    pub(super) fn differentiated(&mut self, what: &str) {
+    fn differentiated(&mut self, what: &str) {
         self.differentiated.push(what.to_owned());
     }
 
-    pub(super) fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {
+    fn frame(&mut self, frame: &FrameTable) -> Result<FrameBinding, Box<CellError>> {
         let name = frame.name.get_ref();
         let position = self.readers(&frame.position, Quantity::Length)?;
         let orientation = match (&frame.quaternion, &frame.rotation_matrix) {
@@ -87,22 +87,23 @@ impl Binder<'_> {
             self.readers(names, Quantity::Speed)?
         } else {
             self.differentiated(&format!("the velocity of frame `{name}`"));
-            position.clone().map(|of| self.derive(Derived::Rate { of, turns: false }))
+            position.clone().map(|of| {
+                let [speed] = self.derive(Derived::Rate { of, turns: false });
+                speed
+            })
         };
         let angular_velocity = match (&frame.angular_velocity, &orientation) {
             (Some(names), _) => self.readers(names, Quantity::AngularSpeed)?,
             (None, Orientation::Unknown) => std::array::from_fn(|_| Reader::default()),
             (None, _) => {
                 self.differentiated(&format!("the angular velocity of frame `{name}`"));
-                let Reader { terms, .. } = self.derive(Derived::Turning { of: orientation.clone() });
-                let first = terms[0].0 - DERIVED;
-                std::array::from_fn(|axis| Reader::derived(first + axis))
+                self.derive(Derived::Turning { of: orientation.clone() })
             }
         };
         Ok(FrameBinding { position, orientation, velocity, angular_velocity })
     }
 
-    pub(super) fn readers<const N: usize>(
+    fn readers<const N: usize>(
         &mut self,
         names: &[Spanned<String>; N],
         quantity: Quantity,
@@ -110,7 +111,7 @@ impl Binder<'_> {
         let mut readers = std::array::from_fn(|_| Reader::default());
         for (reader, name) in readers.iter_mut().zip(names) {
             let factor = self.factor(name, None, quantity)?;
-            *reader = Reader { terms: vec![(self.real_output(name)?, factor)], offset: 0.0 };
+            *reader = Reader::output(self.real_output(name)?, factor);
         }
         Ok(readers)
     }

@@ -2,10 +2,11 @@
 
 use toml::Spanned;
 
+use super::lookup::ratio;
 use super::{Binder, BoundUnit};
 use crate::cell::CellError;
-use crate::cell::find::Wiring;
 use crate::cell::format::{ConnectionTable, Literal};
+use crate::cell::ssp::Wiring;
 use crate::cell::ssp::{Link, Parameter, Structure};
 use crate::fmi::{Causality, Variable, VariableType};
 use crate::host::port::PortKind;
@@ -229,22 +230,6 @@ fn leads(connections: &[Connection], from: usize, to: usize, units: usize) -> bo
     }
     reached.contains(&to)
 }
-
-/// What a value in unit `a` is multiplied by for unit `b`; nothing if they are no units of one quantity.
-fn ratio(a: &str, b: &str) -> Option<f64> {
-    let factor = |units: &[(&str, f64)], of: &str| units.iter().find(|(name, _)| *name == of).map(|(_, f)| *f);
-    CONVERTIBLE.iter().find_map(|units| Some(factor(units, a)? / factor(units, b)?))
-}
-
-/// SI factors of units that may be converted into one another.
-const CONVERTIBLE: [&[(&str, f64)]; 6] = [
-    &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0), ("mrad", 1e-3)],
-    &[("rad/s", 1.0), ("deg/s", std::f64::consts::PI / 180.0), ("rpm", std::f64::consts::PI / 30.0)],
-    &[("m", 1.0), ("mm", 1e-3), ("cm", 1e-2)],
-    &[("m/s", 1.0), ("mm/s", 1e-3)],
-    &[("kg", 1.0), ("g", 1e-3)],
-    &[("s", 1.0), ("ms", 1e-3)],
-];
 
 #[cfg(test)]
 mod tests {
