@@ -153,6 +153,33 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
          \"plc.guard_closed\"\nactive = false\ndelay_ms = -5\n[human]",
         &["delay_ms of sensor `m` is -5", "use 0 to"],
     ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"interlocked_door\"\nzone = { line_m = [[0, 0], [0, 0]], heights_m = [0, 2] \
+         }\nvariable = \"plc.guard_closed\"\nactive = false\n[human]",
+        &["the plane of door `m` has no extent", "two ends"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"two_hand_control\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]] }\nvariable \
+         = \"plc.guard_closed\"\nactive = false\n[human]",
+        &["two-hand control `m` does not say where its buttons are", "add line_m"],
+    ),
+    (
+        "[human]",
+        "[[sensor]]\nname = \"m\"\nkind = \"two_hand_control\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]], line_m = \
+         [[0, 0.5], [1, 0.5]] }\nvariable = \"plc.guard_closed\"\nactive = false\n[human]",
+        &["goes through its operator's post", "on one side of line_m"],
+    ),
+    ("[human]", "[human]\nradii_m = { head = 1.2 }", &["radius of `head` is 1.2 m", "0.02 to 0.4 m"]),
+    ("[human]", "[human]\nradii_m = { hed = 0.1 }", &["unknown field `hed`", "did you mean `head`"]),
+    ("[human]", "[human]\nbegins_s = []", &["human.begins_s is empty", "leave it out"]),
+    ("[human]", "[human]\nbegins_s = [0, -1]", &["human.begins_s has -1", "0 to 3600 s"]),
+    (
+        "[human]",
+        "[human]\nother_starts = [{ xy_m = [0.9, 0.0], heading_deg = 90 }]",
+        &["the person's start (0.90, 0.00) m is inside an obstacle", "wrong.toml:"],
+    ),
     ("[human]", "[pose]\nx = \"plc.reset\"\n[human]", &["a Real input is needed", "inspect"]),
     ("[human]", "[pose]\nxx = \"plc.reset\"\n[human]", &["unknown variant `xx`", "did you mean"]),
     ("[human]", "[parameters]\n\"plc.reset\" = true\n[human]", &["not a parameter", "[inputs]"]),

@@ -59,7 +59,10 @@ def check_csv(folder, scan):
 
 def check_junit(folder, scan):
     suites = list(JUnitXml.fromfile(str(folder / "junit.xml")))
-    assert len(suites) == 1 and suites[0].name == scan["subject"]["cell"]
+    title, beginning = scan["subject"]["cell"], scan["subject"].get("beginning")
+    if beginning and beginning["of"] > 1:
+        title += f", beginning {beginning['number']} of {beginning['of']}"
+    assert len(suites) == 1 and suites[0].name == title
     cases = list(suites[0])
     of = lambda kind: [case for case in cases if any(isinstance(result, kind) for result in case.result)]
     failed = {case.name.split()[0] for case in of(Failure)}

@@ -292,6 +292,7 @@ impl Binding {
             connections: self.connections.clone(),
             mirrors: self.mirrors.clone(),
             step_s,
+            lead_in_steps: 0,
         }
     }
 }

@@ -9,6 +9,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use toml::Spanned;
 
+use crate::human::Radii;
+
 /// The whole file.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -389,6 +391,12 @@ pub enum SensorKind {
     /// A light curtain: fires when a part of the body or an arm passes through an upright plane (IEC 61496-2). An arm
     /// that reaches through it does so at 2.0 m/s (ISO 13855).
     LightCurtain,
+    /// The switch of a guard door (ISO 14119): fires while a part of the body or an arm is in the doorway, an upright plane.
+    /// Whoever has passed has closed the door behind them: no door tells of less.
+    InterlockedDoor,
+    /// A two-hand control (ISO 13851): fires unless the person stands at its post with both hands on it. A hand may let go
+    /// at any time; behind the plane of the buttons it is then as far as it gets at 2.0 m/s.
+    TwoHandControl,
     /// A sensor inside the FMU, which reports it with a Boolean output.
     Reported,
 }
@@ -422,16 +430,18 @@ pub struct SensorTable {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ZoneTable {
-    /// Mat and scanner field: corners of a convex or concave polygon in the floor plane, m, in order.
+    /// Mat, scanner field and post of a two-hand control: corners of a convex or concave polygon in the floor plane, m, in
+    /// order.
     #[serde(default)]
     pub polygon_m: Option<Vec<[f64; 2]>>,
-    /// Light curtain: the two ends of the plane on the floor, m.
+    /// Light curtain and door: the two ends of the plane on the floor, m. Two-hand control: the line of the buttons, seen
+    /// from above.
     #[serde(default)]
     pub line_m: Option<[[f64; 2]; 2]>,
     /// Scanner field: height above the floor, m; 0.2 unless told otherwise.
     #[serde(default)]
     pub height_m: Option<f64>,
-    /// Light curtain: from and to above the floor, m.
+    /// Light curtain and door: from and to above the floor, m.
     #[serde(default)]
     pub heights_m: Option<[f64; 2]>,
 }
@@ -467,6 +477,23 @@ pub struct HumanTable {
     /// Angle of a sideways bend, degrees.
     #[serde(default = "thirty")]
     pub bend_lateral_deg: f64,
+    /// Radii of body parts that are not those of a person of this stature.
+    #[serde(default)]
+    #[schemars(with = "Option<Radii>")]
+    pub radii_m: Option<Spanned<Radii>>,
+    /// Further starts; each is searched by itself.
+    #[serde(default)]
+    #[schemars(with = "Vec<StartTable>")]
+    pub other_starts: Vec<Spanned<StartTable>>,
+    /// When the person begins, s after the FMU's own start; each is searched by itself, from every start. So a scan does
+    /// not depend on where in its cycle the robot is. Until then the person stands at the start.
+    #[serde(default = "at_once")]
+    #[schemars(with = "Vec<f64>")]
+    pub begins_s: Spanned<Vec<f64>>,
+}
+
+fn at_once() -> Spanned<Vec<f64>> {
+    Spanned::new(0..0, vec![0.0])
 }
 
 fn p50() -> Spanned<u8> {

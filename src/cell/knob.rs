@@ -80,14 +80,15 @@ impl Knob {
         for (number, sensor) in cell.sensors.iter().enumerate() {
             match &sensor.zone {
                 Zone::Mat(_) | Zone::Field(_) => add(Turn::Wider { sensor: number }, &sensor.name, FARTHEST),
-                Zone::Curtain(plane) => {
+                Zone::Curtain(plane) | Zone::Door(plane) => {
                     add(Turn::HigherCurtain { sensor: number }, &sensor.name, FARTHEST);
                     let normal = plane.rotation * Vec3::Y;
                     let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
                     let direction = [side * normal.x, side * normal.y];
                     add(Turn::FartherCurtain { sensor: number, direction }, &sensor.name, FARTHEST);
                 }
-                Zone::Reported => {}
+                // Its operator would have to move with it.
+                Zone::TwoHand { .. } | Zone::Reported => {}
             }
         }
         for Parameter { name, value, unit, quantity, min, max } in &parameters {

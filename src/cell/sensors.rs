@@ -40,7 +40,9 @@ impl Checker<'_> {
             }
             (_, None) => {
                 let message = format!("sensor `{}` has no zone", s.name);
-                let help = Some("add zone = { polygon_m = [[x, y], ...] }, or line_m for a light curtain".to_owned());
+                let help = Some(
+                    "add zone = { polygon_m = [[x, y], ...] }, or line_m for a light curtain or a door".to_owned(),
+                );
                 return Err(self.source.error(span, "for this sensor", message, help));
             }
             (SensorKind::Mat, Some(zone)) => Zone::Mat(self.polygon(s, zone)?),
@@ -54,7 +56,13 @@ impl Checker<'_> {
                 })?;
                 Zone::Field(self.polygon(s, zone)?)
             }
-            (SensorKind::LightCurtain, Some(zone)) => Zone::Curtain(self.curtain(s, zone)?),
+            (SensorKind::LightCurtain, Some(zone)) => Zone::Curtain(self.plane(s, zone, "light curtain")?),
+            (SensorKind::InterlockedDoor, Some(zone)) => Zone::Door(self.plane(s, zone, "door")?),
+            (SensorKind::TwoHandControl, Some(zone)) => {
+                let post = self.polygon(s, zone)?;
+                let plane = self.buttons(s, zone, &post)?;
+                Zone::TwoHand { post, plane }
+            }
         };
         let delay_ms = s.delay_ms.as_ref().map_or(0.0, |d| *d.get_ref());
         self.that(delay_ms == 0.0 || zone != Zone::Reported, span.clone(), || {
@@ -96,22 +104,61 @@ impl Checker<'_> {
         Ok(polygon)
     }
 
-    fn curtain(&self, s: &SensorTable, zone: &Spanned<ZoneTable>) -> Result<Cuboid, Box<CellError>> {
-        let (Some([from, to]), Some([low, high])) = (zone.get_ref().line_m, zone.get_ref().heights_m) else {
-            let message = format!("light curtain `{}` needs `line_m` and `heights_m`", s.name);
+    fn plane(&self, s: &SensorTable, zone: &Spanned<ZoneTable>, what: &str) -> Result<Cuboid, Box<CellError>> {
+        let (Some(line), Some([low, high])) = (zone.get_ref().line_m, zone.get_ref().heights_m) else {
+            let message = format!("{what} `{}` needs `line_m` and `heights_m`", s.name);
             let help = Some("zone = { line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }".to_owned());
             return Err(self.source.error(zone.span(), "here", message, help));
         };
-        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let length = libm::hypot(dx, dy);
-        let sound = length.is_finite() && length > 0.0 && low >= 0.0 && high > low && high < 10.0;
+        let plane = upright(line, [low, high]);
+        let sound = plane.half.x.is_finite() && plane.half.x > 0.0 && low >= 0.0 && high > low && high < 10.0;
         self.that(sound, zone.span(), || {
-            (format!("the plane of light curtain `{}` has no extent", s.name), "two ends, two heights, in m".to_owned())
+            (format!("the plane of {what} `{}` has no extent", s.name), "two ends, two heights, in m".to_owned())
         })?;
-        Ok(Cuboid {
-            centre: Vec3::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (low + high)),
-            half: Vec3::new(0.5 * length, 0.0, 0.5 * (high - low)),
-            rotation: rotation_about(Vec3::Z, libm::atan2(dy, dx)),
-        })
+        Ok(plane)
+    }
+
+    /// The plane of a two-hand control's buttons: farther to all sides than an arm gets past it.
+    fn buttons(&self, s: &SensorTable, zone: &Spanned<ZoneTable>, post: &[[f64; 2]]) -> Result<Cuboid, Box<CellError>> {
+        let Some(line) = zone.get_ref().line_m else {
+            let message = format!("two-hand control `{}` does not say where its buttons are", s.name);
+            let help = "beside polygon_m, where its operator stands, add line_m: two points on the line of the buttons";
+            return Err(self.source.error(zone.span(), "here", message, Some(help.to_owned())));
+        };
+        self.that(zone.get_ref().heights_m.is_none(), zone.span(), || {
+            let message = format!("two-hand control `{}` has heights_m, which are not read", s.name);
+            (message, "remove them: hands that hold it are nowhere behind it".to_owned())
+        })?;
+        let narrow = upright(line, [0.0, 2.0 * ASIDE_M]);
+        let sound = narrow.half.x.is_finite() && narrow.half.x > 0.0;
+        self.that(sound, zone.span(), || {
+            (
+                format!("the line of two-hand control `{}` has no length", s.name),
+                "two different points, in m".to_owned(),
+            )
+        })?;
+        let side = |[x, y]: &[f64; 2]| (narrow.rotation * Vec3::Y).dot(Vec3::new(*x, *y, 0.0) - narrow.centre);
+        let one_side = post.iter().all(|p| side(p) > 0.0) || post.iter().all(|p| side(p) < 0.0);
+        self.that(one_side, zone.span(), || {
+            let message = format!("the line of two-hand control `{}` goes through its operator's post", s.name);
+            (
+                message,
+                "the buttons are in front of the operator: all corners of polygon_m on one side of line_m".to_owned(),
+            )
+        })?;
+        Ok(Cuboid { half: narrow.half.with_x(narrow.half.x + ASIDE_M), ..narrow })
+    }
+}
+
+/// How far the plane of a two-hand control goes on beside its buttons, and half its height, m: more than any arm is long.
+const ASIDE_M: f64 = 3.0;
+
+/// An upright plane over a line on the floor, m, as a box without thickness.
+fn upright([from, to]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Cuboid {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    Cuboid {
+        centre: Vec3::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (low + high)),
+        half: Vec3::new(0.5 * libm::hypot(dx, dy), 0.0, 0.5 * (high - low)),
+        rotation: rotation_about(Vec3::Z, libm::atan2(dy, dx)),
     }
 }

@@ -10,11 +10,14 @@ use toml::de::{DeTable, DeValue};
 use super::CellError;
 use super::error::{Problems, Source, meant};
 use super::files::Files;
-use super::format::{CellFile, FailOnTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex};
+use super::format::{
+    CellFile, FailOnTable, HumanTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex, StartTable,
+};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
-use crate::human::{Anthropometry, Body, Start};
+use crate::human::body::BodyError;
+use crate::human::{Anthropometry, Body, Radii, Start};
 use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
 
 /// A validated cell in SI units and radians.
@@ -45,6 +48,10 @@ pub struct Workcell {
     pub sensors: Vec<Sensor>,
     /// What of the person's pose goes to the FMU.
     pub pose: Vec<PoseQuantity>,
+    /// Where and when the person may begin; each is searched by itself.
+    pub beginnings: Vec<Beginning>,
+    /// Which of them this is about, from 0.
+    pub beginning: usize,
     /// The person's start.
     pub start: Start,
     /// The person's body.
@@ -56,6 +63,24 @@ pub struct Workcell {
     pub baseline: Option<String>,
     /// The file itself, for binding variables.
     pub(super) file: CellFile,
+}
+
+/// Where and when the person begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beginning {
+    /// Where the person stands and looks.
+    pub start: Start,
+    /// Communication steps from the FMU's own start until the person begins.
+    pub lead_in_steps: usize,
+}
+
+impl Beginning {
+    /// Time from the FMU's own start until the person begins, s.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
+    pub fn begins_s(&self, step_s: f64) -> f64 {
+        self.lead_in_steps as f64 * step_s
+    }
 }
 
 /// An FMU of the cell.
@@ -156,10 +181,31 @@ pub enum Zone {
     Mat(Vec<[f64; 2]>),
     /// A polygon on the floor, m, above which legs stand.
     Field(Vec<[f64; 2]>),
-    /// An upright plane, as a box without thickness.
+    /// The upright plane of a light curtain, as a box without thickness.
     Curtain(Cuboid),
+    /// The upright plane of a guard door, likewise.
+    Door(Cuboid),
+    /// A two-hand control.
+    TwoHand {
+        /// Polygon on the floor, m, in which its operator's feet are.
+        post: Vec<[f64; 2]>,
+        /// The upright plane through the buttons, which no hand passes that holds them.
+        plane: Cuboid,
+    },
     /// Inside the FMU.
     Reported,
+}
+
+impl Zone {
+    /// The plane that arms do not pass unseen, and for a two-hand control, where its operator stands.
+    #[must_use]
+    pub fn plane(&self) -> Option<(&Cuboid, Option<&[[f64; 2]]>)> {
+        match self {
+            Self::Curtain(plane) | Self::Door(plane) => Some((plane, None)),
+            Self::TwoHand { post, plane } => Some((plane, Some(post))),
+            Self::Mat(_) | Self::Field(_) | Self::Reported => None,
+        }
+    }
 }
 
 impl Workcell {
@@ -168,7 +214,30 @@ impl Workcell {
     pub const fn file(&self) -> &CellFile {
         &self.file
     }
+
+    /// Communication steps from the FMU's own start until the person begins.
+    #[must_use]
+    pub fn lead_in_steps(&self) -> usize {
+        self.beginnings[self.beginning].lead_in_steps
+    }
+
+    /// Time from the FMU's own start until the person begins, s.
+    #[must_use]
+    pub fn begins_s(&self) -> f64 {
+        self.beginnings[self.beginning].begins_s(self.step_s)
+    }
+
+    /// The same with another of its beginnings, which there must be.
+    #[must_use]
+    pub fn beginning_at(mut self, number: usize) -> Self {
+        self.beginning = number;
+        self.start = self.beginnings[number].start;
+        self
+    }
 }
+
+/// Latest that a person may begin, s.
+const LATEST_S: f64 = 3600.0;
 
 /// The baseline's file unless the cell names another.
 pub const BASELINE: &str = "baseline.json";
@@ -297,14 +366,11 @@ impl Checker<'_> {
         let robots = self.robots(&file);
         let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let obstacles = self.obstacles(&file);
-        let start = file.human.start.get_ref();
-        let place = [start.xy_m[0], start.xy_m[1], start.heading_deg];
-        let finite = self.problems.keep(self.finite(&place, &file.human.start.span(), "the start pose"));
-        let start = Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg);
+        let beginnings = self.beginnings(&file.human, step.map_or(0.02, |(step_s, _)| step_s));
         let body = self.problems.keep(self.body(&file));
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
-        let ((), (), ()) = (known?, finite?, budget?);
+        let ((), ()) = (known?, budget?);
         let ((step_s, steps_per_action), (robots, links)) = (step?, robots);
         Some(Workcell {
             name: file.name.clone(),
@@ -319,12 +385,42 @@ impl Checker<'_> {
             obstacles,
             sensors,
             pose: file.pose.keys().copied().collect(),
-            start,
+            start: beginnings.first()?.start,
+            beginnings,
+            beginning: 0,
             body: body?,
             search: file.search,
             baseline: baseline?,
             file,
         })
+    }
+
+    /// Every start at every time, the starts of one time together.
+    fn beginnings(&self, human: &HumanTable, step_s: f64) -> Vec<Beginning> {
+        let starts = std::iter::once(&human.start).chain(&human.other_starts);
+        let starts = self.problems.keep_all(starts.map(|table| {
+            let StartTable { xy_m: [x, y], heading_deg } = *table.get_ref();
+            self.finite(&[x, y, heading_deg], &table.span(), "the start pose")?;
+            Ok(Start::new(x, y, heading_deg))
+        }));
+        let times = &human.begins_s;
+        let none = self.that(!times.get_ref().is_empty(), times.span(), || {
+            ("human.begins_s is empty".to_owned(), "leave it out, or give [0, 1.5, 3]".to_owned())
+        });
+        let _ = self.problems.keep(none);
+        let times = self.problems.keep_all(times.get_ref().iter().map(|&time| {
+            self.that((0.0..=LATEST_S).contains(&time), times.span(), || {
+                (format!("human.begins_s has {time}"), format!("use times from 0 to {LATEST_S} s"))
+            })?;
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "checked: an hour of small steps"
+            )]
+            Ok((time / step_s).round() as usize)
+        }));
+        let at = |&lead_in_steps: &usize| starts.iter().map(move |&start| Beginning { start, lead_in_steps });
+        times.iter().flat_map(at).collect()
     }
 
     fn baseline(&self, table: &FailOnTable) -> Result<Option<String>, Box<CellError>> {
@@ -436,10 +532,14 @@ impl Checker<'_> {
             percentile,
             bend_forward_deg: h.bend_forward_deg,
             bend_lateral_deg: h.bend_lateral_deg,
+            radii_m: h.radii_m.as_ref().map_or_else(Radii::default, |radii| *radii.get_ref()),
         };
         Body::new(&measures).map_err(|e| {
-            let help = "bends of a person are between 0 and 90 degrees".to_owned();
-            self.source.error(h.start.span(), "for this person", e.to_string(), Some(help))
+            let (span, help) = match (&e, &h.radii_m) {
+                (BodyError::RadiusOutOfRange { .. }, Some(radii)) => (radii.span(), "radii are in m"),
+                _ => (h.start.span(), "bends of a person are between 0 and 90 degrees"),
+            };
+            self.source.error(span, "for this person", e.to_string(), Some(help.to_owned()))
         })
     }
 

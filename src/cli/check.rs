@@ -83,8 +83,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     let hosting = arguments.hosting.hosting()?;
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &hosting)?;
+    let others = (1..prepared.cell.beginnings.len()).map(|number| prepared.beginning(number));
+    let others = others.collect::<Result<Vec<_>, _>>()?;
     let found = probe(&prepared, RUN_S);
-    let drawn = topview::render(&picture::overview(&prepared, found.as_ref().ok()));
+    // The starts of the first time; those of others are the same.
+    let elsewhere = &others[..prepared.cell.file().human.other_starts.len()];
+    let drawn = topview::render(&picture::overview(&prepared, elsewhere, found.as_ref().ok()));
     let picture = arguments.svg.clone().unwrap_or_else(|| {
         let beside = arguments.cell.as_ref().unwrap_or(&arguments.path);
         beside.with_extension("check.svg")
@@ -155,9 +159,14 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
         lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.active));
     }
-    let [x, y] = cell.start.xy_m();
+    for beginning in &cell.beginnings {
+        let [x, y] = beginning.start.xy_m();
+        let after = beginning.begins_s(cell.step_s);
+        let after = if after > 0.0 { format!(" {after:.2} s after the FMU") } else { String::new() };
+        lines.push(format!("  person    starts at ({x:.2}, {y:.2}) m{after}"));
+    }
     lines.push(format!(
-        "  person    starts at ({x:.2}, {y:.2}) m; {} actions of 0.2 s, {:.2} m on foot at most",
+        "            {} actions of 0.2 s, {:.2} m on foot at most",
         cell.search.actions,
         0.32 * f64::from(cell.search.actions)
     ));

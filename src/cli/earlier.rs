@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::exit::Failure;
-use super::output;
+use super::{beginnings, output};
 use crate::cell::error::{Source, nearest};
 use crate::report::model::{FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
@@ -12,6 +12,11 @@ use crate::scan::{Hosting, Prepared};
 
 /// A recorded scan: its scan.json, or the folder with its results.
 pub(super) fn read(path: &Path) -> Result<Recorded, Failure> {
+    if beginnings::are_in(path) {
+        let message = format!("{} holds a scan for each of the cell's beginnings", path.display());
+        let first = path.join(beginnings::folder(1));
+        return Err(Failure::unusable_with_help(message, format!("name one of them: {}", first.display())));
+    }
     Recorded::read(path).map_err(|error| Failure::unusable_with_help(&error, error.help()))
 }
 
@@ -44,6 +49,10 @@ pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -
         Some(cell) if is_cell(cell) && !is_cell(&own.path) => prepare_in(&own.path, Some(cell), hosting)?,
         Some(other) => prepare_in(other, None, hosting)?,
         None => prepare_in(&own.path, own.cell_file.as_deref(), hosting)?,
+    };
+    let prepared = match &own.beginning {
+        Some(beginning) if beginning.number > 1 => prepared.beginning(beginning.number - 1)?,
+        _ => prepared,
     };
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");

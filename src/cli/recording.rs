@@ -32,7 +32,7 @@ pub(super) fn write(prepared: &Prepared, hazard: &Hazard, file: &Path) -> Result
     let failed = |cause| Failure::from(ScanError { cause });
     let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
     let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
-    let trace = film::trace(prepared, &watched);
+    let trace = film::trace(prepared, &watched).map_err(failed)?;
     let recording = Recording {
         hazard,
         subject: &prepared.subject,

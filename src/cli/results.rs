@@ -79,7 +79,7 @@ fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
-            if let Some(trace) = film::trace(prepared, &watched) {
+            if let Some(trace) = film::trace(prepared, &watched).map_err(failed)? {
                 let (inputs, outputs) = (trace.input_table(), trace.output_table());
                 output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
                 output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;

@@ -15,8 +15,9 @@ use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
 pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::StopAt;
-use super::{earlier, results};
+use super::{beginnings, earlier, results};
 use crate::cell::validate::BASELINE;
+use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::terminal;
@@ -60,117 +61,195 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let assessments = results::assessments(cell_path)?;
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     prepared.warn(wrong_polarities(&prepared));
-    let baseline_path = baseline_path(arguments, cell_path, &prepared);
-    let baseline = match &baseline_path {
-        Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),
-        _ => None,
+    let all = match arguments.begin {
+        Some(number) => vec![prepared.beginning(number as usize - 1)?],
+        // Each of them is looked at before any is searched: a wrong one is told at once.
+        None => (0..prepared.cell.beginnings.len()).map(|b| prepared.beginning(b)).collect::<Result<_, _>>()?,
     };
-    let baseline = baseline.as_ref();
+    let several = all.len() > 1;
+    if several && arguments.write_baseline {
+        return Err(Failure::unusable_with_help(
+            "a cell with several beginnings has a result for each of them, and no single baseline",
+            "keep the whole folder with the results, and name it with --baseline",
+        ));
+    }
     // Before anything is told: whoever reads it may interrupt.
     let stop = stop_flag();
     introduce(&prepared, arguments.state);
-    let options = ScanOptions {
-        method: arguments.method(),
-        seed: arguments.seed.unwrap_or(prepared.cell.search.seed),
-        iterations: arguments.iterations.unwrap_or(prepared.cell.search.iterations),
-        stop_at_first: arguments.stop_at == StopAt::First,
-        posture_sweep: !arguments.paper_iterations,
-        state: arguments.state,
-    };
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
-    let journal = match &command {
-        Some(command) => {
-            command.write(&out)?;
-            resume::journal(&out, &prepared, goes_on)?
-        }
-        None => Journal::default(),
-    };
-    let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
-    let iterating = !matches!(options.method, Method::Exhaustive(_));
-    let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
-    let mut logged = BTreeSet::new();
-    let mut levels = Levels::new(prepared.cell.search.actions);
-    let mut tell = |event: scan::Progress<'_>| {
-        match event {
-            scan::Progress::Working => {}
-            scan::Progress::Iteration { done, hazards } => {
-                progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
-            }
-            scan::Progress::Level { depth, done, of, hazards } => {
-                progress.finish();
-                let s = if hazards == 1 { "" } else { "s" };
-                levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
-            }
-            scan::Progress::Found(hazard) => {
-                // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
-                // hundreds; what auto found before is not told again.
-                if hazard.first_iteration > 0 {
-                    progress.line(&found(hazard));
-                }
-                if logged.insert(hazard.id.clone()) {
-                    // A full disk must not end the search: scan.json at the end reports the problem.
-                    let line = serde_json::to_string(hazard).unwrap_or_default();
-                    let _ = writeln!(log, "{line}").and_then(|()| log.flush());
-                }
-            }
-        }
-        if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let began = Instant::now();
-    let scan::Scanned { report, effort, remembered } = scan::scan_with(&prepared, options, journal, &mut tell)?;
-    let searched = began.elapsed();
-    progress.finish();
-    levels.finish();
-    let interrupted = stop.load(Ordering::Relaxed);
-    let reproduce = &arguments.reproduce(path, &options);
-    let context =
-        results::Context { prepared: &prepared, path: cell_path, reproduce, baseline, assessments: &assessments };
-    let json = results::write(&report, &context, &out)?;
-    results::write_run(&prepared, effort, remembered, &out)?;
-    let (writing, calls) = (began.elapsed() - searched, effort.steps);
-    output::detail(&format!(
-        "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",
-        searched.as_secs_f64(),
-        writing.as_secs_f64()
-    ));
-    match arguments.format {
-        Format::Json => output::json(&json),
-        Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
+    if let Some(command) = &command {
+        command.write(&out)?;
     }
-    conclude(&report, &out);
-    if let Some(baseline) = baseline {
-        against(&report, baseline);
-    }
-    if arguments.write_baseline {
-        let path = baseline_path.unwrap_or_else(|| cell_path.with_file_name(BASELINE));
-        if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
-            output::write_file(&path, &json)?;
-            output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
-        } else {
-            output::warning(&format!(
-                "{} is not written: the scan has no result to hold others against",
-                path.display()
-            ));
-        }
-    }
-    if command.is_some() {
-        if interrupted {
+    let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several };
+    let journals = command.is_some();
+    let code = if several { run.all(&all, &out, journals)? } else { run.one(&all[0], &out, journals)?.code };
+    if journals {
+        if stop.load(Ordering::Relaxed) {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         } else {
             resume::finished(&out);
         }
     }
-    Ok(code(&report, baseline, interrupted))
+    Ok(code)
 }
 
-/// The baseline: what the command line says, else what the cell says.
-fn baseline_path(arguments: &Arguments, cell_path: &Path, prepared: &Prepared) -> Option<PathBuf> {
-    let own = || prepared.cell.baseline.as_ref().map(|name| cell_path.with_file_name(name));
-    let path = arguments.baseline.clone().or_else(own)?;
-    // The folder with a scan's results, as everywhere.
-    Some(if path.is_dir() { path.join("scan.json") } else { path })
+/// One run of the command.
+struct Run<'a> {
+    arguments: &'a Arguments,
+    path: &'a Path,
+    cell_path: &'a Path,
+    assessments: &'a Assessments,
+    stop: &'a AtomicBool,
+    /// Whether it goes on with an interrupted one.
+    goes_on: bool,
+    /// Whether the cell is searched from several beginnings.
+    several: bool,
+}
+
+/// What came out of a search.
+struct Ended {
+    report: ScanReport,
+    code: u8,
+}
+
+impl Run<'_> {
+    /// One beginning after the other.
+    fn all(&self, all: &[Prepared], out: &Path, journals: bool) -> Result<u8, Failure> {
+        let mut table = beginnings::Table::begun(out, &all[0].cell.name, self.goes_on);
+        table.keep(out)?;
+        for prepared in all {
+            let number = prepared.cell.beginning + 1;
+            if table.has(number) {
+                continue;
+            }
+            if let Some(beginning) = &prepared.subject.beginning {
+                output::note(&format!("   Begins  {number} of {}: {}", all.len(), beginning.words()));
+            }
+            let own = out.join(beginnings::folder(number));
+            let Ended { report, code } = self.one(prepared, &own, journals)?;
+            if code == exit::INTERRUPTED {
+                return Ok(code);
+            }
+            if journals {
+                resume::finished(&own);
+            }
+            table.add(&report, code, out)?;
+        }
+        match self.arguments.format {
+            Format::Json => output::json_of(&table)?,
+            Format::Table => output::result(&table.render(out)),
+        }
+        Ok(table.exit_code())
+    }
+
+    /// A search from one beginning, and its results.
+    fn one(&self, prepared: &Prepared, out: &Path, journals: bool) -> Result<Ended, Failure> {
+        let Self { arguments, path, cell_path, assessments, stop, .. } = *self;
+        let baseline_path = self.baseline_path(prepared);
+        let baseline = match &baseline_path {
+            Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),
+            _ => None,
+        };
+        let baseline = baseline.as_ref();
+        let options = ScanOptions {
+            method: arguments.method(),
+            seed: arguments.seed.unwrap_or(prepared.cell.search.seed),
+            iterations: arguments.iterations.unwrap_or(prepared.cell.search.iterations),
+            stop_at_first: arguments.stop_at == StopAt::First,
+            posture_sweep: !arguments.paper_iterations,
+            state: arguments.state,
+        };
+        let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
+        std::fs::create_dir_all(out).map_err(cannot)?;
+        let journal = if journals { resume::journal(out, prepared, self.goes_on)? } else { Journal::default() };
+        let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
+        let iterating = !matches!(options.method, Method::Exhaustive(_));
+        let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
+        let mut logged = BTreeSet::new();
+        let mut levels = Levels::new(prepared.cell.search.actions);
+        let mut tell = |event: scan::Progress<'_>| {
+            match event {
+                scan::Progress::Working => {}
+                scan::Progress::Iteration { done, hazards } => {
+                    progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
+                }
+                scan::Progress::Level { depth, done, of, hazards } => {
+                    progress.finish();
+                    let s = if hazards == 1 { "" } else { "s" };
+                    levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
+                }
+                scan::Progress::Found(hazard) => {
+                    // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
+                    // hundreds; what auto found before is not told again.
+                    if hazard.first_iteration > 0 {
+                        progress.line(&found(hazard));
+                    }
+                    if logged.insert(hazard.id.clone()) {
+                        // A full disk must not end the search: scan.json at the end reports the problem.
+                        let line = serde_json::to_string(hazard).unwrap_or_default();
+                        let _ = writeln!(log, "{line}").and_then(|()| log.flush());
+                    }
+                }
+            }
+            if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let began = Instant::now();
+        let scan::Scanned { report, effort, remembered } = scan::scan_with(prepared, options, journal, &mut tell)?;
+        let searched = began.elapsed();
+        progress.finish();
+        levels.finish();
+        let interrupted = stop.load(Ordering::Relaxed);
+        let several = prepared.cell.beginnings.len() > 1;
+        let reproduce = &arguments.reproduce(path, several.then_some(prepared.cell.beginning + 1), &options);
+        let context = results::Context { prepared, path: cell_path, reproduce, baseline, assessments };
+        let json = results::write(&report, &context, out)?;
+        results::write_run(prepared, effort, remembered, out)?;
+        let (writing, calls) = (began.elapsed() - searched, effort.steps);
+        output::detail(&format!(
+            "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",
+            searched.as_secs_f64(),
+            writing.as_secs_f64()
+        ));
+        match arguments.format {
+            Format::Json if self.several => {}
+            Format::Json => output::json(&json),
+            Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
+        }
+        conclude(&report, out);
+        if let Some(baseline) = baseline {
+            against(&report, baseline);
+        }
+        if arguments.write_baseline {
+            let path = baseline_path.unwrap_or_else(|| cell_path.with_file_name(BASELINE));
+            if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
+                output::write_file(&path, &json)?;
+                output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
+            } else {
+                output::warning(&format!(
+                    "{} is not written: the scan has no result to hold others against",
+                    path.display()
+                ));
+            }
+        }
+        let code = code(&report, baseline, interrupted);
+        Ok(Ended { report, code })
+    }
+
+    /// The baseline: what the command line says, else what the cell says.
+    fn baseline_path(&self, prepared: &Prepared) -> Option<PathBuf> {
+        let own = || prepared.cell.baseline.as_ref().map(|name| self.cell_path.with_file_name(name));
+        let path = self.arguments.baseline.clone().or_else(own)?;
+        // The folder with a scan's results, as everywhere.
+        Some(if beginnings::are_in(&path) {
+            path.join(beginnings::folder(prepared.cell.beginning + 1)).join("scan.json")
+        } else if path.is_dir() {
+            path.join("scan.json")
+        } else {
+            path
+        })
+    }
 }
 
 /// The hazards that a baseline holds.

@@ -24,9 +24,10 @@ pub(super) enum StopAt {
 }
 
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 21] = [
+const OTHERS: [&str; 22] = [
     "path",
     "cell",
+    "begin",
     "strategy",
     "seed",
     "iterations",
@@ -60,6 +61,10 @@ pub(super) struct Arguments {
     /// The cell file of an FMU that has none of its own
     #[arg(long)]
     pub(super) cell: Option<PathBuf>,
+    /// Only this one of the cell's beginnings, from 1, when it has several starts or times (default: one after the other,
+    /// each with its results in a folder of its own)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(super) begin: Option<u32>,
     /// How sequences are chosen
     #[arg(long, value_enum, default_value = "auto")]
     strategy: Choice,
@@ -171,8 +176,8 @@ impl Arguments {
     }
 
     /// The command that gives the result of `options` again. What only says how to come by it (threads, saved states,
-    /// folders) is left out.
-    pub(super) fn reproduce(&self, path: &Path, options: &ScanOptions) -> String {
+    /// folders) is left out. `beginning` is that of a cell with several.
+    pub(super) fn reproduce(&self, path: &Path, beginning: Option<usize>, options: &ScanOptions) -> String {
         let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), path.display().to_string()];
         let mut add = |option: &str, value: Option<String>| {
             words.push(option.to_owned());
@@ -180,6 +185,9 @@ impl Arguments {
         };
         if let Some(cell) = &self.cell {
             add("--cell", Some(cell.display().to_string()));
+        }
+        if let Some(number) = beginning {
+            add("--begin", Some(number.to_string()));
         }
         let strategy = self.strategy.to_possible_value().map(|value| value.get_name().to_owned());
         add("--strategy", strategy);
@@ -215,6 +223,7 @@ impl Arguments {
             path: Some(path),
             resume: None,
             cell: None,
+            begin: None,
             strategy: Choice::One(StrategyName::Hybrid),
             seed: None,
             iterations: Some(iterations),

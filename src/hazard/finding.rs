@@ -29,7 +29,8 @@ pub struct Finding {
     pub sensors: Vec<bool>,
     /// Programme phase of the robot, where the cell names one.
     pub phase: Option<i64>,
-    /// For an arm that reaches through a light curtain: how long before the contact it broke the plane, s.
+    /// For an arm that reaches through a light curtain or a door, or from a two-hand control: how long before the contact
+    /// it broke the plane or let go, s.
     pub through_curtain_s: Option<f64>,
     /// Index of the sensor of that curtain.
     pub curtain: Option<usize>,

@@ -60,6 +60,9 @@ pub struct SystemSetup {
     pub mirrors: Vec<(usize, UnitPort)>,
     /// Communication step, s.
     pub step_s: f64,
+    /// Steps with the initial inputs that come before anything else happens.
+    #[serde(default)]
+    pub lead_in_steps: usize,
 }
 
 /// Connections without delay that lead back to where they come from: nothing can be stepped first.
@@ -223,7 +226,8 @@ impl System {
         self
     }
 
-    /// Begins again at time zero, each FMU by `begin`, in the order in which they are stepped.
+    /// Begins again at time zero, each FMU by `begin`, in the order in which they are stepped; then come the steps that lead
+    /// in.
     fn begin(
         &mut self,
         begin: impl Fn(&mut InProcess) -> Result<Vec<f64>, PlantError>,
@@ -238,7 +242,11 @@ impl System {
             let given = begin(&mut self.units[unit]).map_err(|e| self.blame(unit, e))?;
             self.collect(unit, &given, &mut row);
         }
-        Ok(row)
+        if self.setup.lead_in_steps == 0 {
+            return Ok(row);
+        }
+        let rows = self.advance(self.setup.lead_in_steps, &initial.repeat(self.setup.lead_in_steps))?;
+        Ok(rows[rows.len() - row.len()..].to_vec())
     }
 
     /// Resets all FMUs and initialises them again (only the self-test trusts this).

@@ -5,6 +5,7 @@
 //! Body frames: x forward, y left, z up. The measures are those of a median man (ANSUR II, shaped as capsules; a
 //! modelling choice), and all of them scale with stature.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -142,6 +143,45 @@ impl BodyPart {
     }
 }
 
+/// Radii of body parts, m, instead of those of the median man scaled by stature: of the person who will work there, or with
+/// thick clothes. What stops a walk, and where joints are, stays as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Radii {
+    /// Head, a sphere.
+    pub head: Option<f64>,
+    /// Neck.
+    pub neck: Option<f64>,
+    /// Chest at the height of the armpits, and shoulders.
+    pub upper_chest: Option<f64>,
+    /// Chest at the height of the lower ribs.
+    pub lower_chest: Option<f64>,
+    /// Abdomen.
+    pub abdomen: Option<f64>,
+    /// Pelvis.
+    pub pelvis: Option<f64>,
+    /// Both thighs.
+    pub thigh: Option<f64>,
+    /// Both lower legs.
+    pub shank: Option<f64>,
+}
+
+impl Radii {
+    /// The radius of a part, if it is told.
+    const fn of(&self, part: BodyPart) -> Option<f64> {
+        match part {
+            BodyPart::Head => self.head,
+            BodyPart::Neck => self.neck,
+            BodyPart::UpperChest => self.upper_chest,
+            BodyPart::LowerChest => self.lower_chest,
+            BodyPart::Abdomen => self.abdomen,
+            BodyPart::Pelvis => self.pelvis,
+            BodyPart::LeftThigh | BodyPart::RightThigh => self.thigh,
+            BodyPart::LeftShank | BodyPart::RightShank => self.shank,
+        }
+    }
+}
+
 /// Whose body it is and how far it bends.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -154,12 +194,20 @@ pub struct Anthropometry {
     pub bend_forward_deg: f64,
     /// Sideways bend about the hip, degrees in 0..=90.
     pub bend_lateral_deg: f64,
+    /// Radii that are not those of the median man.
+    pub radii_m: Radii,
 }
 
 impl Default for Anthropometry {
     /// Median man, 45 degrees forward, 30 degrees sideways.
     fn default() -> Self {
-        Self { sex: Sex::Male, percentile: Percentile::P50, bend_forward_deg: 45.0, bend_lateral_deg: 30.0 }
+        Self {
+            sex: Sex::Male,
+            percentile: Percentile::P50,
+            bend_forward_deg: 45.0,
+            bend_lateral_deg: 30.0,
+            radii_m: Radii::default(),
+        }
     }
 }
 
@@ -173,6 +221,14 @@ pub enum BodyError {
         parameter: &'static str,
         /// Its value.
         degrees: f64,
+    },
+    /// A radius that no part of a body has, or no number.
+    #[error("the human's radius of `{}` is {metres} m: give one from 0.02 to 0.4 m", part.name())]
+    RadiusOutOfRange {
+        /// The part.
+        part: BodyPart,
+        /// Its value.
+        metres: f64,
     },
 }
 
@@ -194,9 +250,9 @@ impl Body {
     /// A body with these measures.
     ///
     /// # Errors
-    /// When a bend angle is outside 0 to 90 degrees.
+    /// When a bend angle is outside 0 to 90 degrees, or a radius outside 0.02 to 0.4 m.
     pub fn new(parameters: &Anthropometry) -> Result<Self, BodyError> {
-        let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg } = *parameters;
+        let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *parameters;
         for (parameter, degrees) in [("bend_forward_deg", bend_forward_deg), ("bend_lateral_deg", bend_lateral_deg)] {
             if !(0.0..=90.0).contains(&degrees) {
                 return Err(BodyError::BendOutOfRange { parameter, degrees });
@@ -204,10 +260,21 @@ impl Body {
         }
         let stature_m = measures(sex, percentile).stature_m;
         let scale = stature_m / REFERENCE_STATURE_M;
-        let capsules = BodyPart::ALL.map(|part| {
+        let mut capsules = BodyPart::ALL.map(|part| {
             let capsule = part.reference_capsule();
             Capsule { a: scale * capsule.a, b: scale * capsule.b, radius: scale * capsule.radius }
         });
+        for (part, capsule) in BodyPart::ALL.into_iter().zip(&mut capsules) {
+            let Some(metres) = radii_m.of(part) else { continue };
+            if !(0.02..=0.4).contains(&metres) {
+                return Err(BodyError::RadiusOutOfRange { part, metres });
+            }
+            capsule.radius = metres;
+            if matches!(part, BodyPart::LeftShank | BodyPart::RightShank) {
+                // Still down to the floor, and not below it.
+                capsule.a.z = metres.min(capsule.b.z);
+            }
+        }
         let bends = Posture::ALL.map(|posture| {
             BendFraction::ALL.map(|fraction| {
                 let forward = posture.forward_share() * fraction.share() * bend_forward_deg.to_radians();
@@ -260,16 +327,27 @@ impl Body {
     #[must_use]
     pub fn reach_from_one_metre(&self, arm_reach_m: f64) -> f64 {
         let hip = self.scale * HIP_PIVOT;
-        let head = self.scale * (HEAD_UP + HEAD_RADIUS);
         let shoulder = self.scale * Vec3::new(0.0, SHOULDER_OUT, SHOULDER_UP).length();
-        (hip - 1.0).abs() + head.max(shoulder + arm_reach_m).max(hip + 0.1)
+        let trunk = (hip - 1.0).abs() + self.trunk_radius().max(shoulder + arm_reach_m);
+        trunk.max(self.farthest(Vec3::Z, |part| !part.is_trunk()))
+    }
+
+    /// Radius of a sphere around the hip pivot that holds the trunk in every posture, m.
+    fn trunk_radius(&self) -> f64 {
+        self.farthest(Vec3::ZERO, BodyPart::is_trunk)
+    }
+
+    /// The farthest from `point`, in their frame, of those parts, m.
+    fn farthest(&self, point: Vec3, of: impl Fn(BodyPart) -> bool) -> f64 {
+        let parts = BodyPart::ALL.into_iter().zip(&self.capsules).filter(|(part, _)| of(*part));
+        let far = parts.map(|(_, c)| (c.a - point).length().max((c.b - point).length()) + c.radius);
+        far.fold(0.0, f64::max)
     }
 
     /// A sphere around the hip pivot that holds the trunk in every posture.
     pub(super) fn trunk_reach(&self, position: Vec3) -> Capsule {
         let hip = position + Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
-        // The head reaches farthest: the upper chest's corner is sqrt(0.40^2 + 0.08^2) + 0.13 = 0.54 away.
-        Capsule { a: hip, b: hip, radius: self.scale * (HEAD_UP + HEAD_RADIUS) }
+        Capsule { a: hip, b: hip, radius: self.trunk_radius() }
     }
 
     /// What a bend must not push into an obstacle, in the trunk frame: head, neck, chest, and the lines of the shoulders

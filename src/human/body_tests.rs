@@ -149,9 +149,43 @@ fn a_bend_that_is_no_angle_is_refused() {
 #[test]
 fn parameters_are_read_with_defaults_and_without_typing_errors() {
     let short: Anthropometry = serde_json::from_str(r#"{"sex": "female", "percentile": 5}"#).unwrap();
-    let expected =
-        Anthropometry { sex: Sex::Female, percentile: Percentile::P5, bend_forward_deg: 45.0, bend_lateral_deg: 30.0 };
+    let expected = Anthropometry { sex: Sex::Female, percentile: Percentile::P5, ..Anthropometry::default() };
     assert_eq!(short, expected);
     assert!(serde_json::from_str::<Anthropometry>(r#"{"bend_foward_deg": 30}"#).is_err());
     assert!(serde_json::from_str::<Anthropometry>(r#"{"percentile": 99}"#).is_err());
+}
+
+#[test]
+fn radii_may_be_those_of_somebody_else() {
+    let radii_m = Radii { head: Some(0.15), thigh: Some(0.11), shank: Some(0.07), ..Radii::default() };
+    let other = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap();
+    let median = body(Sex::Male, Percentile::P50);
+    let (ours, theirs) = (upright(&median), upright(&other));
+    for (part, capsule) in theirs.parts() {
+        let expected = match part {
+            BodyPart::Head => 0.15,
+            BodyPart::LeftThigh | BodyPart::RightThigh => 0.11,
+            BodyPart::LeftShank | BodyPart::RightShank => 0.07,
+            _ => ours.capsule(*part).radius,
+        };
+        assert!((capsule.radius - expected).abs() < 1e-12, "{part:?}");
+    }
+    assert!(bottom(theirs.capsule(BodyPart::LeftShank)).abs() < 1e-12);
+    assert!((top(theirs.capsule(BodyPart::LeftShank)) - top(ours.capsule(BodyPart::LeftShank)) - 0.015).abs() < 1e-3);
+    // Nothing of it is beyond the sphere that leaves out what cannot be touched, however it bends.
+    let huge = Radii { upper_chest: Some(0.4), pelvis: Some(0.4), head: Some(0.4), ..Radii::default() };
+    for radii_m in [radii_m, huge] {
+        let body = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap();
+        for posture in Posture::ALL {
+            let placed = body.placed(Vec3::ZERO, 0.3, posture, Fraction::FULL);
+            let far =
+                placed.parts().iter().map(|(_, c)| (c.a - Vec3::Z).length().max((c.b - Vec3::Z).length()) + c.radius);
+            assert!(far.fold(0.0, f64::max) <= body.reach_from_one_metre(0.0) + 1e-12, "{posture:?}");
+        }
+    }
+    for metres in [0.0, 0.5, f64::NAN] {
+        let radii_m = Radii { neck: Some(metres), ..Radii::default() };
+        let error = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap_err();
+        assert!(error.to_string().contains("`neck`"), "{error}");
+    }
 }

@@ -20,7 +20,7 @@ pub mod shoulder;
 pub mod walk;
 
 pub use action::{Action, Posture, Walk};
-pub use body::{Anthropometry, Body, BodyPart, Side};
+pub use body::{Anthropometry, Body, BodyPart, Radii, Side};
 pub use place::{Place, Start};
 pub use placed::PlacedBody;
 pub use posture::BendFraction;

@@ -54,7 +54,7 @@ pub fn table(report: &ScanReport, assessments: &Assessments) -> Result<String, :
         let person = assessments.get(&hazard.id).cloned().unwrap_or_default();
         let row: [String; COLUMNS.len()] = [
             hazard.id.clone(),
-            report.subject.cell.clone(),
+            report.subject.title(),
             hazard.sentence(),
             hazard.robot_link.clone(),
             hazard.body_region.to_string(),

@@ -17,6 +17,8 @@ pub struct Explanation {
     pub hazard: Hazard,
     /// Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
     pub start: ([f64; 2], f64),
+    /// When the person starts, s after the FMU.
+    pub begins_s: f64,
     /// Duration of an action, s.
     pub action_s: f64,
     /// What the sensors report on the way.
@@ -115,7 +117,8 @@ impl Explanation {
         );
         let mut say = |text: &str| out += &wrapped(text, "   ");
         let ([x, y], heading) = self.start;
-        say(&format!("The person starts at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, and then"));
+        let when = if self.begins_s > 0.0 { format!(" {:.2} s after the FMU,", self.begins_s) } else { String::new() };
+        say(&format!("The person starts{when} at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, and then"));
         for (from, line) in steps(&hazard.actions, self.action_s) {
             say(&format!("{from:5.2} s  {line}"));
         }
@@ -140,7 +143,8 @@ impl Explanation {
             say(&format!("That is {:.2} m outside the zone of {}.", outside.distance_m, outside.name));
         }
         if let Some(before) = hazard.through_curtain_s {
-            say(&format!("The arm broke the light curtain {before:.2} s before, on its way there."));
+            let sensor = hazard.through_curtain.as_deref().unwrap_or("the light curtain");
+            say(&format!("The arm went past {sensor} {before:.2} s before, on its way there."));
         }
         self.force(&mut out);
         self.changes(&mut out);

@@ -12,7 +12,7 @@ use super::model::{Hazard, ScanReport, Verdict};
 /// # Errors
 /// When it cannot be written as XML.
 pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String, quick_junit::SerializeError> {
-    let cell = xml(&report.subject.cell);
+    let cell = xml(&report.subject.title());
     let mut cases = Vec::new();
     for hazard in &report.hazards {
         let standing = baseline.map_or(Standing::New, |known| known.standing(hazard));

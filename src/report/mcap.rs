@@ -50,7 +50,7 @@ pub fn write(recording: &Recording<'_>, to: impl Write + Seek) -> McapResult<()>
     let about = [
         ("id", hazard.id.clone()),
         ("what", hazard.sentence()),
-        ("cell", subject.cell.clone()),
+        ("cell", subject.title()),
         ("cell_sha256", subject.cell_sha256.clone()),
         ("fmu_sha256", subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect::<Vec<_>>().join(" ")),
     ];

@@ -97,6 +97,50 @@ pub struct Subject {
     pub fmus: Vec<FmuSubject>,
     /// What the connections between them do.
     pub couplings: Vec<String>,
+    /// Which of the cell's beginnings it is, if there are several or it is not at once.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beginning: Option<BeginningSubject>,
+}
+
+impl Subject {
+    /// Name of the cell, and which of its beginnings it is if there are several.
+    #[must_use]
+    pub fn title(&self) -> String {
+        match &self.beginning {
+            Some(beginning) if beginning.of > 1 => {
+                format!("{}, beginning {} of {}", self.cell, beginning.number, beginning.of)
+            }
+            _ => self.cell.clone(),
+        }
+    }
+}
+
+/// Where and when the person begins; times of hazards count from then.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BeginningSubject {
+    /// Its number, from 1.
+    pub number: usize,
+    /// How many the cell has.
+    pub of: usize,
+    /// Where the person stands, m.
+    pub xy_m: [f64; 2],
+    /// Where the person looks, degrees from +x towards +y.
+    pub heading_deg: f64,
+    /// Time from the FMU's own start, s.
+    pub begins_s: f64,
+}
+
+impl BeginningSubject {
+    /// For people.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let [x, y] = self.xy_m;
+        let heading = self.heading_deg;
+        format!(
+            "at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, {:.2} s after the FMU's start",
+            self.begins_s
+        )
+    }
 }
 
 /// A file that says part of what the cell is.
@@ -223,10 +267,10 @@ pub struct Hazard {
     pub sensors: Vec<SensorState>,
     /// Programme phase.
     pub phase: Option<i64>,
-    /// For an arm through a light curtain: how long before the contact it broke the plane, s; the robot is where it is
-    /// when the curtain is broken then.
+    /// For an arm through a light curtain or a door, or from a two-hand control: how long before the contact it broke the
+    /// plane or let go, s; the robot is where it is when that is reported then.
     pub through_curtain_s: Option<f64>,
-    /// That light curtain.
+    /// The sensor of that.
     pub through_curtain: Option<String>,
     /// The sequence of actions; the contact happens in the last.
     pub actions: Vec<Action>,

@@ -215,9 +215,9 @@ pub const ASSUMPTIONS: [&str; 8] = [
     "Robot links and the body are simplified shapes (capsules, convex hulls) as given in the cell file; hair, clothes, \
      tools in the hand and sharp edges are not in the model.",
     "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file.",
-    "Where an arm reaches through a light curtain, the curtain is broken as long before the contact as the hand needs at \
-     2.0 m/s (ISO 13855), rounded up to whole steps; the replay and the input trace show the robot with the curtain broken \
-     then.",
+    "Where an arm reaches through a light curtain or a door, or lets go of a two-hand control, that is reported as long \
+     before the contact as the hand needs at 2.0 m/s (ISO 13855), rounded up to whole steps; the replay and the input trace \
+     show the robot as it is then. Doors are open at once, and closed again behind the person.",
     "The FMU is taken as it is: what it does not model (wear, faults of the safety system, other operating modes) is not \
      examined. No hazard found is never a proof of safety of the real workplace.",
 ];
@@ -239,7 +239,7 @@ pub fn render(
     let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
-    let title = scan.subject.cell.replace('&', "&amp;").replace('<', "&lt;");
+    let title = scan.subject.title().replace('&', "&amp;").replace('<', "&lt;");
     Ok(format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" \
          content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n\

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::model::{FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
+use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -41,6 +41,9 @@ pub struct RecordedSubject {
     pub files: Vec<FileSubject>,
     /// The FMUs.
     pub fmus: Vec<FmuSubject>,
+    /// Which of the cell's beginnings it was.
+    #[serde(default)]
+    pub beginning: Option<BeginningSubject>,
 }
 
 /// What an exhaustive search covered.

@@ -48,7 +48,7 @@ pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>)
                     ),
                 ],
             } },
-            "automationDetails": { "id": format!("fmi-hazard/{}/", report.subject.cell) },
+            "automationDetails": { "id": format!("fmi-hazard/{}/", report.subject.title()) },
             "artifacts": [{ "location": { "uri": file.uri }, "hashes": { "sha-256": report.subject.cell_sha256 } }],
             "results": report.hazards.iter().map(|hazard| result(hazard, file, baseline)).collect::<Vec<_>>(),
         }],

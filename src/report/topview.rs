@@ -26,6 +26,8 @@ pub struct Scene {
     pub robot: Vec<Vec<Part>>,
     /// The person's way, one point a step.
     pub path: Vec<Point>,
+    /// Where else the person may start.
+    pub other_starts: Vec<Point>,
     /// Body outline at the contact: capsules.
     pub body: Vec<(Point, Point, f64)>,
     /// Shoulder, elbow, wrist of the touching arm.
@@ -100,7 +102,7 @@ pub fn render(scene: &Scene) -> String {
             .chain(zones)
             .chain(robot)
             .chain(scene.reachable.iter().copied())
-            .chain(scene.path.iter().copied())
+            .chain(scene.path.iter().chain(&scene.other_starts).copied())
             .chain(scene.contact)
     };
     let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| everything().map(|p| p[axis]).fold(start, pick);
@@ -162,11 +164,12 @@ pub fn render(scene: &Scene) -> String {
         .set("stroke-dasharray", "2 5")
         .set("stroke-linecap", "round");
     document = document.add(way);
-    if let Some(&start) = scene.path.first() {
+    for (number, &start) in (1..).zip(scene.path.first().into_iter().chain(&scene.other_starts)) {
         let (x, y) = view.at(start);
+        let name = if number == 1 { "start".to_owned() } else { format!("start {number}") };
         document = document
             .add(Circle::new().set("cx", x).set("cy", y).set("r", 6).set("fill", "#2b6cb0"))
-            .add(view.label([start[0] + 0.07, start[1] - 0.03], "start", "#2b6cb0", 14.0));
+            .add(view.label([start[0] + 0.07, start[1] - 0.03], &name, "#2b6cb0", 14.0));
     }
     let body = scene.body.iter().map(|(a, b, r)| view.stroke(*a, *b, *r, "#2b6cb0", 0.35));
     document = document.add(body.fold(Group::new(), Group::add));

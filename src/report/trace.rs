@@ -1,4 +1,4 @@
-//! What an FMU gets during a hazard, as CSV that other tools simulate with (FMPy: `--input-file`), and what it answers.
+//! What an FMU gets from its own start to a hazard, as CSV that other tools simulate with (FMPy: `--input-file`), and what it answers.
 
 use super::model::Hazard;
 
@@ -15,6 +15,8 @@ pub struct Trace {
     pub given: Vec<Vec<f64>>,
     /// Outputs after each step, one row a step.
     pub answered: Vec<Vec<f64>>,
+    /// The steps before the person begins: what was given at the start of each, what was answered after it.
+    pub before: Vec<(Vec<f64>, Vec<f64>)>,
 }
 
 impl Trace {
@@ -24,7 +26,8 @@ impl Trace {
     /// Never: it is written to memory.
     pub fn input_table(&self) -> Result<String, ::csv::Error> {
         let ends = self.given.last().cloned();
-        self.table(&self.inputs, self.given.iter().cloned().chain(ends), 0)
+        let before = self.before.iter().map(|(given, _)| given);
+        self.table(&self.inputs, before.chain(&self.given).cloned().chain(ends), 0)
     }
 
     /// The outputs: a row for each step at the time at which it ends.
@@ -32,7 +35,8 @@ impl Trace {
     /// # Errors
     /// Never: it is written to memory.
     pub fn output_table(&self) -> Result<String, ::csv::Error> {
-        self.table(&self.outputs, self.answered.iter().cloned(), 1)
+        let before = self.before.iter().map(|(_, answered)| answered);
+        self.table(&self.outputs, before.chain(&self.answered).cloned(), 1)
     }
 
     fn table(

@@ -44,6 +44,7 @@ pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Optio
     Some(Explanation {
         hazard: hazard.clone(),
         start: (cell.start.xy_m(), cell.start.heading_deg()),
+        begins_s: cell.begins_s(),
         action_s: ACTION_S,
         sensors: cell.sensors.iter().enumerate().map(reports).collect(),
         outside: cell.sensors.iter().enumerate().filter_map(outside).collect(),

@@ -1,19 +1,21 @@
 //! The replays in a report: every step of a hazard's sequence; and what its FMU gets and answers.
 
+use std::sync::Arc;
+
 use super::picture;
-use super::prepare::Prepared;
+use super::prepare::{Prepared, StateChoice};
 use crate::cell::Zone;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::host::system::UnitPort;
-use crate::host::{Hosted, PlantError};
+use crate::host::{Hosted, Plant as _, PlantError};
 use crate::human::{Action, BendFraction, Posture};
 use crate::report::model::Hazard;
 use crate::report::page::{
     ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
 };
 use crate::report::trace::Trace;
-use crate::sim::Simulation;
 use crate::sim::simulation::{Instant, ReachedThrough, Watched};
+use crate::sim::{Simulation, World};
 use crate::standards::iso_13857::HAND_RADIUS_M;
 
 /// Height of mats and fields in the picture, m; the model has none.
@@ -64,12 +66,19 @@ fn obstacle(name: &str, cuboid: &Cuboid) -> Obstacle {
     }
 }
 
+/// From and to above the floor, m.
+fn span(plane: &Cuboid) -> [f64; 2] {
+    [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z]
+}
+
 /// Where a sensor sees; nothing of one inside the FMU is known.
 fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
     let (kind, z_m) = match zone {
         Zone::Mat(_) => ("mat", [0.0, FLOOR_M]),
         Zone::Field(_) => ("field", [0.0, FLOOR_M]),
-        Zone::Curtain(plane) => ("curtain", [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z]),
+        Zone::Curtain(plane) => ("curtain", span(plane)),
+        Zone::Door(plane) => ("door", span(plane)),
+        Zone::TwoHand { .. } => ("post", [0.0, FLOOR_M]),
         Zone::Reported => return None,
     };
     Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: picture::zone(zone)?, z_m })
@@ -158,18 +167,37 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
 
 /// What the FMU gets and answers in a sequence that was watched; nothing for cells of several FMUs, of which each gets
 /// what others answer.
-#[must_use]
-pub fn trace(prepared: &Prepared, watched: &Watched) -> Option<Trace> {
+///
+/// # Errors
+/// When the FMU fails before the person begins.
+pub fn trace(prepared: &Prepared, watched: &Watched) -> Result<Option<Trace>, PlantError> {
+    if prepared.fmus.len() > 1 {
+        return Ok(None);
+    }
     let binding = &prepared.binding;
     let names = |ports: &[UnitPort]| ports.iter().map(|port| port.port.name.clone()).collect();
     let rows = |values: &[f64], width: usize| values.chunks(width.max(1)).map(<[f64]>::to_vec).collect();
-    (prepared.fmus.len() == 1).then(|| Trace {
+    let before = prepared.cell.lead_in_steps();
+    let before = if before == 0 {
+        Vec::new()
+    } else {
+        let world = World::new(Arc::clone(&prepared.cell), Arc::clone(binding));
+        let given = world.initial_inputs().repeat(before);
+        let mut plant = prepared.plant_without_lead_in(StateChoice::Replay);
+        plant.restart()?;
+        let answered = plant.advance(before, &given)?;
+        let row = |values: &[f64], width: usize, step: usize| values[step * width..(step + 1) * width].to_vec();
+        let (inputs, outputs) = (binding.inputs.len(), binding.outputs.len());
+        (0..before).map(|step| (row(&given, inputs, step), row(&answered, outputs, step))).collect()
+    };
+    Ok(Some(Trace {
         step_s: prepared.cell.step_s,
         inputs: names(&binding.inputs),
         outputs: names(&binding.outputs),
         given: rows(&watched.inputs, binding.inputs.len()),
         answered: rows(&watched.outputs, binding.outputs.len()),
-    })
+        before,
+    }))
 }
 
 fn ends(capsule: &Capsule) -> [f64; 6] {

@@ -45,6 +45,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
         reachable: Vec::new(),
         robot: robot.map(|links| links.iter().map(part).collect()).collect(),
         path: until.iter().map(|instant| flat(instant.position)).collect(),
+        other_starts: Vec::new(),
         body: until[contact].body.iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
@@ -54,8 +55,8 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
 /// Where a sensor sees, from above; the plane of a light curtain as a thin strip.
 pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
     match zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) => Some(polygon.clone()),
-        Zone::Curtain(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
+        Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } => Some(polygon.clone()),
+        Zone::Curtain(plane) | Zone::Door(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
         Zone::Reported => None,
     }
 }
@@ -74,9 +75,9 @@ fn part(link: &Solid) -> Part {
 const SWEEP: usize = 60;
 
 /// The cell before any scan: obstacles, zones, what the robots sweep while nobody is detected (as `found` saw it), the
-/// person's start and all places that a sequence can lead to.
+/// person's starts (`others` are the further ones) and all places that a sequence can lead to.
 #[must_use]
-pub fn overview(prepared: &Prepared, found: Option<&Probe>) -> Scene {
+pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>) -> Scene {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let width = binding.outputs.len();
     let rows = found.map_or(&[][..], |found| &found.rows);
@@ -86,21 +87,31 @@ pub fn overview(prepared: &Prepared, found: Option<&Probe>) -> Scene {
     let mut robot: Vec<Vec<Part>> = robot.collect();
     // The last is drawn as it stands: the start.
     robot.reverse();
-    let world = World::new(Arc::clone(cell), Arc::clone(binding));
+    let world = |prepared: &Prepared| World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+    let worlds: Vec<World> = std::iter::once(prepared).chain(others).map(world).collect();
+    let mut starts = worlds.iter().map(|world| flat(world.position(&world.start())));
     Scene {
         title: format!("{}: the cell from above", cell.name),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
-        reachable: reachable(&world),
+        reachable: reachable(&worlds),
         robot,
-        path: vec![flat(world.position(&world.start()))],
+        path: starts.by_ref().take(1).collect(),
+        other_starts: starts.collect(),
         ..Scene::default()
     }
 }
 
-/// Places at the ends of actions that sequences of the cell's length can lead to.
-#[must_use]
-pub fn reachable(world: &World) -> Vec<Point> {
+/// Places at the ends of actions that sequences of the cell's length can lead to from any of its starts.
+fn reachable(worlds: &[World]) -> Vec<Point> {
+    // Headings are told apart there, and are one point here.
+    let mut points: Vec<Point> = worlds.iter().flat_map(places).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    points
+}
+
+fn places(world: &World) -> Vec<Point> {
     let mut known = BTreeSet::from([world.start()]);
     let mut last = known.clone();
     for _ in 0..world.cell.search.actions {
@@ -110,11 +121,7 @@ pub fn reachable(world: &World) -> Vec<Point> {
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();
     }
-    // Headings are told apart there, and are one point here.
-    let mut points: Vec<Point> = known.iter().map(|place| flat(world.position(place))).collect();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
-    points
+    known.iter().map(|place| flat(world.position(place))).collect()
 }
 
 fn corners(c: &Cuboid) -> impl Iterator<Item = Vec3> + '_ {

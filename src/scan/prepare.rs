@@ -19,7 +19,7 @@ use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Li
 use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
-use crate::report::model::{FileSubject, FmuSubject, Subject};
+use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
 /// Memory for saved FMU states, bytes.
@@ -80,6 +80,15 @@ pub enum PrepareError {
     #[error(transparent)]
     #[diagnostic(help("give one of its connections delay_steps = 1: its value then counts from the next step on"))]
     Coupling(#[from] AlgebraicLoop),
+    /// A beginning that the cell has not.
+    #[error("the cell has no beginning {number}")]
+    #[diagnostic(help("it has {count}: each of human.start and human.other_starts at each of human.begins_s"))]
+    NoBeginning {
+        /// From 1.
+        number: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// The FMU could not be loaded.
     #[error(transparent)]
     Load(#[from] crate::fmi::Error),
@@ -216,6 +225,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     let subjects = order.into_iter().map(subject_of).collect();
     let subject = Subject {
         cell: cell.name.clone(),
+        beginning: told_beginning(&cell),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
         files: files(&cell, wiring.as_ref()),
@@ -247,6 +257,18 @@ fn files(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
     let told = |path: &Path, sha256: &str| FileSubject { path: path.display().to_string(), sha256: sha256.to_owned() };
     let system = wiring.map(|w| told(w.path.file_name().unwrap_or_default().as_ref(), &w.sha256));
     system.into_iter().chain(cell.files.iter().map(|file| told(&file.path, &file.sha256))).collect()
+}
+
+/// Which of its beginnings a cell is about, if it has several or another than the FMU's own start.
+fn told_beginning(cell: &Workcell) -> Option<BeginningSubject> {
+    let told = cell.beginnings.len() > 1 || cell.lead_in_steps() > 0;
+    told.then(|| BeginningSubject {
+        number: cell.beginning + 1,
+        of: cell.beginnings.len(),
+        xy_m: cell.start.xy_m(),
+        heading_deg: cell.start.heading_deg(),
+        begins_s: cell.begins_s(),
+    })
 }
 
 /// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
@@ -284,6 +306,7 @@ fn fit(
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let setup = binding.setup(&names, world.initial_inputs(), cell.step_s);
+    let setup = SystemSetup { lead_in_steps: cell.lead_in_steps(), ..setup };
     let start = world.position(&world.start());
     let free_start = if world.start_is_free() {
         Ok(())
@@ -291,7 +314,10 @@ fn fit(
         let message =
             format!("the person's start ({:.2}, {:.2}) m is inside an obstacle or touches one", start.x, start.y);
         let help = "move human.start; the body needs 0.14 m of room around it".to_owned();
-        Err(PrepareError::Bind(source.error(cell.file().human.start.span(), "here", message, Some(help))))
+        let human = &cell.file().human;
+        let starts: Vec<_> = std::iter::once(&human.start).chain(&human.other_starts).collect();
+        let span = starts[cell.beginning % starts.len()].span();
+        Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
     };
     Ok(Fitted { cell, binding, setup, free_start })
 }
@@ -302,9 +328,29 @@ impl Prepared {
     /// # Errors
     /// When the text is no cell of these FMUs, or the person has no room at the start.
     pub fn changed(&self, text: &str) -> Result<Self, PrepareError> {
+        self.with(text, self.cell.beginning)
+    }
+
+    /// The same cell with another of its beginnings, from 0.
+    ///
+    /// # Errors
+    /// When there is none of that number, or the person has no room there.
+    pub fn beginning(&self, number: usize) -> Result<Self, PrepareError> {
+        let mut other = self.with(&self.text, number)?;
+        other.suspicions.clone_from(&self.suspicions);
+        Ok(other)
+    }
+
+    fn with(&self, text: &str, beginning: usize) -> Result<Self, PrepareError> {
         let found = self.found.with_text(text);
+        let cell = validate(&found)?;
+        let count = cell.beginnings.len();
+        if beginning >= count {
+            return Err(PrepareError::NoBeginning { number: beginning + 1, count });
+        }
+        let cell = cell.beginning_at(beginning);
         let Fitted { cell, binding, setup, free_start } =
-            fit(validate(&found)?, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
+            fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
         free_start?;
         let source = match &self.source {
             Source::Here { slaves, .. } => Source::Here { slaves: slaves.clone(), setup },
@@ -313,6 +359,7 @@ impl Prepared {
         Ok(Self {
             subject: Subject {
                 cell: cell.name.clone(),
+                beginning: told_beginning(&cell),
                 cell_sha256: cell.sha256.clone(),
                 files: files(&cell, self.wiring.as_ref()),
                 ..self.subject.clone()
@@ -372,6 +419,12 @@ impl Prepared {
     pub fn plant_from(&self, choice: StateChoice, inputs: &[f64]) -> Hosted {
         let with = |setup: &SystemSetup| SystemSetup { initial_inputs: inputs.to_vec(), ..setup.clone() };
         self.plant_of(choice, with)
+    }
+
+    /// The same, from the FMU's own start on: without the steps that lead in.
+    #[must_use]
+    pub fn plant_without_lead_in(&self, choice: StateChoice) -> Hosted {
+        self.plant_of(choice, |setup| SystemSetup { lead_in_steps: 0, ..setup.clone() })
     }
 
     fn keeping(&self, choice: StateChoice) -> Keeping {

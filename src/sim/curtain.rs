@@ -4,7 +4,11 @@
 //! depth p counts only if the plane was broken at least p / 2.0 s earlier (ISO 13855, K = 2000 mm/s for upper limbs).
 //! Time being counted in communication steps, a plane first reported broken `k` samples before the instant may have been
 //! passed up to `k + 1` steps before, so the hand may be up to `2.0 (k + 1) h` deep: nothing possible is excluded.
+//!
+//! A door is the same with another switch. So are the buttons of a two-hand control for the hands that let them go, but
+//! not for the rest of the body; and hands that have been free for long are held by nothing.
 
+use crate::cell::{Sensor, Workcell};
 use crate::geometry::distance::point_segment;
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::standards::iso_13855::HAND_SPEED_M_S;
@@ -16,10 +20,68 @@ const HALF_THICKNESS_M: f64 = 0.005;
 /// arm is long.
 const BEYOND_M: f64 = 3.0;
 
-/// The plane as a wall: for arms that do not break it.
-#[must_use]
-pub fn unbroken(plane: &Cuboid) -> Cuboid {
-    Cuboid { half: plane.half.with_y(HALF_THICKNESS_M), ..*plane }
+/// An upright plane that no arm passes unseen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curtain {
+    /// Index of its sensor.
+    pub sensor: usize,
+    /// Where it is, a box without thickness.
+    pub plane: Cuboid,
+    /// A point before it, from where people come, m.
+    from: Vec3,
+    /// Whether it tells of hands only: a two-hand control.
+    pub hands_only: bool,
+    /// What it closes with the guarding beside it.
+    pub closed: Closed,
+}
+
+impl Curtain {
+    /// All those of a cell, whose person begins at `start`.
+    #[must_use]
+    pub fn all(cell: &Workcell, start: Vec3, obstacles: &[Cuboid]) -> Vec<Self> {
+        let curtain = |(sensor, Sensor { zone, .. }): (usize, &Sensor)| {
+            let (plane, post) = zone.plane()?;
+            Some(Self {
+                sensor,
+                plane: *plane,
+                from: post.map_or(start, |post| Vec3::new(post[0][0], post[0][1], 0.0)),
+                hands_only: post.is_some(),
+                closed: Closed::new(plane, obstacles),
+            })
+        };
+        cell.sensors.iter().enumerate().filter_map(curtain).collect()
+    }
+
+    /// The plane as a wall: for arms that do not break it.
+    #[must_use]
+    pub fn unbroken(&self) -> Cuboid {
+        Cuboid { half: self.plane.half.with_y(HALF_THICKNESS_M), ..self.plane }
+    }
+
+    /// How deep `point` is behind the plane, m; negative before it.
+    #[must_use]
+    pub fn depth(&self, point: Vec3) -> f64 {
+        depth(&self.plane, self.from, point)
+    }
+
+    /// What lies deeper than `depth` behind the plane: out of reach in time.
+    #[must_use]
+    pub fn beyond(&self, depth: f64) -> Cuboid {
+        beyond(&self.plane, self.from, depth)
+    }
+
+    /// Whether some part of `shape` is no deeper than `depth` behind the plane.
+    #[must_use]
+    pub fn within(&self, depth: f64, shape: &Solid) -> bool {
+        let nearest = match shape {
+            Solid::Capsule(c) => self.depth(c.a).min(self.depth(c.b)) - c.radius,
+            Solid::Hull(_) => {
+                let (centre, radius) = shape.bounding_sphere();
+                self.depth(centre) - radius
+            }
+        };
+        nearest <= depth
+    }
 }
 
 /// Signed distance of a point from the plane; positive on the side of its normal.
@@ -28,8 +90,7 @@ fn side(plane: &Cuboid, point: Vec3) -> f64 {
 }
 
 /// How deep `point` is behind the plane, as seen from a person who comes from `from`, m; negative before it.
-#[must_use]
-pub fn depth(plane: &Cuboid, from: Vec3, point: Vec3) -> f64 {
+fn depth(plane: &Cuboid, from: Vec3, point: Vec3) -> f64 {
     if side(plane, from) > 0.0 { -side(plane, point) } else { side(plane, point) }
 }
 
@@ -112,8 +173,7 @@ fn span(plane: &Cuboid, obstacle: &Cuboid, low: f64, top: f64) -> Option<[f64; 2
 }
 
 /// What lies deeper than `depth` behind the plane, as seen from a person who comes from `from`: out of reach in time.
-#[must_use]
-pub fn beyond(plane: &Cuboid, from: Vec3, depth: f64) -> Cuboid {
+fn beyond(plane: &Cuboid, from: Vec3, depth: f64) -> Cuboid {
     let away = if side(plane, from) > 0.0 { -1.0 } else { 1.0 };
     let normal = plane.rotation * (Vec3::Y * away);
     Cuboid {
@@ -121,19 +181,6 @@ pub fn beyond(plane: &Cuboid, from: Vec3, depth: f64) -> Cuboid {
         half: plane.half + Vec3::splat(BEYOND_M),
         rotation: plane.rotation,
     }
-}
-
-/// Whether some part of `shape` is no deeper than `depth` behind the plane, as seen from a person who comes from `from`.
-#[must_use]
-pub fn within(plane: &Cuboid, from: Vec3, depth: f64, shape: &Solid) -> bool {
-    let nearest = match shape {
-        Solid::Capsule(c) => self::depth(plane, from, c.a).min(self::depth(plane, from, c.b)) - c.radius,
-        Solid::Hull(_) => {
-            let (centre, radius) = shape.bounding_sphere();
-            self::depth(plane, from, centre) - radius
-        }
-    };
-    nearest <= depth
 }
 
 #[cfg(test)]

@@ -231,7 +231,7 @@ impl<P: Plant> Expander<P> {
             return Ok(same);
         }
         let mut bundle = vec![Some(same)];
-        let sensors: Vec<usize> = self.world.curtains.iter().map(|(sensor, _)| *sensor).collect();
+        let sensors: Vec<usize> = self.world.curtains.iter().map(|curtain| curtain.sensor).collect();
         for sensor in sensors {
             let shadows = self.robots.remember_shadows(node, sensor)?.to_vec();
             bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));

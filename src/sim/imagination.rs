@@ -15,6 +15,7 @@ use std::convert::Infallible;
 use std::sync::Arc;
 
 use super::Coverage;
+use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, Hit, Sensed, World};
@@ -260,7 +261,7 @@ impl Imagination {
         }
         let mut key = vec![self.outputs_of(robots, node)];
         let mut certain = true;
-        for (sensor, _) in &world.curtains {
+        for Curtain { sensor, .. } in &world.curtains {
             for first in EARLIEST..world.cell.steps_per_action.cast_signed() {
                 key.push(match self.shadow(world, robots, node, *sensor, first) {
                     Shadow::Known(shadow) => self.outputs_of(robots, shadow),
@@ -298,7 +299,7 @@ impl Imagination {
         let walked = self.walk(world, person.place, action);
         let frames = robots.frames(node);
         let mut shadows = Vec::with_capacity(world.curtains.len());
-        for (sensor, _) in &world.curtains {
+        for Curtain { sensor, .. } in &world.curtains {
             let firsts = EARLIEST..world.cell.steps_per_action.cast_signed();
             let of = |first| match self.shadow(world, robots, node, *sensor, first) {
                 Shadow::Known(node) => Some(robots.frames(node)),

@@ -138,7 +138,7 @@ impl<'a, P: Plant> HadBroken<'a, P> {
 impl<P: Plant> HadBroken<'_, P> {
     /// The state of the FMU; nothing before the start of time, or if the FMU could not do that.
     pub(super) fn node_for(&mut self, c: usize, samples: usize) -> Result<Option<NodeId>, PlantError> {
-        let sensor = self.robots.world.curtains[c].0;
+        let sensor = self.robots.world.curtains[c].sensor;
         // First step whose inputs change, counted from the start of the action.
         let delay = self.robots.world.cell.sensors[sensor].delay_steps;
         let first = (self.i + 1 + delay).cast_signed() - samples.cast_signed();

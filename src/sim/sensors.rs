@@ -48,6 +48,14 @@ impl DelayLine {
         (line >> delay_steps) & 1 == 1
     }
 
+    /// Takes in the next raw reading of a sensor that counts only from when it last began to see the person.
+    pub const fn push_anew(&mut self, raw: bool, delay_steps: usize) -> bool {
+        if !raw {
+            self.seen = 0;
+        }
+        self.push(raw, delay_steps)
+    }
+
     /// The same without how long ago the person was first seen, for sensors where that does not matter.
     #[must_use]
     pub const fn on_its_way(self) -> Self {
@@ -79,12 +87,15 @@ pub struct Seen {
 ///
 /// A mat fires when the middle of a foot's support is on it, a scanner field when the axis of a leg is in it: half of
 /// the leg, about 55 mm, is then inside, near the 70 mm that person-detecting scanners resolve. A light curtain fires
-/// when any part of head, trunk or legs passes through its plane; arms are a matter of the contact check.
+/// when any part of head, trunk or legs passes through its plane, and so does a door; a two-hand control, when a foot
+/// leaves the operator's post. Arms are a matter of the contact check.
 #[must_use]
 pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
     match &sensor.zone {
         Zone::Mat(polygon) | Zone::Field(polygon) => seen.feet.iter().any(|f| contains(polygon, [f.x, f.y])),
-        Zone::Curtain(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
+        Zone::Curtain(plane) | Zone::Door(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
+        // Both feet: who has one outside leans away, and the hands may be anywhere.
+        Zone::TwoHand { post, .. } => !seen.feet.iter().all(|f| contains(post, [f.x, f.y])),
         Zone::Reported => false,
     }
 }
@@ -132,5 +143,19 @@ mod tests {
         let out: Vec<bool> = [true, true, false, false, false, false].iter().map(|&r| line.push(r, 3)).collect();
         assert_eq!(out, [false, false, false, true, true, false]);
         assert!(DelayLine::settled(true, 63).push(false, 63));
+    }
+
+    #[test]
+    fn hands_that_come_back_begin_anew() {
+        let (mut hands, mut curtain) = (DelayLine::default(), DelayLine::default());
+        let seen = |line: &mut DelayLine, raw: [bool; 5], push: fn(&mut DelayLine, bool, usize) -> bool| {
+            raw.map(|raw| {
+                push(line, raw, 0);
+                line.first_seen()
+            })
+        };
+        let raw = [true, true, false, false, true];
+        assert_eq!(seen(&mut hands, raw, DelayLine::push_anew), [1, 2, 0, 0, 1]);
+        assert_eq!(seen(&mut curtain, raw, DelayLine::push), [1, 2, 3, 4, 5]);
     }
 }

@@ -8,7 +8,7 @@ mod through_curtain;
 use std::sync::Arc;
 
 use super::Coverage;
-use super::curtain;
+use super::curtain::Curtain;
 use super::encounter::{ArmSpace, Encounter, Person};
 use super::robot::RobotFrame;
 use super::sensors::{DelayLine, Seen, input_row, sees};
@@ -118,10 +118,8 @@ pub struct World {
     pub binding: Arc<Binding>,
     pub(super) encounter: Encounter,
     boxes: Vec<Cuboid>,
-    /// Light curtains: index of the sensor, its plane.
-    pub(super) curtains: Vec<(usize, Cuboid)>,
-    /// What each of them closes with the guarding beside it.
-    closed: Vec<curtain::Closed>,
+    /// Light curtains, doors, two-hand controls.
+    pub(super) curtains: Vec<Curtain>,
 }
 
 impl World {
@@ -135,13 +133,9 @@ impl World {
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
         };
-        let curtains = cell.sensors.iter().enumerate().filter_map(|(i, s)| match &s.zone {
-            Zone::Curtain(plane) => Some((i, *plane)),
-            _ => None,
-        });
-        let curtains: Vec<(usize, Cuboid)> = curtains.collect();
-        let closed = curtains.iter().map(|(_, plane)| curtain::Closed::new(plane, &boxes)).collect();
-        Self { cell, binding, encounter, boxes, curtains, closed }
+        let mut world = Self { cell, binding, encounter, boxes, curtains: Vec::new() };
+        world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
+        world
     }
 
     /// The same, but where there is an unsafe arm contact any such is told, not the worst: whether there is one, is the
@@ -250,11 +244,10 @@ impl World {
         };
         for Sight { seen, raw } in sights {
             let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw);
-            let readings: Vec<bool> =
-                sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+            let readings: Vec<bool> = sensors.map(|((sensor, line), raw)| told(sensor, line, *raw)).collect();
             input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, seen, &mut sensed.inputs);
             sensed.readings.push(readings);
-            sensed.broken.push(self.curtains.iter().map(|(s, _)| sensed.delays[*s].first_seen()).collect());
+            sensed.broken.push(self.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
         }
         for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
             *line = remembered(sensor, *line);
@@ -459,13 +452,22 @@ impl World {
         Person { body, arms, velocity: (at - self.position(&before)) / self.cell.step_s }
     }
 
-    /// Walls that arms do not pass because that would break a light curtain.
+    /// Walls that arms do not pass because that would break a light curtain, by curtain.
     pub(super) fn unbroken(&self) -> Vec<Cuboid> {
-        self.curtains.iter().map(|(_, plane)| curtain::unbroken(plane)).collect()
+        self.curtains.iter().map(Curtain::unbroken).collect()
     }
 }
 
-/// Only for light curtains it matters when they were first broken.
-const fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
-    if matches!(sensor.zone, Zone::Curtain(_)) { line } else { line.on_its_way() }
+/// The reading of a sensor that takes effect when it next sees `raw`.
+const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool) -> bool {
+    match sensor.zone {
+        // Hands that are back on it were never away.
+        Zone::TwoHand { .. } => line.push_anew(raw, sensor.delay_steps),
+        _ => line.push(raw, sensor.delay_steps),
+    }
+}
+
+/// Only where hands may be behind a plane it matters since when.
+fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
+    if sensor.zone.plane().is_some() { line } else { line.on_its_way() }
 }

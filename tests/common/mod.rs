@@ -9,6 +9,7 @@
 
 pub mod archives;
 pub mod fmpy;
+pub mod formats;
 
 pub mod hostile;
 pub mod scanned;

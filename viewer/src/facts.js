@@ -29,7 +29,7 @@ export function facts(hazard) {
     ["force", formula(hazard)],
     ["approach", `${words.speed(hazard.approach_m_s)} along the contact normal; with this speed alone ${words.force(hazard.directed_force_n)}`],
     ["arm", hazard.arm ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
-    ["light curtain", hazard.through_curtain_s ? `the arm broke its plane ${words.time(hazard.through_curtain_s)} before the contact; the robot is where it is when the curtain is broken then` : ""],
+    ["way of the arm", hazard.through_curtain_s ? `past ${hazard.through_curtain} ${words.time(hazard.through_curtain_s)} before the contact; the robot is where it is when that reports it` : ""],
     ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
     ["programme phase", hazard.phase === null ? "" : String(hazard.phase)],
     ["found", `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],

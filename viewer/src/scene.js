@@ -37,6 +37,8 @@ export const COLOURS = {
   mat: "#d9a400",
   field: "#3b82f6",
   curtain: "#16a34a",
+  door: "#0d9488",
+  post: "#9333ea",
   obstacle: "#8b93a0",
 };
 

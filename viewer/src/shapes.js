@@ -95,10 +95,10 @@ function loop(polygon, z, material) {
 }
 
 /** How opaque a zone is: clear, and lit while its sensor reports the person. */
-const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.1 };
-const LIT = { mat: 0.55, field: 0.3, curtain: 0.26 };
+const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.1, door: 0.1, post: 0.07 };
+const LIT = { mat: 0.55, field: 0.3, curtain: 0.26, door: 0.26, post: 0.3 };
 
-/** A sensor zone: flat on the floor or at its height; a curtain stands upright. */
+/** A sensor zone: flat on the floor or at its height; a curtain and a door stand upright. */
 export class Zone extends Group {
   constructor({ kind, polygon_m: polygon, z_m: [low, high] }, colour) {
     super();
@@ -107,7 +107,7 @@ export class Zone extends Group {
     this.edge = new LineBasicMaterial({ color: colour });
     // A mat lies just above the floor's grid; equal heights would flicker.
     const floor = Math.max(low, 0.006);
-    if (kind === "curtain") {
+    if (kind === "curtain" || kind === "door") {
       this.add(new Mesh(walls(polygon, low, high), this.fill), loop(polygon, floor, this.edge), loop(polygon, high, this.edge));
     } else {
       const height = kind === "field" ? Math.max(high, floor) : floor;
