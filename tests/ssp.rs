@@ -437,6 +437,36 @@ fn inspect_tells_what_a_system_is() {
 }
 
 #[test]
+fn a_first_cell_file_of_a_system_names_its_variables_as_the_cell_does() {
+    let dir = examples();
+    let folder = dir.path().join("sensor-mat");
+    system(&folder, &description(|text| text), "", &[]);
+    fmi_hazard(&folder).args(["init", "mat.ssp", "--out", "first.toml"]).assert().code(0);
+    let text = std::fs::read_to_string(folder.join("first.toml")).unwrap();
+    let table: toml::Table = text.parse().unwrap();
+    assert_eq!(table["fmu"].as_str(), Some("mat.ssp"));
+    let joints = table["robot"][0]["joint"].as_array().unwrap();
+    let named = |key: &str| joints.iter().map(|j| j[key]["variable"].as_str().unwrap()).collect::<Vec<_>>();
+    let expected = |name: &str| (1..=6).map(|n| format!("kinematics:{name}[{n}]")).collect::<Vec<_>>();
+    assert_eq!(named("angle"), expected("q"));
+    assert_eq!(named("speed"), expected("qd"));
+    // What the system calls by a name of its own, and nothing that is connected inside.
+    let sensor = &table["sensor"][0];
+    assert_eq!((sensor["variable"].as_str(), sensor["active"].as_bool()), (Some("mat_clear"), Some(false)));
+    assert_eq!(table["inputs"]["reset"].as_bool(), Some(false));
+    assert!(!text.contains("controller:stop"), "{text}");
+    // What is missing, and nothing else, is wrong with it.
+    let output = fmi_hazard(&folder).args(["check", "first.toml", "--no-run", "--format", "json"]).output().unwrap();
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let problems = told["problems"].as_array().unwrap();
+    let known = ["still to be filled in", "no moving mass", "has no zone", "no robot geometry", "has no axis"];
+    for problem in problems {
+        let message = problem["message"].as_str().unwrap();
+        assert!(known.iter().any(|words| message.contains(words)), "{message}");
+    }
+}
+
+#[test]
 fn an_input_of_the_system_may_drive_several_variables_and_each_is_driven_once() {
     let dir = examples();
     let folder = dir.path().join("sensor-mat");

@@ -1,4 +1,4 @@
-//! A first cell file for an FMU: what its variables seem to be for, written down with how sure that is, and a TODO for each
+//! A first cell file for an FMU or a system: what its variables seem to be for, written down with how sure that is, and a TODO for each
 //! thing that no FMU says.
 //!
 //! A line with `# GUESS` is to be checked, one with `# TODO` to be filled in; `fmi-hazard check` lists those that are left.
@@ -6,8 +6,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use super::interface::Interface;
 use super::roles::{Guess, Role, words};
-use crate::fmi::{Causality, ModelDescription, VariableType};
+use crate::fmi::Causality;
 use crate::geometry::kinematics::Motion;
 
 /// Marks what has to be filled in.
@@ -16,12 +17,12 @@ pub const TODO: &str = "# TODO";
 /// A guess with more confidence than this is not marked.
 const SURE: f64 = 0.95;
 
-/// What the draft is of, besides the FMU.
+/// What the draft is of, besides the variables.
 #[derive(Clone, Debug, Default)]
 pub struct Facts<'a> {
     /// Name of the cell.
     pub name: &'a str,
-    /// The FMU as the cell file is to name it.
+    /// The FMU, or the system, as the cell file is to name it.
     pub fmu: &'a str,
     /// A robot description.
     pub urdf: Option<Described<'a>>,
@@ -53,9 +54,10 @@ struct Robot<'a> {
     speeds: BTreeMap<usize, &'a Guess>,
 }
 
-/// The text of a cell file for an FMU with these `roles`.
+/// The text of a cell file for an FMU or a system.
 #[must_use]
-pub fn draft(description: &ModelDescription, roles: &[Guess], facts: &Facts<'_>) -> String {
+pub fn draft(interface: &Interface<'_>, facts: &Facts<'_>) -> String {
+    let roles = &interface.roles;
     let mut out = Out(String::new());
     out.line("#:schema ./cell.schema.json");
     out.line(&format!(
@@ -70,11 +72,11 @@ pub fn draft(description: &ModelDescription, roles: &[Guess], facts: &Facts<'_>)
     out.line(&format!("fmu = {}", quoted(facts.fmu)));
     out.line("");
     out.line("[time]");
-    let step = step_s(description);
+    let step = step_s(interface.step_size);
     out.line(&format!("step_s = {step} # divides 0.2 s and is at most 0.02 s"));
     robots(&mut out, roles, facts);
     sensors(&mut out, roles);
-    inputs(&mut out, description, roles);
+    inputs(&mut out, interface);
     out.line("");
     out.line("# Fences, tables, machines: nobody walks or reaches through them.");
     out.line("# [[obstacle]]");
@@ -118,8 +120,8 @@ fn quoted(text: &str) -> String {
 }
 
 /// The FMU's own step if a scan can use it, else 0.02 s.
-fn step_s(description: &ModelDescription) -> f64 {
-    let own = description.default_experiment.step_size.unwrap_or(0.02);
+fn step_s(suggested: Option<f64>) -> f64 {
+    let own = suggested.unwrap_or(0.02);
     let count = (0.2 / own).round();
     if own > 0.0 && own <= 0.02 && (0.2 / count - own).abs() < 1e-9 && count <= 1000.0 { own } else { 0.02 }
 }
@@ -368,7 +370,8 @@ fn kind(variable: &str) -> Option<&'static str> {
 }
 
 /// Inputs that are held as they are while nothing happens.
-fn inputs(out: &mut Out, description: &ModelDescription, roles: &[Guess]) {
+fn inputs(out: &mut Out, interface: &Interface<'_>) {
+    let roles = &interface.roles;
     let mut lines: Vec<(String, f64)> = Vec::new();
     for guess in roles {
         let value = match &guess.role {
@@ -376,25 +379,23 @@ fn inputs(out: &mut Out, description: &ModelDescription, roles: &[Guess]) {
             Role::Constant => false,
             _ => continue,
         };
-        let boolean = description
-            .element(&guess.variable)
-            .is_some_and(|(variable, _, _)| matches!(variable.kind, VariableType::Boolean { .. }));
-        let value = if boolean { value.to_string() } else { "0".to_owned() };
+        let value = if interface.is_boolean(&guess.variable) { value.to_string() } else { "0".to_owned() };
         lines.push((format!("{} = {value}", quoted(&guess.variable)), guess.confidence.min(0.9)));
     }
     if !lines.is_empty() {
         out.line("");
-        out.line("# Held as they are while nobody touches them: doors closed, no button pressed.");
+        out.line("# Held as they are while nobody touches them: doors closed, no button pressed. A door that the person can open is");
+        out.line("# a sensor of kind interlocked_door instead.");
         out.line("[inputs]");
         lines.iter().for_each(|(line, confidence)| out.guessed(line, *confidence));
     }
     let used = |name: &str| {
         roles.iter().any(|guess| guess.variable == name || guess.variable.starts_with(&format!("{name}[")))
     };
-    let left = description.variables.iter().filter(|v| v.causality == Causality::Input && !used(&v.name));
+    let left = interface.variables.iter().filter(|(name, v)| v.causality == Causality::Input && !used(name));
     let mut text = String::new();
-    for variable in left {
-        let _ = write!(text, "\n#   {}", variable.name.escape_default());
+    for (name, _) in left {
+        let _ = write!(text, "\n#   {}", name.escape_default());
     }
     if !text.is_empty() {
         out.line("");
@@ -417,7 +418,7 @@ mod tests {
         let joints = joints.iter().map(|name| ((*name).to_owned(), Motion::Revolute)).collect();
         let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true };
         let facts = Facts { name: "x", fmu: "x.fmu", urdf: Some(urdf), ..Facts::default() };
-        let text = draft(&ModelDescription::default(), &roles, &facts);
+        let text = draft(&Interface { roles, ..Interface::default() }, &facts);
         let after = |line: &str, key: &str| line.strip_prefix(key).map(str::to_owned);
         let names = text.lines().filter_map(|line| after(line, "name = ")).skip(2);
         let angles = text.lines().filter_map(|line| after(line, "angle = { variable = "));

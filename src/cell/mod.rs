@@ -6,7 +6,8 @@
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
 //! - [`roles`]: what the variables of an FMU seem to be for
-//! - [`draft`]: a first cell file, from those roles
+//! - [`interface`]: the variables of an FMU or a system by the names that cell files use, with their roles
+//! - [`draft`]: a first cell file, from that
 //! - [`knob`]: what in a cell can be turned to make it safer
 //! - [`ssp`]: several FMUs as a system, from SSP files
 //! - `robots`, `sensors`: the parts of `validate` that check those
@@ -23,6 +24,7 @@ pub mod error;
 pub mod files;
 pub mod find;
 pub mod format;
+pub mod interface;
 pub mod knob;
 mod mesh;
 mod robots;

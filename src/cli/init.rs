@@ -1,4 +1,4 @@
-//! `fmi-hazard init`: a first cell file for an FMU, with what is guessed marked and what is missing to be filled in.
+//! `fmi-hazard init`: a first cell file for an FMU or a system of FMUs, with what is guessed marked and what is missing to be filled in.
 //!
 //! The FMU is not run. Questions are asked only where a person sits at a terminal.
 
@@ -9,13 +9,14 @@ use super::exit::{Failure, NO_HAZARD};
 use super::output;
 use crate::cell::draft::{Described, Facts, TODO, draft};
 use crate::cell::files::plain;
-use crate::cell::roles::guess;
+use crate::cell::interface::Interface;
+use crate::cell::ssp::{self, System};
 use crate::cell::{described, json_schema};
 use crate::fmi::Fmu;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The FMU
+    /// The FMU, or the system of FMUs (.ssp, .ssd)
     fmu: PathBuf,
     /// A robot description: its kinematics, masses and collision shapes are used
     #[arg(long)]
@@ -35,7 +36,7 @@ pub(super) struct Arguments {
 const SCHEMA: &str = "cell.schema.json";
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let fmu = Fmu::open(&arguments.fmu)?;
+    let subject = Subject::open(&arguments.fmu)?;
     let path = arguments.out.clone().unwrap_or_else(|| arguments.fmu.with_extension("cell.toml"));
     if path.exists() && !arguments.force {
         let help = "another name with --out, or --force to replace it";
@@ -60,7 +61,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if asks {
         ask(&mut facts);
     }
-    let text = draft(fmu.description(), &guess(fmu.description()), &facts);
+    let text = draft(&subject.interface(), &facts);
     output::write_file(&path, &text)?;
     let schema = folder.join(SCHEMA);
     if !schema.exists() {
@@ -79,6 +80,29 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         path.display()
     ));
     Ok(NO_HAZARD)
+}
+
+/// What the cell is to be around.
+enum Subject {
+    Fmu(Box<Fmu>),
+    System(Box<System>),
+}
+
+impl Subject {
+    fn open(path: &Path) -> Result<Self, Failure> {
+        Ok(if ssp::is_ssp(path) {
+            Self::System(Box::new(ssp::open(path)?))
+        } else {
+            Self::Fmu(Box::new(Fmu::open(path)?))
+        })
+    }
+
+    fn interface(&self) -> Interface<'_> {
+        match self {
+            Self::Fmu(fmu) => Interface::of_fmu(fmu.description()),
+            Self::System(system) => Interface::of_system(system),
+        }
+    }
 }
 
 /// `path` as a file in `folder` names it: without the folder if it is inside, else absolute.
