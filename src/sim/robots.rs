@@ -45,6 +45,11 @@ impl<P: Plant> Robots<P> {
         std::mem::take(&mut self.reached)
     }
 
+    /// Counts these states as reached, too.
+    pub(super) fn add_reached(&mut self, nodes: &BTreeSet<NodeId>) {
+        self.reached.extend(nodes);
+    }
+
     /// The robots after each step of the action into `node`.
     pub(super) fn frames(&mut self, node: NodeId) -> Frames {
         if let Some(frames) = self.frames.get(&node) {

@@ -109,6 +109,15 @@ struct Outcome {
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node.
 type Question = (NodeId, Place, Vec<DelayLine>, usize);
 
+/// What the contact check of an action tells.
+#[derive(Clone, Debug)]
+struct Look {
+    finding: Option<Finding>,
+    coverage: Coverage,
+    /// States of the FMU that had to be reached for it.
+    reached: BTreeSet<NodeId>,
+}
+
 /// A cell being simulated.
 pub struct Simulation<P: Plant> {
     pub(super) world: Arc<World>,
@@ -117,6 +126,8 @@ pub struct Simulation<P: Plant> {
     /// What this run has seen of the robots, and what follows from it.
     pub(super) imagination: Imagination,
     outcomes: BTreeMap<Question, Arc<Outcome>>,
+    /// Contact checks by the state that the action leads to: each posture is looked at with every other one's walk.
+    looks: BTreeMap<Question, Arc<Look>>,
     root: Snapshot,
     state: Snapshot,
     coverage: Coverage,
@@ -141,6 +152,7 @@ impl<P: Plant> Simulation<P> {
             world,
             options,
             outcomes: BTreeMap::new(),
+            looks: BTreeMap::new(),
             state: root.clone(),
             root,
             findings: Vec::new(),
@@ -289,6 +301,7 @@ impl<P: Plant> Simulation<P> {
         let outcome = Arc::new(self.work_out(action)?);
         if self.outcomes.len() >= OUTCOMES_KEPT {
             self.outcomes.clear();
+            self.looks.clear();
         }
         self.outcomes.insert(question, Arc::clone(&outcome));
         Ok(outcome)
@@ -372,8 +385,38 @@ impl<P: Plant> Simulation<P> {
         Ok(())
     }
 
-    /// The first instant of the action into `node` with an unsafe contact.
+    /// The first instant of the action into `node` with an unsafe contact, remembered or looked for.
     fn first_unsafe(
+        &mut self,
+        walked: &WalkTrace,
+        action: Action,
+        sensed: &Sensed,
+        node: NodeId,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Finding>, PlantError> {
+        if self.options.policy == Policy::Replay {
+            return self.look(walked, action, sensed, node, coverage);
+        }
+        // With the state that it leads to, what was sensed follows from what was on its way before.
+        let question = (node, walked.start, self.state.delays.clone(), action.index());
+        let known = self.looks.get(&question).map(Arc::clone);
+        let look = if let Some(known) = known {
+            known
+        } else {
+            let before = self.robots.take_reached();
+            let mut own = Coverage::new(self.world.cell.sensors.len());
+            let finding = self.look(walked, action, sensed, node, &mut own)?;
+            let look = Arc::new(Look { finding, coverage: own, reached: self.robots.take_reached() });
+            self.robots.add_reached(&before);
+            self.looks.insert(question, Arc::clone(&look));
+            look
+        };
+        self.robots.add_reached(&look.reached);
+        coverage.merge(&look.coverage);
+        Ok(look.finding.clone())
+    }
+
+    fn look(
         &mut self,
         walked: &WalkTrace,
         action: Action,
