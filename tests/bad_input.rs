@@ -5,7 +5,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{examples, faulty_cell, fmi_hazard, scan_json, test_fmus, write};
+use common::{examples, faulty_cell, fmi_hazard, meshes, scan_json, test_fmus, write};
 
 /// Runs `scan` on `path`, expects `code` and all of `words` on stderr; returns stderr.
 fn fails(dir: &Path, path: &str, code: i32, words: &[&str]) -> String {
@@ -106,6 +106,21 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
         "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
         "mesh = { file = \"cell.toml\", metres_per_unit = 0.001 }",
         &["meshes of type `toml` are not read", "STL and OBJ"],
+    ),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "mesh = { file = \"open.stl\", metres_per_unit = 0.001, exact = true }",
+        &["not closed: 3 of its edges have a triangle on one side only", "leave out `exact`", "hull"],
+    ),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "mesh = { file = \"turned.stl\", metres_per_unit = 0.001, exact = true }",
+        &["inside out in parts, at 3 of its edges", "mend it in CAD"],
+    ),
+    (
+        "capsule = { from_m = [0.006, 0, -0.125], to_m = [0.006, 0, 0.02], radius_m = 0.142 }",
+        "mesh = { file = \"open.stl\", metres_per_unit = 0.001, exact = \"yes\" }",
+        &["invalid type", "texts stand in quotes"],
     ),
     (
         "[human]",
@@ -228,6 +243,14 @@ const DESCRIPTIONS: &[(&str, &str)] = &[
     ("mesh.urdf", "<robot name=\"r\">\n<link name=\"a\"/>\n</robot>\n"),
 ];
 
+/// A box in millimetres without one of its triangles, and with one turned.
+fn meshes_with_flaws(folder: &Path) {
+    let (points, mut triangles) = meshes::cuboid([0.0; 3], [100.0; 3]);
+    write(folder, "open.stl", &meshes::stl(&points, &triangles[1..]));
+    triangles[0].swap(0, 1);
+    write(folder, "turned.stl", &meshes::stl(&points, &triangles));
+}
+
 #[test]
 fn mistakes_in_the_cell_file_are_named_with_their_line_and_a_way_out() {
     let dir = examples();
@@ -235,6 +258,7 @@ fn mistakes_in_the_cell_file_are_named_with_their_line_and_a_way_out() {
     for (name, text) in DESCRIPTIONS {
         write(&dir.path().join("safety-fence"), name, text);
     }
+    meshes_with_flaws(&dir.path().join("safety-fence"));
     assert!(CELL_MISTAKES.len() >= 60);
     for (from, to, words) in CELL_MISTAKES {
         assert!(cell.contains(from), "{from}");

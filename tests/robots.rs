@@ -6,7 +6,7 @@ mod common;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use common::{examples, fmi_hazard, scan_json, write};
+use common::{examples, fmi_hazard, meshes, scan_json, write};
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::validate::{Workcell, validate};
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
@@ -313,6 +313,39 @@ fn a_hull_is_the_same_from_its_corners_and_from_mesh_files() {
         let point = Vec3::new(0.4 * libm::sin(n * 0.7), 0.3 * libm::cos(n * 1.3), 0.2 * libm::sin(n * 2.1));
         let distances: Vec<f64> = cell.links.iter().map(|link| link.shape.point_distance(point).distance).collect();
         assert!(distances.iter().all(|d| (d - distances[0]).abs() < 1e-7), "{point}: {distances:?}");
+    }
+}
+
+#[test]
+fn a_box_taken_exactly_from_a_mesh_has_the_hazards_of_its_hull() {
+    let dir = examples();
+    let folder = dir.path().join("heavy-workpiece");
+    let text = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
+    let sphere = "capsule = { from_m = [0, -0.21655, 0], to_m = [0, -0.21655, 0], radius_m = 0.13 }";
+    assert!(text.contains(sphere));
+    let (points, triangles) = meshes::cuboid([-130.0, -346.0, -90.0], [130.0, -86.0, 90.0]);
+    write(&folder, "workpiece.stl", &meshes::stl(&points, &triangles));
+    let corners: Vec<[f64; 3]> = points.iter().map(|corner| corner.map(|edge| edge * 1e-3)).collect();
+    let mesh = |more: &str| format!("mesh = {{ file = \"workpiece.stl\", metres_per_unit = 0.001{more} }}");
+    let shapes = [("hull", format!("hull_m = {corners:?}")), ("mesh", mesh("")), ("exact", mesh(", exact = true"))];
+    let scans = shapes.map(|(name, shape)| {
+        write(&folder, &format!("{name}.toml"), &text.replace(sphere, &shape));
+        let arguments = ["scan", &format!("{name}.toml"), "--out", name, "--iterations", "60", "--strategy", "random"];
+        fmi_hazard(&folder).args(arguments).assert().code(1);
+        scan_json(&folder.join(name))
+    });
+    assert_eq!(scans[2]["subject"]["files"][0]["path"], "workpiece.stl");
+    let hazards = scans.each_ref().map(|scan| scan["hazards"].as_array().unwrap());
+    assert!(hazards[0].iter().any(|hazard| hazard["robot_link"] == "workpiece"));
+    for other in &hazards[1..] {
+        assert_eq!(hazards[0].len(), other.len());
+        for (a, b) in hazards[0].iter().zip(*other) {
+            for key in ["id", "time_s", "robot_link", "body_region", "actions"] {
+                assert_eq!(a[key], b[key], "{key}");
+            }
+            let [by_hull, by_mesh] = [a, b].map(|hazard| hazard["force_n"].as_f64().unwrap());
+            assert!((by_hull - by_mesh).abs() < 1e-6, "{by_hull} N {by_mesh} N");
+        }
     }
 }
 

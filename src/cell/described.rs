@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::CellError;
 use super::error::{Source, nearest};
 use super::format::{JointTable, RobotTable, UpAxis};
-use super::mesh::vertices;
+use super::mesh::{self, Mesh};
 use super::urdf::{self, Shape, Urdf};
 use super::validate::{Checker, Driven, Kinematics, pose};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
@@ -312,14 +312,16 @@ impl Checker<'_> {
             );
             return Err((format!("the mesh {named} is not there"), help));
         };
-        self.points(path).map_err(|message| (message, "convex hulls are made of STL and OBJ files".to_owned()))
+        let mesh = self.mesh_file(path);
+        mesh.map(|mesh| mesh.points)
+            .map_err(|message| (message, "convex hulls are made of STL and OBJ files".to_owned()))
     }
 
-    /// Corners of the mesh at `path`, relative to the cell file.
-    pub(super) fn points(&self, path: &Path) -> std::result::Result<Vec<Vec3>, String> {
+    /// The mesh at `path`, relative to the cell file.
+    pub(super) fn mesh_file(&self, path: &Path) -> std::result::Result<Mesh, String> {
         let bytes = self.files.read(self.source.folder(), path);
         let bytes = bytes.map_err(|error| format!("cannot read {}: {error}", path.display()))?;
-        vertices(path, &bytes).map_err(|error| format!("{}: {error}", path.display()))
+        mesh::read(path, &bytes).map_err(|error| format!("{}: {error}", path.display()))
     }
 }
 

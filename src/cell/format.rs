@@ -307,7 +307,7 @@ pub struct LinkTable {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 3]>>")]
     pub hull_m: Option<Spanned<Vec<[f64; 3]>>>,
-    /// A mesh file in the joint frame, of which the convex hull is taken.
+    /// A mesh file in the joint frame; its convex hull, unless told otherwise.
     #[serde(default)]
     pub mesh: Option<MeshTable>,
 }
@@ -327,6 +327,10 @@ pub struct MeshTable {
     /// Where its origin is.
     #[serde(default)]
     pub at: PoseTable,
+    /// Whether the mesh is taken as it is, with its hollows, instead of its convex hull. It has to be closed then, and arm
+    /// searches take longer.
+    #[serde(default)]
+    pub exact: bool,
 }
 
 /// Which axis of a mesh points up.

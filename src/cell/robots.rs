@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use toml::Spanned;
 
@@ -12,7 +13,12 @@ use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
 use super::validate::{Checker, Driven, Kinematics, Link, Robot, pose};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
-use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
+use crate::geometry::surface::{Flaw, Triangles};
+use crate::geometry::{Capsule, Hull, Mesh, Pose, Solid, Surface, Vec3};
+
+/// Most triangles of a mesh that is taken exactly: arm searches ask for distances from it all the time, and reports carry
+/// it.
+const MOST_TRIANGLES: usize = 20_000;
 
 /// What shapes may be attached to: the index of the joint or frame, and where they are in its frame.
 type Places = BTreeMap<String, (usize, Pose)>;
@@ -265,12 +271,36 @@ impl Checker<'_> {
     fn mesh(&self, mesh: &MeshTable) -> Result<Solid, Box<CellError>> {
         let span = mesh.file.span();
         self.positive(mesh.metres_per_unit, &span, "metres_per_unit")?;
-        let points = self.points(&plain(mesh.file.get_ref().as_ref())).map_err(|message| {
+        let read = self.mesh_file(&plain(mesh.file.get_ref().as_ref())).map_err(|message| {
             let help = "the path is relative to the cell file; STL and OBJ are read".to_owned();
             self.source.error(span.clone(), "named here", message, Some(help))
         })?;
-        let corner = |point: Vec3| pose(&mesh.at) * upright(point, mesh.metres_per_unit, mesh.up);
-        self.hull_of(&points.into_iter().map(corner).collect::<Vec<_>>(), &span)
+        let corner = |point: &Vec3| pose(&mesh.at) * upright(*point, mesh.metres_per_unit, mesh.up);
+        let points: Vec<Vec3> = read.points.iter().map(corner).collect();
+        if mesh.exact { self.exactly(&points, &read.triangles, &span) } else { self.hull_of(&points, &span) }
+    }
+
+    /// A mesh as it is, which has to be closed.
+    fn exactly(&self, points: &[Vec3], triangles: &[[u32; 3]], span: &Range<usize>) -> Result<Solid, Box<CellError>> {
+        let triangles = Triangles::merged(points, triangles);
+        let count = triangles.triangles.len();
+        self.that(count <= MOST_TRIANGLES, span.clone(), || {
+            let message = format!("the mesh has {count} triangles; exactly taken it may have {MOST_TRIANGLES}");
+            (message, "make it coarser in CAD, or leave out `exact`: then its convex hull is taken".to_owned())
+        })?;
+        let surface = Surface::new(triangles).map_err(|flaw| {
+            let message = match flaw {
+                Flaw::Open(edges) => {
+                    format!("the mesh is not closed: {edges} of its edges have a triangle on one side only")
+                }
+                Flaw::Turned(edges) => format!("the mesh is turned inside out in parts, at {edges} of its edges"),
+                Flaw::Flat => "the mesh holds no volume".to_owned(),
+            };
+            let help =
+                "what is inside is not known then: mend it in CAD, or leave out `exact`: then its convex hull is taken";
+            self.source.error(span.clone(), "named here", message, Some(help.to_owned()))
+        })?;
+        Ok(Solid::Mesh(Mesh::new(Arc::new(surface), Pose::IDENTITY)))
     }
 
     fn capsule(&self, table: &CapsuleTable, span: &Range<usize>) -> Result<Capsule, Box<CellError>> {

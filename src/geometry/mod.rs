@@ -6,15 +6,25 @@
 
 pub mod distance;
 pub mod kinematics;
+pub mod mesh;
 pub mod polygon;
 pub mod segment_cuboid;
 pub mod shape;
 pub mod solid;
+pub mod surface;
+pub mod triangle;
+
+#[cfg(test)]
+#[path = "../../tests/common/meshes.rs"]
+#[allow(dead_code, reason = "the files are for other tests")]
+pub(crate) mod test_meshes;
 
 pub use distance::Closest;
+pub use mesh::Mesh;
 pub use parry3d_f64::math::{Matrix as Matrix3, Pose, Rotation, Vector as Vec3};
 pub use shape::{Capsule, Cuboid};
 pub use solid::{Hull, Solid};
+pub use surface::Surface;
 
 /// Rotation by `angle` radians about the unit vector `axis` (right-hand rule), with `libm` trigonometry so that the
 /// bits do not depend on the machine.

@@ -1,4 +1,5 @@
-//! The shape of a robot link placed in the world: a capsule (closed form) or a convex hull (parry).
+//! The shape of a robot link placed in the world: a capsule (closed form), a convex hull (parry) or the
+//! surface of a mesh.
 //!
 //! Everything that is asked of it is a distance from a line segment, because human limbs are segments with a radius.
 
@@ -8,7 +9,7 @@ use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
 use parry3d_f64::shape::{ConvexPolyhedron, Segment};
 
 use super::distance::{perpendicular_to, point_segment, segment_segment};
-use super::{Capsule, Closest, Pose, Vec3};
+use super::{Capsule, Closest, Mesh, Pose, Vec3};
 
 /// A convex polyhedron shared between placements, with where it is.
 #[derive(Clone, Debug)]
@@ -112,13 +113,16 @@ pub enum Solid {
     Capsule(Capsule),
     /// A placed convex polyhedron.
     Hull(Hull),
+    /// A placed closed surface, the only one that need not be convex.
+    Mesh(Mesh),
 }
 
 impl Solid {
     /// Signed distance from the segment between `a` and `b` (the first shape, without radius) to the link's surface.
     ///
     /// Negative when the segment enters the link: for a capsule the core distance less the radius, for a hull the
-    /// penetration depth. Changes by no more than the segment's points are moved.
+    /// penetration depth, for a mesh the depth of the deepest of some points of the segment. Changes by no more than the
+    /// segment's points are moved.
     #[must_use]
     pub fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
         match self {
@@ -127,6 +131,7 @@ impl Solid {
                 surface(core, link.radius, b - a, link.b - link.a)
             }
             Self::Hull(hull) => hull.segment_distance(a, b),
+            Self::Mesh(mesh) => mesh.segment_distance(a, b),
         }
     }
 
@@ -139,27 +144,28 @@ impl Solid {
                 surface(core, link.radius, Vec3::ZERO, link.b - link.a)
             }
             Self::Hull(hull) => hull.point_distance(point),
+            Self::Mesh(mesh) => mesh.point_distance(point),
         }
     }
 
     /// The unit vector from the link to the nearest point of a segment or point, or from inside on outwards: the gradient
-    /// of the signed distance where they are nearest. None where they touch, and for a segment that enters a hull.
+    /// of the signed distance where they are nearest. None where they touch, and for a segment that enters a hull or mesh.
     #[must_use]
     pub fn outward(&self, near: &Closest) -> Option<Vec3> {
         let towards = near.on_first - near.on_second;
         match self {
-            Self::Hull(_) if near.distance <= 0.0 => None,
+            Self::Hull(_) | Self::Mesh(_) if near.distance <= 0.0 => None,
             _ if near.distance > 0.0 => towards.try_normalize(),
             _ => (-towards).try_normalize(),
         }
     }
 
-    /// Radius around the core of a capsule, m; a hull is all core.
+    /// Radius around the core of a capsule, m; hulls and meshes are all core.
     #[must_use]
     pub const fn core_radius(&self) -> f64 {
         match self {
             Self::Capsule(link) => link.radius,
-            Self::Hull(_) => 0.0,
+            Self::Hull(_) | Self::Mesh(_) => 0.0,
         }
     }
 
@@ -169,6 +175,7 @@ impl Solid {
         match self {
             Self::Capsule(link) => ((link.a + link.b) * 0.5, 0.5 * (link.b - link.a).length() + link.radius),
             Self::Hull(hull) => (hull.pose * hull.centre, hull.radius),
+            Self::Mesh(mesh) => mesh.sphere(),
         }
     }
 
@@ -178,6 +185,34 @@ impl Solid {
         match self {
             Self::Capsule(link) => Self::Capsule(Capsule { a: pose * link.a, b: pose * link.b, radius: link.radius }),
             Self::Hull(hull) => Self::Hull(Hull { pose: pose * hull.pose, ..hull.clone() }),
+            Self::Mesh(mesh) => Self::Mesh(mesh.placed(pose)),
+        }
+    }
+
+    /// Whether the line between any two of its points stays inside: then the signed distance is convex, and the nearest
+    /// point moves no farther than what it is near to.
+    #[must_use]
+    pub const fn is_convex(&self) -> bool {
+        !matches!(self, Self::Mesh(_))
+    }
+
+    /// A ball that holds the nearest point for every point within `movement` of `point`, whose nearest point now is
+    /// `near`; of points inside, themselves.
+    #[must_use]
+    pub fn nearest_within(&self, point: Vec3, near: &Closest, movement: f64) -> (Vec3, f64) {
+        match self {
+            Self::Mesh(mesh) => mesh.nearest_within(point, near, movement),
+            _ if near.distance > 0.0 => (near.on_second, movement),
+            _ => (point, movement),
+        }
+    }
+
+    /// By how much some point of the segment between `a` and `b` may be deeper than `near`, its signed distance, says, m.
+    #[must_use]
+    pub fn deeper_by(&self, near: &Closest, a: Vec3, b: Vec3) -> f64 {
+        match self {
+            Self::Mesh(_) if near.distance <= 0.0 => Mesh::deeper_by(a, b),
+            _ => 0.0,
         }
     }
 }

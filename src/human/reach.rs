@@ -9,9 +9,10 @@
 //! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that stays one when the arm
 //! moves by the tolerance: deeper than that, with more than that of clearance to obstacles and joint limits, touched first
 //! by as much, and on a link whose points within the tolerance are above the threshold too. Others are not looked for:
-//! they lie in thin layers around shapes, and layers cost most. The bounds hold because signed distances of convex shapes
+//! they lie in thin layers around shapes, and layers cost most. The bounds hold because signed distances
 //! change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a thin panel is known
-//! to cross it for every configuration that differs by less than that.
+//! to cross it for every configuration that differs by less than that. Sharper bounds hold for convex shapes alone; where
+//! the nearest point of a mesh can be is told by its triangles.
 
 mod joint_box;
 mod movement;
@@ -338,7 +339,10 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
                 // Above the limit only where the link's points are no farther than the tolerance: not looked for.
                 let less = |by: f64| (by - self.query.tolerance_m).max(0.0);
-                if near.distance > movement.wrist {
+                if !link.is_convex() {
+                    let (centre, radius) = link.nearest_within(placed.wrist, &near, movement.wrist);
+                    bound(&Neighbourhood::ball(centre, less(radius)))
+                } else if near.distance > movement.wrist {
                     let moves = NearestMoves::new(link, &near, placed, movement);
                     let along = |n| less(moves.along(n));
                     bound(&Neighbourhood {
@@ -356,13 +360,13 @@ impl<'a, S: ContactScore> Search<'a, S> {
             // A convex link stays behind the plane through its nearest point: only movement against it counts.
             let touches = gap <= movement.wrist && {
                 let n = (near.on_first - near.on_second).normalize_or_zero();
-                near.distance <= 0.0 || gap <= movement.along(placed, n).1
+                near.distance <= 0.0 || !link.is_convex() || gap <= movement.along(placed, n).1
             };
             if touches && bound() > cutoff {
-                // The nearest point moves no farther than the wrist does: the whole line stays near this one. A
-                // wrist that may be inside the link has no line to check.
+                // The whole line stays near this one. A wrist that may be inside the link has no line to check.
                 let line = near.distance > movement.wrist;
-                if !(line && self.line_certainly_blocked(placed, near.on_second, movement)) {
+                let to = || link.nearest_within(placed.wrist, &near, movement.wrist);
+                if !(line && self.line_certainly_blocked(placed, to(), movement)) {
                     return true;
                 }
             }
@@ -438,7 +442,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let solid = &self.query.links[link];
         let wrist = solid.point_distance(placed.wrist);
         let hand = wrist.distance - self.query.arm.hand_radius_m;
-        if hand + movement.wrist < near.least {
+        if hand + movement.wrist < near.least - near.deeper_by {
             return true;
         }
         // Limb and hand move together: what counts is how the difference of their distances changes. The limb's is at
@@ -464,14 +468,14 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn hand_certainly_free(&self, placed: &Placed, link: usize, movement: &Movement) -> bool {
         let solid = &self.query.links[link];
         let near = solid.point_distance(placed.wrist);
-        let inside = near.distance <= 0.0;
         // A wrist that may be inside the link in a part of the box needs no line there.
-        let to = if inside { placed.wrist } else { near.on_second };
+        let (to, by) = solid.nearest_within(placed.wrist, &near, movement.wrist);
         let nearest = NearestMoves::new(solid, &near, placed, movement);
-        let moves = |n: Vec3| [movement.along(placed, n).1, if inside { movement.wrist } else { nearest.along(n) }];
-        self.obstacles_near(placed.wrist, to, movement.wrist).all(|o| {
-            segment_cuboid(placed.wrist, to, o).distance > movement.wrist
-                || stays_before_a_face(o, [placed.wrist, to], moves)
+        let known = near.distance > 0.0 && solid.is_convex();
+        let moves = |n: Vec3| [movement.along(placed, n).1, if known { nearest.along(n) } else { by }];
+        let farthest = by.max(movement.wrist);
+        self.obstacles_near(placed.wrist, to, farthest).all(|o| {
+            segment_cuboid(placed.wrist, to, o).distance > farthest || stays_before_a_face(o, [placed.wrist, to], moves)
         })
     }
 
@@ -485,12 +489,12 @@ impl<'a, S: ContactScore> Search<'a, S> {
         placed.elbow + (placed.wrist - placed.elbow) * self.elbow_part()
     }
 
-    /// Whether the line from the wrist to the link's nearest point `to` passes through an obstacle in the whole box.
-    /// That point moves no farther than the wrist does.
-    fn line_certainly_blocked(&self, placed: &Placed, to: Vec3, movement: &Movement) -> bool {
+    /// Whether the line from the wrist to the link's nearest point passes through an obstacle in the whole box. That point
+    /// is in a ball, given by its centre and radius.
+    fn line_certainly_blocked(&self, placed: &Placed, (to, by): (Vec3, f64), movement: &Movement) -> bool {
         self.obstacles_near(placed.wrist, to, 0.0).any(|o| {
-            segment_cuboid(placed.wrist, to, o).distance < -movement.wrist
-                || crosses(o, [placed.wrist, to], 0.0, |n| [movement.along(placed, n).1, movement.wrist])
+            segment_cuboid(placed.wrist, to, o).distance < -movement.wrist.max(by)
+                || crosses(o, [placed.wrist, to], 0.0, |n| [movement.along(placed, n).1, by])
         })
     }
 

@@ -187,12 +187,24 @@ impl Entity {
     pub fn hull(&mut self, points: &[Vec3], translation: Vec3, rotation: Rotation, color: Color) {
         let Some(hull) = Hull::from_points(points) else { return };
         let (points, triangles) = hull.shape().to_trimesh();
+        self.mesh(&points, &triangles, translation, rotation, color);
+    }
+
+    /// Triangles between points in their own frame.
+    pub fn mesh(
+        &mut self,
+        points: &[Vec3],
+        triangles: &[[u32; 3]],
+        translation: Vec3,
+        rotation: Rotation,
+        color: Color,
+    ) {
         self.triangles.push(Triangles {
             pose: pose(translation, rotation),
-            points: points.into_iter().map(xyz).collect(),
+            points: points.iter().copied().map(xyz).collect(),
             color,
             colors: Vec::new(),
-            indices: triangles.into_iter().flatten().collect(),
+            indices: triangles.iter().flatten().copied().collect(),
         });
     }
 

@@ -154,18 +154,24 @@ impl Recording<'_> {
         let places = self.replay.links.0.chunks_exact(7).skip(frame * self.scenery.links.len());
         for (number, (link, place)) in self.scenery.links.iter().zip(places).enumerate() {
             // Several shapes may share a name.
-            let (LinkShape::Capsule { name, robot, .. } | LinkShape::Hull { name, robot, .. }) = link;
+            let (LinkShape::Capsule { name, robot, .. }
+            | LinkShape::Hull { name, robot, .. }
+            | LinkShape::Mesh { name, robot, .. }) = link;
             let touches = frame >= self.replay.contact_frame && *name == self.hazard.robot_link;
             let color = Color::hex(if touches { TOUCHING } else { ROBOT });
             let mut entity = Entity::new(format!("{robot} {name} {number}"), time);
+            let turned = || Rotation::from_xyzw(place[3], place[4], place[5], place[6]);
             match link {
                 LinkShape::Capsule { radius_m, .. } => {
                     entity.capsule(point(&place[..3]), point(&place[3..6]), *radius_m, color);
                 }
                 LinkShape::Hull { points_m, .. } => {
                     let points: Vec<Vec3> = points_m.iter().copied().map(Vec3::from_array).collect();
-                    let rotation = Rotation::from_xyzw(place[3], place[4], place[5], place[6]);
-                    entity.hull(&points, point(&place[..3]), rotation, color);
+                    entity.hull(&points, point(&place[..3]), turned(), color);
+                }
+                LinkShape::Mesh { points_m, triangles, .. } => {
+                    let points: Vec<Vec3> = points_m.iter().copied().map(Vec3::from_array).collect();
+                    entity.mesh(&points, triangles, point(&place[..3]), turned(), color);
                 }
             }
             entities.push(entity);

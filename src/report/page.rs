@@ -101,6 +101,17 @@ pub enum LinkShape {
         /// Corners in the link's frame.
         points_m: Vec<[f64; 3]>,
     },
+    /// Its pose is in the replays.
+    Mesh {
+        /// Link name.
+        name: String,
+        /// Robot name.
+        robot: String,
+        /// Corners in the link's frame.
+        points_m: Vec<[f64; 3]>,
+        /// Three corners each, anticlockwise as seen from outside.
+        triangles: Vec<[u32; 3]>,
+    },
 }
 
 /// A part of the body, a capsule.
@@ -147,7 +158,7 @@ pub struct Replay {
     pub frames: usize,
     /// That of the contact.
     pub contact_frame: usize,
-    /// Frames x links x 7: end points of a capsule and 0, or position and quaternion (x, y, z, w) of a hull.
+    /// Frames x links x 7: end points of a capsule and 0, or position and quaternion (x, y, z, w) of a hull or mesh.
     pub links: Floats,
     /// Frames x parts x 6: end points.
     pub body: Floats,
@@ -212,7 +223,7 @@ pub const ASSUMPTIONS: [&str; 8] = [
      robot's mass is half its moving mass and the payload.",
     "Limits are those for transient contact. Clamping is not told apart: where the person can be clamped, the \
      quasi-static limits apply, which are lower.",
-    "Robot links and the body are simplified shapes (capsules, convex hulls) as given in the cell file; hair, clothes, \
+    "Robot links and the body are simplified shapes (capsules, convex hulls, meshes) as given in the cell file; hair, clothes, \
      tools in the hand and sharp edges are not in the model.",
     "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file.",
     "Where an arm reaches through a light curtain or a door, or lets go of a two-hand control, that is reported as long \

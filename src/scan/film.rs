@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::picture;
 use super::prepare::{Prepared, StateChoice};
 use crate::cell::Zone;
-use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
+use crate::geometry::surface::Triangles;
+use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 use crate::host::system::UnitPort;
 use crate::host::{Hosted, Plant as _, PlantError};
 use crate::human::{Action, BendFraction, Posture};
@@ -44,6 +45,11 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
                         robot,
                         points_m: hull.shape().points().iter().map(|p| p.to_array()).collect(),
                     },
+                    Solid::Mesh(mesh) => {
+                        let Triangles { points, triangles } = mesh.surface().triangles();
+                        let points_m = points.iter().map(|p| p.to_array().map(tenth_of_a_millimetre)).collect();
+                        LinkShape::Mesh { name, robot, points_m, triangles: triangles.clone() }
+                    }
                 }
             })
             .collect(),
@@ -54,6 +60,11 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
             .collect(),
         start: StartPlace { xy_m: cell.start.xy_m(), heading_deg: cell.start.heading_deg() },
     }
+}
+
+/// Corners of meshes are many: no more digits than one sees.
+fn tenth_of_a_millimetre(length_m: f64) -> f64 {
+    (length_m * 1e4).round() / 1e4
 }
 
 fn obstacle(name: &str, cuboid: &Cuboid) -> Obstacle {
@@ -211,12 +222,14 @@ fn place(link: &Solid) -> [f64; 7] {
             let [ax, ay, az, bx, by, bz] = ends(capsule);
             [ax, ay, az, bx, by, bz, 0.0]
         }
-        Solid::Hull(hull) => {
-            let pose = hull.pose();
-            let ([x, y, z], [qx, qy, qz, qw]) = (pose.translation.to_array(), pose.rotation.to_array());
-            [x, y, z, qx, qy, qz, qw]
-        }
+        Solid::Hull(hull) => pose(hull.pose()),
+        Solid::Mesh(mesh) => pose(mesh.pose()),
     }
+}
+
+fn pose(Pose { translation, rotation }: Pose) -> [f64; 7] {
+    let ([x, y, z], [qx, qy, qz, qw]) = (translation.to_array(), rotation.to_array());
+    [x, y, z, qx, qy, qz, qw]
 }
 
 /// From the nearest link to the body without arms, m.

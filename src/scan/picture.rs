@@ -8,7 +8,7 @@ use super::prepare::Prepared;
 use super::probe::Probe;
 use crate::cell::Zone;
 use crate::geometry::polygon::convex_outline;
-use crate::geometry::{Cuboid, Solid, Vec3};
+use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::human::action::Walk;
 use crate::human::{Action, Place, Posture};
 use crate::report::model::Hazard;
@@ -61,13 +61,15 @@ pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
     }
 }
 
+/// A link from above; of a mesh the outline of its hull.
 fn part(link: &Solid) -> Part {
+    let outline = |points: &[Vec3], pose: Pose| {
+        Part::Outline(convex_outline(points.iter().map(|point| flat(pose * *point)).collect()))
+    };
     match link {
         Solid::Capsule(c) => Part::Capsule(flat(c.a), flat(c.b), c.radius),
-        Solid::Hull(hull) => {
-            let corners = hull.shape().points().iter().map(|point| flat(hull.pose() * *point));
-            Part::Outline(convex_outline(corners.collect()))
-        }
+        Solid::Hull(hull) => outline(hull.shape().points(), hull.pose()),
+        Solid::Mesh(mesh) => outline(&mesh.surface().triangles().points, mesh.pose()),
     }
 }
 

@@ -75,7 +75,7 @@ impl Curtain {
     pub fn within(&self, depth: f64, shape: &Solid) -> bool {
         let nearest = match shape {
             Solid::Capsule(c) => self.depth(c.a).min(self.depth(c.b)) - c.radius,
-            Solid::Hull(_) => {
+            Solid::Hull(_) | Solid::Mesh(_) => {
                 let (centre, radius) = shape.bounding_sphere();
                 self.depth(centre) - radius
             }

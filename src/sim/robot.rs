@@ -132,11 +132,11 @@ fn frame(world_from_base: Pose, binding: &FrameBinding, outputs: &[f64]) -> (Pos
 }
 
 /// Speed is a convex function of the point, so over a capsule its core ends bound the core, and the radius adds
-/// `|omega| r`; over a hull the bounding sphere does.
+/// `|omega| r`; over a hull or mesh the bounding sphere does.
 fn speed_bound(solid: &Solid, twist: &Twist) -> f64 {
     let (speed, radius) = match solid {
         Solid::Capsule(c) => (twist.velocity_at(c.a).length().max(twist.velocity_at(c.b).length()), c.radius),
-        Solid::Hull(_) => {
+        Solid::Hull(_) | Solid::Mesh(_) => {
             let (centre, radius) = solid.bounding_sphere();
             (twist.velocity_at(centre).length(), radius)
         }

@@ -12,6 +12,7 @@ pub mod fmpy;
 pub mod formats;
 
 pub mod hostile;
+pub mod meshes;
 pub mod scanned;
 
 use std::path::{Path, PathBuf};

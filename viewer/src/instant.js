@@ -11,7 +11,7 @@ export function bodyAt(replay, cell, frame, part) {
   return { a: three(replay.body, at), b: three(replay.body, at + 3), radius: cell.body[part].radius_m };
 }
 
-/** A link at a frame: end points of a capsule, or the pose of a hull. */
+/** A link at a frame: end points of a capsule, or the pose of a hull or mesh. */
 export function linkAt(replay, cell, frame, index) {
   const at = 7 * (frame * cell.links.length + index);
   const link = cell.links[index];
@@ -21,7 +21,7 @@ export function linkAt(replay, cell, frame, index) {
   return { position: three(replay.links, at), quaternion: [...replay.links.slice(at + 3, at + 7)] };
 }
 
-/** Corners of a hull at a frame in the world. */
+/** Corners of a hull or mesh at a frame in the world. */
 export function hullCorners(link, { position, quaternion }) {
   return link.points_m.map((corner) => turned(quaternion, corner).map((value, i) => value + position[i]));
 }

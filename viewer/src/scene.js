@@ -113,7 +113,8 @@ export function makeScene(canvas, cell, tellName) {
   }
   const zones = cell.zones.map((item) => name(new Zone(item, COLOURS[item.kind] ?? COLOURS.obstacle), `${item.kind} ${item.name}`));
   const links = cell.links.map((link) => {
-    const shape = link.shape === "capsule" ? new Capsule(link.radius_m, MATERIALS.robot) : new Hull(link.points_m, MATERIALS.robot);
+    const { radius_m: radius, points_m: points, triangles } = link;
+    const shape = link.shape === "capsule" ? new Capsule(radius, MATERIALS.robot) : new Hull(points, triangles, MATERIALS.robot);
     return name(shape, cell.links.some((other) => other.robot !== link.robot) ? `${link.robot}/${link.name}` : link.name);
   });
   const body = cell.body.map((part) => name(new Capsule(part.radius_m, MATERIALS.person), part.region.replaceAll("_", " ")));

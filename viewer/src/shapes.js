@@ -1,4 +1,4 @@
-// Shapes of the scene: capsules that follow two end points, hulls, boxes, zones, the way of the person.
+// Shapes of the scene: capsules that follow two end points, hulls and meshes, boxes, zones, the way of the person.
 
 import {
   BoxGeometry,
@@ -57,10 +57,16 @@ export class Capsule extends Group {
   }
 }
 
-/** A convex hull of points. */
+/** A convex hull of points, or the triangles between them: each with its own corners, so that edges stay sharp. */
 export class Hull extends Mesh {
-  constructor(points, material) {
-    super(new ConvexGeometry(points.map((p) => new Vector3(...p))), material);
+  constructor(points, triangles, material) {
+    if (triangles) {
+      const corners = triangles.flatMap((triangle) => triangle.flatMap((corner) => points[corner]));
+      super(new BufferGeometry().setAttribute("position", new Float32BufferAttribute(corners, 3)), material);
+      this.geometry.computeVertexNormals();
+    } else {
+      super(new ConvexGeometry(points.map((p) => new Vector3(...p))), material);
+    }
     this.castShadow = true;
   }
 

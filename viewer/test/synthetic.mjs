@@ -47,13 +47,16 @@ function body([x, y], heading, bend) {
   ];
 }
 
+/** Triangles of the gripper: its corners go round below and above. */
+const GRIPPER = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], ...[0, 1, 2, 3].flatMap((i) => [[i, (i + 1) % 4, 4 + ((i + 1) % 4)], [i, 4 + ((i + 1) % 4), 4 + i]])];
+
 const LINKS = (hitting) => [
   { name: "base", robot: "r1", shape: "hull", points_m: [[-0.15, -0.15, 0], [0.15, -0.15, 0], [0.15, 0.15, 0], [-0.15, 0.15, 0], [-0.1, -0.1, 0.2], [0.1, -0.1, 0.2], [0.1, 0.1, 0.2], [-0.1, 0.1, 0.2]] },
   { name: "shoulder", robot: "r1", shape: "capsule", radius_m: 0.09 },
   { name: "upper_arm", robot: "r1", shape: "capsule", radius_m: 0.075 },
   { name: "forearm", robot: "r1", shape: "capsule", radius_m: 0.06 },
   { name: hitting, robot: "r1", shape: "capsule", radius_m: 0.06 },
-  { name: "gripper", robot: "r1", shape: "hull", points_m: [[-0.06, -0.1, -0.05], [0.06, -0.1, -0.05], [0.06, 0.1, -0.05], [-0.06, 0.1, -0.05], [-0.04, -0.08, 0.08], [0.04, -0.08, 0.08], [0.04, 0.08, 0.08], [-0.04, 0.08, 0.08]] },
+  { name: "gripper", robot: "r1", shape: "mesh", triangles: GRIPPER, points_m: [[-0.06, -0.1, -0.05], [0.06, -0.1, -0.05], [0.06, 0.1, -0.05], [-0.06, 0.1, -0.05], [-0.04, -0.08, 0.08], [0.04, -0.08, 0.08], [0.04, 0.08, 0.08], [-0.04, 0.08, 0.08]] },
 ];
 
 const BASE = [0, 0.75, 0.9];

@@ -103,10 +103,12 @@ impl Share {
     }
 }
 
-/// A limb near a convex solid: how near it may come within a box of joint angles.
+/// A limb near a solid: how near it may come within a box of joint angles.
 pub(super) struct LimbNear {
     /// The least signed distance in the box.
     pub(super) least: f64,
+    /// By how much some point of the limb may be deeper than that, m.
+    pub(super) deeper_by: f64,
     /// A plane the solid stays behind, if there is one: its normal, and the signed distances of the limb's ends from it in
     /// the middle of the box. No end comes nearer to the solid than to the plane.
     pub(super) plane: Option<(Vec3, [f64; 2])>,
@@ -127,16 +129,19 @@ pub(super) fn limb_may_touch(
     if least > -depth {
         return None;
     }
-    let Some(n) = link.outward(&near) else { return Some(LimbNear { least, plane: None }) };
+    let deeper_by = link.deeper_by(&near, ends[0], ends[1]);
+    let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else {
+        return Some(LimbNear { least, deeper_by, plane: None });
+    };
     // Signed distance from a convex solid is convex: it stays above its tangent plane.
     let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - radius);
     let (elbow, wrist) = movement.along(placed, n);
     let nearest = |k: usize| plane[k] - limb[k].of(elbow, wrist);
     let least = least.max(nearest(0).min(nearest(1)));
-    (least <= -depth).then_some(LimbNear { least, plane: Some((n, plane)) })
+    (least <= -depth).then_some(LimbNear { least, deeper_by, plane: Some((n, plane)) })
 }
 
-/// How far the point of a solid that is nearest to the wrist can move within a box of joint angles.
+/// How far the point of a convex solid that is nearest to the wrist can move within a box of joint angles.
 ///
 /// No farther than the wrist, as for any convex set. On a capsule of radius R it is c + R u: the core's nearest point c
 /// moves along the core's direction only, as far as the wrist does along it; and u, the direction of v from there to the
@@ -165,7 +170,7 @@ pub(super) struct SeenCapsule {
 }
 
 impl<'a> NearestMoves<'a> {
-    /// Of a solid and a wrist outside it.
+    /// Of a convex solid and a wrist outside it.
     pub(super) fn new(solid: &Solid, near: &Closest, placed: &'a Placed, movement: &'a Movement) -> Self {
         let by = movement.wrist;
         let capsule = match (solid, solid.outward(near)) {
