@@ -41,6 +41,9 @@ fn an_fmu_without_a_cell_says_where_it_looked() {
     fails(dir.path(), "x.fmu", 2, &["without a cell file", "x.cell.toml", "cell.toml", "extra/", "examples export"]);
 }
 
+/// The first obstacle of the example's cell file.
+const FENCE: &str = "centre_m = [-0.9, 0, 1]\nsize_m = [1.2, 0.02, 2]";
+
 /// (what is replaced, by what, words of the message); each applied to the example's cell file.
 const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     ("moving_mass_kg", "moving_mas_kg", &["unknown field", "did you mean `moving_mass_kg`", "wrong.toml:13"]),
@@ -75,6 +78,36 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     ("[human]", "[fail_on]\nbaseline = \"b.json\"\n[human]", &["never read", "new_only = true"]),
     ("[human]", "[fail_on]\nnew_only = true\n[human]", &["baseline.json does not exist", "--write-baseline"]),
     ("size_m = [1.2, 0.02, 2]", "size_m = [1.2, 0, 2]", &["fence front left", "greater than zero"]),
+    ("size_m = [1.2, 0.02, 2]\n", "", &["`fence front left` needs centre_m and size_m, or a mesh", "a box is"]),
+    (
+        "size_m = [1.2, 0.02, 2]",
+        "size_m = [1.2, 0.02, 2]\nmesh = { file = \"open.stl\", metres_per_unit = 1 }",
+        &["is a box and a mesh", "remove one of the two"],
+    ),
+    (
+        "size_m = [1.2, 0.02, 2]",
+        "size_m = [1.2, 0.02, 2]\nresolution_m = 0.1",
+        &["resolution_m of obstacle `fence front left` is for meshes", "remove it"],
+    ),
+    (
+        FENCE,
+        "mesh = { file = \"open.stl\", metres_per_unit = 0.001 }",
+        &["nothing of the mesh can be taken", "open at 3 edges", "give the obstacle as boxes"],
+    ),
+    (FENCE, "mesh = { file = \"open.stl\" }", &["does not say its unit", "add metres_per_unit: 0.001"]),
+    (
+        FENCE,
+        "rpy_deg = [0, 0, 9]\nmesh = { file = \"open.stl\", metres_per_unit = 0.001 }",
+        &["rpy_deg of obstacle `fence front left` is for boxes", "at = { rpy_deg"],
+    ),
+    (
+        FENCE,
+        "resolution_m = 0.5\nmesh = { file = \"open.stl\", metres_per_unit = 0.001 }",
+        &["resolution_m of obstacle `fence front left` is 0.5", "0.01 to 0.2"],
+    ),
+    (FENCE, "mesh = { file = \"no.glb\" }", &["cannot read no.glb", "glTF and GLB are read"]),
+    (FENCE, "mesh = { file = \"open.stl\", metres_per_unit = 0.001, exact = true }", &["unknown field `exact`"]),
+    (FENCE, "mesh = { file = \"open.stl\", metres_per_unit = 1e6 }", &["more than 10 km away", "metres_per_unit"]),
     ("schema = 1", "schema = one", &["TOML", "quotes"]),
     ("schema = 1\n", "", &["missing field `schema`", "add `schema`"]),
     ("name = \"joint_2\"", "name = \"joint_1\"", &["two joints or frames are called `joint_1`", "its own name"]),

@@ -38,7 +38,7 @@ pub struct CellFile {
     #[serde(rename = "robot")]
     #[schemars(with = "Vec<RobotTable>")]
     pub robots: Vec<Spanned<RobotTable>>,
-    /// Static boxes: fences, tables, machines.
+    /// What stands still: fences, tables, machines.
     #[serde(default, rename = "obstacle")]
     pub obstacles: Vec<ObstacleTable>,
     /// Sensors evaluated on the human's body and written to FMU inputs.
@@ -368,20 +368,54 @@ pub struct CapsuleTable {
     pub radius_m: f64,
 }
 
-/// A static box.
+/// What stands still: a box, or the parts of a mesh file, taken as boxes that lie inside them.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = box_or_mesh)]
 pub struct ObstacleTable {
-    /// Name used in messages and pictures.
-    pub name: String,
-    /// Centre, m.
-    pub centre_m: [f64; 3],
-    /// Full edge lengths, m.
-    #[schemars(with = "[f64; 3]")]
-    pub size_m: Spanned<[f64; 3]>,
-    /// Roll, pitch, yaw, degrees.
+    /// Name used in messages and pictures; of several boxes of a mesh, `name`, `name/2` and so on.
+    #[schemars(with = "String")]
+    pub name: Spanned<String>,
+    /// Box: centre, m.
     #[serde(default)]
-    pub rpy_deg: [f64; 3],
+    pub centre_m: Option<[f64; 3]>,
+    /// Box: full edge lengths, m.
+    #[serde(default)]
+    #[schemars(with = "Option<[f64; 3]>")]
+    pub size_m: Option<Spanned<[f64; 3]>>,
+    /// Box: roll, pitch, yaw, degrees.
+    #[serde(default)]
+    pub rpy_deg: Option<[f64; 3]>,
+    /// Or a mesh file.
+    #[serde(default)]
+    pub mesh: Option<StaticMeshTable>,
+    /// Mesh: longest edge of the cells that a part is filled with where it is no box, m; 0.05 unless told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub resolution_m: Option<Spanned<f64>>,
+}
+
+/// A mesh file of what stands still: STL, OBJ, glTF or GLB.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StaticMeshTable {
+    /// The file, relative to this one.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Metres for one of its units; 0.001 for a file in millimetres. May be left out for glTF, which is in metres.
+    #[serde(default)]
+    pub metres_per_unit: Option<f64>,
+    /// Which of its axes points up: z unless told otherwise, y for glTF.
+    #[serde(default)]
+    pub up: Option<UpAxis>,
+    /// Where its origin is.
+    #[serde(default)]
+    pub at: PoseTable,
+}
+
+/// The schema of an obstacle: a box or a mesh.
+fn box_or_mesh(obstacle: &mut Schema) {
+    obstacle.insert("oneOf".to_owned(), json!([{ "required": ["centre_m", "size_m"] }, { "required": ["mesh"] }]));
 }
 
 /// What a sensor is.

@@ -100,7 +100,9 @@ impl Knob {
                 }
             }
         }
-        for (number, (name, _)) in cell.obstacles.iter().enumerate() {
+        for ((name, _), table) in cell.obstacles.iter().zip(&cell.obstacle_tables) {
+            // Meshes are as high as they are.
+            let Some(number) = *table else { continue };
             let Some((centre, size)) = upright_box(text, number) else { continue };
             add(Turn::Higher { obstacle: number }, name, FARTHEST);
             add(Turn::Lower { obstacle: number }, name, steps_within(centre[2] - size[2] / 2.0));

@@ -10,8 +10,8 @@
 //! - [`draft`]: a first cell file, from that
 //! - [`knob`]: what in a cell can be turned to make it safer
 //! - [`ssp`]: several FMUs as a system, from SSP files
-//! - `robots`, `sensors`: the parts of `validate` that check those
-//! - [`described`]: robots from a URDF; below it `urdf` reads the file, `mesh` the shapes
+//! - `robots`, `sensors`, `obstacles`: the parts of `validate` that check those
+//! - [`described`]: robots from a URDF; below it `urdf` reads the file, `mesh` and `gltf` the shapes
 //! - [`files`]: what a cell file names, read once and hashed; `xml`: errors that point into XML files
 //! - [`error`]: messages that point into the file
 //!
@@ -24,9 +24,11 @@ pub mod error;
 pub mod files;
 pub mod find;
 pub mod format;
+mod gltf;
 pub mod interface;
 pub mod knob;
 mod mesh;
+mod obstacles;
 mod robots;
 pub mod roles;
 mod sensors;

@@ -10,9 +10,7 @@ use toml::de::{DeTable, DeValue};
 use super::CellError;
 use super::error::{Problems, Source, meant};
 use super::files::Files;
-use super::format::{
-    CellFile, FailOnTable, HumanTable, ObstacleTable, PoseQuantity, PoseTable, SearchTable, Sex, StartTable,
-};
+use super::format::{CellFile, FailOnTable, HumanTable, PoseQuantity, PoseTable, SearchTable, Sex, StartTable};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Rotation, Solid, Vec3, rotation_about};
 use crate::human::action::ACTION_S;
@@ -36,7 +34,7 @@ pub struct Workcell {
     pub steps_per_action: usize,
     /// Robots.
     pub robots: Vec<Robot>,
-    /// Files beside the cell file that robots and shapes come from, in the order in which they were first read.
+    /// Files beside the cell file that robots, shapes and obstacles come from, in the order in which they were first read.
     pub files: Vec<GeometryFile>,
     /// What the user should know of those.
     pub warnings: Vec<String>,
@@ -44,6 +42,8 @@ pub struct Workcell {
     pub links: Vec<Link>,
     /// Static boxes by name.
     pub obstacles: Vec<(String, Cuboid)>,
+    /// For each of them the obstacle of the cell file that says it; none for boxes in a mesh.
+    pub obstacle_tables: Vec<Option<usize>>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// What of the person's pose goes to the FMU.
@@ -365,7 +365,7 @@ impl Checker<'_> {
         let fmus = self.problems.keep(self.fmus(&file));
         let robots = self.robots(&file);
         let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
-        let obstacles = self.obstacles(&file);
+        let (obstacles, obstacle_tables) = self.obstacles(&file);
         let beginnings = self.beginnings(&file.human, step.map_or(0.02, |(step_s, _)| step_s));
         let body = self.problems.keep(self.body(&file));
         let budget = self.problems.keep(self.search(&file.search));
@@ -383,6 +383,7 @@ impl Checker<'_> {
             warnings: self.warnings.take(),
             links,
             obstacles,
+            obstacle_tables,
             sensors,
             pose: file.pose.keys().copied().collect(),
             start: beginnings.first()?.start,
@@ -495,20 +496,6 @@ impl Checker<'_> {
         let only = file.fmu.iter().map(|path| UnitFile { name: String::new(), path: path.clone() });
         let units = file.units.iter().map(|u| u.get_ref());
         Ok(only.chain(units.map(|u| UnitFile { name: u.name.clone(), path: u.fmu.clone() })).collect())
-    }
-
-    fn obstacles(&self, file: &CellFile) -> Vec<(String, Cuboid)> {
-        self.problems.keep_all(file.obstacles.iter().map(|o| self.obstacle(o)))
-    }
-
-    fn obstacle(&self, o: &ObstacleTable) -> Result<(String, Cuboid), Box<CellError>> {
-        for edge in o.size_m.get_ref() {
-            self.positive(*edge, &o.size_m.span(), &format!("each edge of obstacle `{}`", o.name))?;
-        }
-        let centre = Vec3::from_array(o.centre_m);
-        self.finite(&o.centre_m, &o.size_m.span(), &format!("the centre of obstacle `{}`", o.name))?;
-        let half = Vec3::from_array(*o.size_m.get_ref()) * 0.5;
-        Ok((o.name.clone(), Cuboid { centre, half, rotation: roll_pitch_yaw(o.rpy_deg.map(f64::to_radians)) }))
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {

@@ -4,6 +4,7 @@
 //! Vectors and rotations are parry's own types (glam underneath), so that parry can be called without conversion;
 //! nalgebra is used only for joint-space algebra, converted at that one seam. Transforms are named `a_from_b`.
 
+pub mod boxes;
 pub mod distance;
 pub mod kinematics;
 pub mod mesh;

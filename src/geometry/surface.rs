@@ -83,6 +83,15 @@ impl Triangles {
         (0..self.triangles.len()).map(of).sum()
     }
 
+    /// Adds other triangles.
+    pub fn add(&mut self, other: &Self) {
+        let before = u32::try_from(self.points.len()).unwrap_or(u32::MAX);
+        let points = [self.points.as_slice(), &other.points].concat();
+        let more = other.triangles.iter().map(|triangle| triangle.map(|corner| corner.saturating_add(before)));
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().copied().chain(more).collect();
+        *self = Self::merged(&points, &triangles);
+    }
+
     /// With the other side out.
     #[must_use]
     pub fn turned(mut self) -> Self {

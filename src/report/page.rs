@@ -225,7 +225,8 @@ pub const ASSUMPTIONS: [&str; 8] = [
      quasi-static limits apply, which are lower.",
     "Robot links and the body are simplified shapes (capsules, convex hulls, meshes) as given in the cell file; hair, clothes, \
      tools in the hand and sharp edges are not in the model.",
-    "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file.",
+    "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file, or in \
+     its meshes.",
     "Where an arm reaches through a light curtain or a door, or lets go of a two-hand control, that is reported as long \
      before the contact as the hand needs at 2.0 m/s (ISO 13855), rounded up to whole steps; the replay and the input trace \
      show the robot as it is then. Doors are open at once, and closed again behind the person.",

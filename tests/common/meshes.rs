@@ -36,3 +36,39 @@ pub fn stl(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> String {
     }
     text + "endsolid s\n"
 }
+
+/// A GLB file of a mesh: one node with this `transform`, as JSON members.
+pub fn glb(points: &[[f64; 3]], triangles: &[[u32; 3]], transform: &str) -> Vec<u8> {
+    let mut bin: Vec<u8> = triangles.iter().flatten().flat_map(|corner| corner.to_le_bytes()).collect();
+    let indices = bin.len();
+    #[allow(clippy::cast_possible_truncation, reason = "as glTF has them")]
+    bin.extend(points.iter().flatten().flat_map(|v| (*v as f32).to_le_bytes()));
+    let positions = bin.len() - indices;
+    let comma = if transform.is_empty() { "" } else { "," };
+    let mut json = format!(
+        "{{\"asset\":{{\"version\":\"2.0\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{{\"name\":\"thing\",\
+         \"mesh\":0{comma}{transform}}}],\"meshes\":[{{\"primitives\":[{{\"attributes\":{{\"POSITION\":1}},\"indices\":0,\
+         \"mode\":4}}]}}],\"buffers\":[{{\"byteLength\":{}}}],\"bufferViews\":[{{\"buffer\":0,\"byteOffset\":0,\
+         \"byteLength\":{indices}}},{{\"buffer\":0,\"byteOffset\":{indices},\"byteLength\":{positions}}}],\"accessors\":\
+         [{{\"bufferView\":0,\"componentType\":5125,\"count\":{},\"type\":\"SCALAR\"}},{{\"bufferView\":1,\
+         \"componentType\":5126,\"count\":{},\"type\":\"VEC3\",\"min\":[-9,-9,-9],\"max\":[9,9,9]}}]}}",
+        bin.len(),
+        3 * triangles.len(),
+        points.len()
+    );
+    while json.len() % 4 != 0 {
+        json.push(' ');
+    }
+    bin.resize(bin.len().next_multiple_of(4), 0);
+    let mut bytes = b"glTF".to_vec();
+    let number = |bytes: &mut Vec<u8>, value: usize| bytes.extend(u32::try_from(value).unwrap().to_le_bytes());
+    number(&mut bytes, 2);
+    number(&mut bytes, 28 + json.len() + bin.len());
+    number(&mut bytes, json.len());
+    bytes.extend(b"JSON");
+    bytes.extend(json.as_bytes());
+    number(&mut bytes, bin.len());
+    bytes.extend(b"BIN\0");
+    bytes.extend(bin);
+    bytes
+}
