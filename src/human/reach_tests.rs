@@ -311,14 +311,7 @@ fn no_promised_contact_is_in_a_box_that_is_dropped() {
 /// Meshes with a notch instead of capsules: what holds for convex shapes alone would drop too much.
 #[test]
 fn no_promised_contact_with_a_mesh_is_in_a_box_that_is_dropped() {
-    // A channel 1.2 m wide and 0.8 m high: an arm has room in it, and two walls and a floor to meet.
-    let corners =
-        [[0.0, 0.0], [1.2, 0.0], [1.2, 0.8], [1.15, 0.8], [1.15, 0.05], [0.05, 0.05], [0.05, 0.8], [0.0, 0.8]];
-    let caps = [[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4], [0, 5, 6], [0, 6, 7]];
-    let (points, triangles) = meshes::prism(&corners, &caps, 0.6);
-    let middle = Vec3::new(0.6, 0.3, 0.4);
-    let points: Vec<Vec3> = points.into_iter().map(|point| Vec3::from_array(point) - middle).collect();
-    let surface = Arc::new(Surface::new(Triangles::merged(&points, &triangles)).unwrap());
+    let surface = channel();
     let scene = |rng: &mut Rng, i| {
         let mut scene = if i % 2 == 0 { random_scene(rng, 3) } else { fence_scene(rng) };
         let Solid::Capsule(first) = &scene.links[0] else { unreachable!("capsule scenes") };
@@ -335,6 +328,54 @@ fn no_promised_contact_with_a_mesh_is_in_a_box_that_is_dropped() {
     };
     let [dropped, kept, dropped_in_touch] = dropped_boxes(40, &scene);
     assert!(dropped > 40_000 && kept > 4000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
+}
+
+/// A channel 1.2 m wide and 0.8 m high: an arm has room in it, and two walls and a floor to meet.
+fn channel() -> Arc<Surface> {
+    let corners =
+        [[0.0, 0.0], [1.2, 0.0], [1.2, 0.8], [1.15, 0.8], [1.15, 0.05], [0.05, 0.05], [0.05, 0.8], [0.0, 0.8]];
+    let caps = [[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4], [0, 5, 6], [0, 6, 7]];
+    let (points, triangles) = meshes::prism(&corners, &caps, 0.6);
+    let middle = Vec3::new(0.6, 0.3, 0.4);
+    let points: Vec<Vec3> = points.into_iter().map(|point| Vec3::from_array(point) - middle).collect();
+    Arc::new(Surface::new(Triangles::merged(&points, &triangles)).unwrap())
+}
+
+/// How near a forearm may come to a mesh within a box of joint angles is never said to be farther than it comes.
+#[test]
+fn no_limb_comes_nearer_to_a_mesh_than_told() {
+    let (mut rng, arm, surface) = (Rng::new(17), ArmModel::default(), channel());
+    let mut apart = 0;
+    for _ in 0..4000 {
+        let turn = rotation_about(Vec3::X, uniform(&mut rng, -3.0, 3.0))
+            * rotation_about(Vec3::Z, uniform(&mut rng, 0.0, 3.0));
+        let link = Solid::Mesh(Mesh::new(Arc::clone(&surface), Pose::from_parts(vector(&mut rng, 0.7), turn)));
+        let (pose, whole) = (Pose::IDENTITY, JointBox::whole());
+        let place = |config: Config| {
+            let (elbow, wrist, derivatives) = arm.forward_with_derivatives(Side::Left, config);
+            Placed { shoulder: pose.translation, elbow, wrist, derivatives }
+        };
+        let mut b = whole;
+        for joint in 0..4 {
+            b.half[joint] = (uniform(&mut rng, 0.0, 0.5) * uniform(&mut rng, 0.0, 1.0)).min(whole.half[joint]);
+            let room = whole.half[joint] - b.half[joint];
+            b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
+        }
+        let limb = [Share::ELBOW, Share::on_forearm(1.0)];
+        let radius = arm.forearm_radius_m;
+        let near = limb_may_touch(&link, limb, (radius, TOLERANCE), &place(b.middle), &Movement::of(&arm, &b));
+        let least = near.map_or(-TOLERANCE, |near| near.least);
+        apart += usize::from(least > -TOLERANCE - 1e-12);
+        for _ in 0..20 {
+            let mut config = b.middle;
+            // Towards the corners, where the farthest movements are.
+            (0..4).for_each(|j| config[j] += b.half[j] * (if rng.below(2) == 0 { -1.0 } else { 1.0 }));
+            let there = place(config);
+            let distance = link.segment_distance(there.elbow, there.wrist).distance - radius;
+            assert!(distance >= least - 1e-8, "{distance} m, at least {least} m told");
+        }
+    }
+    assert!(apart > 500, "{apart}");
 }
 
 /// Boxes of all sizes that are dropped, and configurations in them: none has a contact that was promised to be found. How
