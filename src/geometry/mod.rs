@@ -6,6 +6,7 @@
 
 pub mod boxes;
 pub mod distance;
+pub mod hull;
 pub mod kinematics;
 pub mod mesh;
 pub mod polygon;
@@ -21,10 +22,11 @@ pub mod triangle;
 pub(crate) mod test_meshes;
 
 pub use distance::Closest;
+pub use hull::Hull;
 pub use mesh::Mesh;
 pub use parry3d_f64::math::{Matrix as Matrix3, Pose, Rotation, Vector as Vec3};
 pub use shape::{Capsule, Cuboid};
-pub use solid::{Hull, Solid};
+pub use solid::Solid;
 pub use surface::Surface;
 
 /// Rotation by `angle` radians about the unit vector `axis` (right-hand rule), with `libm` trigonometry so that the

@@ -3,108 +3,8 @@
 //!
 //! Everything that is asked of it is a distance from a line segment, because human limbs are segments with a radius.
 
-use std::sync::Arc;
-
-use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
-use parry3d_f64::shape::{ConvexPolyhedron, Segment};
-
 use super::distance::{perpendicular_to, point_segment, segment_segment};
-use super::{Capsule, Closest, Mesh, Pose, Vec3};
-
-/// A convex polyhedron shared between placements, with where it is.
-#[derive(Clone, Debug)]
-pub struct Hull {
-    shape: Arc<ConvexPolyhedron>,
-    pose: Pose,
-    centre: Vec3,
-    radius: f64,
-}
-
-impl Hull {
-    /// The convex hull of points in the link's own frame, not yet moved; `None` when they do not span a volume.
-    #[must_use]
-    pub fn from_points(points: &[Vec3]) -> Option<Self> {
-        if !span_a_volume(points) {
-            return None;
-        }
-        ConvexPolyhedron::from_convex_hull(points).map(|shape| Self::new(Arc::new(shape), Pose::IDENTITY))
-    }
-
-    /// A shared polyhedron placed by `world_from_local`.
-    #[must_use]
-    pub fn new(shape: Arc<ConvexPolyhedron>, world_from_local: Pose) -> Self {
-        let points = shape.points();
-        let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
-        for point in points {
-            low = low.min(*point);
-            high = high.max(*point);
-        }
-        let centre = (low + high) * 0.5;
-        let radius = points.iter().map(|point| (*point - centre).length()).fold(0.0, f64::max);
-        Self { shape, pose: world_from_local, centre, radius }
-    }
-
-    /// The polyhedron in its own frame.
-    #[must_use]
-    pub fn shape(&self) -> &ConvexPolyhedron {
-        &self.shape
-    }
-
-    /// `world_from_local` of the polyhedron.
-    #[must_use]
-    pub fn pose(&self) -> Pose {
-        self.pose
-    }
-
-    fn point_distance(&self, point: Vec3) -> Closest {
-        let local = self.pose.inverse_transform_point(point);
-        let projection = self.shape.project_local_point(local, false);
-        let distance = (projection.point - local).length();
-        Closest {
-            distance: if projection.is_inside { -distance } else { distance },
-            on_first: point,
-            on_second: self.pose * projection.point,
-        }
-    }
-
-    fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
-        if (b - a).length_squared() < 1e-18 {
-            return self.point_distance(a);
-        }
-        let segment = Segment::new(a, b);
-        let nearest = query::closest_points(&Pose::IDENTITY, &segment, &self.pose, self.shape.as_ref(), f64::MAX);
-        if let Ok(ClosestPoints::WithinMargin(on_first, on_second)) = nearest {
-            return Closest { distance: (on_first - on_second).length(), on_first, on_second };
-        }
-        match query::contact(&Pose::IDENTITY, &segment, &self.pose, self.shape.as_ref(), 0.0) {
-            Ok(Some(contact)) => {
-                Closest { distance: contact.dist.min(0.0), on_first: contact.point1, on_second: contact.point2 }
-            }
-            // Two convex shapes are always supported; what is left is a touch so light that parry sees no contact.
-            _ => {
-                let middle = self.point_distance((a + b) * 0.5);
-                Closest { distance: middle.distance.min(0.0), ..middle }
-            }
-        }
-    }
-}
-
-/// Thinner than this is flat, m.
-const FLAT_M: f64 = 1e-6;
-
-/// Whether points are in no common plane.
-fn span_a_volume(points: &[Vec3]) -> bool {
-    let farthest = |distance: &dyn Fn(Vec3) -> f64| {
-        let by = |a: &&Vec3, b: &&Vec3| distance(**a).total_cmp(&distance(**b));
-        points.iter().max_by(by).map(|point| (*point, distance(*point))).filter(|(_, far)| *far > FLAT_M)
-    };
-    let Some(&a) = points.first() else { return false };
-    let Some((b, length)) = farthest(&|p| (p - a).length()) else { return false };
-    let along = (b - a) / length;
-    let Some((c, _)) = farthest(&|p| (p - a).cross(along).length()) else { return false };
-    let Some(normal) = (c - a).cross(along).try_normalize() else { return false };
-    farthest(&|p| (p - a).dot(normal).abs()).is_some()
-}
+use super::{Capsule, Closest, Hull, Mesh, Pose, Vec3};
 
 /// A robot link where it stands.
 #[derive(Clone, Debug)]
@@ -174,7 +74,7 @@ impl Solid {
     pub fn bounding_sphere(&self) -> (Vec3, f64) {
         match self {
             Self::Capsule(link) => ((link.a + link.b) * 0.5, 0.5 * (link.b - link.a).length() + link.radius),
-            Self::Hull(hull) => (hull.pose * hull.centre, hull.radius),
+            Self::Hull(hull) => hull.sphere(),
             Self::Mesh(mesh) => mesh.sphere(),
         }
     }
@@ -184,7 +84,7 @@ impl Solid {
     pub fn placed(&self, pose: Pose) -> Self {
         match self {
             Self::Capsule(link) => Self::Capsule(Capsule { a: pose * link.a, b: pose * link.b, radius: link.radius }),
-            Self::Hull(hull) => Self::Hull(Hull { pose: pose * hull.pose, ..hull.clone() }),
+            Self::Hull(hull) => Self::Hull(hull.placed(pose)),
             Self::Mesh(mesh) => Self::Mesh(mesh.placed(pose)),
         }
     }
