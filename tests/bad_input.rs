@@ -219,6 +219,12 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
          [[0, 0.5], [1, 0.5]] }\nvariable = \"plc.guard_closed\"\nactive = false\n[human]",
         &["goes through its operator's post", "on one side of line_m"],
     ),
+    (
+        "step_s = 0.02",
+        "step_s = 0.005\n[[sensor]]\nname = \"m\"\nkind = \"light_curtain\"\nzone = { line_m = [[0, 0], [1, 0]], \
+         heights_m = [0, 2] }\nvariable = \"plc.guard_closed\"\nactive = false",
+        &["time.step_s is 0.005, too short for m", "use 0.01 or 0.02"],
+    ),
     ("[human]", "[human]\nradii_m = { head = 1.2 }", &["radius of `head` is 1.2 m", "0.02 to 0.4 m"]),
     ("[human]", "[human]\nradii_m = { hed = 0.1 }", &["unknown field `hed`", "did you mean `head`"]),
     ("[human]", "[human]\nbegins_s = []", &["human.begins_s is empty", "leave it out"]),

@@ -261,29 +261,36 @@ const HAZARDOUS: [(&str, u64); 6] = [
 #[test]
 fn random_sequences_are_hazardous_as_often_as_counted() {
     let dir = examples();
-    for (name, hazardous) in HAZARDOUS {
-        let prepared = prepare(&dir.path().join(name).join("cell.toml"), None).unwrap();
-        let quick = ["head-collision", "heavy-workpiece"].contains(&name);
-        if quick {
-            let (account, _) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
-            assert_eq!(account.hazardous, hazardous.into(), "{name}");
+    std::thread::scope(|scope| {
+        for cells in [&HAZARDOUS[..HAZARDOUS.len() / 2], &HAZARDOUS[HAZARDOUS.len() / 2..]] {
+            let dir = dir.path();
+            scope.spawn(move || cells.iter().for_each(|(name, hazardous)| as_often_as_counted(dir, name, *hazardous)));
         }
-        let episodes = if quick { 6000 } else { 3000 };
-        let exact = hazardous as f64 / 36_f64.powi(8);
-        let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
-        let (mut rng, mut hits) = (Rng::new(11), 0);
-        for _ in 0..episodes {
-            simulation.reset().unwrap();
-            let end = loop {
-                if let Some(end) = simulation.step(rng.below(Action::COUNT)).unwrap().end {
-                    break end;
-                }
-            };
-            hits += usize::from(end == End::Unsafe);
-        }
-        let interval = wilson(hits, episodes);
-        assert!(interval.low <= exact && exact <= interval.high, "{name}: {exact} outside {interval:?}, {hits} hits");
+    });
+}
+
+fn as_often_as_counted(dir: &Path, name: &str, hazardous: u64) {
+    let prepared = prepare(&dir.join(name).join("cell.toml"), None).unwrap();
+    let quick = ["head-collision", "heavy-workpiece"].contains(&name);
+    if quick {
+        let (account, _) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
+        assert_eq!(account.hazardous, hazardous.into(), "{name}");
     }
+    let episodes = if quick { 6000 } else { 3000 };
+    let exact = hazardous as f64 / 36_f64.powi(8);
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
+    let (mut rng, mut hits) = (Rng::new(11), 0);
+    for _ in 0..episodes {
+        simulation.reset().unwrap();
+        let end = loop {
+            if let Some(end) = simulation.step(rng.below(Action::COUNT)).unwrap().end {
+                break end;
+            }
+        };
+        hits += usize::from(end == End::Unsafe);
+    }
+    let interval = wilson(hits, episodes);
+    assert!(interval.low <= exact && exact <= interval.high, "{name}: {exact} outside {interval:?}, {hits} hits");
 }
 
 #[test]

@@ -18,6 +18,11 @@ pub struct Interface<'a> {
     pub step_size: Option<f64>,
 }
 
+/// Whether a variable is `whole`, or an element of it.
+fn is_of(variable: &str, whole: &str) -> bool {
+    variable.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('['))
+}
+
 impl<'a> Interface<'a> {
     /// That of an FMU.
     #[must_use]
@@ -42,11 +47,12 @@ impl<'a> Interface<'a> {
         for (unit, ((component, fmu), guesses)) in system.fmus.iter().zip(guesses).enumerate() {
             let description = fmu.description();
             let name = |variable: &str| {
-                let is = |end: &(usize, String)| end.0 == unit && end.1 == variable;
+                let is = |end: &(usize, String)| end.0 == unit && is_of(variable, &end.1);
                 let own = structure.inputs.iter().find(|(_, targets)| targets.iter().any(is));
                 own.map_or_else(|| format!("{component}:{variable}"), |(name, _)| name.clone())
             };
-            let driven = |variable: &str| structure.links.iter().any(|link| link.to.0 == unit && link.to.1 == variable);
+            let driven =
+                |variable: &str| structure.links.iter().any(|link| link.to.0 == unit && is_of(variable, &link.to.1));
             let free = |variable: &&Variable| variable.causality != Causality::Input || !driven(&variable.name);
             for variable in description.variables.iter().filter(free) {
                 let name = name(&variable.name);
@@ -75,8 +81,7 @@ impl<'a> Interface<'a> {
     /// Whether a variable, or the array that it is an element of, is Boolean.
     #[must_use]
     pub fn is_boolean(&self, name: &str) -> bool {
-        let whole = |known: &str| name == known || name.strip_prefix(known).is_some_and(|rest| rest.starts_with('['));
-        let found = self.variables.iter().find(|(known, _)| whole(known));
+        let found = self.variables.iter().find(|(known, _)| is_of(name, known));
         found.is_some_and(|(_, variable)| matches!(variable.kind, VariableType::Boolean { .. }))
     }
 }

@@ -26,7 +26,21 @@ impl Checker<'_> {
                 (format!("two sensors are called `{}`", s.name), "give each sensor its own name".to_owned())
             }));
         }
-        self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)))
+        let sensors = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)));
+        let planes: Vec<&str> = sensors.iter().filter(|s| s.zone.plane().is_some()).map(|s| s.name.as_str()).collect();
+        let enough = self.that(planes.is_empty() || step_s >= SHORTEST_S, file.time.step_s.span(), || {
+            let message = format!("time.step_s is {step_s}, too short for {}", planes.join(", "));
+            (message, "arms behind planes are followed for 64 steps: use 0.01 or 0.02".to_owned())
+        });
+        let _ = self.problems.keep(enough);
+        if planes.len() > 1 {
+            self.warnings.borrow_mut().push(format!(
+                "arms that reach through two of {} at once are not looked for: where one is behind the other, scan once \
+                 without each of them",
+                planes.join(", ")
+            ));
+        }
+        sensors
     }
 
     fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
@@ -149,6 +163,9 @@ impl Checker<'_> {
         Ok(Cuboid { half: narrow.half.with_x(narrow.half.x + ASIDE_M), ..narrow })
     }
 }
+
+/// Shortest step with a light curtain, a door or a two-hand control, s: in 64 of them a hand gets as far as an arm is long.
+const SHORTEST_S: f64 = 0.01;
 
 /// How far the plane of a two-hand control goes on beside its buttons, and half its height, m: more than any arm is long.
 const ASIDE_M: f64 = 3.0;

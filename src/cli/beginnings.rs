@@ -1,13 +1,13 @@
 //! A scan of a cell with several beginnings: one scan each, in a folder each, and a table of them all.
 
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::exit::{self, Failure};
 use super::output;
-use crate::report::model::{BeginningSubject, ScanReport};
+use crate::report::model::{BeginningSubject, Hazard, Subject};
 
 /// Where the table is kept.
 const TABLE: &str = "beginnings.json";
@@ -22,11 +22,25 @@ pub(super) fn are_in(out: &Path) -> bool {
     out.join(TABLE).is_file()
 }
 
+/// The results in `out` are of something else now.
+pub(super) fn forget(out: &Path) {
+    let _ = std::fs::remove_file(out.join(TABLE));
+}
+
+/// The folder in `out` with the results of the same start at the same time, whatever its number there.
+pub(super) fn same_in(out: &Path, beginning: Option<&BeginningSubject>) -> Option<PathBuf> {
+    let table = Table::read(out)?;
+    let entry = table.beginnings.iter().find(|entry| beginning.is_some_and(|wanted| wanted.same(&entry.beginning)))?;
+    Some(out.join(&entry.folder))
+}
+
 /// What came out of each beginning so far.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(super) struct Table {
     /// Name of the cell.
     cell: String,
+    /// SHA-256 of the cell file.
+    cell_sha256: String,
     /// One entry each, in their order.
     beginnings: Vec<Entry>,
 }
@@ -50,12 +64,18 @@ struct Worst {
 
 impl Table {
     /// A table of nothing so far; or, if the scan goes on, of what there was.
-    pub(super) fn begun(out: &Path, cell: &str, goes_on: bool) -> Self {
-        let path = out.join(TABLE);
-        let kept = std::fs::read_to_string(&path).ok().filter(|_| goes_on);
-        let kept: Option<Self> = kept.and_then(|text| serde_json::from_str(&text).ok());
-        let _ = std::fs::remove_file(path);
-        kept.unwrap_or_else(|| Self { cell: cell.to_owned(), beginnings: Vec::new() })
+    pub(super) fn begun(out: &Path, subject: &Subject, goes_on: bool) -> Self {
+        let kept = Self::read(out).filter(|kept| goes_on && kept.cell_sha256 == subject.cell_sha256);
+        forget(out);
+        kept.unwrap_or_else(|| Self {
+            cell: subject.cell.clone(),
+            cell_sha256: subject.cell_sha256.clone(),
+            beginnings: Vec::new(),
+        })
+    }
+
+    fn read(out: &Path) -> Option<Self> {
+        serde_json::from_str(&std::fs::read_to_string(out.join(TABLE)).ok()?).ok()
     }
 
     /// Whether one has ended before.
@@ -63,12 +83,18 @@ impl Table {
         self.beginnings.iter().any(|entry| entry.beginning.number == number)
     }
 
-    /// Adds what came out of one and keeps the table in `out`.
-    pub(super) fn add(&mut self, report: &ScanReport, exit_code: u8, out: &Path) -> Result<(), Failure> {
-        let Some(beginning) = report.subject.beginning.clone() else { return Ok(()) };
-        let worst = report.hazards.first().map(|hazard| Worst { id: hazard.id.clone(), ratio: hazard.ratio });
+    /// Adds what came out of one and keeps the table in `out`. There are no hazards where the FMU failed at once.
+    pub(super) fn add(
+        &mut self,
+        subject: &Subject,
+        hazards: &[Hazard],
+        exit_code: u8,
+        out: &Path,
+    ) -> Result<(), Failure> {
+        let Some(beginning) = subject.beginning.clone() else { return Ok(()) };
+        let worst = hazards.first().map(|hazard| Worst { id: hazard.id.clone(), ratio: hazard.ratio });
         let folder = folder(beginning.number);
-        self.beginnings.push(Entry { beginning, folder, exit_code, hazards: report.hazards.len(), worst });
+        self.beginnings.push(Entry { beginning, folder, exit_code, hazards: hazards.len(), worst });
         self.keep(out)
     }
 

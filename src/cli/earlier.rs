@@ -50,10 +50,7 @@ pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -
         Some(other) => prepare_in(other, None, hosting)?,
         None => prepare_in(&own.path, own.cell_file.as_deref(), hosting)?,
     };
-    let prepared = match &own.beginning {
-        Some(beginning) if beginning.number > 1 => prepared.beginning(beginning.number - 1)?,
-        _ => prepared,
-    };
+    let prepared = prepared.beginning_of(own.beginning.as_ref())?;
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");
     }

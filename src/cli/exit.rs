@@ -56,6 +56,11 @@ impl Failure {
         Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }
     }
 
+    /// Its exit code.
+    pub(super) const fn code(&self) -> u8 {
+        self.code
+    }
+
     /// Prints the failure to stderr and returns its code.
     pub(super) fn report(self) -> u8 {
         output::error(&format!("{:?}", self.report));

@@ -76,7 +76,12 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     // Before anything is told: whoever reads it may interrupt.
     let stop = stop_flag();
     introduce(&prepared, arguments.state);
-    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
+    let own = || {
+        let of_cell = Path::new("out").join(file_name(&prepared.cell.name));
+        let one = arguments.begin.filter(|_| prepared.cell.beginnings.len() > 1);
+        one.map_or_else(|| of_cell.clone(), |number| of_cell.join(beginnings::folder(number as usize)))
+    };
+    let out = arguments.out.clone().unwrap_or_else(own);
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
     if let Some(command) = &command {
@@ -84,7 +89,13 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     }
     let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several };
     let journals = command.is_some();
-    let code = if several { run.all(&all, &out, journals)? } else { run.one(&all[0], &out, journals)?.code };
+    let baselines = all.iter().map(|prepared| run.baseline(prepared)).collect::<Result<Vec<_>, _>>()?;
+    let code = if several {
+        run.all(&all, &baselines, &out, journals)?
+    } else {
+        beginnings::forget(&out);
+        run.one(&all[0], baselines[0].as_ref(), &out, journals)?.code
+    };
     if journals {
         if stop.load(Ordering::Relaxed) {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
@@ -116,10 +127,10 @@ struct Ended {
 
 impl Run<'_> {
     /// One beginning after the other.
-    fn all(&self, all: &[Prepared], out: &Path, journals: bool) -> Result<u8, Failure> {
-        let mut table = beginnings::Table::begun(out, &all[0].cell.name, self.goes_on);
+    fn all(&self, all: &[Prepared], baselines: &[Option<Baseline>], out: &Path, journals: bool) -> Result<u8, Failure> {
+        let mut table = beginnings::Table::begun(out, &all[0].subject, self.goes_on);
         table.keep(out)?;
-        for prepared in all {
+        for (prepared, baseline) in all.iter().zip(baselines) {
             let number = prepared.cell.beginning + 1;
             if table.has(number) {
                 continue;
@@ -128,14 +139,19 @@ impl Run<'_> {
                 output::note(&format!("   Begins  {number} of {}: {}", all.len(), beginning.words()));
             }
             let own = out.join(beginnings::folder(number));
-            let Ended { report, code } = self.one(prepared, &own, journals)?;
+            let (hazards, code) = match self.one(prepared, baseline.as_ref(), &own, journals) {
+                Ok(Ended { report, code }) => (report.hazards, code),
+                // The others are searched all the same.
+                Err(failure) if failure.code() == exit::FMU_FAILED => (Vec::new(), failure.report()),
+                Err(failure) => return Err(failure),
+            };
             if code == exit::INTERRUPTED {
                 return Ok(code);
             }
             if journals {
                 resume::finished(&own);
             }
-            table.add(&report, code, out)?;
+            table.add(&prepared.subject, &hazards, code, out)?;
         }
         match self.arguments.format {
             Format::Json => output::json_of(&table)?,
@@ -145,14 +161,14 @@ impl Run<'_> {
     }
 
     /// A search from one beginning, and its results.
-    fn one(&self, prepared: &Prepared, out: &Path, journals: bool) -> Result<Ended, Failure> {
+    fn one(
+        &self,
+        prepared: &Prepared,
+        baseline: Option<&Baseline>,
+        out: &Path,
+        journals: bool,
+    ) -> Result<Ended, Failure> {
         let Self { arguments, path, cell_path, assessments, stop, .. } = *self;
-        let baseline_path = self.baseline_path(prepared);
-        let baseline = match &baseline_path {
-            Some(path) if !arguments.write_baseline => Some(known(path, arguments)?),
-            _ => None,
-        };
-        let baseline = baseline.as_ref();
         let options = ScanOptions {
             method: arguments.method(),
             seed: arguments.seed.unwrap_or(prepared.cell.search.seed),
@@ -222,7 +238,7 @@ impl Run<'_> {
             against(&report, baseline);
         }
         if arguments.write_baseline {
-            let path = baseline_path.unwrap_or_else(|| cell_path.with_file_name(BASELINE));
+            let path = self.baseline_path(prepared).unwrap_or_else(|| cell_path.with_file_name(BASELINE));
             if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
                 output::write_file(&path, &json)?;
                 output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
@@ -237,13 +253,25 @@ impl Run<'_> {
         Ok(Ended { report, code })
     }
 
+    /// The hazards that are known from this beginning. Of one that a folder of earlier results has not, none is.
+    fn baseline(&self, prepared: &Prepared) -> Result<Option<Baseline>, Failure> {
+        if self.arguments.write_baseline {
+            return Ok(None);
+        }
+        let named = self.arguments.baseline.is_some() || prepared.cell.baseline.is_some();
+        match self.baseline_path(prepared) {
+            Some(path) => known(&path, self.arguments).map(Some),
+            None => Ok(named.then(Baseline::default)),
+        }
+    }
+
     /// The baseline: what the command line says, else what the cell says.
     fn baseline_path(&self, prepared: &Prepared) -> Option<PathBuf> {
         let own = || prepared.cell.baseline.as_ref().map(|name| self.cell_path.with_file_name(name));
         let path = self.arguments.baseline.clone().or_else(own)?;
         // The folder with a scan's results, as everywhere.
         Some(if beginnings::are_in(&path) {
-            path.join(beginnings::folder(prepared.cell.beginning + 1)).join("scan.json")
+            beginnings::same_in(&path, prepared.subject.beginning.as_ref())?.join("scan.json")
         } else if path.is_dir() {
             path.join("scan.json")
         } else {

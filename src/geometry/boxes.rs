@@ -19,6 +19,9 @@ const SHEET_M: f64 = 0.002;
 const DENT_M: f64 = 0.001;
 const DENT_PART: f64 = 0.05;
 
+/// Of its volume a box has to be there, at least.
+const FULL: f64 = 0.85;
+
 /// Points this near to a plane are on it, m.
 const ON_PLANE_M: f64 = 1e-6;
 
@@ -102,6 +105,8 @@ pub fn as_box(body: &Triangles) -> Option<Cuboid> {
         let (low, high) = extent(body, frame);
         let size = high - low;
         let same = if closed { is_box(body, frame, low, high) } else { is_rectangle(body, frame, low, high) };
+        // Both sides of a folded sheet may be near the faces of the box around it: there has to be something in between.
+        let same = same && (!closed || body.volume().abs() >= FULL * size.element_product());
         let half = if closed { size * 0.5 } else { (size * 0.5).with_z(0.5 * SHEET_M) };
         same.then(|| Cuboid { centre: frame * ((low + high) * 0.5), half, rotation: frame })
     })

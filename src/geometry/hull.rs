@@ -17,8 +17,8 @@ struct Polyhedron {
     convex: ConvexPolyhedron,
     /// Outward normal of each face, and how far the polyhedron reaches along it, m.
     faces: Vec<(Vec3, f64)>,
-    /// Each edge between two faces: its ends and the normals of the faces.
-    edges: Vec<([Vec3; 2], [Vec3; 2])>,
+    /// The ends of each edge.
+    edges: Vec<[Vec3; 2]>,
 }
 
 /// A convex polyhedron shared between placements, with where it is.
@@ -50,12 +50,10 @@ impl Hull {
         let centre = (low + high) * 0.5;
         let radius = points.iter().map(|point| (*point - centre).length()).fold(0.0, f64::max);
         let reach = |normal: Vec3| points.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max);
-        let faces: Vec<(Vec3, f64)> = convex.faces().iter().map(|face| (face.normal, reach(face.normal))).collect();
-        let edges = convex.edges().iter().map(|edge| {
-            let ends = edge.vertices.map(|corner| points[corner as usize]);
-            (ends, edge.faces.map(|face| faces[face as usize].0))
-        });
-        let edges = edges.collect();
+        // Of a face without area there is no normal.
+        let normals = convex.faces().iter().filter_map(|face| face.normal.try_normalize());
+        let faces: Vec<(Vec3, f64)> = normals.map(|normal| (normal, reach(normal))).collect();
+        let edges = convex.edges().iter().map(|edge| edge.vertices.map(|corner| points[corner as usize])).collect();
         Self { shape: Arc::new(Polyhedron { convex, faces, edges }), pose: Pose::IDENTITY, centre, radius }
     }
 
@@ -108,8 +106,8 @@ impl Hull {
     }
 }
 
-/// Sine of the angle between faces below which they are one.
-const FLAT: f64 = 1e-6;
+/// Sine of the angle below which a segment and an edge are parallel.
+const PARALLEL: f64 = 1e-9;
 
 impl Polyhedron {
     /// How far it reaches along a direction, m.
@@ -129,22 +127,26 @@ impl Polyhedron {
     /// last, and the way.
     ///
     /// It is the distance of the origin from the surface of the Minkowski difference of the two, whose faces are those of
-    /// the polyhedron, moved, and one for each of its edges that the segment passes as it is swept along: those whose
-    /// normal with the segment lies between the normals of the edge's faces.
+    /// the polyhedron, moved, and some of those that its edges span with the segment. Along any direction there is a way
+    /// out: what is spanned and is no face is a longer one.
     fn depth(&self, a: Vec3, b: Vec3) -> (f64, Vec3, Vec3) {
         let (normal, depth) = self.shallowest(a, b);
         let last = if normal.dot(a) <= normal.dot(b) { a } else { b };
         let mut best = (depth, last, normal);
-        for ([from, to], [first, second]) in &self.edges {
-            let along = *to - *from;
-            let (Some(across), turn) = (along.cross(b - a).try_normalize(), first.cross(*second)) else { continue };
-            for normal in [across, -across] {
-                let between = first.cross(normal).dot(turn) >= 0.0 && normal.cross(*second).dot(turn) >= 0.0;
-                if !between || turn.length() < FLAT || normal.dot(*first + *second) <= 0.0 {
+        for [from, to] in &self.edges {
+            let (along, length) = (*to - *from, b - a);
+            let across = along.cross(length);
+            // Of parallels there is none: what rounding leaves points anywhere.
+            if across.length() <= PARALLEL * along.length() * length.length() {
+                continue;
+            }
+            for normal in [across.normalize(), -across.normalize()] {
+                let low = normal.dot(a).min(normal.dot(b));
+                // No corner reaches less far than the edge's.
+                if normal.dot(*from) - low >= best.0 {
                     continue;
                 }
-                // The edge reaches farthest; by rounding another corner may.
-                let depth = self.reach(normal) - normal.dot(a);
+                let depth = self.reach(normal) - low;
                 if depth < best.0 {
                     best = (depth, segment_segment(a, b, *from, *to).on_first, normal);
                 }
@@ -246,6 +248,35 @@ mod tests {
             deep += 1;
         }
         assert!(deep > 10, "{deep}");
+    }
+
+    #[test]
+    fn what_files_bring_has_depths_too() {
+        // Corners as in files, rounded to 32 bits, many in one face: boxes as grids of points, and prisms with rings.
+        let mut next = numbers(5);
+        for round in 0..60 {
+            let place = Pose::from_parts(point(&mut next), rotation_about(point(&mut next).normalize(), 3.0 * next()));
+            let grid =
+                (0..60).map(|n| Vec3::new(f64::from(n % 5) * 0.1, f64::from(n / 5 % 3) * 0.1, f64::from(n / 15) * 0.1));
+            let ring = (0..72).map(|n| {
+                let (y, x) = libm::sincos(f64::from(n % 24) * 0.261_799_387_799_149_4);
+                Vec3::new(0.2 + 0.1 * x, 0.1 + 0.1 * y, f64::from(n / 24) * 0.15)
+            });
+            let points: Vec<Vec3> = if round % 2 == 0 { grid.collect() } else { ring.collect() };
+            #[expect(clippy::cast_possible_truncation, reason = "as a file does")]
+            let rounded = |p: Vec3| Vec3::from_array((place * p).to_array().map(|v| f64::from(v as f32)));
+            let points: Vec<Vec3> = points.into_iter().map(rounded).collect();
+            let hull = Hull::from_points(&points).unwrap();
+            // Upright in the body, beside an edge of it.
+            let (a, b) = (Vec3::new(0.2, 0.03, -0.1), Vec3::new(0.2, 0.03, 0.5));
+            let (a, b) = (place * a, place * b);
+            // The box's nearest side; of the prism the side that is 7.5 degrees aside: (0.1 - 0.07) cos 7.5.
+            let expected = if round % 2 == 0 { 0.03 } else { 0.03 * libm::cos(0.130_899_693_899_574_7) };
+            let depth = -hull.segment_distance(a, b).distance;
+            assert!((depth - expected).abs() < 1e-6, "{round}: {depth} {expected}");
+            let inside = hull.point_distance(place * Vec3::new(0.2, 0.1, 0.15)).distance;
+            assert!(inside < -0.09, "{round}: {inside}");
+        }
     }
 
     #[test]

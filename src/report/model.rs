@@ -131,6 +131,13 @@ pub struct BeginningSubject {
 }
 
 impl BeginningSubject {
+    /// Whether it is the same start at the same time, whatever its number.
+    #[must_use]
+    pub fn same(&self, other: &Self) -> bool {
+        let figures = |b: &Self| [b.xy_m[0], b.xy_m[1], b.heading_deg, b.begins_s].map(f64::to_bits);
+        figures(self) == figures(other)
+    }
+
     /// For people.
     #[must_use]
     pub fn words(&self) -> String {

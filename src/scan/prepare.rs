@@ -11,7 +11,7 @@ use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
 use crate::cell::find::{OpenedCell, open};
 use crate::cell::ssp::Wiring;
-use crate::cell::validate::validate;
+use crate::cell::validate::{Beginning, validate};
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
@@ -80,6 +80,15 @@ pub enum PrepareError {
     #[error(transparent)]
     #[diagnostic(help("give one of its connections delay_steps = 1: its value then counts from the next step on"))]
     Coupling(#[from] AlgebraicLoop),
+    /// The cell has changed.
+    #[error("the cell has no beginning {what} any more")]
+    #[diagnostic(help(
+        "what was found from there cannot be tried: put it back into human.other_starts and human.begins_s"
+    ))]
+    BeginningGone {
+        /// Where and when it was.
+        what: String,
+    },
     /// A beginning that the cell has not.
     #[error("the cell has no beginning {number}")]
     #[diagnostic(help("it has {count}: each of human.start and human.other_starts at each of human.begins_s"))]
@@ -339,6 +348,28 @@ impl Prepared {
         let mut other = self.with(&self.text, number)?;
         other.suspicions.clone_from(&self.suspicions);
         Ok(other)
+    }
+
+    /// The same cell with the beginning that a scan recorded; one that recorded none was about the only one, at once.
+    ///
+    /// # Errors
+    /// When there is no such beginning any more.
+    pub fn beginning_of(&self, recorded: Option<&BeginningSubject>) -> Result<Self, PrepareError> {
+        let at = |number: usize| {
+            let Beginning { start, .. } = self.cell.beginnings[number];
+            let begins_s = self.cell.beginnings[number].begins_s(self.cell.step_s);
+            (start.xy_m(), start.heading_deg(), begins_s)
+        };
+        let is = |number: &usize| match recorded {
+            Some(b) => at(*number) == (b.xy_m, b.heading_deg, b.begins_s),
+            None => self.cell.beginnings[*number].lead_in_steps == 0,
+        };
+        match (0..self.cell.beginnings.len()).find(is) {
+            Some(number) => self.beginning(number),
+            None => Err(PrepareError::BeginningGone {
+                what: recorded.map_or_else(|| "at the FMU's own start".to_owned(), BeginningSubject::words),
+            }),
+        }
     }
 
     fn with(&self, text: &str, beginning: usize) -> Result<Self, PrepareError> {

@@ -301,7 +301,6 @@ impl<P: Plant> Simulation<P> {
         let outcome = Arc::new(self.work_out(action)?);
         if self.outcomes.len() >= OUTCOMES_KEPT {
             self.outcomes.clear();
-            self.looks.clear();
         }
         self.outcomes.insert(question, Arc::clone(&outcome));
         Ok(outcome)
@@ -408,6 +407,9 @@ impl<P: Plant> Simulation<P> {
             let finding = self.look(walked, action, sensed, node, &mut own)?;
             let look = Arc::new(Look { finding, coverage: own, reached: self.robots.take_reached() });
             self.robots.add_reached(&before);
+            if self.looks.len() >= OUTCOMES_KEPT {
+                self.looks.clear();
+            }
             self.looks.insert(question, Arc::clone(&look));
             look
         };

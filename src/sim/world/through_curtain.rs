@@ -4,6 +4,7 @@
 use super::super::curtain::{Curtain, depth_m};
 use super::super::encounter::{ArmSpace, Encountered, Person};
 use super::super::robot::RobotFrame;
+use super::super::sensors::DelayLine;
 use super::{Earlier, Frames, Hit, Stance, World};
 use crate::geometry::{Cuboid, Rotation, Solid, Vec3};
 use crate::human::{Place, Side};
@@ -40,10 +41,6 @@ impl World {
             return Ok(Some(Hit::new(found, &frames[i])));
         }
         for (c, curtain) in self.keeping_back(person, stance) {
-            if self.is_inside(curtain, stance, c) {
-                let found = self.encounter.unsafe_arm_contact(person, &frames[i], &ArmSpace::OPEN, coverage);
-                return Ok(found.map(|found| Hit::new(found, &frames[i])));
-            }
             let deepest = self.deepest(person, curtain);
             if deepest <= 0.0 {
                 continue;
@@ -74,7 +71,8 @@ impl World {
     fn keeping_back(&self, person: &Person, stance: &Stance) -> impl Iterator<Item = (usize, &Curtain)> {
         let free = |c: usize, curtain: &Curtain| {
             let since = stance.broken[c];
-            curtain.hands_only && since > 0 && depth_m(since + 1, self.cell.step_s) >= self.deepest(person, curtain)
+            let far = || since == LONG_AGO || depth_m(since + 1, self.cell.step_s) >= self.deepest(person, curtain);
+            self.is_inside(curtain, stance, c) || (curtain.hands_only && since > 0 && far())
         };
         self.curtains.iter().enumerate().filter(move |(c, curtain)| !free(*c, curtain))
     }
@@ -152,6 +150,7 @@ impl World {
     pub(super) fn in_time(&self, point: Vec3, stance: &Stance) -> bool {
         self.curtains.iter().enumerate().filter(|(_, curtain)| !curtain.hands_only).all(|(c, curtain)| {
             self.is_inside(curtain, stance, c)
+                || stance.broken[c] == LONG_AGO
                 || curtain.depth(point) <= depth_m(stance.broken[c] + 1, self.cell.step_s)
         })
     }
@@ -161,6 +160,9 @@ impl World {
         stance.broken[c] == 0 && curtain.depth(self.position(&stance.place)) > 0.0
     }
 }
+
+/// Samples since a plane was broken, or a control let go, that are not counted any more: anything is possible since.
+const LONG_AGO: usize = DelayLine::LONGEST as usize;
 
 /// A wall that is nowhere near a person.
 const NOWHERE: Cuboid = Cuboid { centre: Vec3::new(0.0, 0.0, -100.0), half: Vec3::ZERO, rotation: Rotation::IDENTITY };
