@@ -83,3 +83,36 @@ fn a_later_beginning_is_as_if_the_person_had_stood_still_before() {
     fmi_hazard(dir).args(scan("safety-fence/many.toml", "no")).args(["--begin", "5"]).assert().code(2);
     fmi_hazard(dir).args(scan("safety-fence/many.toml", "no")).arg("--write-baseline").assert().code(2);
 }
+
+#[test]
+fn a_beginning_is_its_start_and_time_not_its_number() {
+    let dir = examples();
+    let dir = dir.path();
+    let human = |starts: &str| HUMAN.replace("other_starts = [", &format!("other_starts = [{starts}"));
+    cell(dir, "many", HUMAN);
+    let few = ["scan", "safety-fence/many.toml", "--strategy", "random", "--iterations", "8"];
+    fmi_hazard(dir).args(few).args(["--out", "o"]).assert().code(1);
+    // One more start in front: what was the third is the fourth.
+    cell(dir, "more", &human("{ xy_m = [0.48, -0.75], heading_deg = 90 }, "));
+    let known = scan_json(&dir.join("o/begin-3"));
+    assert!(!known["hazards"].as_array().unwrap().is_empty());
+    let verified = fmi_hazard(dir).args(["verify", "o/begin-3", "safety-fence/more.toml"]).assert().code(1);
+    let said = String::from_utf8_lossy(&verified.get_output().stdout).into_owned();
+    assert!(!said.contains("fixed") || said.contains(" 0 fixed") || said.contains("0 of"), "{said}");
+    // Known from where it was known; all of the new start's is new.
+    let more = ["scan", "safety-fence/more.toml", "--strategy", "random", "--iterations", "8", "--baseline", "o"];
+    fmi_hazard(dir).args(more).args(["--begin", "4", "--out", "four"]).assert().code(0);
+    assert_eq!(scan_json(&dir.join("four"))["hazards"], known["hazards"]);
+    let new = fmi_hazard(dir).args(more).args(["--begin", "2", "--out", "two"]).assert().get_output().clone();
+    let told = String::from_utf8_lossy(&new.stderr).into_owned();
+    assert!(told.contains("0 known"), "{told}");
+    // A beginning that is gone is not taken for another.
+    cell(dir, "once", "[human]");
+    let gone =
+        fmi_hazard(dir).args(["verify", "o/begin-3", "safety-fence/once.toml"]).assert().code(2).get_output().clone();
+    assert!(String::from_utf8_lossy(&gone.stderr).contains("any more"));
+    // One of several goes where the others are, unless told otherwise; and can be looked at there.
+    fmi_hazard(dir).args(few).args(["--begin", "3"]).assert().code(1);
+    let id = scan_json(&dir.join("out/safety-fence/begin-3"))["hazards"][0]["id"].as_str().unwrap().to_owned();
+    fmi_hazard(dir).args(["replay", "out/safety-fence/begin-3", &id]).assert().code(1);
+}

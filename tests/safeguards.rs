@@ -93,3 +93,49 @@ fn hands_on_a_two_hand_control_are_hit_by_nothing_behind_it() {
     let not_let_go = |hazard: &&Value| hazard["through_curtain"].is_null();
     assert!(!found.iter().filter(of_an_arm).filter(not_let_go).any(|hazard| held(&hazard) && deep(&hazard)));
 }
+
+/// What happens, whatever the sensors are.
+fn events(hazards: &[Value]) -> Vec<String> {
+    let of = |hazard: &Value| {
+        let [region, link, force, time] = ["body_region", "robot_link", "force_n", "time_s"].map(|key| &hazard[key]);
+        format!("{region} {link} {force} {time} {}", hazard["contact_point_m"])
+    };
+    let mut events: Vec<String> = hazards.iter().map(of).collect();
+    events.sort();
+    events.dedup();
+    events
+}
+
+#[test]
+fn a_control_that_somebody_else_left_long_ago_holds_nobody_back() {
+    let dir = examples();
+    let near = [(START, "start = { xy_m = [0.1, -0.3], heading_deg = 90 }"), ("xyz_m = [0, 1.55", "xyz_m = [0, 1.4")];
+    // No sensor at all; and a control far away, of which the person stands behind the line, that changes nothing.
+    let whole = |variable: &str, kind: &str, zone: &str| {
+        cell(dir.path(), kind, zone, &near)
+            .replace("variable = \"plc.curtain_clear\"", &format!("variable = \"{variable}\""))
+    };
+    let away = "{ polygon_m = [[-1, -9], [1, -9], [1, -8], [-1, -8]], line_m = [[-1, -4], [1, -4]] }";
+    let control = whole("plc.reset", "two_hand_control", away)
+        .replace("active = false", "active = false # pressed is held")
+        .replace("\"plc.reset\" = false", "\"plc.curtain_clear\" = true");
+    let nowhere = "{ polygon_m = [[-9, -9], [-8, -9], [-8, -8]] }";
+    let none = whole("plc.reset", "mat", nowhere)
+        .replace("active = false", "active = true")
+        .replace("\"plc.reset\" = false", "\"plc.curtain_clear\" = true");
+    let [control, none] = [("away", control), ("none", none)].map(|(name, cell)| hazards(dir.path(), name, &cell, 2));
+    assert!(none.iter().any(|hazard| !hazard["arm"].is_null() && hazard["time_s"].as_f64() < Some(0.3)));
+    assert_eq!(events(&control), events(&none));
+}
+
+#[test]
+fn two_planes_are_warned_of() {
+    let dir = examples();
+    let more = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\nzone = { line_m = [[-0.5, 1], [0.5, 1]], heights_m = \
+                [0, 2] }\nvariable = \"plc.curtain_clear\"\nactive = false\n[inputs]";
+    let text = std::fs::read_to_string(dir.path().join("light-curtain/cell.toml")).unwrap().replace("[inputs]", more);
+    write(dir.path(), "light-curtain/two.toml", &text);
+    let output = fmi_hazard(dir.path()).args(["check", "light-curtain/two.toml"]).assert().code(0).get_output().clone();
+    let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("arms that reach through two of curtain, door at once are not looked for"), "{text}");
+}

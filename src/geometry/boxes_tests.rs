@@ -120,6 +120,22 @@ fn a_small_opening_stays_open() {
 }
 
 #[test]
+fn a_folded_sheet_is_no_box() {
+    // 0.8 mm thick, folded once: every triangle is near a side of the box around it.
+    for thick in [0.0005, 0.0008, 0.002] {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, thick], [thick, thick], [thick, 1.5], [0.0, 1.5]];
+        let sheet = merged(&meshes::prism(&corners, &[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]], 2.0));
+        assert!(sheet.closed().is_ok() && as_box(&sheet).is_none(), "{thick} m");
+        let (boxes, _) = inside(&Surface::new(sheet).unwrap(), 0.05, 2000).unwrap();
+        let holds = |point: Vec3| {
+            let inside = |c: &Cuboid| (c.rotation.inverse() * (point - c.centre)).abs().cmple(c.half).all();
+            boxes.iter().any(inside)
+        };
+        assert!(!holds(Vec3::new(0.5, 0.7, 1.0)), "air is filled");
+    }
+}
+
+#[test]
 fn an_angle_a_ball_and_a_turned_angle_are_filled_from_inside() {
     let (boxes, share) = within(&merged(&angle()), 0.05);
     assert!((share - 1.0).abs() < 1e-6 && boxes.len() == 2, "{share} {}", boxes.len());
