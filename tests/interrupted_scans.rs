@@ -88,3 +88,24 @@ fn a_strategy_is_run_again_with_the_same_result() {
     let read = |out: &str| std::fs::read_to_string(dir.join(out).join("scan.json")).unwrap();
     assert!(read("stopped") == read("whole"));
 }
+
+#[test]
+fn of_several_beginnings_those_that_ended_are_not_searched_again() {
+    let dir = examples();
+    let dir = dir.path();
+    let cell = std::fs::read_to_string(dir.join("safety-fence/cell.toml")).unwrap();
+    let several = "[search]\nactions = 4\n[human]\nbegins_s = [0, 0.8, 1.6]";
+    std::fs::write(dir.join("safety-fence/many.toml"), cell.replace("[human]", several)).unwrap();
+    let scan = |out| ["scan", "safety-fence/many.toml", "--strategy", "exhaustive", "--out", out];
+    let code = fmi_hazard(dir).args(scan("whole")).assert().get_output().status.code();
+    assert_eq!(interrupted(dir, &scan("stopped"), "Begins  2 of 3", "-INT"), Some(130));
+    let again = fmi_hazard(dir).args(["scan", "--resume", "stopped"]).assert().get_output().clone();
+    assert_eq!(again.status.code(), code);
+    let told = String::from_utf8_lossy(&again.stderr).into_owned();
+    assert!(!told.contains("Begins  1 of 3") && told.contains("Begins  2 of 3"), "{told}");
+    for file in ["beginnings.json", "begin-1/scan.json", "begin-2/scan.json", "begin-3/scan.json"] {
+        let read = |out: &str| std::fs::read_to_string(dir.join(out).join(file)).unwrap();
+        assert!(read("stopped") == read("whole"), "{file}");
+    }
+    assert!(!dir.join("stopped/resume.json").exists());
+}
