@@ -106,6 +106,12 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
     let new = fmi_hazard(dir).args(more).args(["--begin", "2", "--out", "two"]).assert().get_output().clone();
     let told = String::from_utf8_lossy(&new.stderr).into_owned();
     assert!(told.contains("0 known"), "{told}");
+    let other = fmi_hazard(dir).args(["compare", "o/begin-1", "o/begin-3"]).assert().get_output().clone();
+    assert!(String::from_utf8_lossy(&other.stdout).contains("the person begins: at (0.45, -0.70) m"));
+    // What cannot be read is not taken for nothing known.
+    std::fs::create_dir(dir.join("torn")).unwrap();
+    std::fs::write(dir.join("torn/beginnings.json"), "{").unwrap();
+    fmi_hazard(dir).args(few).args(["--out", "no", "--baseline", "torn"]).assert().code(2);
     // A beginning that is gone is not taken for another.
     cell(dir, "once", "[human]");
     let gone =

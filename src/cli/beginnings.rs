@@ -27,11 +27,12 @@ pub(super) fn forget(out: &Path) {
     let _ = std::fs::remove_file(out.join(TABLE));
 }
 
-/// The folder in `out` with the results of the same start at the same time, whatever its number there.
-pub(super) fn same_in(out: &Path, beginning: Option<&BeginningSubject>) -> Option<PathBuf> {
-    let table = Table::read(out)?;
-    let entry = table.beginnings.iter().find(|entry| beginning.is_some_and(|wanted| wanted.same(&entry.beginning)))?;
-    Some(out.join(&entry.folder))
+/// The folder in `out` with the results of the same start at the same time, whatever its number there; the table, if it
+/// cannot be read.
+pub(super) fn same_in(out: &Path, beginning: Option<&BeginningSubject>) -> Result<Option<PathBuf>, PathBuf> {
+    let table = Table::read(out).ok_or_else(|| out.join(TABLE))?;
+    let same = |entry: &&Entry| beginning.is_some_and(|wanted| wanted.same(&entry.beginning));
+    Ok(table.beginnings.iter().find(same).map(|entry| out.join(&entry.folder)))
 }
 
 /// What came out of each beginning so far.

@@ -271,7 +271,11 @@ impl Run<'_> {
         let path = self.arguments.baseline.clone().or_else(own)?;
         // The folder with a scan's results, as everywhere.
         Some(if beginnings::are_in(&path) {
-            beginnings::same_in(&path, prepared.subject.beginning.as_ref())?.join("scan.json")
+            match beginnings::same_in(&path, prepared.subject.beginning.as_ref()) {
+                Ok(found) => found?.join("scan.json"),
+                // Reading it tells what is wrong with it.
+                Err(table) => table,
+            }
         } else if path.is_dir() {
             path.join("scan.json")
         } else {

@@ -188,6 +188,10 @@ fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<
     tell("tool", &before.tool, &after.tool);
     tell("edition of the limits", &before.standard_edition, &after.standard_edition);
     tell("cell", &before.subject.cell, &after.subject.cell);
+    let begins = |scan: &Recorded| {
+        scan.subject.beginning.as_ref().map_or_else(|| "as the cell file says".to_owned(), |b| b.words())
+    };
+    tell("the person begins", &begins(before), &begins(after));
     let unit = |scan: &Recorded, name: &str| {
         let found = scan.subject.fmus.iter().find(|fmu| fmu.unit == name);
         found.map_or_else(|| "none".to_owned(), |FmuSubject { sha256, .. }| short(sha256))
