@@ -232,7 +232,11 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
     (
         "[human]",
         "[human]\nother_starts = [{ xy_m = [0.9, 0.0], heading_deg = 90 }]",
-        &["the person's start (0.90, 0.00) m is inside an obstacle", "wrong.toml:"],
+        &[
+            "the person's start (0.90, 0.00) m is inside an obstacle",
+            "move this one of human.other_starts",
+            "wrong.toml:",
+        ],
     ),
     ("[human]", "[pose]\nx = \"plc.reset\"\n[human]", &["a Real input is needed", "inspect"]),
     ("[human]", "[pose]\nxx = \"plc.reset\"\n[human]", &["unknown variant `xx`", "did you mean"]),

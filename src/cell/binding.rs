@@ -1,5 +1,8 @@
 //! Names in the cell file to variables of the FMU: existence, direction, type and unit are checked, and each quantity
 //! the simulation needs becomes a [`Reader`] over the FMU's bound outputs.
+//!
+//! `lookup` finds variables and converts their units, `robot` binds what moves a robot, `system` the connections between FMUs;
+//! `reading` is what is left of all that in a scan.
 
 mod lookup;
 mod reading;

@@ -1,4 +1,5 @@
-//! `fmi-hazard init`: a first cell file for an FMU or a system of FMUs, with what is guessed marked and what is missing to be filled in.
+//! `fmi-hazard init`: a first cell file for an FMU or a system of FMUs, with what is guessed marked and what is missing to
+//! be filled in.
 //!
 //! The FMU is not run. Questions are asked only where a person sits at a terminal.
 

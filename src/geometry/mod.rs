@@ -3,6 +3,11 @@
 //!
 //! Vectors and rotations are parry's own types (glam underneath), so that parry can be called without conversion;
 //! nalgebra is used only for joint-space algebra, converted at that one seam. Transforms are named `a_from_b`.
+//!
+//! - [`shape`]: capsules and boxes; [`distance`], [`segment_cuboid`], [`triangle`], [`polygon`]: closed forms for them
+//! - [`solid`]: a robot link where it stands: a capsule, a [`hull`] or a [`mesh`], which is a closed [`surface`]
+//! - [`boxes`]: a surface as boxes that lie in it, for obstacles
+//! - [`kinematics`]: where links are, and how fast
 
 pub mod boxes;
 pub mod distance;

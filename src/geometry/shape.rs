@@ -1,4 +1,4 @@
-//! The two shapes that humans, robot links and static obstacles are made of.
+//! The simple shapes: capsules, of which humans and many robot links are made, and boxes, of which obstacles are.
 
 use super::{Rotation, Vec3};
 

@@ -11,7 +11,7 @@ use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
 use crate::cell::find::{OpenedCell, open};
 use crate::cell::ssp::Wiring;
-use crate::cell::validate::{Beginning, validate};
+use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::Activity;
@@ -271,13 +271,19 @@ fn files(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
 /// Which of its beginnings a cell is about, if it has several or another than the FMU's own start.
 fn told_beginning(cell: &Workcell) -> Option<BeginningSubject> {
     let told = cell.beginnings.len() > 1 || cell.lead_in_steps() > 0;
-    told.then(|| BeginningSubject {
-        number: cell.beginning + 1,
+    told.then(|| beginning_subject(cell, cell.beginning))
+}
+
+/// One of a cell's beginnings, from 0, as results tell it.
+fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
+    let beginning = &cell.beginnings[number];
+    BeginningSubject {
+        number: number + 1,
         of: cell.beginnings.len(),
-        xy_m: cell.start.xy_m(),
-        heading_deg: cell.start.heading_deg(),
-        begins_s: cell.begins_s(),
-    })
+        xy_m: beginning.start.xy_m(),
+        heading_deg: beginning.start.heading_deg(),
+        begins_s: beginning.begins_s(cell.step_s),
+    }
 }
 
 /// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
@@ -322,10 +328,12 @@ fn fit(
     } else {
         let message =
             format!("the person's start ({:.2}, {:.2}) m is inside an obstacle or touches one", start.x, start.y);
-        let help = "move human.start; the body needs 0.14 m of room around it".to_owned();
         let human = &cell.file().human;
         let starts: Vec<_> = std::iter::once(&human.start).chain(&human.other_starts).collect();
-        let span = starts[cell.beginning % starts.len()].span();
+        let number = cell.beginning % starts.len();
+        let which = if number == 0 { "human.start" } else { "this one of human.other_starts" };
+        let help = format!("move {which}; the body needs 0.14 m of room around it");
+        let span = starts[number].span();
         Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
     };
     Ok(Fitted { cell, binding, setup, free_start })
@@ -355,13 +363,8 @@ impl Prepared {
     /// # Errors
     /// When there is no such beginning any more.
     pub fn beginning_of(&self, recorded: Option<&BeginningSubject>) -> Result<Self, PrepareError> {
-        let at = |number: usize| {
-            let Beginning { start, .. } = self.cell.beginnings[number];
-            let begins_s = self.cell.beginnings[number].begins_s(self.cell.step_s);
-            (start.xy_m(), start.heading_deg(), begins_s)
-        };
         let is = |number: &usize| match recorded {
-            Some(b) => at(*number) == (b.xy_m, b.heading_deg, b.begins_s),
+            Some(recorded) => recorded.same(&beginning_subject(&self.cell, *number)),
             None => self.cell.beginnings[*number].lead_in_steps == 0,
         };
         match (0..self.cell.beginnings.len()).find(is) {

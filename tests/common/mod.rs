@@ -104,6 +104,19 @@ pub fn scan_json(out: &Path) -> serde_json::Value {
     json(&out.join("scan.json"))
 }
 
+/// Both scans have the same hazards; forces to a millionth of a newton, because shapes given in two ways differ by rounding.
+pub fn assert_same_hazards(one: &serde_json::Value, other: &serde_json::Value) {
+    let [one, other] = [one, other].map(|scan| scan["hazards"].as_array().expect("a list"));
+    assert_eq!(one.len(), other.len());
+    for (a, b) in one.iter().zip(other) {
+        for key in ["id", "time_s", "robot_link", "body_region", "actions"] {
+            assert_eq!(a[key], b[key], "{key}");
+        }
+        let [a, b] = [a, b].map(|hazard| hazard["force_n"].as_f64().expect("a number"));
+        assert!((a - b).abs() < 1e-6, "{a} N {b} N");
+    }
+}
+
 /// A JSON file.
 pub fn json(path: &Path) -> serde_json::Value {
     let text = std::fs::read_to_string(path).expect("the file exists");
