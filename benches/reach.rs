@@ -97,7 +97,6 @@ fn branch_and_bound(scene: &Scene, side: Side) -> bool {
         side,
         world_from_shoulder: scene.shoulder,
         links: &scene.links,
-        links_per_instant: scene.links.len(),
         obstacles: &scene.obstacles,
         score: &Any,
         threshold: 0.5,

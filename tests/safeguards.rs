@@ -129,13 +129,18 @@ fn a_control_that_somebody_else_left_long_ago_holds_nobody_back() {
 }
 
 #[test]
-fn two_planes_are_warned_of() {
+fn three_planes_are_warned_of() {
     let dir = examples();
-    let more = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\nzone = { line_m = [[-0.5, 1], [0.5, 1]], heights_m = \
-                [0, 2] }\nvariable = \"plc.curtain_clear\"\nactive = false\n[inputs]";
-    let text = std::fs::read_to_string(dir.path().join("light-curtain/cell.toml")).unwrap().replace("[inputs]", more);
-    write(dir.path(), "light-curtain/two.toml", &text);
-    let output = fmi_hazard(dir.path()).args(["check", "light-curtain/two.toml"]).assert().code(0).get_output().clone();
+    let door = |name: &str, y: f64| {
+        format!(
+            "[[sensor]]\nname = \"{name}\"\nkind = \"interlocked_door\"\nzone = {{ line_m = [[-0.5, {y}], [0.5, {y}]], \
+             heights_m = [0, 2] }}\nvariable = \"plc.curtain_clear\"\nactive = false\n"
+        )
+    };
+    let more = format!("{}{}[inputs]", door("door", 1.0), door("gate", 2.0));
+    let text = std::fs::read_to_string(dir.path().join("light-curtain/cell.toml")).unwrap().replace("[inputs]", &more);
+    write(dir.path(), "light-curtain/three.toml", &text);
+    let output = fmi_hazard(dir.path()).args(["check", "light-curtain/three.toml"]).assert().code(0).get_output().clone();
     let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains("arms that reach through two of curtain, door at once are not looked for"), "{text}");
+    assert!(text.contains("arms that reach through three of curtain, door, gate at once are not looked for"), "{text}");
 }

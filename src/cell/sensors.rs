@@ -33,10 +33,10 @@ impl Checker<'_> {
             (message, "arms behind planes are followed for 64 steps: use 0.01 or 0.02".to_owned())
         });
         let _ = self.problems.keep(enough);
-        if planes.len() > 1 {
+        if planes.len() > 2 {
             self.warnings.borrow_mut().push(format!(
-                "arms that reach through two of {} at once are not looked for: where one is behind the other, scan once \
-                 without each of them",
+                "arms that reach through three of {} at once are not looked for: where they are behind one another, scan \
+                 once without each of them",
                 planes.join(", ")
             ));
         }

@@ -94,13 +94,6 @@ impl Mesh {
         self.world(deepest.0, deepest.1, deepest.2)
     }
 
-    /// By how much a point of a segment that enters may be deeper than its signed distance says, m: half the way between
-    /// two of the points that are looked at.
-    #[must_use]
-    pub(super) fn deeper_by(a: Vec3, b: Vec3) -> f64 {
-        (b - a).length() / (2.0 * f64::from(SAMPLES - 1))
-    }
-
     /// See [`super::Solid::nearest_within`].
     ///
     /// The point comes no nearer to any triangle, and no farther from the nearest, than it moves: so the nearest point is

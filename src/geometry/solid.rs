@@ -60,15 +60,6 @@ impl Solid {
         }
     }
 
-    /// Radius around the core of a capsule, m; hulls and meshes are all core.
-    #[must_use]
-    pub const fn core_radius(&self) -> f64 {
-        match self {
-            Self::Capsule(link) => link.radius,
-            Self::Hull(_) | Self::Mesh(_) => 0.0,
-        }
-    }
-
     /// Centre and radius of a sphere around the link.
     #[must_use]
     pub fn bounding_sphere(&self) -> (Vec3, f64) {
@@ -104,15 +95,6 @@ impl Solid {
             Self::Mesh(mesh) => mesh.nearest_within(point, near, movement),
             _ if near.distance > 0.0 => (near.on_second, movement),
             _ => (point, movement),
-        }
-    }
-
-    /// By how much some point of the segment between `a` and `b` may be deeper than `near`, its signed distance, says, m.
-    #[must_use]
-    pub fn deeper_by(&self, near: &Closest, a: Vec3, b: Vec3) -> f64 {
-        match self {
-            Self::Mesh(_) if near.distance <= 0.0 => Mesh::deeper_by(a, b),
-            _ => 0.0,
         }
     }
 }

@@ -29,11 +29,20 @@ pub struct Finding {
     pub sensors: Vec<bool>,
     /// Programme phase of the robot, where the cell names one.
     pub phase: Option<i64>,
-    /// For an arm that reaches through a light curtain or a door, or from a two-hand control: how long before the contact
-    /// it broke the plane or let go, s.
-    pub through_curtain_s: Option<f64>,
-    /// Index of the sensor of that curtain.
-    pub curtain: Option<usize>,
+    /// Planes that told of the arm: light curtains, doors, two-hand controls that it let go.
+    pub through: Vec<Through>,
+}
+
+/// A plane that told of an arm, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Through {
+    /// Index of its sensor.
+    pub sensor: usize,
+    /// How long before the contact the arm broke the plane or let go, s.
+    pub since_s: f64,
+    /// How long before the contact the body itself was seen in the plane, s: from then on the sensors tell of that alone. 0
+    /// if the arm is told of until the contact.
+    pub until_s: f64,
 }
 
 /// Where the touching arm is.

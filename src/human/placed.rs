@@ -64,7 +64,7 @@ impl PlacedBody {
     /// The body region at a point on the surface of `part` (world frame).
     ///
     /// Where regions meet, the more sensitive one is taken. Contact on the limb capsules is their region all round; on
-    /// the head, the lower half of the front is the face; on the trunk, the front is chest above the xiphoid process and
+    /// the head, the lower half of the front is the face; the front half of the neck is that of the larynx; on the trunk, the front is chest above the xiphoid process and
     /// abdomen below, the rear and the shoulder caps are back and shoulders.
     #[must_use]
     pub fn region_of(&self, part: BodyPart, contact_point: Vec3) -> BodyRegion {
@@ -74,6 +74,7 @@ impl PlacedBody {
                 let centre = self.world_from_trunk.inverse_transform_point(self.capsule(part).a) / self.scale;
                 if on_trunk.x >= 0.0 && on_trunk.z <= centre.z { BodyRegion::Face } else { BodyRegion::SkullForehead }
             }
+            BodyPart::Neck if on_trunk.x >= 0.0 => BodyRegion::NeckFront,
             BodyPart::Neck => BodyRegion::Neck,
             BodyPart::UpperChest | BodyPart::LowerChest | BodyPart::Abdomen => {
                 let shoulder_cap = part == BodyPart::UpperChest && on_trunk.y.abs() > CHEST_HALF_BREADTH;
@@ -121,7 +122,8 @@ mod tests {
             (BodyPart::Head, [0.09, 0.0, 0.77], BodyRegion::SkullForehead),
             (BodyPart::Head, [-0.10, 0.0, 0.70], BodyRegion::SkullForehead),
             (BodyPart::Head, [0.0, 0.0, 0.825], BodyRegion::SkullForehead),
-            (BodyPart::Neck, [0.06, 0.0, 0.55], BodyRegion::Neck),
+            (BodyPart::Neck, [0.06, 0.0, 0.55], BodyRegion::NeckFront),
+            (BodyPart::Neck, [0.001, 0.06, 0.55], BodyRegion::NeckFront),
             (BodyPart::Neck, [-0.06, 0.0, 0.55], BodyRegion::Neck),
             (BodyPart::UpperChest, [0.13, 0.0, 0.40], BodyRegion::Chest),
             (BodyPart::UpperChest, [-0.13, 0.0, 0.40], BodyRegion::BackShoulders),

@@ -1,15 +1,16 @@
 //! Can an arm touch the robot, past the obstacles, and how badly? Branch and bound over the box of the four joint
 //! angles.
 //!
+//! Upper arm, elbow, forearm and hand are judged each by itself, with each link: no contact hides another.
+//!
 //! A box is judged by its middle configuration and by how far any point of the arm can move within the box. It is
-//! dropped when no contact in it can score more than what is known, when another part of the arm is certainly touched
-//! first, when the arm certainly crosses an obstacle, or when it is outside the joint limits; otherwise its middle is
-//! tried, and it is split until the movement is below the tolerance.
+//! dropped when no contact in it can score more than what is known, when the arm certainly crosses an obstacle, or when it
+//! is outside the joint limits; otherwise its middle is tried, and it is split until the movement is below the tolerance.
 //!
 //! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that stays one when the arm
-//! moves by the tolerance: deeper than that, with more than that of clearance to obstacles and joint limits, touched first
-//! by as much, and on a link whose points within the tolerance are above the threshold too. Others are not looked for:
-//! they lie in thin layers around shapes, and layers cost most. The bounds hold because signed distances
+//! moves by the tolerance: deeper than that, with more than that of clearance to obstacles and joint limits, and on a link
+//! whose points within the tolerance are above the threshold too. Others are not looked for: they lie in thin layers around
+//! shapes, and layers cost most. The bounds hold because signed distances
 //! change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a thin panel is known
 //! to cross it for every configuration that differs by less than that. Sharper bounds hold for convex shapes alone; where
 //! the nearest point of a mesh can be is told by its triangles.
@@ -19,8 +20,8 @@ mod movement;
 mod obstructed;
 
 use self::joint_box::JointBox;
-use self::movement::{LimbNear, Movement, NearestMoves, Placed, Share, limb_may_touch};
-use self::obstructed::{crosses, ends_inside, stays_before_a_face};
+use self::movement::{Limb, Movement, NearestMoves, Placed, Share};
+use self::obstructed::{crosses, ends_inside};
 use super::Side;
 use super::arm::{ArmModel, Config, clamped};
 use crate::geometry::distance::point_segment;
@@ -66,8 +67,6 @@ pub struct ReachQuery<'a, S: ContactScore> {
     pub world_from_shoulder: Pose,
     /// Robot links, world; those of several instants one after the other, to settle them in one search.
     pub links: &'a [Solid],
-    /// How many of them belong to one instant: what is touched first is asked of each instant on its own.
-    pub links_per_instant: usize,
     /// Obstacles, world.
     pub obstacles: &'a [Cuboid],
     /// Score of contacts.
@@ -87,7 +86,7 @@ pub struct ReachQuery<'a, S: ContactScore> {
 pub struct ArmContact {
     /// Joint angles, rad.
     pub config: Config,
-    /// What touches: of overlapping segments the one with the smallest signed distance.
+    /// What touches: of all contacts of the configuration the one with the highest score.
     pub segment: ArmSegment,
     /// Index of the link touched.
     pub link: usize,
@@ -142,17 +141,6 @@ struct Open {
     near_shoulder: Vec<u16>,
 }
 
-/// What a limb may have from a piece of a link within a box of joint angles.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Harm {
-    /// They cannot touch.
-    Apart,
-    /// Where they touch, the hand touches the link first, unless an obstacle keeps it away.
-    HandFirst,
-    /// It may be touched first.
-    Possible,
-}
-
 /// Drops pieces from the end of the list up to the first that may matter.
 fn settle(open: &mut Vec<u16>, may_matter: impl Fn(usize) -> bool) {
     while open.last().is_some_and(|last| !may_matter(usize::from(*last))) {
@@ -163,8 +151,8 @@ fn settle(open: &mut Vec<u16>, may_matter: impl Fn(usize) -> bool) {
 struct Search<'a, S: ContactScore> {
     query: &'a ReachQuery<'a, S>,
     shoulder: Vec3,
-    /// Links in reach that may score above the threshold, with their bounding spheres, by instant.
-    links: Vec<Vec<(usize, Vec3, f64)>>,
+    /// Links in reach that may score above the threshold, with their bounding spheres.
+    links: Vec<(usize, Vec3, f64)>,
     /// The same links cut into short pieces, with upper bounds of their scores by segment.
     pieces: Vec<Piece>,
     /// Obstacles in reach, with bounding radius.
@@ -227,8 +215,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
             let (centre, radius) = query.links[link].bounding_sphere();
             (link, centre, radius)
         };
-        let instants = links.chunk_by(|a, b| a / query.links_per_instant == b / query.links_per_instant);
-        let links = instants.map(|links| links.iter().map(|&link| sphere(link)).collect()).collect();
+        let links = links.into_iter().map(sphere).collect();
         Self { query, shoulder, links, pieces, obstacles, best: None }
     }
 
@@ -266,8 +253,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
         Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
     }
 
-    /// How far a configuration is from a contact that matters, m: of what may matter, the nearest, and as much farther
-    /// as the hand is touched before it.
+    /// How far a configuration is from a contact that matters, m: of what may matter, the nearest.
     fn distance_to_harm(&self, placed: &Placed, open: &Open) -> f64 {
         let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let beyond_elbow = !open.beyond_elbow.is_empty();
@@ -276,13 +262,11 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let distance = |i: &u16| {
             let piece = &self.pieces[usize::from(*i)];
             let [upper, elbow, fore, hand] = piece.bounds;
-            let at_hand = piece.solid.point_distance(placed.wrist).distance - arm.hand_radius_m;
-            if beyond_elbow && hand > cutoff {
-                return at_hand;
-            }
             let limb = |from: Vec3, to: Vec3, radius: f64| piece.solid.segment_distance(from, to).distance - radius;
             let mut nearest = f64::MAX;
-            if beyond_elbow && fore > cutoff {
+            if beyond_elbow && hand > cutoff {
+                nearest = piece.solid.point_distance(placed.wrist).distance - arm.hand_radius_m;
+            } else if beyond_elbow && fore > cutoff {
                 nearest = limb(zone, placed.wrist, arm.forearm_radius_m);
             }
             if !beyond_elbow && elbow > cutoff {
@@ -291,7 +275,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
             if !beyond_elbow && upper > cutoff {
                 nearest = nearest.min(limb(placed.shoulder, placed.elbow, arm.upper_arm_radius_m));
             }
-            nearest.max(nearest - at_hand)
+            nearest
         };
         open.iter().map(distance).fold(f64::MAX, f64::min)
     }
@@ -371,112 +355,24 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 }
             }
         }
-        // Beyond the part that counts as elbow, as far as a forearm can be touched before its hand.
-        let part = self.elbow_part();
-        let forearm = |end: f64| match end > part {
-            true => {
-                self.may_be_harmed(piece, [part, end].map(Share::on_forearm), arm.forearm_radius_m, placed, movement)
-            }
-            false => Harm::Apart,
-        };
-        fore > cutoff
-            && match forearm(self.never_first_from()) {
-                Harm::Possible => true,
-                // Touched before its hand only where an obstacle keeps the hand away, and then anywhere.
-                Harm::Apart | Harm::HandFirst => {
-                    !matches!(forearm(1.0), Harm::Apart) && !self.hand_certainly_free(placed, piece.link, movement)
-                }
-            }
+        let ends = [self.elbow_part(), 1.0].map(Share::on_forearm);
+        fore > cutoff && self.may_touch(piece, &Limb { ends, radius: arm.forearm_radius_m }, placed, movement)
     }
 
     /// The same of the upper arm and of what counts as elbow.
     fn elbow_or_upper_arm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
         let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let [upper, elbow, _, _] = piece.bounds;
-        let limb = |bound: f64, limb: [Share; 2], radius: f64| match bound > cutoff {
-            true => self.may_be_harmed(piece, limb, radius, placed, movement),
-            false => Harm::Apart,
-        };
-        let harms = [
-            limb(elbow, [Share::ELBOW, Share::on_forearm(self.elbow_part())], arm.forearm_radius_m),
-            limb(upper, [Share::SHOULDER, Share::ELBOW], arm.upper_arm_radius_m),
-        ];
-        harms.contains(&Harm::Possible)
-            || (harms.contains(&Harm::HandFirst) && !self.hand_certainly_free(placed, piece.link, movement))
+        let to_zone = [Share::ELBOW, Share::on_forearm(self.elbow_part())];
+        let to_elbow = [Share::SHOULDER, Share::ELBOW];
+        let may_touch = |ends, radius| self.may_touch(piece, &Limb { ends, radius }, placed, movement);
+        (elbow > cutoff && may_touch(to_zone, arm.forearm_radius_m))
+            || (upper > cutoff && may_touch(to_elbow, arm.upper_arm_radius_m))
     }
 
-    /// What a limb, given by its ends, may have from a piece within the box.
-    fn may_be_harmed(
-        &self,
-        piece: &Piece,
-        limb: [Share; 2],
-        radius: f64,
-        placed: &Placed,
-        movement: &Movement,
-    ) -> Harm {
-        match limb_may_touch(&piece.solid, limb, (radius, self.query.tolerance_m), placed, movement) {
-            None => Harm::Apart,
-            Some(near) if self.hand_is_deeper(placed, piece.link, limb, &near, movement) => Harm::HandFirst,
-            Some(_) => Harm::Possible,
-        }
-    }
-
-    /// From which part of the forearm on the hand is always touched before it, unless an obstacle keeps the hand away: a
-    /// contact at a point `t` from the wrist that is `d` from the forearm's axis is at most `d + t` from the wrist, so
-    /// the hand is the deeper one where `d + t - hand radius < d - forearm radius`.
-    fn never_first_from(&self) -> f64 {
-        let arm = self.query.arm;
-        1.0 - (arm.hand_radius_m - arm.forearm_radius_m).max(0.0) / arm.forearm_m
-    }
-
-    /// Whether the hand overlaps a link more than a limb does, in the whole box: then the limb is never what is touched
-    /// first, unless an obstacle keeps the hand away.
-    fn hand_is_deeper(
-        &self,
-        placed: &Placed,
-        link: usize,
-        limb: [Share; 2],
-        near: &LimbNear,
-        movement: &Movement,
-    ) -> bool {
-        let solid = &self.query.links[link];
-        let wrist = solid.point_distance(placed.wrist);
-        let hand = wrist.distance - self.query.arm.hand_radius_m;
-        if hand + movement.wrist < near.least - near.deeper_by {
-            return true;
-        }
-        // Limb and hand move together: what counts is how the difference of their distances changes. The limb's is at
-        // least that of one of its ends from the plane. The hand's is at most that from the point of the link's core (its
-        // surface, for a hull) that is nearest now: |v + d| <= |v| + d v/|v| + d^2 / (2 |v|).
-        let (Some((n, plane)), Some(to_wrist)) = (near.plane, solid.outward(&wrist)) else { return false };
-        let from_core = wrist.distance + solid.core_radius();
-        if from_core <= 0.0 {
-            return false;
-        }
-        let curved = movement.wrist * movement.wrist / (2.0 * from_core);
-        (0..2).all(|k| {
-            let change = |joint: usize| {
-                let wrist = placed.derivatives[joint][1].dot(to_wrist);
-                (wrist - limb[k].derivative(placed, joint, n)).abs() * movement.half[joint]
-            };
-            let rest = movement.wrist_rest + limb[k].of(movement.elbow_rest, movement.wrist_rest) + curved;
-            hand - plane[k] + (0..4).map(change).sum::<f64>() + rest < 0.0
-        })
-    }
-
-    /// Whether the line from the wrist to the nearest point of a link is free in the whole box.
-    fn hand_certainly_free(&self, placed: &Placed, link: usize, movement: &Movement) -> bool {
-        let solid = &self.query.links[link];
-        let near = solid.point_distance(placed.wrist);
-        // A wrist that may be inside the link in a part of the box needs no line there.
-        let (to, by) = solid.nearest_within(placed.wrist, &near, movement.wrist);
-        let nearest = NearestMoves::new(solid, &near, placed, movement);
-        let known = near.distance > 0.0 && solid.is_convex();
-        let moves = |n: Vec3| [movement.along(placed, n).1, if known { nearest.along(n) } else { by }];
-        let farthest = by.max(movement.wrist);
-        self.obstacles_near(placed.wrist, to, farthest).all(|o| {
-            segment_cuboid(placed.wrist, to, o).distance > farthest || stays_before_a_face(o, [placed.wrist, to], moves)
-        })
+    /// Whether a limb may overlap a piece by the tolerance within the box.
+    fn may_touch(&self, piece: &Piece, limb: &Limb, placed: &Placed, movement: &Movement) -> bool {
+        limb.may_touch(&piece.solid, self.query.tolerance_m, placed, movement)
     }
 
     /// The part of the forearm that counts as elbow.
@@ -548,27 +444,32 @@ impl<'a, S: ContactScore> Search<'a, S> {
             .any(|o| segment_cuboid(placed.elbow, placed.wrist, o).distance < arm.forearm_radius_m)
     }
 
-    /// Takes the configuration as the best if it touches, scores more, and is free.
+    /// Takes the configuration as the best if a contact of it scores more, and it is free.
     fn try_configuration(&mut self, config: Config, placed: &Placed) {
-        for instant in 0..self.links.len() {
-            let Some(contact) = self.first_touched(config, placed, instant) else { continue };
-            if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
-                self.best = Some(contact);
+        let mut worst: Option<ArmContact> = None;
+        self.each_contact(config, placed, |contact| {
+            if worst.is_none_or(|w| contact.score > w.score) {
+                worst = Some(contact);
             }
+        });
+        let Some(contact) = worst else { return };
+        if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
+            self.best = Some(contact);
         }
     }
 
-    /// The contact of a configuration at one instant: the smallest signed distance over segments and links.
-    fn first_touched(&self, config: Config, placed: &Placed, instant: usize) -> Option<ArmContact> {
+    /// The contacts of a configuration, of each part of the arm with each link, wherever obstacles are but for the hand's.
+    fn each_contact(&self, config: Config, placed: &Placed, mut consider: impl FnMut(ArmContact)) {
         let arm = self.query.arm;
         let zone = self.end_of_elbow(placed);
-        let mut touched: Option<(f64, ArmSegment, usize, Vec3, Vec3)> = None;
-        let mut consider = |distance: f64, segment, link, on_link: Vec3, on_arm: Vec3| {
-            if distance <= 0.0 && touched.is_none_or(|(d, ..)| distance < d) {
-                touched = Some((distance, segment, link, on_link, on_arm));
+        let mut consider = |signed_distance: f64, segment, link, on_link: Vec3, on_arm: Vec3| {
+            if signed_distance <= 0.0 {
+                let score = self.query.score.score(segment, link, on_link);
+                let (elbow, wrist) = (placed.elbow, placed.wrist);
+                consider(ArmContact { config, segment, link, on_link, on_arm, elbow, wrist, signed_distance, score });
             }
         };
-        for &(index, centre, radius) in &self.links[instant] {
+        for &(index, centre, radius) in &self.links {
             let link = &self.query.links[index];
             if (centre - placed.wrist).length() - radius <= arm.hand_radius_m {
                 let hand = link.point_distance(placed.wrist);
@@ -593,10 +494,6 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 }
             }
         }
-        let (signed_distance, segment, link, on_link, on_arm) = touched?;
-        let score = self.query.score.score(segment, link, on_link);
-        let (elbow, wrist) = (placed.elbow, placed.wrist);
-        Some(ArmContact { config, segment, link, on_link, on_arm, elbow, wrist, signed_distance, score })
     }
 }
 

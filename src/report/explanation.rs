@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::model::{Hazard, STANDARD_EDITION};
+use super::model::{Hazard, STANDARD_EDITION, Through};
 use crate::human::{Action, Posture, Walk};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::{Table, tables};
@@ -113,7 +113,7 @@ impl Explanation {
             hazard.body_region,
             hazard.robot_link,
             hazard.ratio,
-            if hazard.body_region.is_head() { " (contact with the head is not allowed at all)" } else { "" }
+            if hazard.body_region.permits_no_contact() { " (contact there is not allowed at all)" } else { "" }
         );
         let mut say = |text: &str| out += &wrapped(text, "   ");
         let ([x, y], heading) = self.start;
@@ -142,9 +142,9 @@ impl Explanation {
         for outside in &self.outside {
             say(&format!("That is {:.2} m outside the zone of {}.", outside.distance_m, outside.name));
         }
-        if let Some(before) = hazard.through_curtain_s {
-            let sensor = hazard.through_curtain.as_deref().unwrap_or("the light curtain");
-            say(&format!("The arm went past {sensor} {before:.2} s before, on its way there."));
+        for Through { sensor, since_s, until_s } in &hazard.through {
+            let ahead = if *until_s > 0.0 { ", ahead of the body" } else { "" };
+            say(&format!("The arm went past {sensor} {since_s:.2} s before{ahead}, on its way there."));
         }
         self.force(&mut out);
         self.changes(&mut out);
@@ -196,13 +196,13 @@ impl Explanation {
             (
                 "limit",
                 format!("{:.0} N", hazard.limit_n),
-                if region.is_head() {
+                if region.permits_no_contact() {
                     format!(
-                        "quasi-static, {quasi_static:.0} N (Table A.2); for ranking only: contact of the head with a moving \
-                         robot is not allowed (A.3.2)"
+                        "quasi-static, {quasi_static:.0} N (Table A.2); for ranking only: contact with a moving robot is \
+                         not allowed there (A.3.2, 5.5.5)"
                     )
                 } else {
-                    format!("transient: {factor:.0} x {quasi_static:.0} N (Table A.2)")
+                    format!("transient: {factor:.0} x {quasi_static:.0} N (Tables A.2 and A.4)")
                 },
             ),
         ];
@@ -213,10 +213,10 @@ impl Explanation {
             let state = if verified { "verified" } else { "not yet verified against the purchased standard" };
             *out += &wrapped_under("   from  ", &format!("{title}: {source}; {state}"));
         }
-        let _ = if region.is_head() {
+        let _ = if region.permits_no_contact() {
             writeln!(
                 out,
-                "\n No speed is safe: the head may only be met by a robot that stands. (The force would stay within {:.0} N \
+                "\n No speed is safe: only a robot that stands may touch the head or the throat. (The force would stay within {:.0} N \
                  below {:.2} m/s.)",
                 hazard.limit_n, hazard.safe_below_m_s
             )

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::hazard::{Class, Group};
+use crate::hazard::{Class, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
 use crate::search::residual::Figures;
@@ -275,10 +275,13 @@ pub struct Hazard {
     /// Programme phase.
     pub phase: Option<i64>,
     /// For an arm through a light curtain or a door, or from a two-hand control: how long before the contact it broke the
-    /// plane or let go, s; the robot is where it is when that is reported then.
+    /// plane or let go, s; the robot is where it is when that is reported then. Of several planes the first.
     pub through_curtain_s: Option<f64>,
     /// The sensor of that.
     pub through_curtain: Option<String>,
+    /// All planes that told of the arm, and when.
+    #[serde(default)]
+    pub through: Vec<Through>,
     /// The sequence of actions; the contact happens in the last.
     pub actions: Vec<Action>,
     /// Iteration in which the hazard was first met, from 1.
@@ -291,6 +294,18 @@ pub struct Hazard {
     pub sequences: Option<String>,
     /// The shortest and calmest sequence.
     pub shortest: Shortest,
+}
+
+/// A plane that told of an arm: a light curtain, a door, a two-hand control that it let go.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Through {
+    /// Its sensor.
+    pub sensor: String,
+    /// How long before the contact the arm broke the plane or let go, s.
+    pub since_s: f64,
+    /// How long before the contact the sensor began to tell of the body itself, s: the robot then is as if the plane had told
+    /// of the arm until that only. 0 if the plane tells of the arm until the contact.
+    pub until_s: f64,
 }
 
 /// The shortest sequence found that ends in a hazard; of these the calmest. The very shortest there is when the search
@@ -488,8 +503,17 @@ impl Hazard {
             arm,
             sensors: sensor_names.iter().zip(&f.sensors).map(sensor).collect(),
             phase: f.phase,
-            through_curtain_s: f.through_curtain_s,
-            through_curtain: f.curtain.map(|sensor| sensor_names[sensor].clone()),
+            through_curtain_s: f.through.first().map(|through| through.since_s),
+            through_curtain: f.through.first().map(|through| sensor_names[through.sensor].clone()),
+            through: f
+                .through
+                .iter()
+                .map(|&finding::Through { sensor, since_s, until_s }| Through {
+                    sensor: sensor_names[sensor].clone(),
+                    since_s,
+                    until_s,
+                })
+                .collect(),
             actions: f.actions.clone(),
             first_iteration: group.first_iteration,
             times_found: group.times_found,

@@ -43,7 +43,7 @@ pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>)
                     ),
                     rule(
                         Class::HeadContact,
-                        "A moving robot can touch the head",
+                        "A moving robot can touch the head or the throat",
                         "Contact of a moving robot with skull, forehead or face is not permissible whatever the force.",
                     ),
                 ],

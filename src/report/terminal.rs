@@ -54,8 +54,8 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
             h.body_region.to_string(),
             h.robot_link.clone(),
             force,
-            // No speed of a moving robot is safe for a head (ISO/TS 15066, A.3.2).
-            if h.body_region.is_head() { "none".to_owned() } else { format!("{:.2} m/s", h.safe_below_m_s) },
+            // No speed of a moving robot is safe for a head or a throat.
+            if h.body_region.permits_no_contact() { "none".to_owned() } else { format!("{:.2} m/s", h.safe_below_m_s) },
             format!("{:.2} s", h.time_s),
             h.times_found.to_string(),
             match h.confirmed {

@@ -10,7 +10,7 @@ use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 use crate::host::system::UnitPort;
 use crate::host::{Hosted, Plant as _, PlantError};
 use crate::human::{Action, BendFraction, Posture};
-use crate::report::model::Hazard;
+use crate::report::model::{Hazard, Through};
 use crate::report::page::{
     ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
 };
@@ -101,16 +101,21 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
 /// # Errors
 /// When the FMU fails.
 pub fn watch(simulation: &mut Simulation<Hosted>, prepared: &Prepared, hazard: &Hazard) -> Result<Watched, PlantError> {
-    simulation.watch(&hazard.actions, reached_through(prepared, hazard))
+    let through: Vec<ReachedThrough> = hazard.through.iter().filter_map(|t| reached_through(prepared, hazard, t)).collect();
+    simulation.watch(&hazard.actions, &through)
 }
 
-fn reached_through(prepared: &Prepared, hazard: &Hazard) -> Option<ReachedThrough> {
+fn reached_through(prepared: &Prepared, hazard: &Hazard, through: &Through) -> Option<ReachedThrough> {
     let cell = &prepared.cell;
-    let sensor = cell.sensors.iter().position(|sensor| Some(&sensor.name) == hazard.through_curtain.as_ref())?;
+    let sensor = cell.sensors.iter().position(|sensor| sensor.name == through.sensor)?;
+    let now = steps(prepared, hazard.time_s) + cell.sensors[sensor].delay_steps;
     // The hand has all the time from the sample before the one that first told of it.
-    let told = steps(prepared, hazard.through_curtain_s?).saturating_sub(1);
-    let from_step = (steps(prepared, hazard.time_s) + cell.sensors[sensor].delay_steps).checked_sub(told)?;
-    Some(ReachedThrough { sensor, from_step })
+    let first = now.checked_sub(steps(prepared, through.since_s).saturating_sub(1))?;
+    let until = match steps(prepared, through.until_s) {
+        0 => usize::MAX,
+        until => now.checked_sub(until)?,
+    };
+    Some(ReachedThrough { sensor, steps: first..until })
 }
 
 /// Whole steps in a time.

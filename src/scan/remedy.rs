@@ -274,6 +274,6 @@ impl Trial<'_> {
 
 /// What the sensors report at the start.
 fn at_start(simulation: &mut Simulation<Hosted>) -> Result<Vec<bool>, PlantError> {
-    let watched = simulation.watch(&[], None)?;
+    let watched = simulation.watch(&[], &[])?;
     Ok(watched.instants[0].readings.clone())
 }

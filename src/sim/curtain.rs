@@ -70,17 +70,40 @@ impl Curtain {
         beyond(&self.plane, self.from, depth)
     }
 
+    /// What lies farther than `depth` before the plane: out of reach in time for an arm from behind.
+    #[must_use]
+    pub fn before(&self, depth: f64) -> Cuboid {
+        // Seen from a mirrored point, the sides change places.
+        let across = self.plane.rotation * Vec3::Y;
+        let mirrored = self.from - across * (2.0 * side(&self.plane, self.from));
+        beyond(&self.plane, mirrored, depth)
+    }
+
     /// Whether some part of `shape` is no deeper than `depth` behind the plane.
     #[must_use]
     pub fn within(&self, depth: f64, shape: &Solid) -> bool {
-        let nearest = match shape {
-            Solid::Capsule(c) => self.depth(c.a).min(self.depth(c.b)) - c.radius,
+        self.depths(shape).0 <= depth
+    }
+
+    /// Whether some part of `shape` is before the plane, no farther than `depth`.
+    #[must_use]
+    pub fn within_before(&self, depth: f64, shape: &Solid) -> bool {
+        let (least, most) = self.depths(shape);
+        least <= 0.0 && -most <= depth
+    }
+
+    /// The least and the greatest depth of a shape behind the plane, m; wider for what is no capsule.
+    fn depths(&self, shape: &Solid) -> (f64, f64) {
+        match shape {
+            Solid::Capsule(c) => {
+                let (a, b) = (self.depth(c.a), self.depth(c.b));
+                (a.min(b) - c.radius, a.max(b) + c.radius)
+            }
             Solid::Hull(_) | Solid::Mesh(_) => {
                 let (centre, radius) = shape.bounding_sphere();
-                self.depth(centre) - radius
+                (self.depth(centre) - radius, self.depth(centre) + radius)
             }
-        };
-        nearest <= depth
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Person against robot at one instant: is there a contact that harms, and if not, how near is one?
 //!
-//! Contact rules (method.md; scenarios.md, Rules): of overlapping body parts the first touched (smallest signed
-//! distance) counts; an arm whose shoulder is behind a wall is not available; a hand acts only along a free straight
-//! line from the wrist.
+//! Contact rules: every pair of body part and link that overlaps is judged by itself, and so is every part of an arm with
+//! every link, so that no harmless contact hides another; an arm whose shoulder is behind a wall is not available; a hand
+//! acts only along a free straight line from the wrist.
 
 use super::Coverage;
 use super::robot::RobotFrame;
@@ -67,8 +67,12 @@ pub struct Encounter {
 /// A contact, and the arm pose if an arm makes it.
 pub type Encountered = (Contact, Option<ArmPose>);
 
-/// Trunk, head or legs against the robot.
-struct Nearest {
+/// Unsafe pairs that overlap by no more than this less than the deepest one count as touched first, m: as far as body and
+/// robot come towards each other in one or two communication steps.
+const TOUCHED_FIRST_M: f64 = 0.02;
+
+/// A body part against a link.
+struct Pair {
     distance: f64,
     part: BodyPart,
     link: usize,
@@ -149,19 +153,32 @@ const fn arm_region(segment: ArmSegment) -> BodyRegion {
 }
 
 impl Encounter {
-    /// The unsafe contact of trunk, head or legs with the robot, if there is one.
+    /// The unsafe contact of trunk, head or legs with the robot, if there is one, of those at points of the robot that
+    /// `counts`: of the pairs touched first the one with the highest ratio of force and limit.
     #[must_use]
-    pub fn unsafe_body_contact(&self, person: &Person, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Contact> {
-        let nearest = nearest(&person.body, frame)?;
-        coverage.closest_approach_m = coverage.closest_approach_m.min(nearest.distance);
-        if nearest.distance > 0.0 {
-            return None;
+    pub fn unsafe_body_contact(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        counts: impl Fn(Vec3) -> bool,
+        coverage: &mut Coverage,
+    ) -> Option<Contact> {
+        let touching = touching(&person.body, frame, &mut coverage.closest_approach_m);
+        let mut harmful: Vec<Contact> = Vec::new();
+        let mut harmless: Option<f64> = None;
+        for contact in touching.iter().map(|pair| body_contact(person, frame, pair)) {
+            if contact.class().is_none() {
+                harmless = Some(harmless.map_or(contact.ratio(), |worst| worst.max(contact.ratio())));
+            } else if counts(contact.on_robot) {
+                harmful.push(contact);
+            }
         }
-        let contact = body_contact(person, frame, &nearest);
-        if contact.class().is_none() {
-            within_limits(&contact, coverage);
+        if let (Some(ratio), true) = (harmless, harmful.is_empty()) {
+            within_limits(ratio, coverage);
         }
-        contact.class().map(|_| contact)
+        let deepest = harmful.iter().map(|c| c.distance_m).fold(f64::INFINITY, f64::min);
+        let first = harmful.into_iter().filter(|c| c.distance_m <= deepest + TOUCHED_FIRST_M);
+        first.reduce(|worst, c| if c.ratio() > worst.ratio() { c } else { worst })
     }
 
     /// The unsafe contact of an arm with the robot, if there is one: the worse of the two arms, in the space that is
@@ -195,7 +212,9 @@ impl Encounter {
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
     ) -> bool {
-        let Some(first) = frames.first() else { return true };
+        if frames.is_empty() {
+            return true;
+        }
         let links: Vec<Solid> = frames.iter().flat_map(|f| f.links.iter().cloned()).collect();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
         person.arms.iter().all(|&side| {
@@ -205,7 +224,6 @@ impl Encounter {
                 side,
                 world_from_shoulder: person.body.shoulder(side),
                 links: &links,
-                links_per_instant: first.links.len(),
                 obstacles: &obstacles,
                 score: &ManyScores(frames, space.links),
                 threshold: NO_HAZARD.threshold,
@@ -227,15 +245,14 @@ impl Encounter {
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
     ) -> Proximity {
-        let nearest = nearest(&person.body, frame);
-        let touched = nearest.as_ref().filter(|n| n.distance <= 0.0).map(|n| body_contact(person, frame, n));
+        let touching = touching(&person.body, frame, &mut 0.0);
+        let touched = touching.iter().map(|pair| body_contact(person, frame, pair).ratio());
         let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
-            within_limits(&contact, coverage);
-            contact
+            within_limits(contact.ratio(), coverage);
+            contact.ratio()
         });
-        let worse = |a: Contact, b: Contact| if b.ratio() > a.ratio() { b } else { a };
-        if let Some(contact) = touched.into_iter().chain(arm).reduce(worse) {
-            return Proximity::Contact { ratio: contact.ratio() };
+        if let Some(ratio) = touched.chain(arm).reduce(f64::max) {
+            return Proximity::Contact { ratio };
         }
         let mut best = Proximity::Far;
         let mut closest = f64::MAX;
@@ -305,7 +322,6 @@ impl Encounter {
                 side,
                 world_from_shoulder,
                 links: &frame.links,
-                links_per_instant: frame.links.len(),
                 obstacles,
                 score: &score,
                 threshold: aim.threshold,
@@ -335,14 +351,14 @@ impl Encounter {
     }
 }
 
-fn within_limits(contact: &Contact, coverage: &mut Coverage) {
+fn within_limits(ratio: f64, coverage: &mut Coverage) {
     coverage.contacts_within_limits += 1;
-    coverage.highest_ratio_within_limits = coverage.highest_ratio_within_limits.max(contact.ratio());
+    coverage.highest_ratio_within_limits = coverage.highest_ratio_within_limits.max(ratio);
 }
 
-/// The closest pair of body part and link by signed distance: where shapes overlap, the one touched first.
-fn nearest(body: &PlacedBody, frame: &RobotFrame) -> Option<Nearest> {
-    let mut best: Option<Nearest> = None;
+/// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
+fn touching(body: &PlacedBody, frame: &RobotFrame, closest_m: &mut f64) -> Vec<Pair> {
+    let mut pairs = Vec::new();
     for (link, solid) in frame.links.iter().enumerate() {
         let (centre, radius) = solid.bounding_sphere();
         for &(part, capsule) in body.parts() {
@@ -350,30 +366,31 @@ fn nearest(body: &PlacedBody, frame: &RobotFrame) -> Option<Nearest> {
             let middle = (capsule.a + capsule.b) * 0.5;
             let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
             let bound = (centre - middle).length() - radius - half;
-            if best.as_ref().is_some_and(|b| bound >= b.distance) {
+            if bound > 0.0 && bound >= *closest_m {
                 continue;
             }
             let near = solid.segment_distance(capsule.a, capsule.b);
             let distance = near.distance - capsule.radius;
-            if best.as_ref().is_none_or(|b| distance < b.distance) {
+            *closest_m = closest_m.min(distance);
+            if distance <= 0.0 {
                 let direction = (near.on_second - near.on_first).normalize_or_zero();
                 let outward = if near.distance < 0.0 { -direction } else { direction };
                 let on_body = near.on_first + outward * capsule.radius;
-                best = Some(Nearest { distance, part, link, on_body, on_robot: near.on_second });
+                pairs.push(Pair { distance, part, link, on_body, on_robot: near.on_second });
             }
         }
     }
-    best
+    pairs
 }
 
-fn body_contact(person: &Person, frame: &RobotFrame, nearest: &Nearest) -> Contact {
+fn body_contact(person: &Person, frame: &RobotFrame, pair: &Pair) -> Contact {
     let touch = Touch {
-        region: person.body.region_of(nearest.part, nearest.on_body),
-        link: nearest.link,
-        on_robot: nearest.on_robot,
-        on_body: nearest.on_body,
-        distance_m: nearest.distance,
-        robot_velocity: frame.velocity(nearest.link, nearest.on_robot),
+        region: person.body.region_of(pair.part, pair.on_body),
+        link: pair.link,
+        on_robot: pair.on_robot,
+        on_body: pair.on_body,
+        distance_m: pair.distance,
+        robot_velocity: frame.velocity(pair.link, pair.on_robot),
         human_velocity: person.velocity,
     };
     Contact::new(&touch, frame.strike(touch.link))

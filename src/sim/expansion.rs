@@ -7,9 +7,10 @@
 //! cores, instant after instant, because after the first unsafe contact an action is over.
 //!
 //! **Equal states.** The person stands at the same place with the same heading, the sensors' delay lines are equal, and
-//! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With light
-//! curtains, the states in which the FMU would be had the curtain been broken earlier are equal as well, because what a
-//! hand meets behind it depends on them (see [`super::curtain`]).
+//! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With a plane
+//! (light curtain, door, two-hand control), the states in which the FMU would be had the plane told of an arm are equal as
+//! well, because what an arm meets depends on them (see [`super::curtain`]). With several planes, which an arm may pass at
+//! once, the inputs have to be the same.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
@@ -19,9 +20,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::Coverage;
 use super::bound::RobotBounds;
 use super::journal::{Block, Journal};
-use super::robots::{HadBroken, Robots};
+use super::robots::{HadTold, Robots};
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, World};
+use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, Window, World, Asked};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -56,8 +57,9 @@ pub struct Expander<P: Plant> {
     bounds: RobotBounds,
     workers: usize,
     by_bytes: bool,
-    /// With light curtains: the first node with the same state and the same states had the curtain been broken earlier.
-    bundles: BTreeMap<Vec<Option<NodeId>>, NodeId>,
+    /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
+    /// the body was first seen in it.
+    bundles: BTreeMap<(usize, Vec<Option<NodeId>>), NodeId>,
     coverage: Coverage,
     journal: Journal,
     questions: u64,
@@ -87,21 +89,21 @@ struct Pending {
     action: Action,
 }
 
-/// The robots at an instant, and as they would be had a light curtain been broken some samples before.
+/// The robots at an instant, and as they would be had planes told of an arm.
 struct Situation {
     /// Whether any of them is fast enough to harm.
     may_harm: bool,
     frames: Frames,
     i: usize,
-    /// For each light curtain, by samples.
-    earlier: Vec<Vec<Option<Frames>>>,
+    /// By the windows in which they told.
+    earlier: BTreeMap<Vec<Window>, Frames>,
 }
 
 impl Earlier for &Situation {
     type Error = Infallible;
 
-    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Infallible> {
-        Ok(self.earlier[c].get(samples).cloned().flatten())
+    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, Infallible> {
+        Ok(self.earlier.get(windows).cloned())
     }
 }
 
@@ -126,10 +128,10 @@ struct Rows {
 #[derive(Default)]
 struct Situations {
     rows: Rows,
-    /// By the numbers of their rows.
-    numbers: BTreeMap<Vec<u32>, usize>,
-    /// By node, step and samples looked back.
-    known: BTreeMap<(NodeId, usize, usize), usize>,
+    /// By the numbers of their rows, and the windows that these belong to.
+    numbers: BTreeMap<(Vec<u32>, Vec<Asked>), usize>,
+    /// By node, step and the windows of planes.
+    known: BTreeMap<(NodeId, usize, Vec<Asked>), usize>,
     all: Vec<Situation>,
 }
 
@@ -224,19 +226,19 @@ impl<P: Plant> Expander<P> {
         self.questions
     }
 
-    /// The first node with the same future as `node`.
-    fn representative(&mut self, node: NodeId) -> Result<NodeId, PlantError> {
+    /// The first node with the same future as `node`, where the sensors remember `delays`.
+    fn representative(&mut self, node: NodeId, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
         let same = self.robots.recall.same(node);
-        if self.world.curtains.is_empty() {
-            return Ok(same);
-        }
-        let mut bundle = vec![Some(same)];
-        let sensors: Vec<usize> = self.world.curtains.iter().map(|curtain| curtain.sensor).collect();
-        for sensor in sensors {
-            let shadows = self.robots.remember_shadows(node, sensor)?.to_vec();
-            bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));
-        }
-        Ok(*self.bundles.entry(bundle).or_insert(node))
+        let sensor = match &*self.world.curtains {
+            [] => return Ok(same),
+            [plane] => plane.sensor,
+            _ => return Ok(node),
+        };
+        let since = delays[sensor].first_seen();
+        let shadows = self.robots.shadows(node, 0, since)?;
+        let shadows = shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n)));
+        let bundle = std::iter::once(Some(same)).chain(shadows).collect();
+        Ok(*self.bundles.entry((since, bundle)).or_insert(node))
     }
 
     /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
@@ -273,7 +275,7 @@ impl<P: Plant> Expander<P> {
                             }
                             Advanced::To(node) => {
                                 // Where the sequences end, nothing depends on which state it is.
-                                let representative = if last { node } else { self.representative(node)? };
+                                let representative = if last { node } else { self.representative(node, &sensed.delays)? };
                                 let place = ahead.walks[w].end();
                                 let delays = sensed.delays.clone().into_boxed_slice();
                                 expanded.next.push(State { place, node: representative, delays });
@@ -321,31 +323,31 @@ impl<P: Plant> Expander<P> {
         place: &Place,
         situations: &mut Situations,
     ) -> Result<usize, PlantError> {
-        let samples = self.world.samples_that_may_matter(place);
-        if let Some(number) = situations.known.get(&(transition.node, i, samples)) {
+        let asked = self.world.windows_that_may_matter(place, &transition.sensed.broken[i]);
+        let question = (transition.node, i, asked);
+        if let Some(number) = situations.known.get(&question) {
             return Ok(*number);
         }
-        let mut key = vec![situations.rows.of(transition.node, &transition.frames)[i]];
-        let mut earlier = Vec::new();
-        for c in 0..self.world.curtains.len() {
-            let mut of_curtain = Vec::with_capacity(samples);
-            for back in 0..samples {
-                let Some(node) = HadBroken::new(&mut self.robots, transition.node, i).node_for(c, back)? else { break };
-                let frames = self.robots.frames(node);
-                key.push(situations.rows.of(node, &frames)[i]);
-                of_curtain.push(Some(frames));
-            }
-            key.push(u32::MAX);
-            earlier.push(of_curtain);
+        let mut rows = vec![situations.rows.of(transition.node, &transition.frames)[i]];
+        let mut earlier = BTreeMap::new();
+        for windows in Asked::windows(&question.2) {
+            // Nothing before the start of time.
+            let Some(node) = HadTold::new(&mut self.robots, transition.node, i).node_for(&windows)? else {
+                rows.push(u32::MAX);
+                continue;
+            };
+            let frames = self.robots.frames(node);
+            rows.push(situations.rows.of(node, &frames)[i]);
+            earlier.insert(windows, frames);
         }
+        let key = (rows, question.2.clone());
         let all = &mut situations.all;
         let number = *situations.numbers.entry(key).or_insert_with(|| {
-            let before = earlier.iter().flatten().flatten();
-            let may_harm = std::iter::once(&transition.frames).chain(before).any(|frames| frames[i].may_harm);
+            let may_harm = std::iter::once(&transition.frames).chain(earlier.values()).any(|frames| frames[i].may_harm);
             all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
             all.len() - 1
         });
-        situations.known.insert((transition.node, i, samples), number);
+        situations.known.insert(question, number);
         Ok(number)
     }
 
@@ -463,8 +465,8 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn start(&mut self) -> Result<State, PlantError> {
-        let node = self.representative(NodeId::ROOT)?;
         let delays = self.world.delays_at_start().into_boxed_slice();
+        let node = self.representative(NodeId::ROOT, &delays)?;
         Ok(State { place: self.world.start(), node, delays })
     }
 
@@ -535,6 +537,10 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn release_before(&mut self, depth: usize) {
+        // What an arm meets that passes several planes at once is worked out from the beginning.
+        if self.world.curtains.len() > 1 {
+            return;
+        }
         let recall = &self.robots.recall;
         let keep: BTreeSet<NodeId> = self.bundles.values().copied().filter(|n| recall.depth(*n) >= depth).collect();
         self.bundles.retain(|_, node| keep.contains(node));

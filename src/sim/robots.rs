@@ -1,12 +1,11 @@
-//! The FMU's states, and the robots as its outputs tell them; also as they *would* be had a light curtain been broken
-//! some time before.
+//! The FMU's states, and the robots as its outputs tell them; also as they *would* be had planes told of an arm.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::robot::RobotFrame;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, World};
+use super::world::{Earlier, Frames, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 
@@ -14,21 +13,60 @@ use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 /// out again when they are needed.
 const FRAMES_KEPT: usize = 6_000;
 
+/// A plane that tells of an arm: the steps, counted from the start of an action, in which its input is active besides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Told {
+    sensor: u16,
+    first: i16,
+    /// The first step again in which it is not; [`Told::EVER`] for never.
+    until: i16,
+}
+
+impl Told {
+    const EVER: i16 = i16::MAX;
+    /// Steps of an action, at most: 0.2 s in steps of 1 ms.
+    const LONGEST_ACTION: i16 = 200;
+
+    /// Steps from its beginning to its end, or for what never ends to the longest action's.
+    fn earlier(self) -> usize {
+        let end = if self.until == Self::EVER { Self::LONGEST_ACTION } else { self.until };
+        usize::try_from(end - self.first).unwrap_or(0)
+    }
+
+    /// The same, counted from an action of so many steps before.
+    const fn before(self, steps: i16) -> Self {
+        let until = if self.until == Self::EVER { Self::EVER } else { self.until + steps };
+        Self { first: self.first + steps, until, ..self }
+    }
+}
+
+/// The state that stands in for another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shadow {
+    NotAsked,
+    /// Before the start of time, or the FMU could not do it.
+    None,
+    Is(NodeId),
+}
+
 /// The FMU's states, and the robots as its outputs tell them.
 pub(super) struct Robots<P: Plant> {
     world: Arc<World>,
     pub(super) recall: Recall<P>,
     /// Robot frames of each FMU state's last action.
     frames: BTreeMap<NodeId, Frames>,
-    /// For states at which actions begin, where they are known: see [`Robots::remember_shadows`].
-    shadows: BTreeMap<(NodeId, usize), Vec<Option<NodeId>>>,
+    /// The states that stand in for others had a plane told of an arm, where they are known: by state, sensor, and when it
+    /// ended; then by how much earlier it began.
+    shadows: BTreeMap<(NodeId, u16, i16), Vec<Shadow>>,
+    /// The same for several planes.
+    of_several: BTreeMap<(NodeId, Box<[Told]>), Option<NodeId>>,
     /// States that were reached since they were last taken.
     reached: BTreeSet<NodeId>,
 }
 
 impl<P: Plant> Robots<P> {
     pub(super) const fn new(world: Arc<World>, recall: Recall<P>) -> Self {
-        Self { world, recall, frames: BTreeMap::new(), shadows: BTreeMap::new(), reached: BTreeSet::new() }
+        Self { world, recall, frames: BTreeMap::new(), shadows: BTreeMap::new(), of_several: BTreeMap::new(), reached: BTreeSet::new() }
     }
 
     /// One action of the FMU from `node`.
@@ -66,61 +104,109 @@ impl<P: Plant> Robots<P> {
         frames
     }
 
-    /// The state after the action into `node` had the input of `sensor` been active from step `first` of that action
-    /// on, or from so many steps before it; nothing before the start of time, or if the FMU could not do that.
-    pub(super) fn had_broken(
-        &mut self,
-        node: NodeId,
-        sensor: usize,
-        first: isize,
-    ) -> Result<Option<NodeId>, PlantError> {
-        let SensorBinding::Input(column) = self.world.binding.sensors[sensor] else { return Ok(None) };
+    /// The state after the action into `node` had planes told of an arm besides; nothing before the start of time, or if the
+    /// FMU could not do that.
+    fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Option<NodeId>, PlantError> {
+        let per_action = i16::try_from(self.world.cell.steps_per_action).unwrap_or(i16::MAX);
+        // What is told later than in this action changes nothing yet.
+        let told: Box<[Told]> = told.iter().copied().filter(|t| t.first < t.until && t.first < per_action).collect();
+        if told.is_empty() {
+            return Ok(Some(node));
+        }
         if node == NodeId::ROOT {
             return Ok(None);
         }
-        let per_action = self.world.cell.steps_per_action;
-        let back = per_action.cast_signed() - first;
-        let known = usize::try_from(back - 1).ok().and_then(|b| self.shadows.get(&(node, sensor))?.get(b));
-        if let Some(known) = known {
-            return Ok(*known);
+        if let Some(known) = self.known_shadow(node, &told) {
+            return Ok(known);
         }
         let parent = self.recall.parent(node);
-        let from = match usize::try_from(first) {
-            Ok(_) => parent,
-            Err(_) => match self.had_broken(parent, sensor, first + per_action.cast_signed())? {
-                Some(from) => from,
-                None => return Ok(None),
-            },
+        let earlier: Vec<Told> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
+        let shadow = match self.had_told(parent, &earlier)? {
+            None => None,
+            Some(from) => {
+                let mut inputs = self.recall.inputs(node);
+                for t in &told {
+                    let SensorBinding::Input(column) = self.world.binding.sensors[usize::from(t.sensor)] else { continue };
+                    let active = f64::from(u8::from(self.world.cell.sensors[usize::from(t.sensor)].active));
+                    let step = |s: i16| usize::try_from(s.clamp(0, per_action)).unwrap_or(0);
+                    let rows = inputs.chunks_mut(self.world.binding.inputs.len());
+                    for row in rows.take(step(t.until)).skip(step(t.first)) {
+                        row[column] = active;
+                    }
+                }
+                match self.advance(from, &inputs)? {
+                    Advanced::To(node) => Some(node),
+                    Advanced::Fault(_) => None,
+                }
+            }
         };
-        let active = f64::from(u8::from(self.world.cell.sensors[sensor].active));
-        let mut inputs = self.recall.inputs(node);
-        let skipped = usize::try_from(first).unwrap_or(0);
-        for row in inputs.chunks_mut(self.world.binding.inputs.len()).skip(skipped) {
-            row[column] = active;
-        }
-        Ok(match self.advance(from, &inputs)? {
-            Advanced::To(node) => Some(node),
-            Advanced::Fault(_) => None,
-        })
+        self.remember_shadow(node, told, shadow);
+        Ok(shadow)
     }
 
-    /// The states in which the FMU would be in `node`'s stead had the light curtain of `sensor` been broken for the last
-    /// 1, 2, ... steps, as many as may ever matter. They decide, with the state itself, what a hand that reaches through
-    /// the curtain later may meet. Remembered, so that nothing before `node` is asked again.
-    pub(super) fn remember_shadows(&mut self, node: NodeId, sensor: usize) -> Result<&[Option<NodeId>], PlantError> {
-        if !self.shadows.contains_key(&(node, sensor)) {
-            let per_action = self.world.cell.steps_per_action.cast_signed();
-            let longest = isize::from(DelayLine::LONGEST) + self.world.cell.sensors[sensor].delay_steps.cast_signed();
-            let shadow = |back: isize| self.had_broken(node, sensor, per_action - back);
-            let shadows = (1..=longest).map(shadow).collect::<Result<_, _>>()?;
-            self.shadows.insert((node, sensor), shadows);
+    fn known_shadow(&self, node: NodeId, told: &[Told]) -> Option<Option<NodeId>> {
+        let [one] = told else { return self.of_several.get(&(node, told.into())).copied() };
+        match self.shadows.get(&(node, one.sensor, one.until))?.get(one.earlier())? {
+            Shadow::NotAsked => None,
+            Shadow::None => Some(None),
+            Shadow::Is(node) => Some(Some(*node)),
         }
-        Ok(&self.shadows[&(node, sensor)])
+    }
+
+    fn remember_shadow(&mut self, node: NodeId, told: Box<[Told]>, shadow: Option<NodeId>) {
+        let [one] = *told else {
+            self.of_several.insert((node, told), shadow);
+            return;
+        };
+        let known = self.shadows.entry((node, one.sensor, one.until)).or_default();
+        if known.len() <= one.earlier() {
+            known.resize(one.earlier() + 1, Shadow::NotAsked);
+        }
+        known[one.earlier()] = shadow.map_or(Shadow::None, Shadow::Is);
+    }
+
+    /// The steps of the action into a state that windows, seen from step `i` of it, are about.
+    fn told(&self, windows: &[Window], i: usize) -> Vec<Told> {
+        let narrow = |n: isize| i16::try_from(n).unwrap_or(i16::MAX - 1);
+        let told = |window: &Window| {
+            let sensor = self.world.curtains[window.curtain].sensor;
+            let now = (i + 1 + self.world.cell.sensors[sensor].delay_steps).cast_signed();
+            let until = match window.until {
+                0 => Told::EVER,
+                until => narrow(now - until.cast_signed()),
+            };
+            let first = narrow(now - window.from.cast_signed());
+            // What takes effect after this step only is not told yet.
+            let none = window.from == window.until || usize::try_from(first).is_ok_and(|first| first > i);
+            let first = if none { until } else { first };
+            Told { sensor: u16::try_from(sensor).unwrap_or(u16::MAX), first, until }
+        };
+        windows.iter().map(told).collect()
+    }
+
+    /// The states in which the FMU would be in `node`'s stead had a plane told of an arm in the last 1, 2, ... samples, or,
+    /// where the body was first seen in it `since` samples ago, in the 1, 2, ... samples before that: as many as may ever
+    /// matter. They decide, with the state itself, what an arm may meet later. Remembered, so that nothing before `node` is
+    /// asked again.
+    pub(super) fn shadows(
+        &mut self,
+        node: NodeId,
+        curtain: usize,
+        since: usize,
+    ) -> Result<Vec<Option<NodeId>>, PlantError> {
+        let longest = usize::from(DelayLine::LONGEST);
+        let last = self.world.cell.steps_per_action - 1;
+        // What was sensed and has not taken effect will.
+        let delay = self.world.cell.sensors[self.world.curtains[curtain].sensor].delay_steps;
+        let through = (1..=longest + delay).map(|from| Window { curtain, from, until: 0 });
+        let ahead = (since + 1..=longest).filter(|_| since > 0 && since < longest);
+        let windows: Vec<Window> = through.chain(ahead.map(|from| Window { curtain, from, until: since })).collect();
+        windows.into_iter().map(|window| self.had_told(node, &self.told(&[window], last))).collect()
     }
 
     /// Forgets what belongs to states before those that `keep` names.
     pub(super) fn release(&mut self, depth: usize, keep: impl Fn(NodeId) -> bool) {
-        self.shadows.retain(|(node, _), _| keep(*node));
+        self.shadows.retain(|(node, ..), _| keep(*node));
         self.frames.clear();
         self.reached.clear();
         self.recall.release_before(depth);
@@ -128,37 +214,29 @@ impl<P: Plant> Robots<P> {
 }
 
 /// The robots as they would be after step `i` of the action into `node`.
-pub(super) struct HadBroken<'a, P: Plant> {
+pub(super) struct HadTold<'a, P: Plant> {
     robots: &'a mut Robots<P>,
     node: NodeId,
     i: usize,
 }
 
-impl<'a, P: Plant> HadBroken<'a, P> {
+impl<'a, P: Plant> HadTold<'a, P> {
     pub(super) const fn new(robots: &'a mut Robots<P>, node: NodeId, i: usize) -> Self {
         Self { robots, node, i }
     }
-}
 
-impl<P: Plant> HadBroken<'_, P> {
     /// The state of the FMU; nothing before the start of time, or if the FMU could not do that.
-    pub(super) fn node_for(&mut self, c: usize, samples: usize) -> Result<Option<NodeId>, PlantError> {
-        let sensor = self.robots.world.curtains[c].sensor;
-        // First step whose inputs change, counted from the start of the action.
-        let delay = self.robots.world.cell.sensors[sensor].delay_steps;
-        let first = (self.i + 1 + delay).cast_signed() - samples.cast_signed();
-        if first > self.i.cast_signed() {
-            return Ok(Some(self.node));
-        }
-        self.robots.had_broken(self.node, sensor, first)
+    pub(super) fn node_for(&mut self, windows: &[Window]) -> Result<Option<NodeId>, PlantError> {
+        let told = self.robots.told(windows, self.i);
+        self.robots.had_told(self.node, &told)
     }
 }
 
-impl<P: Plant> Earlier for HadBroken<'_, P> {
+impl<P: Plant> Earlier for HadTold<'_, P> {
     type Error = PlantError;
 
-    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, PlantError> {
-        let node = self.node_for(c, samples)?;
+    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, PlantError> {
+        let node = self.node_for(windows)?;
         Ok(node.map(|node| self.robots.frames(node)))
     }
 }

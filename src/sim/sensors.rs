@@ -100,7 +100,8 @@ pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
     }
 }
 
-fn breaks(body: &PlacedBody, plane: &Cuboid) -> bool {
+/// Whether head, trunk or a leg is in a plane.
+pub(super) fn breaks(body: &PlacedBody, plane: &Cuboid) -> bool {
     body.parts().iter().any(|(_, c)| segment_cuboid(c.a, c.b, plane).distance < c.radius)
 }
 

@@ -5,13 +5,14 @@
 //! on nothing else, so it is worked out once for each snapshot and remembered, unless everything is to be re-simulated.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::Coverage;
 use super::encounter::ArmSpace;
 use super::imagination::Imagination;
 use super::robot::RobotFrame;
-use super::robots::{HadBroken, Robots};
+use super::robots::{HadTold, Robots};
 use super::sensors::DelayLine;
 use super::world::{Sensed, Stance, World};
 use crate::cell::{Binding, Workcell};
@@ -81,13 +82,13 @@ pub struct Watched {
     pub outputs: Vec<f64>,
 }
 
-/// An arm that reaches through a light curtain, which then reports it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An arm in a plane, which then tells of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReachedThrough {
-    /// The curtain's sensor.
+    /// The plane's sensor.
     pub sensor: usize,
-    /// The first step, counted from the start, at which the FMU is told.
-    pub from_step: usize,
+    /// The steps, counted from the start, at which the FMU is told.
+    pub steps: Range<usize>,
 }
 
 /// What one action does from one snapshot.
@@ -214,20 +215,21 @@ impl<P: Plant> Simulation<P> {
     }
 
     /// Runs `actions` from the start and keeps everything that there is to see, without looking for contacts. An arm that
-    /// reaches `through` a light curtain is reported, as trunk and legs are, to the end of the sequence.
+    /// reaches `through` planes is reported, as trunk and legs are.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn watch(&mut self, actions: &[Action], through: Option<ReachedThrough>) -> Result<Watched, PlantError> {
+    pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<Watched, PlantError> {
         let world = Arc::clone(&self.world);
         let Snapshot { mut node, mut place, mut delays, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for action in actions {
             let walked = world.walk(place, *action);
             let mut sensed = world.sense(&delays, &world.sights(&walked, action.posture()));
-            if let Some(through) = &through {
-                let begun = watched.instants.len() - 1;
-                world.report_arm(through.sensor, through.from_step.saturating_sub(begun), &mut sensed);
+            let begun = watched.instants.len() - 1;
+            for ReachedThrough { sensor, steps } in through {
+                let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
+                world.report_arm(*sensor, steps, &mut sensed);
             }
             node = match self.robots.advance(node, &sensed.inputs)? {
                 Advanced::To(node) => node,
@@ -429,7 +431,7 @@ impl<P: Plant> Simulation<P> {
         let frames = self.robots.frames(node);
         for i in 0..frames.len() {
             let stance = self.world.stance(walked, i, action.posture(), sensed);
-            let mut earlier = HadBroken::new(&mut self.robots, node, i);
+            let mut earlier = HadTold::new(&mut self.robots, node, i);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
             let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);

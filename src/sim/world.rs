@@ -3,8 +3,9 @@
 //!
 //! Nothing here changes over a scan, so threads may share it.
 
-mod through_curtain;
+mod through_plane;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::Coverage;
@@ -15,7 +16,7 @@ use super::sensors::{DelayLine, Seen, input_row, sees};
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::{Cuboid, Vec3};
-use crate::hazard::finding::ArmPose;
+use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
@@ -24,6 +25,8 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
+
+pub use self::through_plane::Asked;
 
 /// What there is to see at the start of a step, whatever was seen before.
 #[derive(Clone, Debug)]
@@ -81,23 +84,33 @@ pub struct Hit {
     pub arm: Option<ArmPose>,
     /// Programme phase of the robot.
     pub phase: Option<i64>,
-    /// Index of the sensor of the light curtain that the arm breaks.
-    pub broke: Option<usize>,
-    /// How long before the contact it did, s.
-    pub since_s: Option<f64>,
+    /// Where planes told of the arm: when.
+    pub windows: Vec<Window>,
 }
 
 impl Hit {
     fn new((contact, arm): (Contact, Option<ArmPose>), frame: &RobotFrame) -> Self {
-        Self { phase: frame.phase(contact.link), contact, arm, broke: None, since_s: None }
+        Self { phase: frame.phase(contact.link), contact, arm, windows: Vec::new() }
     }
 }
 
 /// The robots after each step of an action.
 pub type Frames = Arc<[RobotFrame]>;
 
-/// Tells the robots' motion as it would be at the same instant had light curtain `c` (by its place in the list of
-/// curtains) been seen broken in the last `samples` samples; nothing before the start of time.
+/// The samples, counted back from an instant, in which a plane told of an arm: from the `from`th last sample on, until the
+/// `until`th last, which is not one of them any more. None if the two are equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Window {
+    /// The plane, by its place in the list of planes.
+    pub curtain: usize,
+    /// Samples before the instant, that one included.
+    pub from: usize,
+    /// Samples before the instant, that one not included.
+    pub until: usize,
+}
+
+/// Tells the robots' motion as it would be at the same instant had planes told of an arm in some windows, each of another
+/// plane; nothing before the start of time.
 pub trait Earlier {
     /// Why it cannot be told.
     type Error;
@@ -106,7 +119,7 @@ pub trait Earlier {
     ///
     /// # Errors
     /// When the FMU fails.
-    fn broken_for(&mut self, c: usize, samples: usize) -> Result<Option<Frames>, Self::Error>;
+    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, Self::Error>;
 }
 
 /// See the module's text.
@@ -255,12 +268,12 @@ impl World {
         sensed
     }
 
-    /// An arm is in the light curtain of `sensor` from step `first` of an action on: its reading, and what the FMU is told.
-    pub(super) fn report_arm(&self, sensor: usize, first: usize, sensed: &mut Sensed) {
+    /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
+    pub(super) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
         let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return };
         let active = f64::from(u8::from(self.cell.sensors[sensor].active));
         let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
-        for (row, readings) in rows.zip(&mut sensed.readings).skip(first) {
+        for (row, readings) in rows.zip(&mut sensed.readings).take(steps.end).skip(steps.start) {
             row[column] = active;
             readings[sensor] = true;
         }
@@ -362,8 +375,8 @@ impl World {
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
         let frame = &frames[i];
-        let body_contact = self.encounter.unsafe_body_contact(person, frame, coverage);
-        if let Some(contact) = body_contact.filter(|c| self.in_time(c.on_robot, stance)) {
+        let counts = |on_robot| self.in_time(on_robot, person, stance);
+        if let Some(contact) = self.encounter.unsafe_body_contact(person, frame, counts, coverage) {
             return Ok(Some(Hit::new((contact, None), frame)));
         }
         if !arms {
@@ -373,7 +386,7 @@ impl World {
             let found = self.encounter.unsafe_arm_contact(person, frame, &ArmSpace::OPEN, coverage);
             return Ok(found.map(|found| Hit::new(found, frame)));
         }
-        self.reach_through(person, stance, frames, i, earlier, coverage)
+        self.reach_past_planes(person, stance, frames, i, earlier, coverage)
     }
 
     /// What is recorded of a hit after step `i` of the last of `taken` actions.
@@ -387,13 +400,20 @@ impl World {
         (taken, i): (usize, usize),
     ) -> Option<Finding> {
         let mut readings = readings.to_vec();
-        if let (Some(curtain), Some(since_s)) = (hit.broke, hit.since_s) {
-            // The first sample that told of it was taken a step after it was broken, and takes effect later still.
-            let delay = self.cell.sensors[curtain].delay_steps;
-            #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
-            let reported = since_s / self.cell.step_s > delay as f64 + 1.5;
-            readings[curtain] |= reported;
+        for window in &hit.windows {
+            // What the last sample but `delay` told takes effect in this step.
+            let sensor = self.curtains[window.curtain].sensor;
+            let delay = self.cell.sensors[sensor].delay_steps;
+            readings[sensor] |= window.from > delay && window.until <= delay;
         }
+        #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
+        let seconds = |samples: usize| samples as f64 * self.cell.step_s;
+        let through = |window: &Window| Through {
+            sensor: self.curtains[window.curtain].sensor,
+            // The first sample that told of it was taken up to a step after it was broken.
+            since_s: seconds(window.from + 1),
+            until_s: seconds(window.until),
+        };
         let step = (taken - 1) * self.cell.steps_per_action + i + 1;
         #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]
         let time_s = step as f64 * self.cell.step_s;
@@ -409,8 +429,7 @@ impl World {
             arm: hit.arm,
             sensors: (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, frame)).collect(),
             phase: hit.phase,
-            through_curtain_s: hit.since_s,
-            curtain: hit.broke,
+            through: hit.windows.iter().map(through).collect(),
         })
     }
 

@@ -1,4 +1,5 @@
-//! The twelve body regions for which ISO/TS 15066:2016, Annex A, states limits; in the order of its Table A.2.
+//! The twelve body regions for which ISO/TS 15066:2016, Annex A, states limits, in the order of its Table A.2; and the front
+//! of the neck, for which it states none.
 //!
 //! Their ids appear in cell files, hazard identities and reports, and so never change.
 
@@ -17,8 +18,10 @@ pub enum BodyRegion {
     SkullForehead,
     /// Face, from the brow down.
     Face,
-    /// Neck.
+    /// Rear of the neck, where both areas of the neck in Table A.2 are.
     Neck,
+    /// Front of the neck, with the larynx.
+    NeckFront,
     /// Rear of the trunk and both shoulders.
     BackShoulders,
     /// Front of the trunk above the xiphoid process.
@@ -46,10 +49,11 @@ pub struct UnknownBodyRegion(pub String);
 
 impl BodyRegion {
     /// Every region once, in the order of the standard's table; `ALL[r as usize] == r`.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::SkullForehead,
         Self::Face,
         Self::Neck,
+        Self::NeckFront,
         Self::BackShoulders,
         Self::Chest,
         Self::Abdomen,
@@ -68,6 +72,7 @@ impl BodyRegion {
             Self::SkullForehead => "skull_forehead",
             Self::Face => "face",
             Self::Neck => "neck",
+            Self::NeckFront => "neck_front",
             Self::BackShoulders => "back_shoulders",
             Self::Chest => "chest",
             Self::Abdomen => "abdomen",
@@ -87,6 +92,7 @@ impl BodyRegion {
             Self::SkullForehead => "skull",
             Self::Face => "face",
             Self::Neck => "neck",
+            Self::NeckFront => "front of the neck",
             Self::BackShoulders => "back or shoulders",
             Self::Chest => "chest",
             Self::Abdomen => "abdomen",
@@ -99,11 +105,12 @@ impl BodyRegion {
         }
     }
 
-    /// Whether the region belongs to the head, where ISO/TS 15066, A.3.2, permits no contact at all and knows no
-    /// transient limit.
+    /// Whether no contact with a moving robot is permitted, and there is no transient limit: the head (ISO/TS 15066, A.3.2),
+    /// and the front of the neck, for which Table A.2 has no limit and 5.5.5 asks, as secondary sources have it, that contact
+    /// with the larynx be prevented like that with the head.
     #[must_use]
-    pub const fn is_head(self) -> bool {
-        matches!(self, Self::SkullForehead | Self::Face)
+    pub const fn permits_no_contact(self) -> bool {
+        matches!(self, Self::SkullForehead | Self::Face | Self::NeckFront)
     }
 }
 
@@ -132,6 +139,7 @@ mod tests {
             "skull_forehead",
             "face",
             "neck",
+            "neck_front",
             "back_shoulders",
             "chest",
             "abdomen",

@@ -11,7 +11,8 @@ use super::provenance::Table;
 pub(super) const TABLES: [Table; 3] = [
     Table {
         id: "iso_ts_15066_force_limits",
-        title: "ISO/TS 15066:2016, Table A.2: quasi-static force limits, and the transient factor 2 (none for the head)",
+        title: "ISO/TS 15066:2016, Table A.2: quasi-static force limits, and the transient factor 2 (none for the head); for \
+                neck, hand and lower leg the stricter forces that the energy table A.4 implies",
         source: "public secondary sources that quote Table A.2 (two safety controllers' data, a force calculator naming \
                  ISO 10218-2:2025), and the older BG/BGIA 2011 table",
         confidence: "two independent public sources agree on every force except lower legs (130 N), which rests on one; \
@@ -41,7 +42,7 @@ pub const TRANSIENT_FACTOR: f64 = 2.0;
 
 /// The limits and the spring-mass model of one body region.
 struct RegionData {
-    /// Smallest quasi-static force limit of the areas that make up the region, N (Table A.2).
+    /// Smallest quasi-static force limit of the areas that make up the region, N (Table A.2, or what A.4 implies).
     force_n: f64,
     /// Effective spring constant, N/m (Table A.3).
     spring_n_m: f64,
@@ -50,19 +51,22 @@ struct RegionData {
 }
 
 const fn data(region: BodyRegion) -> RegionData {
+    // Neck, hand and lower leg: Table A.2 prints 150, 140 and 130 N, rounded up from the 145, 135 and 125 N of which the
+    // energies of Table A.4 were made. Forces here follow from energies, so the stricter ones are taken: they keep both.
+    // The front of the neck has no limit. The neck's stands in for it, for ranking only.
     let (force_n, spring_n_m, mass_kg) = match region {
         BodyRegion::SkullForehead => (130.0, 150e3, 4.4),
         BodyRegion::Face => (65.0, 75e3, 4.4),
-        BodyRegion::Neck => (150.0, 50e3, 1.2),
+        BodyRegion::Neck | BodyRegion::NeckFront => (145.0, 50e3, 1.2),
         BodyRegion::BackShoulders => (210.0, 35e3, 40.0),
         BodyRegion::Chest => (140.0, 25e3, 40.0),
         BodyRegion::Abdomen => (110.0, 10e3, 40.0),
         BodyRegion::Pelvis => (180.0, 25e3, 40.0),
         BodyRegion::UpperArm => (150.0, 30e3, 3.0),
         BodyRegion::LowerArm => (160.0, 40e3, 2.0),
-        BodyRegion::Hand => (140.0, 75e3, 0.6),
+        BodyRegion::Hand => (135.0, 75e3, 0.6),
         BodyRegion::Thigh => (220.0, 50e3, 75.0),
-        BodyRegion::LowerLeg => (130.0, 60e3, 75.0),
+        BodyRegion::LowerLeg => (125.0, 60e3, 75.0),
     };
     RegionData { force_n, spring_n_m, mass_kg }
 }
@@ -73,11 +77,12 @@ pub const fn quasi_static_limit_n(region: BodyRegion) -> f64 {
     data(region).force_n
 }
 
-/// Force that the region bears when it can recoil, N (Table A.2). For the head, which has no transient limit, this is
-/// the quasi-static value: a figure for ranking only, since head contact is not permitted whatever its force.
+/// Force that the region bears when it can recoil, N (Table A.2). For the head and the front of the neck, which have no
+/// transient limit, this is the quasi-static value: a figure for ranking only, since contact is not permitted there whatever
+/// its force.
 #[must_use]
 pub const fn transient_limit_n(region: BodyRegion) -> f64 {
-    let factor = if region.is_head() { 1.0 } else { TRANSIENT_FACTOR };
+    let factor = if region.permits_no_contact() { 1.0 } else { TRANSIENT_FACTOR };
     factor * quasi_static_limit_n(region)
 }
 
@@ -188,7 +193,13 @@ mod tests {
         for region in BodyRegion::ALL {
             let of_region = AREAS.iter().filter(|(r, _)| *r == region).map(|(_, force)| *force);
             let smallest = of_region.fold(f64::INFINITY, f64::min);
-            assert_eq!(quasi_static_limit_n(region), smallest, "{region}");
+            let expected = match region {
+                // Of which the energies of Table A.4 were made, before they were rounded up for print.
+                Neck | Hand | LowerLeg => smallest - 5.0,
+                NeckFront => 145.0,
+                _ => smallest,
+            };
+            assert_eq!(quasi_static_limit_n(region), expected, "{region}");
         }
     }
 
@@ -196,43 +207,44 @@ mod tests {
     fn only_the_head_has_no_transient_limit() {
         for region in BodyRegion::ALL {
             let factor = transient_limit_n(region) / quasi_static_limit_n(region);
-            assert_eq!(factor, if matches!(region, SkullForehead | Face) { 1.0 } else { 2.0 }, "{region}");
+            assert_eq!(factor, if matches!(region, SkullForehead | Face | NeckFront) { 1.0 } else { 2.0 }, "{region}");
         }
     }
 
-    /// The energy table of the standard (A.4). It was computed from unrounded forces (neck 145 N, hand 135 N, lower leg
-    /// 125 N) and with the factor 2 also for the head, hence two columns.
+    /// The energy table of the standard (A.4), to its two digits: the forces here keep it, with the factor 2 also for the
+    /// head. With the printed forces of Table A.2 neck, hand and lower leg would exceed it by 7, 7 and 8 %.
     #[test]
     fn energy_table_is_reproduced() {
         // region, published J, J from twice the force limit
         let rows = [
             (SkullForehead, 0.23, 0.225),
             (Face, 0.11, 0.113),
-            (Neck, 0.84, 0.900),
+            (Neck, 0.84, 0.841),
             (BackShoulders, 2.5, 2.52),
             (Chest, 1.6, 1.568),
             (Abdomen, 2.4, 2.42),
             (Pelvis, 2.6, 2.592),
             (UpperArm, 1.5, 1.50),
             (LowerArm, 1.3, 1.28),
-            (Hand, 0.49, 0.523),
+            (Hand, 0.49, 0.486),
             (Thigh, 1.9, 1.936),
-            (LowerLeg, 0.52, 0.563),
+            (LowerLeg, 0.52, 0.521),
         ];
         for (region, published, from_force) in rows {
             let energy = spring_energy_j(2.0 * quasi_static_limit_n(region), spring_constant_n_m(region));
             assert!((energy / from_force - 1.0).abs() < 0.02, "{region}: {energy} J, by force {from_force} J");
-            // The three rows with unrounded forces: lower leg is the worst, (130/125)^2 - 1 = 8.2 %.
-            let tolerance = if region == LowerLeg { 0.085 } else { 0.08 };
-            assert!((energy / published - 1.0).abs() < tolerance, "{region}: {energy} J, published {published} J");
+            // Half a unit of the last printed digit.
+            let rounding = if published < 1.0 { 0.0051 } else { 0.051 };
+            assert!((energy - published).abs() < rounding, "{region}: {energy} J, published {published} J");
         }
-        for (region, unrounded_n, published) in [(Neck, 145.0, 0.84), (Hand, 135.0, 0.49), (LowerLeg, 125.0, 0.52)] {
-            let energy = spring_energy_j(2.0 * unrounded_n, spring_constant_n_m(region));
-            assert!((energy - published).abs() < 0.005, "{region}: {energy} J, published {published} J");
+        for (region, printed_n, published) in [(Neck, 150.0, 0.84), (Hand, 140.0, 0.49), (LowerLeg, 130.0, 0.52)] {
+            let energy = spring_energy_j(2.0 * printed_n, spring_constant_n_m(region));
+            assert!(energy / published > 1.06, "{region}: {energy} J, published {published} J");
         }
     }
 
-    /// Speeds at the transient force limit, computed by another implementation, to the printed millimetre a second.
+    /// Speeds at the transient force limit, computed by another implementation from the forces that Table A.2 prints, to the
+    /// printed millimetre a second; those of neck, hand and lower leg in proportion to the stricter force.
     #[test]
     fn speed_table_is_reproduced_in_every_cell() {
         let masses = [1.0, 2.0, 5.0, 10.0, 15.0, 20.0, f64::INFINITY];
@@ -253,7 +265,13 @@ mod tests {
         for (region, speeds) in rows {
             for (mass, printed) in masses.into_iter().zip(speeds) {
                 let speed = safe_speed_m_s(region, mass);
-                assert!((speed - printed).abs() < 0.000_51, "{region} at {mass} kg: {speed}, printed {printed}");
+                let stricter = match region {
+                    Neck => 145.0 / 150.0,
+                    Hand => 135.0 / 140.0,
+                    LowerLeg => 125.0 / 130.0,
+                    _ => 1.0,
+                };
+                assert!((speed - stricter * printed).abs() < 0.000_51, "{region} at {mass} kg: {speed}, {printed}");
                 let force = collision_force_n(region, mass, speed);
                 assert!((force / transient_limit_n(region) - 1.0).abs() < 1e-12, "{region} at {mass} kg: {force} N");
             }

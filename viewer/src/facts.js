@@ -16,7 +16,7 @@ function sequence(actions) {
 
 function what(hazard) {
   const text = `The robot's ${hazard.robot_link} meets the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(hazard.ratio)} the limit.`;
-  return words.isHead(hazard.body_region) ? `${text} A moving robot may not touch the head at all, whatever the force.` : text;
+  return words.permitsNoContact(hazard.body_region) ? `${text} A moving robot may not touch it at all, whatever the force.` : text;
 }
 
 /** The facts about a hazard. */
@@ -29,7 +29,7 @@ export function facts(hazard) {
     ["force", formula(hazard)],
     ["approach", `${words.speed(hazard.approach_m_s)} along the contact normal; with this speed alone ${words.force(hazard.directed_force_n)}`],
     ["arm", hazard.arm ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
-    ["way of the arm", hazard.through_curtain_s ? `past ${hazard.through_curtain} ${words.time(hazard.through_curtain_s)} before the contact; the robot is where it is when that reports it` : ""],
+    ["way of the arm", hazard.through.map((plane) => `past ${plane.sensor} ${words.time(plane.since_s)} before the contact${plane.until_s > 0 ? ", ahead of the body" : ""}; the robot is where it is when that reports it`).join("; ")],
     ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
     ["programme phase", hazard.phase === null ? "" : String(hazard.phase)],
     ["found", `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],

@@ -155,7 +155,7 @@ export function hazardTable(data, selection, assessments) {
   });
 
   const bounded = data.scan.hazards.some((z) => z.class === "head_contact")
-    ? h("p", { class: "note" }, "“None allowed”: a moving robot may not touch the head at all; the ratio is that to the force limit and may be below 1.")
+    ? h("p", { class: "note" }, "“None allowed”: a moving robot may not touch head or throat at all; the ratio is that to the force limit and may be below 1.")
     : null;
   const element = section(
     "hazards",

@@ -3,6 +3,7 @@
 const REGIONS = {
   skull_forehead: "skull",
   back_shoulders: "back or shoulders",
+  neck_front: "front of the neck",
 };
 
 const WALKS = {
@@ -56,15 +57,15 @@ export function action(name) {
   return posture === undefined ? name : `${WALKS[walk] ?? walk}, ${POSTURES[posture] ?? posture}`;
 }
 
-/** Whether the region belongs to the head, which no moving robot may touch. */
-export const isHead = (region) => region === "skull_forehead" || region === "face";
+/** Whether no moving robot may touch the region: the head, and the front of the neck. */
+export const permitsNoContact = (region) => ["skull_forehead", "face", "neck_front"].includes(region);
 
-/** The speed below which the force stays within the limit; no speed is safe for a head. */
+/** The speed below which the force stays within the limit; no speed is safe for a head or a throat. */
 export function safeBelow(hazard) {
-  return isHead(hazard.body_region) ? "none" : speed(hazard.safe_below_m_s);
+  return permitsNoContact(hazard.body_region) ? "none" : speed(hazard.safe_below_m_s);
 }
 
-/** Force and limit of a hazard; a moving robot may not touch a head at all, whatever the force. */
+/** Force and limit of a hazard; a moving robot may not touch a head or a throat at all, whatever the force. */
 export function forceOfLimit(hazard) {
   return `${force(hazard.force_n)} / ${hazard.class === "head_contact" ? "none allowed" : force(hazard.limit_n)}`;
 }

@@ -128,7 +128,7 @@ function episode(index, next, { arm, hitting }) {
     safe_below_m_s: speed / ratio, effective_mass_kg: 11.85, time_s: timeS, contact_point_m: rounded(contact), body_point_m: rounded(bodyPoint),
     distance_m: -0.01, person_xy_m: now, person_heading_deg: 90, bend_fraction: withArm ? 1 : 0.9375,
     arm: armPose && { side: "left", shoulder_m: armPose.points_m[0], elbow_m: armPose.points_m[1], wrist_m: armPose.points_m[2] },
-    sensors: reports, phase: 1, through_curtain_s: withArm ? 0.12 : null, actions: ACTIONS.slice(0, Math.ceil(timeS / 0.2)),
+    sensors: reports, phase: 1, through: withArm ? [{ sensor: "curtain", since_s: 0.12, until_s: 0 }] : [], actions: ACTIONS.slice(0, Math.ceil(timeS / 0.2)),
     first_iteration: index + 1, times_found: 1 + Math.floor(40 * next()), earliest_time_s: timeS - 0.1, sequences: null,
     shortest: { actions: ACTIONS.slice(0, 7).map((name) => name.replace("bend-left", "upright")), time_s: timeS - 0.1, force_n: ratio * limit, ratio, confirmed: true },
   };

@@ -95,50 +95,33 @@ impl Share {
         let Placed { shoulder, elbow, wrist, .. } = placed;
         *shoulder + (*elbow - *shoulder) * self.elbow + (*wrist - *shoulder) * self.wrist
     }
-
-    /// Movement along `n` with a joint, m/rad.
-    pub(super) fn derivative(self, placed: &Placed, joint: usize, n: Vec3) -> f64 {
-        let [elbow, wrist] = placed.derivatives[joint];
-        self.of(elbow.dot(n), wrist.dot(n))
-    }
 }
 
-/// A limb near a solid: how near it may come within a box of joint angles.
-pub(super) struct LimbNear {
-    /// The least signed distance in the box.
-    pub(super) least: f64,
-    /// By how much some point of the limb may be deeper than that, m.
-    pub(super) deeper_by: f64,
-    /// A plane the solid stays behind, if there is one: its normal, and the signed distances of the limb's ends from it in
-    /// the middle of the box. No end comes nearer to the solid than to the plane.
-    pub(super) plane: Option<(Vec3, [f64; 2])>,
+/// A part of the arm with thickness.
+pub(super) struct Limb {
+    /// Its ends.
+    pub(super) ends: [Share; 2],
+    /// Its radius, m.
+    pub(super) radius: f64,
 }
 
-/// How near a limb, given by its ends, may come to a solid; none if they cannot overlap by `depth`.
-pub(super) fn limb_may_touch(
-    link: &Solid,
-    limb: [Share; 2],
-    (radius, depth): (f64, f64),
-    placed: &Placed,
-    movement: &Movement,
-) -> Option<LimbNear> {
-    let ends = limb.map(|end| end.at(placed));
-    let near = link.segment_distance(ends[0], ends[1]);
-    let at_most = limb.map(|end| end.of(movement.elbow, movement.wrist));
-    let least = near.distance - radius - at_most[0].max(at_most[1]);
-    if least > -depth {
-        return None;
+impl Limb {
+    /// Whether the limb may overlap a solid by `depth` within a box of joint angles.
+    pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> bool {
+        let ends = self.ends.map(|end| end.at(placed));
+        let near = link.segment_distance(ends[0], ends[1]);
+        let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
+        let least = near.distance - self.radius - at_most[0].max(at_most[1]);
+        if least > -depth {
+            return false;
+        }
+        let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return true };
+        // Signed distance from a convex solid is convex: it stays above its tangent plane.
+        let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - self.radius);
+        let (elbow, wrist) = movement.along(placed, n);
+        let nearest = |k: usize| plane[k] - self.ends[k].of(elbow, wrist);
+        nearest(0).min(nearest(1)) <= -depth
     }
-    let deeper_by = link.deeper_by(&near, ends[0], ends[1]);
-    let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else {
-        return Some(LimbNear { least, deeper_by, plane: None });
-    };
-    // Signed distance from a convex solid is convex: it stays above its tangent plane.
-    let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - radius);
-    let (elbow, wrist) = movement.along(placed, n);
-    let nearest = |k: usize| plane[k] - limb[k].of(elbow, wrist);
-    let least = least.max(nearest(0).min(nearest(1)));
-    (least <= -depth).then_some(LimbNear { least, deeper_by, plane: Some((n, plane)) })
 }
 
 /// How far the point of a convex solid that is nearest to the wrist can move within a box of joint angles.

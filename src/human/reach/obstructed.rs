@@ -1,4 +1,4 @@
-//! When a limb is certainly in an obstacle, or certainly clear of it, wherever its ends are within what they can move.
+//! When a limb is certainly in an obstacle, wherever its ends are within what they can move.
 
 use crate::geometry::{Cuboid, Vec3};
 
@@ -43,21 +43,5 @@ pub(super) fn crosses(o: &Cuboid, ends: [Vec3; 2], radius: f64, along: impl Fn(V
         let moves = along(axes[i]);
         let room = half[i] + 0.7 * radius - moves[0].max(moves[1]);
         part.iter().all(|t| (local[0][i] + t * (local[1][i] - local[0][i])).abs() < room)
-    })
-}
-
-/// Whether a line stays outside one of a box's faces for all ends that move no farther along a direction `n` than
-/// `along(n)` says.
-pub(super) fn stays_before_a_face(o: &Cuboid, ends: [Vec3; 2], along: impl Fn(Vec3) -> [f64; 2]) -> bool {
-    let half = o.half.to_array();
-    [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(half).any(|(axis, half)| {
-        let axis = o.rotation * axis;
-        let at = ends.map(|p| (p - o.centre).dot(axis));
-        // Both on the same side, outside.
-        if at[0] * at[1] <= 0.0 || at[0].abs() <= half || at[1].abs() <= half {
-            return false;
-        }
-        let moves = along(axis);
-        (0..2).all(|k| at[k].abs() - moves[k] > half)
     })
 }

@@ -1,0 +1,362 @@
+//! Arms and planes: light curtains, doors, the buttons of two-hand controls. Which of an arm's ways past each plane are
+//! possible where the person stands, how far the hand can have come, and where the robot is, if the plane told of the arm.
+//!
+//! Where the shoulder is decides (see the method page, "Arms and planes"): while the body is in the plane, arms are on both
+//! sides; before it they stay there or go through; behind it they have the true run, with the plane clear behind them. For
+//! each way the robots are those of a run in which the plane told of the arm in a [`Window`] of samples. The geometry is in
+//! [`curtain`](super::super::curtain); how the robots would move, [`Earlier`] tells.
+
+use super::super::curtain::{Curtain, depth_m};
+use super::super::encounter::{ArmSpace, Encountered, Person};
+use super::super::robot::RobotFrame;
+use super::super::sensors::{DelayLine, breaks};
+use super::{Earlier, Frames, Hit, Stance, Window, World};
+use crate::geometry::{Cuboid, Solid, Vec3};
+use crate::human::{Place, Side};
+use crate::sim::Coverage;
+
+/// Samples since a plane was broken, or a control let go, that are not counted any more: anything is possible since.
+const LONG_AGO: usize = DelayLine::LONGEST as usize;
+
+/// No shoulder is farther from the middle of the feet along the floor, m.
+const SHOULDER_WITHIN_M: f64 = 0.75;
+
+/// Where an arm is with regard to a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ArmSide {
+    /// Its shoulder is in front, and the body is not in the plane.
+    Front,
+    /// The body is in the plane, or a two-hand control is let go.
+    In,
+    /// Its shoulder is behind, and the body is not in the plane.
+    Behind,
+    /// The person holds the two-hand control and leans over its buttons: such an arm is tried as if it had let go.
+    LeansOver,
+}
+
+/// A way of an arm past one plane, if the plane tells of it.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    window: Window,
+    /// How far behind the plane the hand can be, m.
+    limit_m: f64,
+    /// The arm comes from behind: the limit is one in front of the plane.
+    back: bool,
+}
+
+/// An arm's ways past one plane.
+struct Ways {
+    /// Walls that keep an arm from what it cannot do untold; nothing if it can do nothing untold.
+    untold: Option<Vec<Cuboid>>,
+    /// How far behind the plane a hand can be untold, m.
+    untold_limit_m: f64,
+    /// Ways of which the plane tells, by the time they take.
+    told: Vec<Way>,
+}
+
+/// Robots of one way, and how far the hand can be.
+struct Run {
+    way: Way,
+    frames: Frames,
+}
+
+impl World {
+    /// An unsafe arm contact after step `i` of an action: untold by planes, or with the robots as they are when one plane,
+    /// or two, told of the arm as long before as the hand needs.
+    pub(super) fn reach_past_planes<E: Earlier>(
+        &self,
+        person: &Person,
+        stance: &Stance,
+        frames: &Frames,
+        i: usize,
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        // Arms whose shoulders are on different sides of a plane go different ways.
+        let sides = |side: Side| -> Vec<ArmSide> {
+            let shoulder = person.body.shoulder(side).translation;
+            (0..self.curtains.len()).map(|c| self.side_of(c, person, stance, shoulder)).collect()
+        };
+        let mut groups: Vec<(Vec<ArmSide>, Vec<Side>)> = Vec::new();
+        for &arm in &person.arms {
+            let sides = sides(arm);
+            match groups.iter_mut().find(|(known, _)| *known == sides) {
+                Some((_, arms)) => arms.push(arm),
+                None => groups.push((sides, vec![arm])),
+            }
+        }
+        for (sides, arms) in groups {
+            let person = Person { arms, ..person.clone() };
+            let ways: Vec<Ways> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
+            let found = self.reach_by(&person, &sides, &ways, (frames, i), earlier, coverage)?;
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        Ok(None)
+    }
+
+    fn reach_by<E: Earlier>(
+        &self,
+        person: &Person,
+        sides: &[ArmSide],
+        ways: &[Ways],
+        (frames, i): (&Frames, usize),
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        let count = ways.len();
+        // Walls of all planes but these, if arms can pass the others untold.
+        let untold = |but: &[usize]| -> Option<Vec<Cuboid>> {
+            let others = (0..count).filter(|c| !but.contains(c));
+            others.map(|c| ways[c].untold.clone()).collect::<Option<Vec<_>>>().map(|walls| walls.concat())
+        };
+        let shoulders: Vec<Vec3> = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
+        let reach = self.encounter.arm.reach();
+        let reachable_untold = |c: usize, link: &Solid| match sides[c] {
+            ArmSide::Front => {
+                let curtain = &self.curtains[c];
+                curtain.within(0.0, link) || shoulders.iter().any(|s| !curtain.closed.out_of_reach(*s, reach, link))
+            }
+            _ => self.curtains[c].within(ways[c].untold_limit_m - 2.0 * self.encounter.reach_tolerance_m, link),
+        };
+        let mask = |frame: &RobotFrame, but: &[usize]| -> Vec<bool> {
+            let others: Vec<usize> = (0..count).filter(|c| !but.contains(c)).collect();
+            frame.links.iter().map(|link| others.iter().all(|&c| reachable_untold(c, link))).collect()
+        };
+        if let Some(walls) = untold(&[]) {
+            let links = mask(&frames[i], &[]);
+            let space = ArmSpace { walls: &walls, links: Some(&links) };
+            if let Some(found) = self.encounter.unsafe_arm_contact(person, &frames[i], &space, coverage) {
+                return Ok(Some(Hit::new(found, &frames[i])));
+            }
+        }
+        for c in 0..count {
+            let Some(walls) = untold(&[c]) else { continue };
+            let runs = runs(&ways[c].told, &[], i, earlier)?;
+            let mask = |frame: &RobotFrame| mask(frame, &[c]);
+            if let Some((run, found)) = self.first_of(person, c, &runs, &walls, &mask, i, coverage) {
+                return Ok(Some(self.hit(found, &run.frames[i], &[run.way.window])));
+            }
+        }
+        for c in 0..count {
+            for d in c + 1..count {
+                let Some(walls) = untold(&[c, d]) else { continue };
+                for first in &ways[c].told {
+                    let runs = runs(&ways[d].told, &[first.window], i, earlier)?;
+                    let mut walls = walls.clone();
+                    walls.push(self.out_of_reach(c, first));
+                    let mask = |frame: &RobotFrame| {
+                        let near = mask(frame, &[c, d]);
+                        frame.links.iter().zip(near).map(|(l, near)| near && self.in_reach(c, first, l)).collect()
+                    };
+                    if let Some((run, found)) = self.first_of(person, d, &runs, &walls, &mask, i, coverage) {
+                        return Ok(Some(self.hit(found, &run.frames[i], &[first.window, run.way.window])));
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// A contact of an arm that went past planes, each of which told of it in a window.
+    fn hit(&self, found: Encountered, frame: &RobotFrame, windows: &[Window]) -> Hit {
+        Hit { windows: windows.to_vec(), ..Hit::new(found, frame) }
+    }
+
+    /// The first of `runs`, ways past plane `c`, in which an arm can get hold of a robot in time, and the contact.
+    #[expect(clippy::too_many_arguments, reason = "one question, asked in one place")]
+    fn first_of<'a>(
+        &self,
+        person: &Person,
+        c: usize,
+        runs: &'a [Run],
+        walls: &[Cuboid],
+        mask: &dyn Fn(&RobotFrame) -> Vec<bool>,
+        i: usize,
+        coverage: &mut Coverage,
+    ) -> Option<(&'a Run, Encountered)> {
+        let within = |run: &Run| -> Vec<bool> {
+            let links = run.frames[i].links.iter().zip(mask(&run.frames[i]));
+            links.map(|(link, near)| near && self.in_reach(c, &run.way, link)).collect()
+        };
+        let with = |way: &Way| [walls, &[self.out_of_reach(c, way)]].concat();
+        // Ways from in front and from behind have different walls.
+        let mut groups: Vec<&[Run]> = runs.chunk_by(|a, b| a.way.back == b.way.back).rev().collect();
+        while let Some(group) = groups.pop() {
+            match group {
+                [] => {}
+                [run] => {
+                    let (walls, links) = (with(&run.way), within(run));
+                    let space = ArmSpace { walls: &walls, links: Some(&links) };
+                    if let Some(found) =
+                        self.encounter.unsafe_arm_contact(person, &run.frames[i], &space, coverage)
+                    {
+                        return Some((run, found));
+                    }
+                }
+                [.., last] => {
+                    // The space open to the last of them holds that of all: nothing there is nothing for any.
+                    let walls = with(&last.way);
+                    let links: Vec<bool> = group.iter().flat_map(within).collect();
+                    let space = ArmSpace { walls: &walls, links: Some(&links) };
+                    let frames: Vec<&RobotFrame> = group.iter().map(|run| &run.frames[i]).collect();
+                    if !self.encounter.no_arm_harmed(person, &frames, &space, coverage) {
+                        let (first, second) = group.split_at(group.len() / 2);
+                        groups.extend([second, first]);
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// What is out of a hand's reach on a way past plane `c`, as a wall.
+    fn out_of_reach(&self, c: usize, way: &Way) -> Cuboid {
+        let curtain = &self.curtains[c];
+        if way.back { curtain.before(way.limit_m) } else { curtain.beyond(way.limit_m) }
+    }
+
+    /// Whether a hand on a way past plane `c` can get hold of a link. A contact deeper than the tolerance that leaves as much
+    /// room to what is out of reach in time: the guarantee of the arm search asks for no more, and thin layers of space cost
+    /// it most.
+    fn in_reach(&self, c: usize, way: &Way, link: &Solid) -> bool {
+        let far = way.limit_m - 2.0 * self.encounter.reach_tolerance_m;
+        let curtain = &self.curtains[c];
+        if way.back { curtain.within_before(far, link) } else { curtain.within(far, link) }
+    }
+
+    /// Where an arm with this shoulder is with regard to plane `c`.
+    fn side_of(&self, c: usize, person: &Person, stance: &Stance, shoulder: Vec3) -> ArmSide {
+        let curtain = &self.curtains[c];
+        let behind = curtain.depth(shoulder) > 0.0;
+        match (curtain.hands_only, behind) {
+            (true, _) if stance.broken[c] > 0 => ArmSide::In,
+            (true, false) => ArmSide::Front,
+            (true, true) => ArmSide::LeansOver,
+            _ if breaks(&person.body, &curtain.plane) => ArmSide::In,
+            (false, false) => ArmSide::Front,
+            (false, true) => ArmSide::Behind,
+        }
+    }
+
+    /// The ways of an arm on this side of plane `c`.
+    fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &Stance) -> Ways {
+        let (curtain, step_s, since) = (&self.curtains[c], self.cell.step_s, stance.broken[c]);
+        let reach = self.encounter.arm.reach();
+        let depths = person.arms.iter().map(|&arm| curtain.depth(person.body.shoulder(arm).translation));
+        let (nearest, deepest) = depths.fold((f64::MAX, f64::MIN), |(n, d), depth| (n.min(depth), d.max(depth)));
+        let (deepest, most_before) = (deepest + reach, reach - nearest);
+        // Whoever came another way, or long ago, is held back by nothing.
+        let free = since == LONG_AGO || (side == ArmSide::Behind && since == 0);
+        let untold_limit_m = match side {
+            ArmSide::Front | ArmSide::LeansOver => 0.0,
+            ArmSide::In | ArmSide::Behind if free => f64::INFINITY,
+            ArmSide::In | ArmSide::Behind => depth_m(since + 1, step_s),
+        };
+        let mut untold = Vec::new();
+        if matches!(side, ArmSide::Front | ArmSide::Behind) {
+            untold.push(curtain.unbroken());
+        }
+        if matches!(side, ArmSide::In | ArmSide::Behind) && untold_limit_m < deepest {
+            untold.push(curtain.beyond(untold_limit_m));
+        }
+        let told = |from: usize, until: usize, back: bool| Way {
+            window: Window { curtain: c, from, until },
+            limit_m: depth_m(from + 1, step_s),
+            back,
+        };
+        let through = |most: f64, back: bool| {
+            let in_time = move |&s: &usize| s == 0 || depth_m(s, step_s) < most;
+            (0..).take_while(in_time).map(move |s| told(s, 0, back)).filter(move |_| most > 0.0)
+        };
+        let ahead = || {
+            let needed = move |j: &usize| depth_m(since + j, step_s) < deepest;
+            (1..).take_while(needed).take_while(|_| !free).map(move |j| told(since + j, since, false))
+        };
+        let told: Vec<Way> = match side {
+            ArmSide::Front | ArmSide::LeansOver => through(deepest, false).collect(),
+            ArmSide::In => ahead().collect(),
+            ArmSide::Behind => ahead().chain(through(most_before, true)).collect(),
+        };
+        Ways { untold: (side != ArmSide::LeansOver).then_some(untold), untold_limit_m, told }
+    }
+
+    /// In which windows planes may have told of an arm, for a person at this place: every one that a pose of it may ask
+    /// [`Earlier`] for.
+    #[must_use]
+    pub fn windows_that_may_matter(&self, place: &Place, broken: &[usize]) -> Vec<Asked> {
+        let (at, arm) = (self.position(place) + Vec3::Z, self.encounter.arm.reach());
+        let of = |(curtain, &since): (&Curtain, &usize)| {
+            let depth = curtain.depth(at);
+            let deepest = depth + self.reach_m();
+            let samples = |most: f64| (0..).take_while(|&s| depth_m(s, self.cell.step_s) < most).count();
+            // Nobody so far in front reaches the plane, and nobody so far behind reaches back through it.
+            let near = deepest > 0.0 && depth < SHOULDER_WITHIN_M + arm;
+            let through = if near { samples(deepest.max(arm + SHOULDER_WITHIN_M)) } else { 0 };
+            let ahead = if since == 0 || since == LONG_AGO { 0 } else { samples(deepest).saturating_sub(since) };
+            Asked { through, ahead, since: if ahead > 0 { since } else { 0 } }
+        };
+        self.curtains.iter().zip(broken).map(of).collect()
+    }
+
+    /// Whether the body could have come as far as `point` behind each plane that it is in. Who holds a two-hand control may
+    /// lean over it; who is not in a plane passed it before, or went round it.
+    pub(super) fn in_time(&self, point: Vec3, person: &Person, stance: &Stance) -> bool {
+        self.curtains.iter().enumerate().filter(|(_, curtain)| !curtain.hands_only).all(|(c, curtain)| {
+            let since = stance.broken[c];
+            since == LONG_AGO
+                || curtain.depth(point) <= depth_m(since + 1, self.cell.step_s)
+                || !breaks(&person.body, &curtain.plane)
+        })
+    }
+}
+
+/// The windows of one plane that may be asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Asked {
+    /// In the last 0, 1, 2, ... samples until now, so many.
+    through: usize,
+    /// In the 1, 2, ... samples before the body was first seen, so many.
+    ahead: usize,
+    /// How many samples ago that was.
+    since: usize,
+}
+
+impl Asked {
+    /// All of them: of one plane, and of two at once.
+    #[must_use]
+    pub fn windows(asked: &[Self]) -> Vec<Vec<Window>> {
+        let of = |(curtain, asked): (usize, &Self)| -> Vec<Window> {
+            let through = (0..asked.through).map(|from| Window { curtain, from, until: 0 });
+            let ahead = (1..=asked.ahead).map(|j| Window { curtain, from: asked.since + j, until: asked.since });
+            through.chain(ahead).collect()
+        };
+        let windows: Vec<Vec<Window>> = asked.iter().enumerate().map(of).collect();
+        let mut all: Vec<Vec<Window>> = windows.iter().flatten().map(|window| vec![*window]).collect();
+        for (c, first) in windows.iter().enumerate() {
+            for second in &windows[c + 1..] {
+                all.extend(first.iter().flat_map(|a| second.iter().map(|b| vec![*a, *b])));
+            }
+        }
+        all
+    }
+}
+
+/// The robots of each way, with the windows of other planes besides; ways by the time they take, as long as there is time.
+fn runs<E: Earlier>(ways: &[Way], besides: &[Window], i: usize, earlier: &mut E) -> Result<Vec<Run>, E::Error> {
+    let mut runs: Vec<Run> = Vec::new();
+    for of_kind in ways.chunk_by(|a, b| a.back == b.back) {
+        let first = runs.len();
+        for &way in of_kind {
+            let windows: Vec<Window> = besides.iter().copied().chain([way.window]).collect();
+            let Some(frames) = earlier.told_of(&windows)? else { break };
+            // Of instants at which the robots are the same, the last leaves the hand the most time.
+            if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
+                runs.pop();
+            }
+            runs.push(Run { way, frames });
+        }
+    }
+    Ok(runs)
+}
