@@ -4,6 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Group};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
@@ -49,6 +50,9 @@ pub struct ScanReport {
     pub coverage: Coverage,
     /// What it cost.
     pub spent: Spent,
+    /// Speeds that the FMU tells and that are not those of the motion: with any of them nothing is certified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub speeds: Vec<SpeedRecord>,
     /// Actions that the FMU could not finish, with the sequences that lead there.
     pub faults: Vec<FaultRecord>,
     /// The state self-test.
@@ -353,6 +357,15 @@ pub struct Certificate {
     pub horizon: usize,
     /// What random search can expect, if the search was complete.
     pub random_search: Option<RandomSearch>,
+}
+
+impl Certificate {
+    /// Takes the promise back, for this reason.
+    pub fn refuse(&mut self, reason: String) {
+        self.complete = false;
+        self.reasons.push(reason);
+        self.random_search = None;
+    }
 }
 
 /// Exact figures of uniform random search, from the share of hazardous sequences.

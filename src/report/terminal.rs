@@ -257,7 +257,7 @@ fn sentence(report: &ScanReport) -> String {
         }
         Verdict::NoneFound => format!("No hazard found.\n {scope}"),
         Verdict::Inconclusive => {
-            "Inconclusive: nothing was found, but nothing could have been. See the note above.".to_owned()
+            "Inconclusive: nothing was found, which says nothing about the cell. See the notes above.".to_owned()
         }
         Verdict::FmuFailed => {
             "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()

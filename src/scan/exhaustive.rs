@@ -17,6 +17,7 @@ use crate::search::statistics::Independent;
 use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, Merge};
 use crate::sim::journal::Journal;
+use crate::sim::motion::Motion;
 
 /// Budget of the random search whose figures stand in the certificate: the paper's.
 const RANDOM_ITERATIONS: u32 = 320;
@@ -40,6 +41,7 @@ pub(super) struct Census {
     /// What was covered; nothing if the FMU ended the search.
     pub certificate: Option<Certificate>,
     pub coverage: Coverage,
+    pub motion: Motion,
     pub fmu_steps: u64,
     pub fmu_states: usize,
     pub effort: Effort,
@@ -101,6 +103,7 @@ pub(super) fn census(
         interrupted: account.as_ref().is_some_and(|a| a.stopped == Stopped::Asked),
         certificate: account.map(|account| certificate(&expander, &account, options)),
         coverage: expander.coverage().clone(),
+        motion: expander.motion().clone(),
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
         effort: expander.recall().effort_of_workers(),
