@@ -373,9 +373,11 @@ impl Certificate {
 pub struct RandomSearch {
     /// Budget, iterations.
     pub iterations: u32,
-    /// Mean iterations to the first hazard, a miss counting as the budget.
+    /// Mean iterations to the first hazard, however many it takes: one over the share of hazardous sequences.
+    pub iterations_to_hazard: Option<f64>,
+    /// The same cut at the budget, a miss counting as the budget: what the paper's tables call T.
     pub mean_iterations: f64,
-    /// Standard deviation of the same.
+    /// Standard deviation of that.
     pub sigma: f64,
     /// Probability to find nothing.
     pub miss_probability: f64,

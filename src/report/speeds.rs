@@ -108,6 +108,18 @@ impl SpeedRecord {
         format!("{} of robot `{}`", self.part, self.robot)
     }
 
+    /// Where the cell file names the speed: a range of its bytes.
+    #[must_use]
+    pub fn named_at(&self, cell: &Workcell) -> Option<std::ops::Range<usize>> {
+        let (robot, part) = self.place?;
+        let robot = cell.file().robots.get(robot)?.get_ref();
+        match part {
+            Part::Joint(joint) => Some(robot.joints.get(joint)?.speed.as_ref()?.variable.span()),
+            Part::Velocity(frame) => Some(robot.frames.get(frame)?.velocity.as_ref()?[0].span()),
+            Part::AngularVelocity(frame) => Some(robot.frames.get(frame)?.angular_velocity.as_ref()?[0].span()),
+        }
+    }
+
     /// What is wrong, without advice.
     #[must_use]
     pub fn message(&self) -> String {

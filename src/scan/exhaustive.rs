@@ -149,8 +149,13 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     let share = account.hazardous.to_f64().unwrap_or(0.0) / account.total.to_f64().unwrap_or(f64::INFINITY);
     let independent = Independent { probability: share, cap: RANDOM_ITERATIONS };
     let (mean_iterations, sigma) = independent.mean_and_sigma();
-    let random =
-        RandomSearch { iterations: RANDOM_ITERATIONS, mean_iterations, sigma, miss_probability: independent.miss() };
+    let random = RandomSearch {
+        iterations: RANDOM_ITERATIONS,
+        iterations_to_hazard: independent.mean(),
+        mean_iterations,
+        sigma,
+        miss_probability: independent.miss(),
+    };
     let merges = expander.recall().merges();
     let merged_by = if expander.merges_by_bytes() { "serialised states, byte for byte" } else { "inputs received" };
     Certificate {
