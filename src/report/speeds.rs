@@ -207,12 +207,12 @@ impl Names<'_> {
             slower_than_it_is: seen.slower_faster[0],
             steps: seen.steps.len(),
             of_steps: steps,
-            cause: self.cause(signal, seen),
+            cause: self.cause(signal, seen, steps),
             place: Some((signal.robot, signal.part)),
         }
     }
 
-    fn cause(&self, signal: &Signal, seen: &Seen) -> Option<String> {
+    fn cause(&self, signal: &Signal, seen: &Seen, steps: usize) -> Option<String> {
         let names: Vec<String> = self.variables(signal).iter().map(|name| format!("`{name}`")).collect();
         let named = names.join(" with ");
         if seen.told_still() {
@@ -238,9 +238,17 @@ impl Names<'_> {
                 "The two differ 1000 times: one is in mm and taken as m. Look at the `unit` of both".to_owned(),
             );
         }
-        if let Some(other) = seen.of_another() {
-            let other = self.part(&self.comparison.signals()[other]);
-            return Some(format!("{named} is how {other} moves: another variable was meant"));
+        // One that is told by the same variable is the one that was meant there.
+        let all = self.comparison.signals();
+        let others: Vec<&Signal> = seen.of_others().map(|other| &all[other]).collect();
+        let same = others.iter().find(|other| other.variables == signal.variables);
+        if let Some(other) = same.or(others.first()) {
+            return Some(format!("{named} is how {} moves: another variable was meant", self.part(other)));
+        }
+        if seen.steps.len() <= 2 && steps > 10 {
+            return Some(
+                "There it is put somewhere else: a jump of the model, of which the speed says nothing".to_owned(),
+            );
         }
         let [low, high] = seen.ratio?;
         let constant = low * high > 0.0 && (high - low).abs() < 0.1 * low.abs();

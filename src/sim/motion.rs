@@ -189,6 +189,39 @@ impl Around {
     }
 }
 
+/// Rows that are looked at.
+struct Rows {
+    /// Those before it do not count.
+    first: usize,
+    last: usize,
+    /// Number of the first.
+    from: usize,
+    /// Speeds that are told, by signal and row.
+    told: Vec<Vec<Value>>,
+    /// Mean speeds of the motion, by signal and step.
+    ways: Vec<Vec<Value>>,
+}
+
+impl Rows {
+    /// Mean speed of the motion over so many steps up to row `end`, step by step: what turns on is not lost over them.
+    #[expect(clippy::cast_precision_loss, reason = "thousands")]
+    fn mean(&self, signal: usize, (end, steps): (usize, usize)) -> Value {
+        let ways = &self.ways[signal][end - steps..end];
+        std::array::from_fn(|c| ways.iter().map(|way| way[c]).sum::<f64>() / steps as f64)
+    }
+
+    /// Told speeds of these steps, and of a row before and behind.
+    fn around(&self, signal: usize, (end, steps): (usize, usize)) -> &[Value] {
+        let from = (end - steps).saturating_sub(1).max(self.first);
+        &self.told[signal][from..=(end + 1).min(self.last)]
+    }
+
+    /// By how much the motion of `moving` is beyond what the speed that is told of `signal` explains.
+    fn beyond(&self, signal: usize, moving: usize, way: (usize, usize), rough: f64) -> f64 {
+        Around::new(self.around(signal, way)).beyond(&self.mean(moving, way), rough)
+    }
+}
+
 impl Comparison {
     /// Of a cell, from the person's beginning on.
     #[must_use]
@@ -224,88 +257,84 @@ impl Comparison {
         motion.seen.resize(self.signals.len(), Seen::default());
         let Some(last) = rows.len().checked_sub(1) else { return };
         motion.last = motion.last.max(from + last);
-        let first = self.unsettled.saturating_sub(from);
-        let told: Vec<Vec<Value>> = self
-            .signals
-            .iter()
-            .map(|s| if s.is_told() { rows.iter().map(|r| s.speed(r)).collect() } else { Vec::new() })
-            .collect();
-        for (number, signal) in self.signals.iter().enumerate() {
+        let told = |signal: &Signal| rows.iter().map(|row| signal.speed(row)).collect();
+        let way = |signal: &Signal| rows.windows(2).map(|two| signal.mean(two[1], two[0], self.step_s)).collect();
+        let rows = Rows {
+            first: self.unsettled.saturating_sub(from),
+            last,
+            from,
+            told: self.signals.iter().map(told).collect(),
+            ways: self.signals.iter().map(way).collect(),
+        };
+        for number in 0..self.signals.len() {
             if from == 0 {
-                motion.seen[number].jumped |= self.jumped(signal, &rows);
+                motion.seen[number].jumped |= self.jumped(&rows.ways[number]);
             }
-            for end in new.saturating_sub(1).max(first + 1)..=last {
-                self.step(number, (&rows, &told), (first, end), from, motion);
+            for end in new.saturating_sub(1).max(rows.first + 1)..=last {
+                self.step(number, &rows, end, motion);
             }
         }
     }
 
-    /// Looks at the step that ends at row `end`; rows before `first` do not count.
-    fn step(
-        &self,
-        number: usize,
-        (rows, told): (&[&[f64]], &[Vec<Value>]),
-        (first, end): (usize, usize),
-        from: usize,
-        motion: &mut Motion,
-    ) {
-        let signal = &self.signals[number];
-        let span = self.span.min(end - first);
-        let mean = signal.mean(rows[end], rows[end - span], self.seconds(span));
-        let rough = signal.rough() * self.seconds(self.span) / self.seconds(span);
-        let seen = &mut motion.seen[number];
+    /// Looks at the step that ends at row `end`.
+    fn step(&self, number: usize, rows: &Rows, end: usize, motion: &mut Motion) {
+        let (signal, seen) = (&self.signals[number], &mut motion.seen[number]);
+        let (way, rough) = self.short(number, rows, end);
+        let step = rows.from + end;
         let faster = |known: &mut (f64, usize), speed: f64| {
-            if speed > known.0 || (speed >= known.0 && from + end < known.1) {
-                *known = (speed, from + end);
+            if speed > known.0 || (speed >= known.0 && step < known.1) {
+                *known = (speed, step);
             }
         };
+        let mean = rows.mean(number, way);
         faster(&mut seen.fastest[0], length(&mean));
         motion.moved |= length(&mean) > rough;
+        let known = end < rows.last;
+        let creeps = known && end >= rows.first + self.long && step.is_multiple_of((self.long / 8).max(1));
+        let long = (end, self.long);
+        motion.moved |= creeps && length(&rows.mean(number, long)) > signal.rough() / 10.0;
         if !signal.is_told() {
             return;
         }
-        faster(&mut seen.fastest[1], length(&told[number][end]));
-        let known = end + 1 < rows.len();
+        faster(&mut seen.fastest[1], length(&rows.told[number][end]));
         // What a robot can do at all, where it is not known how the told speed goes on.
-        let reach = if known { 0.0 } else { HARDEST * self.seconds(span) };
-        self.compare(number, told, (first, end, span), (&mean, rough + reach), (rows, from), motion);
-        let creeps = known && end >= first + self.long && (from + end).is_multiple_of((self.long / 8).max(1));
-        if creeps && self.long > self.span {
-            let mean = signal.mean(rows[end], rows[end - self.long], self.seconds(self.long));
-            motion.moved |= length(&mean) > rough / 10.0;
-            self.compare(number, told, (first, end, self.long), (&mean, rough / 10.0), (rows, from), motion);
+        let reach = if known { 0.0 } else { HARDEST * self.seconds(way.1) };
+        if rows.beyond(number, number, way, rough + reach) > 0.0 {
+            self.disagreement(number, rows, way, rough + reach, seen);
+        } else if creeps && self.long > self.span && rows.beyond(number, number, long, signal.rough() / 10.0) > 0.0 {
+            // What is seen in a short step is told there, and once.
+            let short = |end: usize| {
+                let (way, rough) = self.short(number, rows, end);
+                rows.beyond(number, number, way, rough) > 0.0
+            };
+            if !(end - self.long + 1..end).any(short) {
+                self.disagreement(number, rows, long, signal.rough() / 10.0, seen);
+            }
         }
     }
 
-    fn compare(
-        &self,
-        number: usize,
-        told: &[Vec<Value>],
-        (first, end, span): (usize, usize, usize),
-        (mean, rough): (&Value, f64),
-        (rows, from): (&[&[f64]], usize),
-        motion: &mut Motion,
-    ) {
-        let window = (end - span).saturating_sub(1).max(first)..(end + 2).min(rows.len());
-        let own = &told[number][window];
-        let around = Around::new(own);
-        let beyond = around.beyond(mean, rough);
-        if beyond <= 0.0 {
-            return;
-        }
-        let seen = &mut motion.seen[number];
+    /// Steps that are taken together at row `end`, and what roundings make of a speed over them.
+    fn short(&self, number: usize, rows: &Rows, end: usize) -> ((usize, usize), f64) {
+        let span = self.span.min(end - rows.first);
+        ((end, span), self.signals[number].rough() * self.seconds(self.span) / self.seconds(span))
+    }
+
+    fn disagreement(&self, number: usize, rows: &Rows, way: (usize, usize), rough: f64, seen: &mut Seen) {
+        let (mean, own) = (rows.mean(number, way), rows.around(number, way));
+        let beyond = rows.beyond(number, number, way, rough);
         let fastest = own.iter().map(length).fold(0.0, f64::max);
         let slowest = own.iter().map(length).fold(f64::INFINITY, f64::min);
-        seen.slower_faster[0] |= length(mean) > fastest + rough;
-        seen.slower_faster[1] |= length(mean) < slowest - rough;
+        seen.slower_faster[0] |= length(&mean) > fastest + rough;
+        seen.slower_faster[1] |= length(&mean) < slowest - rough;
         let one = matches!(self.signals[number].part, Part::Joint(_));
         let shown = |value: &Value| if one { value[0] } else { length(value) };
-        let step = from + end;
+        let step = rows.from + way.0;
         seen.steps.insert(step);
-        let found = Disagreement { beyond, step, motion: shown(mean), told: shown(&told[number][end]) };
         if seen.worst.is_none_or(|worst| beyond > worst.beyond || (beyond >= worst.beyond && step < worst.step)) {
-            seen.worst = Some(found);
+            let told = shown(&rows.told[number][way.0]);
+            seen.worst = Some(Disagreement { beyond, step, motion: shown(&mean), told });
         }
+        let around = Around::new(own);
         let c = (0..3).max_by(|a, b| around.high[*a].abs().total_cmp(&around.high[*b].abs())).unwrap_or(0);
         let middle = (around.high[c] + around.low[c]) / 2.0;
         if around.high[c] - around.low[c] < 0.1 * middle.abs() && middle.abs() > rough {
@@ -318,24 +347,19 @@ impl Comparison {
             if other == number || kind(signal) != kind(&self.signals[number]) {
                 continue;
             }
-            let theirs = signal.mean(rows[end], rows[end - span], self.seconds(span));
-            if around.beyond(&theirs, rough) > 0.0 {
+            if rows.beyond(number, other, way, rough) > 0.0 {
                 seen.others[1].insert(other);
-            } else if length(&theirs) > 5.0 * rough {
+            } else if length(&rows.mean(other, way)) > 5.0 * rough {
                 seen.others[0].insert(other);
             }
         }
     }
 
     /// Whether the first rows of a run are no pose of the robot.
-    fn jumped(&self, signal: &Signal, rows: &[&[f64]]) -> bool {
-        let at = self.unsettled;
-        if rows.len() < at + 3 {
-            return false;
-        }
-        let mean = |end: usize| signal.mean(rows[end], rows[end - 1], self.step_s);
-        let next = [mean(at + 1), mean(at + 2)];
-        (1..=at).map(mean).any(|first| (0..3).any(|c| jumps(first[c], next.map(|n| n[c]), self.step_s)))
+    fn jumped(&self, ways: &[Value]) -> bool {
+        let Some([next, after]) = ways.get(self.unsettled..self.unsettled + 2) else { return false };
+        let jumped = |way: &Value| (0..3).any(|c| jumps(way[c], [next[c], after[c]], self.step_s));
+        ways[..self.unsettled].iter().any(jumped)
     }
 
     #[expect(clippy::cast_precision_loss, reason = "thousands")]
@@ -398,11 +422,9 @@ impl Motion {
 }
 
 impl Seen {
-    /// The one signal whose motion the told speed is wherever it disagrees with its own.
-    #[must_use]
-    pub fn of_another(&self) -> Option<usize> {
-        let mut fits = self.others[0].difference(&self.others[1]);
-        fits.next().copied().filter(|_| fits.next().is_none())
+    /// Signals whose motion the told speed is wherever it disagrees with its own.
+    pub fn of_others(&self) -> impl Iterator<Item = usize> {
+        self.others[0].difference(&self.others[1]).copied()
     }
 
     /// Whether it is told never to move.
