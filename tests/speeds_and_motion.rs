@@ -87,6 +87,8 @@ fn cell_with(fmu: &str, kind: i32, step: i32, speed: &str) -> String {
     let fmu = test_fmus().join(fmu).display().to_string();
     let cell = faulty_cell(&fmu, kind, step).replace(TRUE_SPEED, speed);
     assert!(cell.contains(speed));
+    // From here the person gets onto the mat, and no hand is hurt at 0.5 m/s.
+    let cell = cell.replace("xy_m = [0, -1.6]", "xy_m = [1.7, -1.1]");
     cell.replace("iterations = 12", "actions = 2\niterations = 12")
 }
 
@@ -108,9 +110,8 @@ fn nothing_is_certified_where_told_speeds_are_not_those_of_the_motion() {
     let dir = tempfile::TempDir::new().unwrap();
     for fmu in ["faulty.fmu", "faulty-fmi3.fmu"] {
         write(dir.path(), "true.toml", &cell_with(fmu, 0, 0, TRUE_SPEED));
-        // The mat is out of reach in two actions, so a sensor of no use is left out.
-        let (_, _, result) = scan(dir.path(), "true.toml", "auto");
-        assert_eq!(result["certificate"]["complete"], true, "{result}");
+        let (code, text, result) = scan(dir.path(), "true.toml", "auto");
+        assert!(code == 0 && result["certificate"]["complete"] == true, "{text}");
         assert!(result["speeds"].is_null());
         for (speed, cause) in LIES {
             write(dir.path(), "lie.toml", &cell_with(fmu, 0, 0, speed));

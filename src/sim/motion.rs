@@ -13,22 +13,19 @@
 //!
 //! The last step of an action is compared when the next is known. Where none follows, it has to be within what a robot can
 //! do at all ([`HARDEST`](crate::cell::binding::HARDEST)): it may still not have been put somewhere else.
-//!
-//! **Every figure is a greatest, a first or a set**, so that it does not matter how often a step is looked at, nor in which
-//! order: the same states give the same figures, however they are brought back.
 
-use std::collections::BTreeSet;
+mod seen;
+mod signal;
 
-use super::robot::RobotFrame;
-use crate::cell::binding::{Derived, HARDEST, MotionBinding, Reader, jumps};
+use self::signal::{Value, length, signals};
+use crate::cell::binding::{HARDEST, jumps};
 use crate::cell::{Binding, Workcell};
-use crate::geometry::kinematics::Motion as JointMotion;
+
+pub use seen::{Disagreement, Motion, Seen};
+pub use signal::{Part, Signal};
 
 /// Time over which roughly rounded outputs are told from a motion, s.
 const SPAN_S: f64 = 0.02;
-
-/// What roundings may make of a speed over [`SPAN_S`]: rad/s, m/s.
-const ROUGH: [f64; 2] = [0.02, 0.01];
 
 /// Part of a speed that says nothing.
 const RELATIVE: f64 = 0.02;
@@ -36,77 +33,6 @@ const RELATIVE: f64 = 0.02;
 /// Robots faster than this are not built, m/s: tool centres of six-axis robots reach 2 to 8 m/s by their data sheets,
 /// those of the fastest SCARA and delta robots about 12 m/s.
 pub const IMPLAUSIBLE_M_S: f64 = 12.0;
-
-/// A speed up to so much above the limit in a URDF is not told.
-const ABOVE_LIMIT: f64 = 1.05;
-
-/// What moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// A joint, by its place in the cell file.
-    Joint(usize),
-    /// The origin of a frame, likewise.
-    Velocity(usize),
-    /// How a frame turns, likewise.
-    AngularVelocity(usize),
-}
-
-/// Something that moves, and what is told of its speed.
-#[derive(Clone, Debug)]
-pub struct Signal {
-    /// Index of the robot.
-    pub robot: usize,
-    /// Which part of it.
-    pub part: Part,
-    /// Whether speeds are in rad/s, else in m/s.
-    pub turns: bool,
-    /// Its mean speed over a step, by component.
-    way: Vec<Derived>,
-    /// Its speed by the FMU, by component; nothing if it is differentiated.
-    told: Option<Vec<Reader>>,
-    /// Outputs that tell the speed, by their columns.
-    pub variables: Vec<usize>,
-    /// The fastest that it may be, by its URDF.
-    pub limit: Option<f64>,
-}
-
-/// Three components at most, and how many count.
-type Value = [f64; 3];
-
-fn length(value: &Value) -> f64 {
-    value.iter().map(|v| v * v).sum::<f64>().sqrt()
-}
-
-impl Signal {
-    fn new(robot: usize, part: Part, way: Vec<Derived>, speeds: &[Reader], turns: bool) -> Option<Self> {
-        let columns: Option<Vec<Vec<usize>>> = speeds.iter().map(Reader::given).collect();
-        let told = columns.is_some().then(|| speeds.to_vec());
-        let mut variables = columns.unwrap_or_default().concat();
-        variables.dedup();
-        (!speeds.is_empty()).then_some(Self { robot, part, turns, way, told, variables, limit: None })
-    }
-
-    /// Whether the FMU tells its speed.
-    #[must_use]
-    pub const fn is_told(&self) -> bool {
-        self.told.is_some()
-    }
-
-    fn mean(&self, now: &[f64], before: &[f64], seconds: f64) -> Value {
-        let mut all = Vec::with_capacity(3);
-        self.way.iter().for_each(|way| way.append(now, before, seconds, &mut all));
-        std::array::from_fn(|c| all.get(c).copied().unwrap_or_default())
-    }
-
-    fn speed(&self, row: &[f64]) -> Value {
-        let read = |c: usize| self.told.as_ref().and_then(|told| told.get(c)).map_or(0.0, |reader| reader.read(row));
-        std::array::from_fn(read)
-    }
-
-    fn rough(&self) -> f64 {
-        ROUGH[usize::from(!self.turns)]
-    }
-}
 
 /// What is compared, and how.
 #[derive(Clone, Debug)]
@@ -120,50 +46,6 @@ pub struct Comparison {
     long: usize,
     /// Steps of a run before which outputs may be no pose of the robot.
     unsettled: usize,
-}
-
-/// A step at which the speed that is told is not that of the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disagreement {
-    /// By how much it is beyond what the step explains, rad/s or m/s.
-    pub beyond: f64,
-    /// Number of the step from the person's beginning, from 1.
-    pub step: usize,
-    /// The speed of the motion; a length if it has components.
-    pub motion: f64,
-    /// The speed that is told.
-    pub told: f64,
-}
-
-/// What was seen of a [`Signal`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Seen {
-    /// The largest disagreement.
-    pub worst: Option<Disagreement>,
-    /// Numbers of the steps at which the two disagree.
-    pub steps: BTreeSet<usize>,
-    /// Whether it was told to be slower than it is, and whether faster.
-    pub slower_faster: [bool; 2],
-    /// The fastest by its motion, and as told, with the number of the step.
-    pub fastest: [(f64, usize); 2],
-    /// Least and greatest motion in parts of what is told, where they disagree and what is told hardly changes.
-    pub ratio: Option<[f64; 2]>,
-    /// Signals whose motion the told speed is where the two disagree, and those whose it is not.
-    others: [BTreeSet<usize>; 2],
-    /// Whether it was somewhere else at first: outputs after initialisation that are no pose of the robot.
-    pub jumped: bool,
-}
-
-/// What was seen of everything that moves.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Motion {
-    seen: Vec<Seen>,
-    /// The greatest speed of a link that no robot has: index of the link, m/s, number of the step.
-    pub implausible: Option<(usize, f64, usize)>,
-    /// Whether anything changed its place.
-    pub moved: bool,
-    /// Number of the last step that was looked at.
-    pub last: usize,
 }
 
 /// Told speeds around a step, by component: least and greatest.
@@ -374,140 +256,6 @@ impl Comparison {
     }
 }
 
-impl Motion {
-    /// Looks at the robots after the steps from number `from` on for links faster than any robot's.
-    pub fn look_at_links(&mut self, frames: &[RobotFrame], from: usize) {
-        for (i, frame) in frames.iter().enumerate().filter(|(_, frame)| frame.fastest > IMPLAUSIBLE_M_S) {
-            for link in 0..frame.links.len() {
-                let (speed, step) = (frame.certain_speed(link), from + i);
-                let known = self.implausible.map_or((IMPLAUSIBLE_M_S, usize::MAX, 0), |(l, s, at)| (s, at, l));
-                let first = speed >= known.0 && (step, link) < (known.1, known.2);
-                if speed > known.0 || (first && self.implausible.is_some()) {
-                    self.implausible = Some((link, speed, step));
-                }
-            }
-        }
-    }
-
-    /// What was seen of each signal.
-    #[must_use]
-    pub fn seen(&self) -> &[Seen] {
-        &self.seen
-    }
-
-    /// Whether some told speed is not that of the motion.
-    #[must_use]
-    pub fn disagrees(&self) -> bool {
-        self.seen.iter().any(|seen| seen.worst.is_some())
-    }
-
-    /// Whether outputs were no pose of the robot at first.
-    #[must_use]
-    pub fn jumped(&self) -> bool {
-        self.seen.iter().any(|seen| seen.jumped)
-    }
-
-    /// Adds what was seen in other runs of the same cell.
-    pub fn merge(&mut self, other: &Self) {
-        let count = self.seen.len().max(other.seen.len());
-        self.seen.resize(count, Seen::default());
-        self.seen.iter_mut().zip(&other.seen).for_each(|(seen, other)| seen.merge(other));
-        let further = |a: &(usize, f64, usize), b: &(usize, f64, usize)| {
-            a.1.total_cmp(&b.1).then_with(|| (b.2, b.0).cmp(&(a.2, a.0)))
-        };
-        self.implausible = self.implausible.into_iter().chain(other.implausible).max_by(further);
-        self.moved |= other.moved;
-        self.last = self.last.max(other.last);
-    }
-}
-
-impl Seen {
-    /// Signals whose motion the told speed is wherever it disagrees with its own.
-    pub fn of_others(&self) -> impl Iterator<Item = usize> {
-        self.others[0].difference(&self.others[1]).copied()
-    }
-
-    /// Whether it is told never to move.
-    #[must_use]
-    pub fn told_still(&self) -> bool {
-        self.fastest[1].0 <= 0.0
-    }
-
-    /// The speed above the limit, and the number of the step.
-    #[must_use]
-    pub fn above(&self, limit: f64) -> Option<(f64, usize)> {
-        let fastest = if self.fastest[1].0 > self.fastest[0].0 { self.fastest[1] } else { self.fastest[0] };
-        Some(fastest).filter(|(speed, _)| *speed > ABOVE_LIMIT * limit)
-    }
-
-    fn merge(&mut self, other: &Self) {
-        if let Some(theirs) = other.worst
-            && self.worst.is_none_or(|own| (theirs.beyond, own.step) > (own.beyond, theirs.step))
-        {
-            self.worst = Some(theirs);
-        }
-        self.steps.extend(&other.steps);
-        for (own, theirs) in self.slower_faster.iter_mut().zip(other.slower_faster) {
-            *own |= theirs;
-        }
-        for (own, theirs) in self.fastest.iter_mut().zip(other.fastest) {
-            if theirs.0 > own.0 || (theirs.0 >= own.0 && theirs.1 < own.1) {
-                *own = theirs;
-            }
-        }
-        let both = self.ratio.into_iter().chain(other.ratio);
-        self.ratio = both.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
-        for (own, theirs) in self.others.iter_mut().zip(&other.others) {
-            own.extend(theirs);
-        }
-        self.jumped |= other.jumped;
-    }
-}
-
-/// All that moves in a cell.
-fn signals(cell: &Workcell, binding: &Binding) -> Vec<Signal> {
-    let rate = |of: &Reader, turns: bool| Derived::Rate { of: of.clone(), turns };
-    let mut all = Vec::new();
-    for (robot, (told, bound)) in cell.robots.iter().zip(&binding.robots).enumerate() {
-        match &bound.motion {
-            MotionBinding::Joints { positions, speeds } => {
-                for (joint, (position, speed)) in positions.iter().zip(speeds).enumerate() {
-                    // One that is held is read from nothing.
-                    if position.given().is_some_and(|columns| columns.is_empty()) {
-                        continue;
-                    }
-                    let Some(kinematics) = &told.kinematics else { continue };
-                    let of = |(at, driven): (usize, &crate::cell::validate::Driven)| {
-                        (driven.named == joint).then_some((at, driven.factor))
-                    };
-                    let moved: Vec<(usize, f64)> = kinematics.driven.iter().enumerate().filter_map(of).collect();
-                    let Some((first, _)) = moved.first() else { continue };
-                    let turns = kinematics.tree.joints[*first].motion == JointMotion::Revolute;
-                    let limits = moved.iter().filter(|(_, factor)| *factor != 0.0);
-                    let limits = limits.filter_map(|(at, factor)| Some(kinematics.fastest[*at]? / factor.abs()));
-                    let limit = limits.reduce(f64::min);
-                    let signal = Signal::new(
-                        robot,
-                        Part::Joint(joint),
-                        vec![rate(position, turns)],
-                        std::slice::from_ref(speed),
-                        turns,
-                    );
-                    all.extend(signal.map(|signal| Signal { limit, ..signal }));
-                }
-            }
-            MotionBinding::Frames(frames) => {
-                for (number, frame) in frames.iter().enumerate() {
-                    let way = frame.position.iter().map(|of| rate(of, false)).collect();
-                    all.extend(Signal::new(robot, Part::Velocity(number), way, &frame.velocity, false));
-                    if frame.orientation != crate::cell::binding::Orientation::Unknown {
-                        let way = vec![Derived::Turning { of: frame.orientation.clone() }];
-                        let part = Part::AngularVelocity(number);
-                        all.extend(Signal::new(robot, part, way, &frame.angular_velocity, true));
-                    }
-                }
-            }
-        }
-    }
-    all
-}
+#[cfg(test)]
+#[path = "motion_tests.rs"]
+mod tests;

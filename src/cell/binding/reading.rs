@@ -120,7 +120,8 @@ impl Reader {
     }
 
     /// The value of an output, times a factor.
-    pub(super) fn output(column: usize, factor: f64) -> Self {
+    #[must_use]
+    pub fn output(column: usize, factor: f64) -> Self {
         Self { terms: vec![(Column::Output(column), factor)], offset: 0.0 }
     }
 
