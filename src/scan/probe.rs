@@ -366,8 +366,8 @@ fn odd(reaction: &Reaction, variable: &str, active: bool) -> Option<String> {
     let name = &reaction.input;
     let others = &reaction.at_other_moments;
     let faster = |effect: &Effect| matches!(effect, Effect::Starts | Effect::SpeedsUp);
-    let all = std::iter::once(reaction.effect).chain(others.iter().map(|moment| moment.effect));
-    if let Some(effect) = all.filter(faster).next() {
+    let mut all = std::iter::once(reaction.effect).chain(others.iter().map(|moment| moment.effect));
+    if let Some(effect) = all.find(faster) {
         let (before, after) =
             if effect == Effect::Starts { ("stand still", "move") } else { ("are slower", "are faster") };
         return Some(format!(
