@@ -208,7 +208,13 @@ fn a_wrong_polarity_is_told_before_a_scan() {
         let scan = ["scan", "wrong.toml", "--out", "o", "--iterations", "5", "--strategy", "random"];
         let (_, _, said) = run(&folder, &scan);
         let (warned, searched) = (said.find("wrong polarity").unwrap(), said.find("iterations").unwrap());
-        assert!(warned < searched && said.contains(effect) && said.contains("Try active = false"), "{cell}: {said}");
+        assert!(
+            warned < searched
+                && said.contains(effect)
+                && said.contains("then active = false")
+                && said.contains("flaw of the cell"),
+            "{cell}: {said}"
+        );
         let warnings = scan_json(&folder.join("o"))["warnings"].to_string();
         assert!(warnings.contains("wrong polarity"), "{warnings}");
         let (_, _, said) = run(&folder, &["check", "wrong.toml"]);

@@ -23,7 +23,7 @@ use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, Variabl
 use crate::host::port::PortKind;
 use crate::host::system::{Connection, SystemSetup, UnitPort};
 
-pub use reading::{Derived, Orientation, Reader};
+pub use reading::{Derived, HARDEST, Orientation, Reader, jumps};
 
 /// Which FMU variables are written and read, and how.
 #[derive(Clone, Debug, PartialEq)]
@@ -281,6 +281,48 @@ impl Binding {
             before = row;
         }
         Cow::Owned(rows)
+    }
+
+    /// Steps from the FMU's own start on after which every output follows from a step of the FMUs: the first, and as many
+    /// more as connections hold values back.
+    #[must_use]
+    pub fn settled_steps(&self) -> usize {
+        1 + self.connections.iter().map(|connection| connection.delay_steps).sum::<usize>()
+    }
+
+    /// The same as [`Binding::rows`] for the first rows of a run, of which `unsettled` may follow a row that is no pose of
+    /// the robot: outputs after initialisation are often all 0. A speed that is worked out over such a jump is no speed.
+    /// The first one after it stands in for it: it is as near in time as any that is known.
+    #[must_use]
+    pub fn first_rows<'a>(
+        &self,
+        outputs: &'a [f64],
+        before: Option<&[f64]>,
+        step_s: f64,
+        unsettled: usize,
+    ) -> Cow<'a, [f64]> {
+        let (width, columns) = (self.outputs.len(), self.columns());
+        let mut rows = self.rows(outputs, before, step_s);
+        let value = |rows: &[f64], row: usize, column: usize| rows[row * columns + column];
+        if rows.len() < (unsettled + 2) * columns {
+            return rows;
+        }
+        let jumped = |row: usize| {
+            let column_jumps = |column: usize| {
+                let next = [0, 1].map(|after| value(&rows, unsettled + after, column));
+                jumps(value(&rows, row, column), next, step_s)
+            };
+            (width..columns).any(column_jumps)
+        };
+        if let Some(last) = (0..unsettled).rev().find(|row| jumped(*row)) {
+            let from = unsettled * columns;
+            let stand_in = rows[from + width..from + columns].to_vec();
+            let rows = rows.to_mut();
+            for row in 0..=last {
+                rows[row * columns + width..(row + 1) * columns].copy_from_slice(&stand_in);
+            }
+        }
+        rows
     }
 
     /// The setup of the FMUs for this binding.

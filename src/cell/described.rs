@@ -157,7 +157,9 @@ impl Checker<'_> {
         let links = tree.links(&file.urdf).map(|(link, joint, pose)| (link.name.clone(), (joint, pose)));
         let joints = tree.moving.iter().enumerate().map(|(at, joint)| (joint.name.clone(), (at, Pose::IDENTITY)));
         let places = links.chain(joints).collect();
-        Ok(Described { kinematics: Kinematics { tree: tree.tree, driven }, shapes, moving_mass_kg, places })
+        let fastest = tree.moving.iter().map(|joint| joint.fastest).collect();
+        let kinematics = Kinematics { tree: tree.tree, driven, fastest };
+        Ok(Described { kinematics, shapes, moving_mass_kg, places })
     }
 
     /// Collision shapes of the links that move and are `used`: name of the link, its joint, shape in the joint's frame.

@@ -211,7 +211,8 @@ impl Checker<'_> {
             });
             driven.push(Driven { named: number, factor: 1.0, offset: 0.0 });
         }
-        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven })
+        let fastest = vec![None; driven.len()];
+        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven, fastest })
     }
 
     fn link(&self, link: &LinkTable, robot: usize, places: &Places) -> Result<Link, Box<CellError>> {

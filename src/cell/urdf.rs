@@ -65,6 +65,9 @@ pub(super) struct Joint {
     pub axis: Vec3,
     /// Name of the joint that it follows, factor and offset.
     pub mimic: Option<(String, f64, f64)>,
+    /// The fastest that it may move, rad/s or m/s; nothing if it is not told, or told as 0, as many files do that have
+    /// no figure.
+    pub fastest: Option<f64>,
 }
 
 /// Reads a URDF file.
@@ -200,7 +203,10 @@ impl Xml<'_> {
             Ok((of, factor, offset))
         });
         let mimic = mimic.transpose()?;
-        Ok(Joint { motion, parent, child: carried, origin: self.origin(node)?, axis, mimic, name })
+        // Nothing that decides where a link is: what is no figure here is no mistake.
+        let fastest = child(node, "limit").and_then(|limit| limit.attribute("velocity")?.trim().parse::<f64>().ok());
+        let fastest = fastest.filter(|velocity| velocity.is_finite() && *velocity > 0.0);
+        Ok(Joint { motion, parent, child: carried, origin: self.origin(node)?, axis, mimic, fastest, name })
     }
 
     /// The joints, each after the one that carries it.

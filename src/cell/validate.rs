@@ -114,6 +114,8 @@ pub struct Kinematics {
     pub tree: KinematicTree,
     /// For each joint, its position from those that the cell file names.
     pub driven: Vec<Driven>,
+    /// For each joint the fastest that it may move by its URDF, rad/s or m/s, where that is told.
+    pub fastest: Vec<Option<f64>>,
 }
 
 /// A joint's position: `factor * named + offset`. Other than 1 and 0 for joints that mimic others.

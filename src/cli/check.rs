@@ -7,7 +7,10 @@ use serde::Serialize;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD, UNUSABLE};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
+use crate::cell::CellError;
+use crate::cell::error::Source;
 use crate::cell::find::{Examined, examine};
+use crate::report::speeds::{SpeedRecord, Speeds};
 use crate::report::topview;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Probe, RUN_S, probe};
@@ -95,9 +98,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     });
     output::write_file(&picture, &drawn)?;
     let mut warnings = prepared.warnings();
+    let mut lies = None;
     if let Ok(found) = &found {
         warnings.extend(found.warnings.iter().chain(&found.idle_sensors).cloned());
-        if found.fastest_m_s < 1e-3 {
+        let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion);
+        lies = of_speeds(&source, &prepared, &speeds);
+        warnings.extend(speeds.warnings);
+        if found.fastest_m_s < 1e-3 && !found.motion.moved {
             warnings.push(format!(
                 "no robot moves in {RUN_S} s while nobody is detected: are all [inputs] as they should be?"
             ));
@@ -106,12 +113,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     match arguments.format {
         Format::Json => {
             let probe = found.as_ref().ok().cloned();
-            output::json_of(&Told { warnings, probe, picture: Some(picture), ..Told::default() })?;
+            let problems: Vec<Problem> = lies.iter().flat_map(|first| first.each()).map(told).collect();
+            output::json_of(&Told { problems, warnings, probe, picture: Some(picture) })?;
+            if lies.is_some() {
+                return Ok(UNUSABLE);
+            }
         }
         Format::Table => {
             output::result(&summary(&prepared, found.as_ref().ok()));
             warnings.iter().for_each(|warning| output::warning(warning));
             output::result(&format!("  picture   {}\n", picture.display()));
+            if let Some(lies) = lies {
+                let count = lies.each().count();
+                let code = Failure::from(lies).report();
+                output::result(&format!("{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
+                return Ok(code);
+            }
             if found.is_ok() {
                 output::result(&format!("{file}: nothing wrong\n"));
             }
@@ -126,7 +143,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
 }
 
-fn told(error: &crate::cell::CellError) -> Problem {
+/// Speeds that are not those of the motion, as mistakes of the cell file.
+fn of_speeds(source: &Source, prepared: &Prepared, speeds: &Speeds) -> Option<Box<CellError>> {
+    let problem = |record: &SpeedRecord| {
+        let span = record.named_at(&prepared.cell).unwrap_or(0..0);
+        *source.error(span, "named here", record.message(), Some(record.advice()))
+    };
+    let mut problems = speeds.records.iter().map(problem);
+    let first = problems.next()?;
+    Some(first.and(problems))
+}
+
+fn told(error: &CellError) -> Problem {
     Problem { line: error.line(), message: error.message.clone(), help: error.help.clone() }
 }
 
@@ -171,6 +199,10 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         0.32 * f64::from(cell.search.actions)
     ));
     if let Some(found) = found {
+        lines.extend(
+            found.together.iter().map(|all| format!("  sensors   all together: {}", super::probe::words(all, "m/s"))),
+        );
+        lines.extend(found.reported.iter().map(super::probe::reported_words));
         lines.push(format!("  moves     up to {:.2} m/s in {RUN_S} s while nobody is detected", found.fastest_m_s));
     }
     lines.join("\n") + "\n"

@@ -15,14 +15,14 @@ pub const HAZARDS: u8 = 1;
 pub const UNUSABLE: u8 = 2;
 /// The FMU failed while running.
 pub const FMU_FAILED: u8 = 3;
-/// Nothing was found, but nothing could have been.
+/// Nothing was found, but nothing could have been, or what would have been is not known.
 pub const INCONCLUSIVE: u8 = 4;
 /// Stopped by the user.
 pub const INTERRUPTED: u8 = 130;
 
 /// The same for `--help`.
 pub(super) const HELP: &str = "Exit codes: 0 no hazard found; 1 hazards found; 2 usage, cell file or FMU file error; \
-3 the FMU failed while running; 4 inconclusive (nothing moved, or no sensor could fire); 130 interrupted";
+3 the FMU failed while running; 4 inconclusive (nothing moved, no sensor could fire, or told speeds are not those of the motion); 130 interrupted";
 
 /// A failure with its exit code.
 pub struct Failure {

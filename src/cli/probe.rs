@@ -20,9 +20,10 @@ use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked,
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
+use crate::report::speeds::Speeds;
 use crate::scan::Hosting;
 use crate::scan::prepare::prepare_in;
-use crate::scan::probe::{Effect, Prober, RUN_S, Reaction, Run, probe};
+use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe};
 
 /// What may help an FMU that fails from the start.
 const TRUST: &str = "`fmi-hazard selftest` tries it in parts; an FMU that needs files or a tool of this machine (Python, \
@@ -57,6 +58,11 @@ struct Told {
     /// Inputs that had to be set for anything to move.
     set: Vec<String>,
     reactions: Vec<Reaction>,
+    /// What all sensors together do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    together: Option<Reaction>,
+    /// What sensors inside the FMU report.
+    reported: Vec<Reported>,
     warnings: Vec<String>,
     self_test: SelfTest,
 }
@@ -82,13 +88,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), hosting)?;
     let found = probe(&prepared, RUN_S).map_err(failed)?;
+    let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion).sentences();
     Ok(Told {
         with_cell: true,
         unit: "m/s",
         fastest: found.fastest_m_s,
         set: Vec::new(),
         reactions: found.reactions,
-        warnings: found.warnings.into_iter().chain(found.idle_sensors).collect(),
+        together: found.together,
+        reported: found.reported,
+        warnings: found.warnings.into_iter().chain(found.idle_sensors).chain(speeds).collect(),
         self_test: prepared.self_test,
     })
 }
@@ -138,7 +147,17 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         warnings
             .push("nothing moves, whatever Boolean input is set: other inputs or parameters may have to be".to_owned());
     }
-    Ok(Told { with_cell: false, unit, fastest: idle.fastest(), set, reactions, warnings, self_test: result })
+    Ok(Told {
+        with_cell: false,
+        unit,
+        fastest: idle.fastest(),
+        set,
+        reactions,
+        together: None,
+        reported: Vec::new(),
+        warnings,
+        self_test: result,
+    })
 }
 
 /// A column of the outputs that tells how fast something is.
@@ -232,6 +251,8 @@ fn render(told: &Told) -> String {
             lines.push(format!("            so active = {active} would mean a person, if it is a sensor"));
         }
     }
+    lines.extend(told.together.iter().map(|all| format!("  inputs    all together: {}", words(all, ""))));
+    lines.extend(told.reported.iter().map(reported_words));
     lines.push(format!("  repeats   {}", told.self_test.deterministic));
     lines.push(format!("  states    restored {}", told.self_test.restore));
     lines.join("\n") + "\n"
@@ -243,7 +264,7 @@ pub(super) fn words(reaction: &Reaction, unit: &str) -> String {
     let begin = reaction.first_change_s.map_or_else(String::new, |s| format!(", first change after {s:.3} s"));
     let speeds = format!("{before:.2} to {after:.2} {unit}");
     let speeds = speeds.trim_end();
-    match reaction.effect {
+    let did = match reaction.effect {
         Effect::Stops => {
             let still = reaction.still_after_s.unwrap_or_default();
             format!("stops it, at rest after {still:.2} s{begin}")
@@ -253,5 +274,27 @@ pub(super) fn words(reaction: &Reaction, unit: &str) -> String {
         Effect::SpeedsUp => format!("makes it faster, {speeds}{begin}"),
         Effect::Changes => format!("changes something, not how fast it is{begin}"),
         Effect::Nothing => "changes nothing".to_owned(),
-    }
+    };
+    let others: Vec<String> = reaction.at_other_moments.iter().map(moment_words).collect();
+    if others.is_empty() { did } else { format!("at {:.2} s {did}; {}", reaction.at_s, others.join("; ")) }
+}
+
+fn moment_words(moment: &Moment) -> String {
+    let did = match moment.effect {
+        Effect::Stops => format!("stops it after {:.2} s", moment.still_after_s.unwrap_or_default()),
+        Effect::Slows => "slows it".to_owned(),
+        Effect::Starts => "starts it".to_owned(),
+        Effect::SpeedsUp => "makes it faster".to_owned(),
+        Effect::Changes => "changes something".to_owned(),
+        Effect::Nothing => "changes nothing".to_owned(),
+    };
+    format!("at {:.2} s {did}", moment.at_s)
+}
+
+/// What a sensor inside the FMU did, as a line.
+pub(super) fn reported_words(sensor: &Reported) -> String {
+    format!(
+        "  sensor    {} inside the FMU: fires at {} of {} places of the person",
+        sensor.sensor, sensor.at, sensor.of
+    )
 }

@@ -12,6 +12,7 @@
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
+//! - [`speeds`]: told speeds that are not those of the motion
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`campaign`]: many seeds of several strategies side by side
@@ -37,6 +38,7 @@ pub mod page;
 pub mod paper;
 pub mod recorded;
 pub mod sarif;
+pub mod speeds;
 pub mod terminal;
 pub mod topview;
 pub mod trace;

@@ -4,6 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
@@ -49,6 +50,9 @@ pub struct ScanReport {
     pub coverage: Coverage,
     /// What it cost.
     pub spent: Spent,
+    /// Speeds that the FMU tells and that are not those of the motion: with any of them nothing is certified.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub speeds: Vec<SpeedRecord>,
     /// Actions that the FMU could not finish, with the sequences that lead there.
     pub faults: Vec<FaultRecord>,
     /// The state self-test.
@@ -370,14 +374,25 @@ pub struct Certificate {
     pub random_search: Option<RandomSearch>,
 }
 
+impl Certificate {
+    /// Takes the promise back, for this reason.
+    pub fn refuse(&mut self, reason: String) {
+        self.complete = false;
+        self.reasons.push(reason);
+        self.random_search = None;
+    }
+}
+
 /// Exact figures of uniform random search, from the share of hazardous sequences.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RandomSearch {
     /// Budget, iterations.
     pub iterations: u32,
-    /// Mean iterations to the first hazard, a miss counting as the budget.
+    /// Mean iterations to the first hazard, however many it takes: one over the share of hazardous sequences.
+    pub iterations_to_hazard: Option<f64>,
+    /// The same cut at the budget, a miss counting as the budget: what the paper's tables call T.
     pub mean_iterations: f64,
-    /// Standard deviation of the same.
+    /// Standard deviation of that.
     pub sigma: f64,
     /// Probability to find nothing.
     pub miss_probability: f64,

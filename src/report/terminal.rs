@@ -143,16 +143,16 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
         String::new()
     };
     let _ = writeln!(out, "            equal FMU states told by {}{tried}", c.merged_by);
-    if let Some(random) = c.random_search.as_ref().filter(|_| c.hazardous_share > 0.0) {
+    if let Some((random, mean)) =
+        c.random_search.as_ref().and_then(|random| Some((random, random.iterations_to_hazard?)))
+    {
+        let mean = if mean < 10.0 { format!("{mean:.1}") } else { grouped(&format!("{mean:.0}")) };
         let _ = writeln!(
             out,
-            "            a random sequence is hazardous with probability {:.3e}: random search needs {:.1} iterations on \
-             average (sigma {:.1}, {:.1} % of runs find nothing in {})",
-            c.hazardous_share,
-            random.mean_iterations,
-            random.sigma,
-            100.0 * random.miss_probability,
-            random.iterations
+            "            one in {mean} random sequences is hazardous: random search needs {mean} iterations on average; \
+             within {} it finds nothing in {:.1} % of runs",
+            random.iterations,
+            100.0 * random.miss_probability
         );
     }
 }
@@ -220,6 +220,9 @@ fn looked_at(report: &ScanReport) -> String {
     let auto = settings.strategy == "auto";
     match &report.certificate {
         Some(c) if c.complete => format!("all {} sequences", grouped(&c.sequences)),
+        Some(c) if c.complete_for_actions >= c.horizon && c.covered == c.sequences => {
+            format!("all {} sequences were looked at, see above for what is missing", grouped(&c.sequences))
+        }
         Some(c) => {
             let quick =
                 if auto { format!("a quick search of {} sequences, and ", spent.iterations) } else { String::new() };
@@ -257,7 +260,7 @@ fn sentence(report: &ScanReport) -> String {
         }
         Verdict::NoneFound => format!("No hazard found.\n {scope}"),
         Verdict::Inconclusive => {
-            "Inconclusive: nothing was found, but nothing could have been. See the note above.".to_owned()
+            "Inconclusive: nothing was found, which says nothing about the cell. See the notes above.".to_owned()
         }
         Verdict::FmuFailed => {
             "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()

@@ -17,6 +17,7 @@ use crate::search::statistics::Independent;
 use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, Merge};
 use crate::sim::journal::Journal;
+use crate::sim::motion::Motion;
 
 /// Budget of the random search whose figures stand in the certificate: the paper's.
 const RANDOM_ITERATIONS: u32 = 320;
@@ -40,6 +41,7 @@ pub(super) struct Census {
     /// What was covered; nothing if the FMU ended the search.
     pub certificate: Option<Certificate>,
     pub coverage: Coverage,
+    pub motion: Motion,
     pub fmu_steps: u64,
     pub fmu_states: usize,
     pub effort: Effort,
@@ -101,6 +103,7 @@ pub(super) fn census(
         interrupted: account.as_ref().is_some_and(|a| a.stopped == Stopped::Asked),
         certificate: account.map(|account| certificate(&expander, &account, options)),
         coverage: expander.coverage().clone(),
+        motion: expander.motion().clone(),
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
         effort: expander.recall().effort_of_workers(),
@@ -146,8 +149,13 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     let share = account.hazardous.to_f64().unwrap_or(0.0) / account.total.to_f64().unwrap_or(f64::INFINITY);
     let independent = Independent { probability: share, cap: RANDOM_ITERATIONS };
     let (mean_iterations, sigma) = independent.mean_and_sigma();
-    let random =
-        RandomSearch { iterations: RANDOM_ITERATIONS, mean_iterations, sigma, miss_probability: independent.miss() };
+    let random = RandomSearch {
+        iterations: RANDOM_ITERATIONS,
+        iterations_to_hazard: independent.mean(),
+        mean_iterations,
+        sigma,
+        miss_probability: independent.miss(),
+    };
     let merges = expander.recall().merges();
     let merged_by = if expander.merges_by_bytes() { "serialised states, byte for byte" } else { "inputs received" };
     Certificate {

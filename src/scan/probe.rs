@@ -1,8 +1,11 @@
 //! What inputs do to the robots, found out by running the FMU: which slow them, after how long, and with which polarity.
 //!
-//! A run with all inputs idle is compared with runs in which one input changes while the robots move. The person plays no
-//! part in it.
+//! A run with all inputs idle is compared with runs in which one input changes, or all that sensors drive, at several moments
+//! while the robots move. The person plays a part for sensors inside the FMU only ([`places`]).
 
+mod places;
+
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -12,7 +15,10 @@ use crate::cell::binding::SensorBinding;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;
 use crate::sim::World;
+use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
+
+pub use places::Reported;
 
 /// How long the FMU is run to see what it does, s.
 pub const RUN_S: f64 = 10.0;
@@ -53,6 +59,21 @@ pub struct Reaction {
     pub still_after_s: Option<f64>,
     /// Mean speed in the second half of the time after the change: idle, then changed.
     pub mean_speed: [f64; 2],
+    /// Time from the beginning of the run to the change of the input, s.
+    pub at_s: f64,
+    /// What the same change does at other moments, where that was tried.
+    pub at_other_moments: Vec<Moment>,
+}
+
+/// What an input does at another moment.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Moment {
+    /// Time from the beginning of the run to the change of the input, s.
+    pub at_s: f64,
+    /// What it does then.
+    pub effect: Effect,
+    /// Time from the change until the robots stand still, s.
+    pub still_after_s: Option<f64>,
 }
 
 impl Reaction {
@@ -140,17 +161,52 @@ impl<'a, P: Plant> Prober<'a, P> {
         Ok(Run { rows, speeds })
     }
 
+    /// The step at which the robots are fastest in the first half of a run, so that the time to standstill is a long one,
+    /// and early enough to see what follows; then the fastest of each of four parts of that half, where they move.
+    fn moments(&self, idle: &Run) -> (usize, Vec<usize>) {
+        let half = &idle.speeds[..self.steps() / 2];
+        let fastest = |from: usize, to: usize| {
+            let steps = half[from..to].iter().enumerate();
+            steps.max_by(|a, b| a.1.total_cmp(b.1)).map_or(1, |(step, _)| (from + step).max(1))
+        };
+        let part = half.len() / 4;
+        let parts = (0..4).map(|n| fastest(n * part, (n + 1) * part)).filter(|step| half[*step] > STILL);
+        (fastest(0, half.len()), parts.collect())
+    }
+
     /// What changing input `column` does while the robots move as in `idle`, the run with `inputs`.
     ///
     /// # Errors
     /// When the FMU fails.
     pub fn reaction(&self, name: &str, inputs: &[f64], column: usize, idle: &Run) -> Result<Reaction, PlantError> {
+        self.reaction_at(name, inputs, &[column], idle, self.moments(idle).0)
+    }
+
+    /// The same for several inputs at once, at several moments.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn reactions(&self, name: &str, inputs: &[f64], columns: &[usize], idle: &Run) -> Result<Reaction, PlantError> {
+        let (at, others) = self.moments(idle);
+        let first = self.reaction_at(name, inputs, columns, idle, at)?;
+        let others = others.into_iter().filter(|other| *other != at).map(|other| {
+            let Reaction { at_s, effect, still_after_s, .. } = self.reaction_at(name, inputs, columns, idle, other)?;
+            Ok(Moment { at_s, effect, still_after_s })
+        });
+        Ok(Reaction { at_other_moments: others.collect::<Result<_, PlantError>>()?, ..first })
+    }
+
+    fn reaction_at(
+        &self,
+        name: &str,
+        inputs: &[f64],
+        columns: &[usize],
+        idle: &Run,
+        at: usize,
+    ) -> Result<Reaction, PlantError> {
         let steps = self.steps();
-        // Where the robots are fastest, so that the time to standstill is a long one; early enough to see what follows.
-        let first_half = idle.speeds[..steps / 2].iter().enumerate();
-        let at = first_half.max_by(|a, b| a.1.total_cmp(b.1)).map_or(1, |(step, _)| step.max(1));
         let mut changed = inputs.to_vec();
-        changed[column] = 1.0 - changed[column];
+        columns.iter().for_each(|&column| changed[column] = 1.0 - changed[column]);
         let run = self.run(inputs, Some((at, &changed)))?;
         let width = run.rows.len() / (steps + 1);
         let differs = |step: &usize| {
@@ -169,7 +225,8 @@ impl<'a, P: Plant> Prober<'a, P> {
         let still = run.speeds[settled..].iter().all(|speed| *speed <= STILL);
         let moved = run.speeds.iter().rposition(|speed| *speed > STILL).unwrap_or(at);
         #[expect(clippy::cast_precision_loss, reason = "thousands")]
-        let after = |step: usize| (step + 1 - at) as f64 * self.step_s;
+        let seconds = |steps: usize| steps as f64 * self.step_s;
+        let after = |step: usize| seconds(step + 1 - at);
         let peak = |run: &Run| run.speeds[at..].iter().copied().fold(0.0, f64::max);
         // By the means: robots may take a moment to come to rest, or to begin, in either run.
         let effect = match (first, means[0] > STILL, means[1] > STILL) {
@@ -183,11 +240,13 @@ impl<'a, P: Plant> Prober<'a, P> {
         };
         Ok(Reaction {
             input: name.to_owned(),
-            idle: inputs[column] != 0.0,
+            idle: columns.iter().any(|&column| inputs[column] != 0.0),
             effect,
             first_change_s: first.map(after),
             still_after_s: (effect == Effect::Stops).then(|| after((moved + 1).max(at))),
             mean_speed: means,
+            at_s: seconds(at),
+            at_other_moments: Vec::new(),
         })
     }
 }
@@ -199,6 +258,10 @@ pub struct Probe {
     pub fastest_m_s: f64,
     /// What each sensor does that the cell drives.
     pub reactions: Vec<Reaction>,
+    /// What all of them together do, if there are several.
+    pub together: Option<Reaction>,
+    /// What sensors inside the FMU report.
+    pub reported: Vec<Reported>,
     /// What seems to be wrong.
     pub warnings: Vec<String>,
     /// Sensors that change nothing.
@@ -206,21 +269,29 @@ pub struct Probe {
     /// Outputs of the run with nobody detected: at the start and after each step.
     #[serde(skip)]
     pub rows: Vec<f64>,
+    /// What was seen of the robots' motion in all runs.
+    #[serde(skip)]
+    pub motion: Motion,
 }
 
-/// Sensors that seem to have the wrong polarity, tried for as long as a sequence takes. An FMU that fails in it is left for
-/// the search to tell.
+/// What is odd about sensors, tried for as long as a sequence takes and at one moment each: for a scan, which must not wait
+/// for long. An FMU that fails in it is left for the search to tell.
 #[must_use]
 pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
     let horizon_s = f64::from(prepared.cell.search.actions) * ACTION_S;
-    probe(prepared, horizon_s).map_or_else(|_| Vec::new(), |found| found.warnings)
+    probed(prepared, horizon_s, false).map_or_else(|_| Vec::new(), |found| found.warnings)
 }
 
-/// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor reporting a person.
+/// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor and all of them reporting a person
+/// at several moments, then with a person at many places for sensors inside the FMU.
 ///
 /// # Errors
 /// When the FMU fails.
 pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
+    probed(prepared, run_s, true)
+}
+
+fn probed(prepared: &Prepared, run_s: f64, thoroughly: bool) -> Result<Probe, PlantError> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let world = World::new(Arc::clone(cell), Arc::clone(binding));
     let mut inputs = world.initial_inputs();
@@ -234,9 +305,17 @@ pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
         }
     }
     let width = binding.outputs.len();
+    let comparison = Comparison::new(cell, binding);
+    let motion = RefCell::new(Motion::default());
     let speeds = |rows: &[f64]| -> Vec<f64> {
-        let derived = binding.rows(&rows[width..], Some(&rows[..width]), cell.step_s);
-        derived.chunks(binding.columns()).map(|row| RobotFrame::new(cell, binding, row).fastest).collect()
+        let (first, rest) = rows.split_at(width);
+        let derived = binding.first_rows(rest, Some(first), cell.step_s, comparison.unsettled());
+        let frames: Vec<RobotFrame> =
+            derived.chunks(binding.columns()).map(|row| RobotFrame::new(cell, binding, row)).collect();
+        let mut motion = motion.borrow_mut();
+        comparison.look(rows, 0, 0, &mut motion);
+        motion.look_at_links(&frames, 1);
+        frames.iter().map(|frame| frame.fastest).collect()
     };
     let plant = |inputs: &[f64]| prepared.plant_from(StateChoice::Replay, inputs);
     let prober = Prober::new(&plant, cell.step_s, run_s, &speeds);
@@ -244,35 +323,68 @@ pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
     let mut found = Probe {
         fastest_m_s: idle.fastest(),
         reactions: Vec::new(),
-        warnings: Vec::new(),
+        together: None,
+        reported: Vec::new(),
+        warnings: places::starts_seen(prepared, &idle.rows),
         idle_sensors: Vec::new(),
         rows: idle.rows.clone(),
+        motion: Motion::default(),
     };
     let mut tried = Vec::new();
     for (number, sensor) in cell.sensors.iter().enumerate() {
         let Some(column) = driven(number).filter(|column| !tried.contains(column)) else { continue };
         tried.push(column);
-        let reaction = prober.reaction(&sensor.name, &inputs, column, &idle)?;
+        let reaction = match thoroughly {
+            true => prober.reactions(&sensor.name, &inputs, &[column], &idle)?,
+            false => prober.reaction(&sensor.name, &inputs, column, &idle)?,
+        };
         let variable = &binding.inputs[column].port.name;
-        let (name, active) = (&sensor.name, sensor.active);
-        match reaction.effect {
-            Effect::Starts | Effect::SpeedsUp => {
-                let how = if reaction.effect == Effect::Starts { "stand still" } else { "are slower" };
-                found.warnings.push(format!(
-                    "sensor `{name}` seems to have the wrong polarity: while `{variable}` says that nobody is there the \
-                     robots {how}, and when it says that somebody is they {}. Try active = {}",
-                    if reaction.effect == Effect::Starts { "move" } else { "are faster" },
-                    !active
-                ));
-            }
-            Effect::Nothing => found.idle_sensors.push(format!(
-                "sensor `{name}` changes nothing: with `{variable}` = {active} every output that the cell uses stays the same, in a run of {run_s} s"
-            )),
-            Effect::Stops | Effect::Slows | Effect::Changes => {}
+        if reaction.effect == Effect::Nothing {
+            found.idle_sensors.push(format!(
+                "sensor `{}` changes nothing: with `{variable}` = {} every output that the cell uses stays the same, in a \
+                 run of {run_s} s",
+                sensor.name, sensor.active
+            ));
         }
+        found.warnings.extend(odd(&reaction, variable, sensor.active));
         found.reactions.push(reaction);
     }
+    if thoroughly {
+        if tried.len() > 1 {
+            found.together = Some(prober.reactions("all sensors together", &inputs, &tried, &idle)?);
+        }
+        found.reported = places::reported(prepared, &idle.rows)?;
+        let active = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).is_some_and(|s| s.active);
+        found.warnings.extend(found.reported.iter().filter_map(|one| one.warning(active(&one.sensor))));
+    }
+    found.motion = motion.into_inner();
     Ok(found)
+}
+
+/// What is odd about a sensor's reaction.
+fn odd(reaction: &Reaction, variable: &str, active: bool) -> Option<String> {
+    let name = &reaction.input;
+    let others = &reaction.at_other_moments;
+    let faster = |effect: &Effect| matches!(effect, Effect::Starts | Effect::SpeedsUp);
+    let mut all = std::iter::once(reaction.effect).chain(others.iter().map(|moment| moment.effect));
+    if let Some(effect) = all.find(faster) {
+        let (before, after) =
+            if effect == Effect::Starts { ("stand still", "move") } else { ("are slower", "are faster") };
+        return Some(format!(
+            "sensor `{name}`: wrong polarity, or a flaw of the cell. While `{variable}` says that nobody is there the robots \
+             {before}, and when it says that somebody is they {after}. Either the cell file has the polarity the other way \
+             round (then active = {}), or the safety controller really lets the robots go while somebody is detected: look \
+             at the circuit diagram before you change the file",
+            !active
+        ));
+    }
+    let guards = matches!(reaction.effect, Effect::Stops | Effect::Slows);
+    let blind = others.iter().find(|moment| guards && moment.effect == Effect::Nothing)?;
+    Some(format!(
+        "sensor `{name}` acts on the robots when it begins to report at {:.2} s, and changes nothing at {:.2} s: whoever comes \
+         then is not guarded by it",
+        reaction.at_s, blind.at_s
+    ))
 }
 
 #[cfg(test)]

@@ -15,10 +15,12 @@ use crate::human::action::ACTION_S;
 use crate::report::model::{
     Certificate, FaultRecord, Hazard, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
+use crate::report::speeds::Speeds;
 use crate::search::mcts_dpw::Parameters;
 use crate::search::residual::Figures;
 use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Rng, Strategy};
 use crate::sim::journal::Journal;
+use crate::sim::motion::Motion;
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
 use crate::sim::{Coverage, Simulation};
@@ -195,9 +197,10 @@ pub fn scan_with(
         iterations,
         interrupted,
         broken,
-        certificate,
+        mut certificate,
         figures,
         coverage,
+        motion,
         mut faults,
         fmu_steps,
         fmu_states,
@@ -219,7 +222,12 @@ pub fn scan_with(
             hazard
         })
         .collect();
-    let vacuous = coverage.vacuous();
+    let vacuous = coverage.vacuous(motion.moved);
+    let speeds = Speeds::new(&prepared.cell, &prepared.binding, &motion);
+    warnings.extend(speeds.sentences());
+    if let (Some(certificate), Some(reason)) = (&mut certificate, speeds.refusal()) {
+        certificate.refuse(reason);
+    }
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
     }
@@ -235,7 +243,7 @@ pub fn scan_with(
         Verdict::FmuFailed
     } else if interrupted {
         Verdict::Interrupted
-    } else if vacuous.is_some() {
+    } else if vacuous.is_some() || speeds.refusal().is_some() {
         Verdict::Inconclusive
     } else {
         Verdict::NoneFound
@@ -264,6 +272,7 @@ pub fn scan_with(
         certificate,
         coverage,
         spent,
+        speeds: speeds.records,
         faults,
         self_test: prepared.self_test.clone(),
         standard_edition: STANDARD_EDITION,
@@ -286,6 +295,7 @@ struct Searched {
     /// From random sequences, if the number of iterations was the one fixed beforehand.
     figures: Option<Figures>,
     coverage: Coverage,
+    motion: Motion,
     faults: Vec<FaultRecord>,
     fmu_steps: u64,
     fmu_states: usize,
@@ -299,6 +309,8 @@ impl Searched {
     fn after(self, quick: Self, only_quick: &[String]) -> Self {
         let mut coverage = quick.coverage;
         coverage.merge(&self.coverage);
+        let mut motion = quick.motion;
+        motion.merge(&self.motion);
         let mut notes = self.notes;
         if self.certificate.as_ref().is_some_and(|c| c.complete) && !only_quick.is_empty() {
             notes.push(format!(
@@ -314,6 +326,7 @@ impl Searched {
             iterations: quick.iterations,
             figures: quick.figures,
             coverage,
+            motion,
             faults,
             fmu_steps: quick.fmu_steps + self.fmu_steps,
             fmu_states: quick.fmu_states.max(self.fmu_states),
@@ -324,8 +337,18 @@ impl Searched {
     }
 
     fn all(census: Census) -> Self {
-        let Census { certificate, coverage, fmu_steps, fmu_states, effort, remembered, faults, interrupted, broken } =
-            census;
+        let Census {
+            certificate,
+            coverage,
+            motion,
+            fmu_steps,
+            fmu_states,
+            effort,
+            remembered,
+            faults,
+            interrupted,
+            broken,
+        } = census;
         Self {
             name: "exhaustive",
             iterations: 0,
@@ -334,6 +357,7 @@ impl Searched {
             certificate,
             figures: None,
             coverage,
+            motion,
             faults,
             fmu_steps,
             fmu_states,
@@ -384,7 +408,7 @@ fn search(
     }
     // A search that ended because of what it met would give figures about itself.
     let stopped = interrupted || broken.is_some() || (options.stop_at_first && !groups.is_empty());
-    let coverage = simulation.coverage().clone();
+    let (coverage, motion) = (simulation.coverage().clone(), simulation.motion().clone());
     let faults = simulation.faults().iter();
     let faults = faults.map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() }).collect();
     let (fmu_steps, fmu_states) = (simulation.recall().steps(), simulation.recall().states());
@@ -404,6 +428,7 @@ fn search(
         certificate: None,
         figures: watch.figures().filter(|_| !stopped),
         coverage,
+        motion,
         faults,
         fmu_steps,
         fmu_states,

@@ -48,7 +48,14 @@ impl Independent {
         self.fails(self.cap)
     }
 
-    /// Mean and standard deviation of the number of tries, the cap counting as the number of a miss.
+    /// Mean number of tries until the first success without any cap: `1 / probability`; none if there is no success.
+    #[must_use]
+    pub fn mean(&self) -> Option<f64> {
+        (self.probability > 0.0).then(|| 1.0 / self.probability)
+    }
+
+    /// Mean and standard deviation of the number of tries, the cap counting as the number of a miss: what many runs with
+    /// that cap give in the mean, which is the least of cap and [`Independent::mean`] or less.
     #[must_use]
     pub fn mean_and_sigma(&self) -> (f64, f64) {
         // Sums over k of P(T > k) and of (2 k + 1) P(T > k) are the first two moments.

@@ -29,7 +29,7 @@ pub struct Coverage {
     pub contacts_within_limits: u64,
     /// Highest force ratio of those.
     pub highest_ratio_within_limits: f64,
-    /// Highest speed bound of any robot link, m/s; zero means that the robot never moved.
+    /// Highest speed bound of any robot link, m/s, by the speeds that the FMU tells.
     pub robot_top_speed_m_s: f64,
     /// For each sensor, the number of actions in which it reported the person.
     pub sensor_actions: Vec<u64>,
@@ -77,10 +77,11 @@ impl Coverage {
         self.walks_blocked += other.walks_blocked;
     }
 
-    /// Why a run without hazards would say nothing, if that is so.
+    /// Why a run without hazards would say nothing, if that is so. `moved`: whether anything changed its place, whatever
+    /// speeds the FMU told.
     #[must_use]
-    pub fn vacuous(&self) -> Option<String> {
-        if self.robot_top_speed_m_s < crate::hazard::contact::STANDSTILL_M_S {
+    pub fn vacuous(&self, moved: bool) -> Option<String> {
+        if self.robot_top_speed_m_s < crate::hazard::contact::STANDSTILL_M_S && !moved {
             return Some("the robot never moved".to_owned());
         }
         if self.contact_checks == 0 {

@@ -20,6 +20,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::Coverage;
 use super::bound::RobotBounds;
 use super::journal::{Block, Journal};
+use super::motion::Motion;
 use super::robots::{HadTold, Robots};
 use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, Window, World, Asked};
@@ -206,6 +207,12 @@ impl<P: Plant> Expander<P> {
     #[must_use]
     pub const fn coverage(&self) -> &Coverage {
         &self.coverage
+    }
+
+    /// What was seen of the robots' motion, in all runs so far.
+    #[must_use]
+    pub const fn motion(&self) -> &Motion {
+        self.robots.motion()
     }
 
     /// The FMU's states and what reaching them cost.

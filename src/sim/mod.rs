@@ -11,6 +11,7 @@
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
+//! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
 //! [`Environment`]: crate::search::Environment
@@ -22,6 +23,7 @@ pub mod encounter;
 pub mod expansion;
 pub mod imagination;
 pub mod journal;
+pub mod motion;
 pub mod replay;
 pub mod robot;
 mod robots;

@@ -66,6 +66,16 @@ impl RobotFrame {
         self.twists[link].velocity_at(point)
     }
 
+    /// A speed that some point of shape `link` has, m/s: the greatest of those of a capsule's core, or that of the middle of
+    /// another shape.
+    #[must_use]
+    pub fn certain_speed(&self, link: usize) -> f64 {
+        match &self.links[link] {
+            Solid::Capsule(c) => self.velocity(link, c.a).length().max(self.velocity(link, c.b).length()),
+            solid @ (Solid::Hull(_) | Solid::Mesh(_)) => self.velocity(link, solid.bounding_sphere().0).length(),
+        }
+    }
+
     /// Upper bound on the speed of these points of shape `link`, m/s.
     #[must_use]
     pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
 use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, Window, World};
@@ -62,11 +63,24 @@ pub(super) struct Robots<P: Plant> {
     of_several: BTreeMap<(NodeId, Box<[Told]>), Option<NodeId>>,
     /// States that were reached since they were last taken.
     reached: BTreeSet<NodeId>,
+    /// How told speeds are compared with the motion, and what was seen of that in all frames.
+    comparison: Comparison,
+    motion: Motion,
 }
 
 impl<P: Plant> Robots<P> {
-    pub(super) const fn new(world: Arc<World>, recall: Recall<P>) -> Self {
-        Self { world, recall, frames: BTreeMap::new(), shadows: BTreeMap::new(), of_several: BTreeMap::new(), reached: BTreeSet::new() }
+    pub(super) fn new(world: Arc<World>, recall: Recall<P>) -> Self {
+        let comparison = Comparison::new(&world.cell, &world.binding);
+        Self {
+            world,
+            recall,
+            frames: BTreeMap::new(),
+            shadows: BTreeMap::new(),
+            of_several: BTreeMap::new(),
+            reached: BTreeSet::new(),
+            comparison,
+            motion: Motion::default(),
+        }
     }
 
     /// One action of the FMU from `node`.
@@ -97,11 +111,34 @@ impl<P: Plant> Robots<P> {
             self.frames.clear();
         }
         let before = (node != NodeId::ROOT).then(|| &**self.recall.outputs(self.recall.parent(node)));
-        let rows = self.world.binding.rows(self.recall.outputs(node), before, self.world.cell.step_s);
+        let (binding, step_s) = (&self.world.binding, self.world.cell.step_s);
+        let unsettled = if self.recall.depth(node) > 1 { 0 } else { self.comparison.unsettled() };
+        let rows = binding.first_rows(self.recall.outputs(node), before, step_s, unsettled);
         let frame = |row: &[f64]| RobotFrame::new(&self.world.cell, &self.world.binding, row);
         let frames: Frames = rows.chunks(self.world.binding.columns()).map(frame).collect();
+        self.compare_speeds(node, &frames);
         self.frames.insert(node, Arc::clone(&frames));
         frames
+    }
+
+    /// Compares the told speeds with the motion over the action into `node`, and looks at how fast the links are.
+    fn compare_speeds(&mut self, node: NodeId, frames: &Frames) {
+        let parent = self.recall.parent(node);
+        let actions = self.recall.depth(parent);
+        if node == NodeId::ROOT {
+            return;
+        }
+        let before = self.recall.outputs(parent);
+        let rows: Vec<f64> = before.iter().chain(self.recall.outputs(node).iter()).copied().collect();
+        let new = before.len() / self.world.binding.outputs.len();
+        let step = actions * self.world.cell.steps_per_action + 1;
+        self.comparison.look(&rows, step.saturating_sub(new), new, &mut self.motion);
+        self.motion.look_at_links(frames, step);
+    }
+
+    /// What was seen so far of the robots' motion.
+    pub(super) const fn motion(&self) -> &Motion {
+        &self.motion
     }
 
     /// The state after the action into `node` had planes told of an arm besides; nothing before the start of time, or if the

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use super::Coverage;
 use super::encounter::ArmSpace;
 use super::imagination::Imagination;
+use super::motion::Motion;
 use super::robot::RobotFrame;
 use super::robots::{HadTold, Robots};
 use super::sensors::DelayLine;
@@ -187,6 +188,12 @@ impl<P: Plant> Simulation<P> {
     #[must_use]
     pub const fn coverage(&self) -> &Coverage {
         &self.coverage
+    }
+
+    /// What was seen of the robots' motion, in all runs so far.
+    #[must_use]
+    pub const fn motion(&self) -> &Motion {
+        self.robots.motion()
     }
 
     /// Actions the FMU could not finish; the first few with their sequences.

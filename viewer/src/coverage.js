@@ -22,7 +22,7 @@ function certificate({ certificate: c, settings }) {
   const random = c.random_search;
   return [
     h("h3", {}, c.complete ? "Certificate: complete" : "Not complete"),
-    c.complete
+    c.complete || c.complete_for_actions >= c.horizon
       ? null
       : h("p", { "data-test": "incomplete" }, `Only the beginnings of ${c.complete_for_actions} of ${c.horizon} actions were all looked at; hazards that need more actions may be missing.`),
     c.reasons.length > 0 ? h("ul", {}, c.reasons.map((reason) => h("li", {}, reason))) : null,
@@ -34,7 +34,7 @@ function certificate({ certificate: c, settings }) {
       ["too far away", `${grouped(c.excluded)} cannot meet the robot any more in the time that is left`],
       ["not evaluated", c.not_evaluated === "0" ? "" : `${grouped(c.not_evaluated)}: the FMU could not finish them`],
       ["distinct states", `${grouped(c.states)}; equal FMU states told by ${c.merged_by}${c.merged > 0 ? ` (${grouped(c.merged)} histories merged, ${grouped(c.merges_tried_out)} of the merges tried out)` : ""}`],
-      ["random search", random && c.hazardous_share > 0 ? `would need ${random.mean_iterations.toFixed(1)} iterations on average (sigma ${random.sigma.toFixed(1)}); ${(100 * random.miss_probability).toFixed(1)} % of runs find nothing in ${random.iterations}` : ""],
+      ["random search", random && c.hazardous_share > 0 ? `one in ${grouped((1 / c.hazardous_share).toFixed(0))} random sequences is hazardous, so it needs that many iterations on average; within ${random.iterations} it finds nothing in ${(100 * random.miss_probability).toFixed(1)} % of runs` : ""],
     ]),
   ];
 }

@@ -12,7 +12,7 @@ function sentence(scan) {
     case "none_found":
       return "No hazard found in this model.";
     case "inconclusive":
-      return "Inconclusive: nothing was found, but nothing could have been. See the notes under coverage.";
+      return "Inconclusive: nothing was found, which says nothing about the cell. See the notes under coverage.";
     case "fmu_failed":
       return "The FMU failed: nothing was found in what could be evaluated, which says little.";
     case "interrupted":

@@ -23,9 +23,11 @@ fn variables() -> Vec<Variable> {
              process has made; 6 a saved state forgets the hidden clock; 7 all saved states share one buffer; 8 reset \
              does nothing; 9 q is +infinity; 10 a step returns early at its half (FMI 3.0, where allowed); 11 the FMU \
              ends the simulation after a step; 12 after a step it has an event that doubles the pace of the drive \
-             (over FMI 3.0 in event mode, where used); 13 a step that was made says it came only to its half (FMI 3.0)",
+             (over FMI 3.0 in event mode, where used); 13 a step that was made says it came only to its half (FMI 3.0); 14 \
+             q and qd are 0 until a step was made, and the joint begins at 1.2 rad; 15 q jumps by 0.5 rad, which qd does \
+             not tell",
             Parameter,
-            Kind::integer_in(0, 0, 13),
+            Kind::integer_in(0, 0, 15),
         ),
         Variable::new(
             "fault.step",

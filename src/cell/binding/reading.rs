@@ -49,6 +49,19 @@ pub enum Derived {
     },
 }
 
+/// No joint and no link of a robot changes its speed faster, rad/s^2 or m/s^2: what does has not moved there, it was put
+/// there.
+pub const HARDEST: f64 = 100.0;
+
+/// Whether a value has jumped: its mean speed over a step is not what the means over the next two steps lead to, backwards,
+/// nor within reach of them for any robot.
+#[must_use]
+pub fn jumps(first: f64, next: [f64; 2], step_s: f64) -> bool {
+    let (low, high) = (next[0].min(next[1]), next[0].max(next[1]));
+    let reach = 2.0 * (high - low) + HARDEST * step_s;
+    first < low - reach || first > high + reach
+}
+
 impl Derived {
     /// How many columns it has.
     pub(super) const fn columns(&self) -> usize {
@@ -58,8 +71,8 @@ impl Derived {
         }
     }
 
-    /// Its columns in a row, from the outputs of this step and of the one before.
-    pub(super) fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
+    /// Its columns in a row, from the outputs of this step and of one before, `step_s` seconds earlier.
+    pub fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
         match self {
             Self::Rate { of, turns } => {
                 let change = of.read(now) - of.read(before);
@@ -107,13 +120,24 @@ impl Reader {
     }
 
     /// The value of an output, times a factor.
-    pub(super) fn output(column: usize, factor: f64) -> Self {
+    #[must_use]
+    pub fn output(column: usize, factor: f64) -> Self {
         Self { terms: vec![(Column::Output(column), factor)], offset: 0.0 }
     }
 
     /// A value that never changes.
     pub(super) const fn constant(offset: f64) -> Self {
         Self { terms: Vec::new(), offset }
+    }
+
+    /// The outputs that it reads, by their columns, where it reads nothing that is derived.
+    #[must_use]
+    pub fn given(&self) -> Option<Vec<usize>> {
+        let output = |(column, _): &(Column, f64)| match *column {
+            Column::Output(column) => Some(column),
+            Column::Derived(_) => None,
+        };
+        self.terms.iter().map(output).collect()
     }
 
     /// The value in one row of outputs, with what is derived from them.
