@@ -60,6 +60,8 @@ pub struct Cell {
     pub fmu: PathBuf,
     pub step: f64,
     pub actions: usize,
+    /// `search.reach_tolerance_m`.
+    pub tolerance: f64,
     pub base: (M3, V3),
     pub joints: Vec<Joint>,
     pub frames: Vec<Frame>,
@@ -186,10 +188,12 @@ impl Cell {
         }
         let begins = list(&file["human"], "begins_s").first().map_or(0.0, number);
         let lead_in = (0..10_000).find(|n| f64::from(*n) * step > begins - 0.5 * step).expect("soon");
+        let tolerance = file.get("search").and_then(|s| s.get("reach_tolerance_m")).map_or(0.02, number);
         let actions = file.get("search").and_then(|s| s.get("actions")).and_then(Value::as_integer).unwrap_or(8);
         Self {
             fmu: path.with_file_name(file["fmu"].as_str().expect("a text")),
             step,
+            tolerance,
             actions: usize::try_from(actions).expect("not negative"),
             base: pose(robot.get("base")),
             joints: list(robot, "joint").iter().map(joint).collect(),
@@ -206,6 +210,22 @@ impl Cell {
             inputs: literals(&file, "inputs"),
             parameters: literals(&file, "parameters"),
         }
+    }
+
+    /// Segments that hold the cores of all links at all times, with radii: where all joints slide between 0 and a stroke that
+    /// is a parameter. Else one point, anywhere.
+    pub fn sweep(&self) -> Vec<([V3; 2], f64)> {
+        let stroke = |i: usize| self.parameters.iter().find(|p| p.0 == format!("axis.stroke[{}]", i + 1)).map(|p| p.1);
+        let Some(strokes) = (0..self.joints.len()).map(stroke).collect::<Option<Vec<f64>>>() else {
+            return vec![([[0.0; 3]; 2], f64::MAX)];
+        };
+        let link = |link: &Link| {
+            let joints = self.joints.iter().position(|j| j.name == link.on).expect("a joint") + 1;
+            let way: f64 = strokes[..joints].iter().sum();
+            let [from, to] = link.core.map(|p| add(p, self.base.1));
+            ([from, add(to, scaled(self.joints[0].axis, way))], link.radius)
+        };
+        self.links.iter().map(link).collect()
     }
 
     /// Communication steps of an action of 0.2 s.

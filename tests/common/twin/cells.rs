@@ -65,7 +65,7 @@ impl Gantry {
             "schema = 1\nname = \"gantry\"\nfmu = \"gantry.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"gantry\"\n\
              base = {{ xyz_m = {base:?} }}\nmoving_mass_kg = {mass:?}\npayload_kg = 0\nphase = \"ctrl.leg\"\n{joints}{shapes}{tables}\n\
              [parameters]\n{motion}{parameters}\n[inputs]\n\"plc.reset\" = false\n\
-             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n"
+             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\nreach_tolerance_m = 0.01\n"
         )
     }
 }
@@ -103,12 +103,12 @@ pub fn too_fast_for_limbs() -> Gantry {
     }
 }
 
-/// A slow bar, and behind it a link at 1.6 m/s, which a hand does not bear.
-pub fn fast_behind_slow() -> Gantry {
+/// A slow tube, and in it a link at 1.6 m/s, which a hand does not bear: the tube is always deeper in the hand.
+pub fn fast_within_slow() -> Gantry {
     Gantry {
         base: [-0.9, 0.0, 0.0],
-        slides: [[2.0, 0.2, 0.0], [3.0, 1.4, 0.0]],
-        links: &[("bar", 1, [0.8, 0.62, 1.1], 1.2, 0.05), ("tool", 2, [0.0, 0.70, 1.1], 0.0, 0.05)],
+        slides: [[2.0, 0.2, 0.0], [3.0, 1.4, 0.2]],
+        links: &[("tube", 1, [0.8, 0.5, 1.1], 1.6, 0.07), ("tool", 2, [0.0, 0.51, 1.1], 0.0, 0.05)],
         mass: 200.0,
         tables: LOW_WALL,
         parameters: "",
@@ -125,14 +125,14 @@ const DOOR: &str = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\n\
 const DOOR_AND_CURTAIN: &str = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\n\
      zone = { line_m = [[-3, 0], [3, 0]], heights_m = [0, 2.6] }\nvariable = \"plc.door_clear\"\nactive = false\n\
      [[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\n\
-     zone = { line_m = [[-3, 0.3], [3, 0.3]], heights_m = [0, 2.6] }\nvariable = \"plc.curtain_clear\"\nactive = false\n";
+     zone = { line_m = [[-3, 0.25], [3, 0.25]], heights_m = [0, 2.6] }\nvariable = \"plc.curtain_clear\"\nactive = false\n";
 
 /// A tool at 2 m/s along x that passes in front of the entrance after 0.5 s, behind a plane.
 const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantry {
     Gantry {
         base: [-2.2, 0.0, 0.0],
         slides: [[4.4, 2.0, 0.55], [0.0, 0.0, 0.0]],
-        links: &[("tool", 1, [0.0, 1.15, 1.1], 0.0, 0.1)],
+        links: &[("tool", 1, [0.0, 0.95, 1.1], 0.0, 0.1)],
         mass: 120.0,
         tables,
         parameters,
@@ -144,15 +144,27 @@ const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantr
 
 /// The curtain is muted for so long that the person has passed it.
 pub const fn palletiser() -> Gantry {
-    behind_a_plane(CURTAIN, "\"plc.latched\" = true\n\"muting.from_ms\" = 0\n\"muting.to_ms\" = 700\n")
+    let cell = behind_a_plane(CURTAIN, "\"plc.latched\" = true\n\"muting.from_ms\" = 0\n\"muting.to_ms\" = 700\n");
+    let links = &[("tool", 1, [0.0, 0.8, 1.1], 0.0, 0.1)];
+    Gantry { base: [-2.15, 0.0, 0.0], slides: [[4.4, 3.0, 0.03], [0.0, 0.0, 0.0]], links, ..cell }
 }
 
 /// The stop ends when the door is clear again, behind the person.
 pub const fn door_that_does_not_latch() -> Gantry {
-    behind_a_plane(DOOR, "\"plc.latched\" = false\n\"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n")
+    Gantry {
+        start: [0.0, -0.35],
+        ..behind_a_plane(DOOR, "\"plc.latched\" = false\n\"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n")
+    }
 }
 
-/// A curtain 0.3 m behind a door, and a stop that comes late.
+/// A curtain 0.25 m behind a door, and a stop that comes late.
 pub const fn curtain_behind_a_door() -> Gantry {
-    behind_a_plane(DOOR_AND_CURTAIN, "\"plc.latched\" = true\n\"plc.reaction_ms\" = 300\n\"plc.ramp_ms\" = 400\n")
+    Gantry {
+        base: [-1.57, 0.0, 0.0],
+        slides: [[3.2, 3.0, 0.03], [0.0, 0.0, 0.0]],
+        links: &[("tool", 1, [0.0, 0.45, 1.1], 0.0, 0.08)],
+        start: [0.0, -0.3],
+        actions: 2,
+        ..behind_a_plane(DOOR_AND_CURTAIN, "\"plc.latched\" = true\n\"plc.reaction_ms\" = 200\n\"plc.ramp_ms\" = 200\n")
+    }
 }

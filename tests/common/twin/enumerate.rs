@@ -45,7 +45,8 @@ pub struct Count {
 /// What the unsafe instants of an enumeration are like, for people who read a test that failed.
 pub type Kinds = BTreeMap<String, u64>;
 
-type Asked = (Place, usize, bool, usize, String);
+/// Place, posture, arm, robot, and the rows of the planes with their depths.
+type Asked = (Place, usize, bool, usize, Vec<(u8, u64)>);
 
 pub struct Twin {
     pub cell: Cell,
@@ -115,6 +116,11 @@ impl Twin {
     }
 
     fn told(hits: &[(Hit, bool)]) -> Option<Hit> {
+        if std::env::var("TWIN_OLD").is_ok() {
+            let deepest = hits.iter().map(|h| h.0.depth).fold(0.0, f64::max);
+            let near = hits.iter().filter(|h| h.0.depth >= deepest);
+            return near.max_by(|a, b| a.0.ratio.total_cmp(&b.0.ratio)).filter(|h| h.1).map(|h| h.0.clone());
+        }
         let all: Vec<&Hit> = hits.iter().filter(|h| h.1).map(|h| &h.0).collect();
         let deepest = all.iter().map(|h| h.depth).fold(0.0, f64::max);
         let near = all.into_iter().filter(|h| h.depth >= deepest - 0.02);
@@ -139,7 +145,7 @@ impl Twin {
             for way in all {
                 let robot = self.runs.after(&self.cell, &inputs(&self.cell, &way.raw));
                 let less = |other: &super::planes::Way| {
-                    (way.early || !other.early)
+                    (way.unsure || !other.unsure)
                         && way.kind.iter().zip(&other.kind).all(|(a, b)| a.0 == b.0 && a.1 <= b.1)
                 };
                 if asked.iter().any(|(r, other)| r.number == robot.number && less(other)) {
@@ -148,23 +154,29 @@ impl Twin {
                 asked.push((robot, way));
             }
             for (robot, way) in asked {
-                if way.early && best == Verdict::Uncertain {
+                if way.unsure && best == Verdict::Uncertain {
                     continue;
                 }
-                let key = (place, posture, side > 0.0, robot.number, format!("{:?}", way.walls));
+                let question = |solids| {
+                    let tight = 1.05 * self.cell.tolerance;
+                    Question { shoulder, trunk: body.rotation, side, robot: &robot, solids, tight }
+                };
+                if !question(&[]).in_reach() {
+                    continue;
+                }
+                let limits = way.kind.iter().map(|k| (k.0, k.1.to_bits())).collect();
+                let key = (place, posture, side > 0.0, robot.number, limits);
                 let verdict = match self.verdicts.get(&key) {
                     Some(known) => *known,
                     None => {
                         let solids: Vec<Solid> = self.cell.obstacles.iter().chain(&way.walls).cloned().collect();
-                        let question =
-                            Question { shoulder, trunk: body.rotation, side, robot: &robot, solids: &solids };
                         self.questions += 1;
-                        let verdict = question.verdict();
+                        let verdict = question(&solids).verdict();
                         self.verdicts.insert(key, verdict);
                         verdict
                     }
                 };
-                best = best.max(if way.early { verdict.min(Verdict::Uncertain) } else { verdict });
+                best = best.max(if way.unsure { verdict.min(Verdict::Uncertain) } else { verdict });
                 if best == Verdict::Certain {
                     return best;
                 }
@@ -270,7 +282,8 @@ impl Twin {
         for way in ways(&self.cell, &body, &instant.raw, at) {
             let robot = self.runs.after(&self.cell, &inputs(&self.cell, &way.raw));
             let solids: Vec<Solid> = self.cell.obstacles.iter().chain(&way.walls).cloned().collect();
-            let question = Question { shoulder: at, trunk: body.rotation, side, robot: &robot, solids: &solids };
+            let question =
+                Question { shoulder: at, trunk: body.rotation, side, robot: &robot, solids: &solids, tight: 0.0 };
             for touch in question.contacts(pose) {
                 let force = force(touch.region, robot.effective_mass, touch.speed).0;
                 all.push((touch, force));

@@ -85,8 +85,9 @@ pub struct Way {
     pub walls: Vec<Solid>,
     /// Depths that the walls stand for; what is less deep in all of them at the same robot need not be asked.
     pub kind: Vec<(u8, f64)>,
-    /// Needs samples from before the person begins: the page does not say whether an arm may break a plane then.
-    pub early: bool,
+    /// Where the page leaves something open: samples from before the person begins, and arms back through a plane, of which
+    /// nothing here asks that they do cross it.
+    pub unsure: bool,
 }
 
 struct Row {
@@ -95,20 +96,25 @@ struct Row {
     broken: std::ops::Range<usize>,
     plate: bool,
     in_front: bool,
-    early: bool,
+    unsure: bool,
 }
 
 /// All combinations of rows for an arm with this shoulder.
 pub fn ways(cell: &Cell, body: &Body, raw: &[u8], shoulder: V3) -> Vec<Way> {
-    let mut all = vec![Way { raw: raw.to_vec(), walls: Vec::new(), kind: Vec::new(), early: false }];
+    let mut all = vec![Way { raw: raw.to_vec(), walls: Vec::new(), kind: Vec::new(), unsure: false }];
     for (i, axis, at, behind) in planes(cell) {
-        let rows = rows(cell, body, raw, i, behind * (shoulder[axis] - at));
+        let mut rows = rows(cell, body, raw, i, behind * (shoulder[axis] - at));
+        // No link is ever less deep than that.
+        let sweep = cell.sweep();
+        let least = sweep.iter().flat_map(|(core, radius)| core.map(|p| behind * (p[axis] - at) - radius));
+        let least = least.fold(f64::MAX, f64::min);
+        rows.retain(|row| row.in_front || row.depth >= least);
         let mut next = Vec::new();
         for way in &all {
             for row in &rows {
                 let mut way = way.clone();
                 way.raw[row.broken.clone()].iter_mut().for_each(|r| *r |= 1 << i);
-                way.early |= row.early;
+                way.unsure |= row.unsure;
                 way.kind.push((row.kind, row.depth));
                 if row.depth < f64::MAX {
                     let mut normal = [0.0; 3];
@@ -134,15 +140,16 @@ fn rows(cell: &Cell, body: &Body, raw: &[u8], sensor: usize, behind: f64) -> Vec
     let k = seen_for(raw, sensor);
     let first = now - k;
     let limit = |samples: usize| if k >= LONG_AGO { f64::MAX } else { depth(cell, samples) };
-    let plain = |kind, depth, plate| Row { kind, depth, broken: now..now, plate, in_front: false, early: false };
+    let plain = |kind, depth, plate| Row { kind, depth, broken: now..now, plate, in_front: false, unsure: false };
     let mut all = Vec::new();
     // Broken in the samples before `end`, more and more, until the arm is as deep as it gets.
     let mut broken = |kind: u8, least: usize, end: usize, known: usize, reach: f64, plate: bool, in_front: bool| {
         for n in least.. {
-            let (early, all_of_them) = (end < n + cell.lead_in, end < n);
+            let all_of_them = end < n;
+            let unsure = end < n + cell.lead_in || in_front;
             let deep = depth(cell, known + n + 1);
             let depth = if all_of_them || deep >= reach { f64::MAX } else { deep };
-            all.push(Row { kind, depth, broken: end.saturating_sub(n)..end, plate, in_front, early });
+            all.push(Row { kind, depth, broken: end.saturating_sub(n)..end, plate, in_front, unsure });
             if depth == f64::MAX {
                 break;
             }
