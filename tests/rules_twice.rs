@@ -29,7 +29,6 @@ use twin::geometry::{V3, length, sub};
 struct Both {
     program: u64,
     twin: Count,
-    hazards: usize,
     /// Regions of hazards: of the body, of arms.
     body: Vec<String>,
     arms: Vec<String>,
@@ -38,7 +37,9 @@ struct Both {
 
 impl Both {
     fn agree(&self) {
-        assert!(self.disagree.is_empty(), "{}\n{:#?}", self.disagree.join("\n"), self.twin);
+        let Self { program, twin, body, arms, disagree } = self;
+        println!("program {program}, enumeration {} to {}; body {body:?}, arms {arms:?}", twin.certain, twin.at_most);
+        assert!(disagree.is_empty(), "{}", disagree.join("\n"));
     }
 }
 
@@ -81,20 +82,7 @@ fn both(file: &Path) -> Both {
         list.sort();
         list.dedup();
     }
-    eprintln!(
-        "{}: program {program}, enumeration {} to {}, {} hazards, body {body:?}, arms {arms:?}\n  kinds {:?}\n  \
-         {} instances, {} questions, {} levels {}",
-        file.display(),
-        count.certain,
-        count.at_most,
-        hazards.len(),
-        twin.kinds,
-        twin.runs.instances,
-        twin.questions,
-        certificate["questions"],
-        certificate["fmu_transitions"],
-    );
-    Both { program, twin: count, hazards: hazards.len(), body, arms, disagree }
+    Both { program, twin: count, body, arms, disagree }
 }
 
 fn text(value: &Value) -> &str {
@@ -226,7 +214,7 @@ fn a_heavy_workpiece_and_a_forearm_at_the_thigh() {
         "heavy-workpiece",
         &[(
             "start = { xy_m = [1.6, -1.2], heading_deg = 180 }",
-            "start = { xy_m = [1.0, -0.75], heading_deg = 180 }\nbegins_s = [1.1]\n[parameters]\n\"plc.v_limit\" = 0.4368\n[search]\nactions = 2",
+            "start = { xy_m = [0, -0.25], heading_deg = 0 }\nbegins_s = [0.8]\n[parameters]\n\"plc.v_limit\" = 0.4368\n[search]\nactions = 2",
         )],
     );
     found.agree();
@@ -238,15 +226,15 @@ fn limbs_that_are_hit_while_the_hand_is_within_its_limit() {
 }
 
 #[test]
-fn a_fast_link_behind_a_slow_one() {
-    gantry(&cells::fast_behind_slow()).agree();
+fn a_fast_link_within_a_slow_one() {
+    gantry(&cells::fast_within_slow()).agree();
 }
 
 #[test]
 fn forearms_in_a_feed_opening() {
     example(
         "safety-fence",
-        &[("start = { xy_m = [1.05, -1.7], heading_deg = 90 }", "start = { xy_m = [0.1, -0.5], heading_deg = 90 }\n[parameters]\n\"ctrl.speed_scale\" = 0.594\n\"ctrl.phase0\" = 0.59\n[search]\nactions = 2")],
+        &[("start = { xy_m = [1.05, -1.7], heading_deg = 90 }", "start = { xy_m = [0, -0.2], heading_deg = 90 }\nbegins_s = [1]\n[parameters]\n\"ctrl.speed_scale\" = 0.594\n\"ctrl.phase0\" = 0.59\n[search]\nactions = 2")],
     )
     .agree();
 }

@@ -65,7 +65,7 @@ impl Gantry {
             "schema = 1\nname = \"gantry\"\nfmu = \"gantry.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"gantry\"\n\
              base = {{ xyz_m = {base:?} }}\nmoving_mass_kg = {mass:?}\npayload_kg = 0\nphase = \"ctrl.leg\"\n{joints}{shapes}{tables}\n\
              [parameters]\n{motion}{parameters}\n[inputs]\n\"plc.reset\" = false\n\
-             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\nreach_tolerance_m = 0.01\n"
+             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n"
         )
     }
 }

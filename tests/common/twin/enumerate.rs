@@ -116,11 +116,6 @@ impl Twin {
     }
 
     fn told(hits: &[(Hit, bool)]) -> Option<Hit> {
-        if std::env::var("TWIN_OLD").is_ok() {
-            let deepest = hits.iter().map(|h| h.0.depth).fold(0.0, f64::max);
-            let near = hits.iter().filter(|h| h.0.depth >= deepest);
-            return near.max_by(|a, b| a.0.ratio.total_cmp(&b.0.ratio)).filter(|h| h.1).map(|h| h.0.clone());
-        }
         let all: Vec<&Hit> = hits.iter().filter(|h| h.1).map(|h| &h.0).collect();
         let deepest = all.iter().map(|h| h.depth).fold(0.0, f64::max);
         let near = all.into_iter().filter(|h| h.depth >= deepest - 0.02);

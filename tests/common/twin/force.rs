@@ -42,7 +42,6 @@ pub fn safe_speed(region: Region, m_r: f64) -> f64 {
 
 /// The class of an unsafe contact.
 pub fn class(region: Region, m_r: f64, v: f64) -> Option<&'static str> {
-    let region = if region == THROAT && std::env::var("TWIN_OLD").is_ok() { "neck" } else { region };
     let (f, limit) = force(region, m_r, v);
     let no_limit = [SKULL, FACE, THROAT].contains(&region);
     if f > limit {
