@@ -231,15 +231,6 @@ fn a_fast_link_within_a_slow_one() {
 }
 
 #[test]
-fn forearms_in_a_feed_opening() {
-    example(
-        "safety-fence",
-        &[("start = { xy_m = [1.05, -1.7], heading_deg = 90 }", "start = { xy_m = [0, -0.2], heading_deg = 90 }\nbegins_s = [1]\n[parameters]\n\"ctrl.speed_scale\" = 0.594\n\"ctrl.phase0\" = 0.59\n[search]\nactions = 2")],
-    )
-    .agree();
-}
-
-#[test]
 fn a_palletiser_that_is_muted_for_too_long() {
     gantry(&cells::palletiser()).agree();
 }
@@ -250,6 +241,7 @@ fn a_door_that_does_not_latch() {
 }
 
 #[test]
+#[ignore = "the program takes minutes with two planes"]
 fn a_curtain_behind_a_door() {
     gantry(&cells::curtain_behind_a_door()).agree();
 }
