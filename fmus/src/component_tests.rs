@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::interface::workcell::interface;
-use crate::interface::{WORKCELLS, coupled, faulty, safety_fence};
+use crate::interface::{WORKCELLS, coupled, faulty, gantry, safety_fence};
 
 fn fence() -> Interface {
     interface(&safety_fence::SPEC, Variant::Faithful).0
@@ -11,7 +11,10 @@ fn fence() -> Interface {
 /// All models that save their states.
 fn models() -> Vec<Interface> {
     let cells = WORKCELLS.into_iter().map(|spec| interface(spec, Variant::Faithful).0);
-    cells.chain(coupled::all().into_iter().take(2)).chain([faulty::interface(Variant::Faithful)]).collect()
+    cells
+        .chain(coupled::all().into_iter().take(2))
+        .chain([faulty::interface(Variant::Faithful), gantry::interface()])
+        .collect()
 }
 
 fn stepping(interface: &Interface, integers: &[(usize, i32)]) -> Component {

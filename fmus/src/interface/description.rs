@@ -147,7 +147,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{all, coupled, faulty, safety_fence, workcell};
+    use super::super::{all, coupled, faulty, gantry, safety_fence, workcell};
     use super::*;
 
     #[test]
@@ -162,6 +162,26 @@ mod tests {
             (faulty::vr::QD, "qd"),
         ] {
             assert_eq!(faulty.variables[place].name, name);
+        }
+        let slides = gantry::interface();
+        for (place, name) in [
+            (gantry::vr::LATCHED, "plc.latched"),
+            (gantry::vr::REACTION, "plc.reaction_ms"),
+            (gantry::vr::FILTER, "plc.filter_ms"),
+            (gantry::vr::RAMP, "plc.ramp_ms"),
+            (gantry::vr::MUTING_FROM, "muting.from_ms"),
+            (gantry::vr::MUTING_TO, "muting.to_ms"),
+            (gantry::vr::STROKE, "axis.stroke[1]"),
+            (gantry::vr::SPEED, "axis.speed[1]"),
+            (gantry::vr::PHASE0, "axis.phase0[1]"),
+            (gantry::vr::CURTAIN_CLEAR, "plc.curtain_clear"),
+            (gantry::vr::DOOR_CLEAR, "plc.door_clear"),
+            (gantry::vr::RESET, "plc.reset"),
+            (gantry::vr::POSITION, "axis.position[1]"),
+            (gantry::vr::VELOCITY, "axis.velocity[1]"),
+            (gantry::vr::LEG, "ctrl.leg"),
+        ] {
+            assert_eq!(slides.variables[place].name, name);
         }
         let [plc, controller, kinematics] = coupled::all();
         for (interface, place, name) in [

@@ -1,0 +1,170 @@
+//! The cells that are looked at: examples with another start, and small ones around the gantry FMU.
+
+use std::path::{Path, PathBuf};
+
+/// An example with these texts replaced, written beside its FMU.
+pub fn example(dir: &Path, name: &str, changes: &[(&str, &str)]) -> PathBuf {
+    let mut text = std::fs::read_to_string(dir.join(name).join("cell.toml")).expect("an example");
+    for (old, new) in changes {
+        assert!(text.contains(old), "{name} has no {old}");
+        text = text.replace(old, new);
+    }
+    let file = dir.join(name).join("twice.toml");
+    std::fs::write(&file, text).expect("a file can be written");
+    file
+}
+
+/// A cell with the gantry: two slides along x, the second on the first.
+pub struct Gantry {
+    /// Where both slides begin.
+    pub base: [f64; 3],
+    /// Stroke, speed and phase of each slide.
+    pub slides: [[f64; 3]; 2],
+    /// Name, slide (1 or 2), centre, half length along x, radius.
+    pub links: &'static [(&'static str, u8, [f64; 3], f64, f64)],
+    /// Moving mass, kg; there is no payload.
+    pub mass: f64,
+    /// Further tables: obstacles, sensors.
+    pub tables: &'static str,
+    /// Further parameters.
+    pub parameters: &'static str,
+    pub start: [f64; 2],
+    pub begins: f64,
+    pub actions: u32,
+}
+
+impl Gantry {
+    pub fn write(&self, dir: &Path) -> PathBuf {
+        std::fs::copy(crate::common::test_fmus().join("gantry.fmu"), dir.join("gantry.fmu")).expect("a copy");
+        let file = dir.join("cell.toml");
+        std::fs::write(&file, self.text()).expect("a file can be written");
+        file
+    }
+
+    fn text(&self) -> String {
+        let Self { base, slides, links, mass, tables, parameters, start, begins, actions } = self;
+        let [mut joints, mut shapes, mut motion] = [const { String::new() }; 3];
+        for (i, [stroke, speed, phase]) in (1..).zip(slides) {
+            joints += &format!(
+                "[[robot.joint]]\nname = \"slide_{i}\"\naxis = [1, 0, 0]\nposition = {{ variable = \"axis.position[{i}]\" }}\n\
+                 speed = {{ variable = \"axis.velocity[{i}]\" }}\n"
+            );
+            motion += &format!(
+                "\"axis.stroke[{i}]\" = {stroke:?}\n\"axis.speed[{i}]\" = {speed:?}\n\"axis.phase0[{i}]\" = {phase:?}\n"
+            );
+        }
+        for (name, slide, [x, y, z], half, radius) in *links {
+            shapes += &format!(
+                "[[robot.link]]\nname = \"{name}\"\njoint = \"slide_{slide}\"\n\
+                 capsule = {{ from_m = [{:?}, {y:?}, {z:?}], to_m = [{:?}, {y:?}, {z:?}], radius_m = {radius:?} }}\n",
+                x - half,
+                x + half
+            );
+        }
+        format!(
+            "schema = 1\nname = \"gantry\"\nfmu = \"gantry.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"gantry\"\n\
+             base = {{ xyz_m = {base:?} }}\nmoving_mass_kg = {mass:?}\npayload_kg = 0\nphase = \"ctrl.leg\"\n{joints}{shapes}{tables}\n\
+             [parameters]\n{motion}{parameters}\n[inputs]\n\"plc.reset\" = false\n\
+             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n"
+        )
+    }
+}
+
+/// Nobody gets past it; arms and trunk pass over it.
+const LOW_WALL: &str = "[[obstacle]]\nname = \"low wall\"\ncentre_m = [0, 0, 0.4]\nsize_m = [6, 0.02, 0.8]\n";
+
+/// A slow link deep in the trunk, and a faster one just at the thighs: too fast for thighs, not for arms.
+pub fn slow_and_fast_at_the_body() -> Gantry {
+    Gantry {
+        base: [-0.5, 0.0, 0.0],
+        slides: [[2.0, 0.2, 0.0], [2.0, 0.3, 0.0]],
+        links: &[("slow", 1, [0.3, 0.0, 1.1], 0.6, 0.15), ("fast", 2, [0.3, 0.06, 0.7], 0.3, 0.08)],
+        mass: 200.0,
+        tables: "",
+        parameters: "",
+        start: [0.0, -0.5],
+        begins: 0.0,
+        actions: 2,
+    }
+}
+
+/// A link at 1.2 m/s: a hand bears it, no other part of an arm does.
+pub fn too_fast_for_limbs() -> Gantry {
+    Gantry {
+        base: [-0.9, 0.0, 0.0],
+        slides: [[3.0, 1.2, 0.0], [0.0, 0.0, 0.0]],
+        links: &[("tool", 1, [0.0, 0.45, 1.05], 0.0, 0.08)],
+        mass: 200.0,
+        tables: LOW_WALL,
+        parameters: "",
+        start: [0.0, -0.5],
+        begins: 0.0,
+        actions: 2,
+    }
+}
+
+/// A slow tube, and in it a link at 1.6 m/s, which a hand does not bear: the tube is always deeper in the hand.
+pub fn fast_within_slow() -> Gantry {
+    Gantry {
+        base: [-0.9, 0.0, 0.0],
+        slides: [[2.0, 0.2, 0.0], [3.0, 1.4, 0.2]],
+        links: &[("tube", 1, [0.8, 0.5, 1.1], 1.6, 0.07), ("tool", 2, [0.0, 0.51, 1.1], 0.0, 0.05)],
+        mass: 200.0,
+        tables: LOW_WALL,
+        parameters: "",
+        start: [0.0, -0.5],
+        begins: 0.0,
+        actions: 2,
+    }
+}
+
+const CURTAIN: &str = "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\n\
+     zone = { line_m = [[-3, 0], [3, 0]], heights_m = [0, 2.6] }\nvariable = \"plc.curtain_clear\"\nactive = false\n";
+const DOOR: &str = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\n\
+     zone = { line_m = [[-3, 0], [3, 0]], heights_m = [0, 2.6] }\nvariable = \"plc.door_clear\"\nactive = false\n";
+const DOOR_AND_CURTAIN: &str = "[[sensor]]\nname = \"door\"\nkind = \"interlocked_door\"\n\
+     zone = { line_m = [[-3, 0], [3, 0]], heights_m = [0, 2.6] }\nvariable = \"plc.door_clear\"\nactive = false\n\
+     [[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\n\
+     zone = { line_m = [[-3, 0.25], [3, 0.25]], heights_m = [0, 2.6] }\nvariable = \"plc.curtain_clear\"\nactive = false\n";
+
+/// A tool at 2 m/s along x that passes in front of the entrance after 0.5 s, behind a plane.
+const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantry {
+    Gantry {
+        base: [-2.2, 0.0, 0.0],
+        slides: [[4.4, 2.0, 0.55], [0.0, 0.0, 0.0]],
+        links: &[("tool", 1, [0.0, 0.95, 1.1], 0.0, 0.1)],
+        mass: 120.0,
+        tables,
+        parameters,
+        start: [0.0, -0.5],
+        begins: 0.0,
+        actions: 3,
+    }
+}
+
+/// The curtain is muted for so long that the person has passed it.
+pub const fn palletiser() -> Gantry {
+    let cell = behind_a_plane(CURTAIN, "\"plc.latched\" = true\n\"muting.from_ms\" = 0\n\"muting.to_ms\" = 700\n");
+    let links = &[("tool", 1, [0.0, 0.8, 1.1], 0.0, 0.1)];
+    Gantry { base: [-2.15, 0.0, 0.0], slides: [[4.4, 3.0, 0.03], [0.0, 0.0, 0.0]], links, ..cell }
+}
+
+/// The stop ends when the door is clear again, behind the person.
+pub const fn door_that_does_not_latch() -> Gantry {
+    Gantry {
+        start: [0.0, -0.35],
+        ..behind_a_plane(DOOR, "\"plc.latched\" = false\n\"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n")
+    }
+}
+
+/// A curtain 0.25 m behind a door, and a stop that comes late.
+pub const fn curtain_behind_a_door() -> Gantry {
+    Gantry {
+        base: [-1.57, 0.0, 0.0],
+        slides: [[3.2, 3.0, 0.03], [0.0, 0.0, 0.0]],
+        links: &[("tool", 1, [0.0, 0.45, 1.1], 0.0, 0.08)],
+        start: [0.0, -0.3],
+        actions: 2,
+        ..behind_a_plane(DOOR_AND_CURTAIN, "\"plc.latched\" = true\n\"plc.reaction_ms\" = 200\n\"plc.ramp_ms\" = 200\n")
+    }
+}
