@@ -140,7 +140,8 @@ fn three_planes_are_warned_of() {
     let more = format!("{}{}[inputs]", door("door", 1.0), door("gate", 2.0));
     let text = std::fs::read_to_string(dir.path().join("light-curtain/cell.toml")).unwrap().replace("[inputs]", &more);
     write(dir.path(), "light-curtain/three.toml", &text);
-    let output = fmi_hazard(dir.path()).args(["check", "light-curtain/three.toml"]).assert().code(0).get_output().clone();
+    let output =
+        fmi_hazard(dir.path()).args(["check", "light-curtain/three.toml"]).assert().code(0).get_output().clone();
     let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("arms that reach through three of curtain, door, gate at once are not looked for"), "{text}");
 }

@@ -101,7 +101,8 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
 /// # Errors
 /// When the FMU fails.
 pub fn watch(simulation: &mut Simulation<Hosted>, prepared: &Prepared, hazard: &Hazard) -> Result<Watched, PlantError> {
-    let through: Vec<ReachedThrough> = hazard.through.iter().filter_map(|t| reached_through(prepared, hazard, t)).collect();
+    let through: Vec<ReachedThrough> =
+        hazard.through.iter().filter_map(|t| reached_through(prepared, hazard, t)).collect();
     simulation.watch(&hazard.actions, &through)
 }
 

@@ -23,7 +23,7 @@ use super::journal::{Block, Journal};
 use super::motion::Motion;
 use super::robots::{HadTold, Robots};
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Hit, Sensed, Sight, Stance, Window, World, Asked};
+use super::world::{Asked, Earlier, Frames, Hit, Sensed, Sight, Stance, Window, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -282,7 +282,8 @@ impl<P: Plant> Expander<P> {
                             }
                             Advanced::To(node) => {
                                 // Where the sequences end, nothing depends on which state it is.
-                                let representative = if last { node } else { self.representative(node, &sensed.delays)? };
+                                let representative =
+                                    if last { node } else { self.representative(node, &sensed.delays)? };
                                 let place = ahead.walks[w].end();
                                 let delays = sensed.delays.clone().into_boxed_slice();
                                 expanded.next.push(State { place, node: representative, delays });

@@ -18,7 +18,7 @@ use super::Coverage;
 use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Hit, Sensed, World, Window};
+use super::world::{Earlier, Frames, Hit, Sensed, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
 use crate::hazard::group::place_cell;

@@ -163,7 +163,9 @@ impl<P: Plant> Robots<P> {
             Some(from) => {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
-                    let SensorBinding::Input(column) = self.world.binding.sensors[usize::from(t.sensor)] else { continue };
+                    let SensorBinding::Input(column) = self.world.binding.sensors[usize::from(t.sensor)] else {
+                        continue;
+                    };
                     let active = f64::from(u8::from(self.world.cell.sensors[usize::from(t.sensor)].active));
                     let step = |s: i16| usize::try_from(s.clamp(0, per_action)).unwrap_or(0);
                     let rows = inputs.chunks_mut(self.world.binding.inputs.len());

@@ -189,9 +189,7 @@ impl World {
                 [run] => {
                     let (walls, links) = (with(&run.way), within(run));
                     let space = ArmSpace { walls: &walls, links: Some(&links) };
-                    if let Some(found) =
-                        self.encounter.unsafe_arm_contact(person, &run.frames[i], &space, coverage)
-                    {
+                    if let Some(found) = self.encounter.unsafe_arm_contact(person, &run.frames[i], &space, coverage) {
                         return Some((run, found));
                     }
                 }
