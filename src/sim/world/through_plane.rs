@@ -42,6 +42,8 @@ struct Way {
     limit_m: f64,
     /// The arm comes from behind: the limit is one in front of the plane.
     back: bool,
+    /// The plane is clear behind the person: no arm passes it.
+    closed: bool,
 }
 
 /// An arm's ways past one plane.
@@ -145,7 +147,7 @@ impl World {
                 for first in &ways[c].told {
                     let runs = runs(&ways[d].told, &[first.window], i, earlier)?;
                     let mut walls = walls.clone();
-                    walls.push(self.out_of_reach(c, first));
+                    walls.extend(self.walls_of(c, first));
                     let mask = |frame: &RobotFrame| {
                         let near = mask(frame, &[c, d]);
                         frame.links.iter().zip(near).map(|(l, near)| near && self.in_reach(c, first, l)).collect()
@@ -180,7 +182,7 @@ impl World {
             let links = run.frames[i].links.iter().zip(mask(&run.frames[i]));
             links.map(|(link, near)| near && self.in_reach(c, &run.way, link)).collect()
         };
-        let with = |way: &Way| [walls, &[self.out_of_reach(c, way)]].concat();
+        let with = |way: &Way| [walls, &self.walls_of(c, way)].concat();
         // Ways from in front and from behind have different walls.
         let mut groups: Vec<&[Run]> = runs.chunk_by(|a, b| a.way.back == b.way.back).rev().collect();
         while let Some(group) = groups.pop() {
@@ -209,10 +211,11 @@ impl World {
         None
     }
 
-    /// What is out of a hand's reach on a way past plane `c`, as a wall.
-    fn out_of_reach(&self, c: usize, way: &Way) -> Cuboid {
+    /// What an arm does not pass on a way past plane `c`: what is out of the hand's reach, and a plane that is clear.
+    fn walls_of(&self, c: usize, way: &Way) -> Vec<Cuboid> {
         let curtain = &self.curtains[c];
-        if way.back { curtain.before(way.limit_m) } else { curtain.beyond(way.limit_m) }
+        let out_of_reach = if way.back { curtain.before(way.limit_m) } else { curtain.beyond(way.limit_m) };
+        std::iter::once(out_of_reach).chain(way.closed.then(|| curtain.unbroken())).collect()
     }
 
     /// Whether a hand on a way past plane `c` can get hold of a link. A contact deeper than the tolerance that leaves as much
@@ -263,6 +266,7 @@ impl World {
             window: Window { curtain: c, from, until },
             limit_m: depth_m(from + 1, step_s),
             back,
+            closed: side == ArmSide::Behind && !back,
         };
         let through = |most: f64, back: bool| {
             let in_time = move |&s: &usize| s == 0 || depth_m(s, step_s) < most;
