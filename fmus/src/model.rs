@@ -3,6 +3,7 @@
 use crate::bytes::{Reader, Writer};
 use crate::cells::coupled::{Controller, Kinematics, Plc};
 use crate::cells::faulty::Faulty;
+use crate::cells::liar::Liar;
 use crate::cells::workcell::Workcell;
 use crate::interface::variables::{Interface, Value, Variant};
 use crate::interface::{self};
@@ -66,6 +67,8 @@ pub enum AnyModel {
     Kinematics(Kinematics),
     /// The model that misbehaves on demand.
     Faulty(Faulty),
+    /// The model whose states lie on demand.
+    Liar(Liar),
 }
 
 /// All interfaces, built once.
@@ -86,6 +89,7 @@ impl AnyModel {
     pub fn new(identifier: &str) -> Option<Self> {
         match identifier {
             "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
+            "liar" => Some(AnyModel::Liar(Liar::new())),
             "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
             "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
             "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
@@ -101,6 +105,7 @@ impl AnyModel {
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
+            AnyModel::Liar(model) => model,
         }
     }
 
@@ -112,6 +117,7 @@ impl AnyModel {
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
+            AnyModel::Liar(model) => model,
         }
     }
 
@@ -119,6 +125,7 @@ impl AnyModel {
     pub fn restore(&mut self, saved: &Self, variant: Variant) {
         match (self, saved) {
             (AnyModel::Faulty(model), AnyModel::Faulty(saved)) => model.restore(saved),
+            (AnyModel::Liar(model), AnyModel::Liar(saved)) => model.restore(saved),
             (AnyModel::Workcell(model), AnyModel::Workcell(saved)) if variant == Variant::ForgetsLatch => {
                 *model = saved.forgetting_latches(model);
             }
@@ -137,6 +144,7 @@ impl AnyModel {
             AnyModel::Controller(model) => *model = Controller::new(),
             AnyModel::Kinematics(model) => *model = Kinematics::new(),
             AnyModel::Faulty(model) => model.reset(),
+            AnyModel::Liar(model) => *model = Liar::new(),
         }
     }
 
@@ -165,6 +173,7 @@ impl AnyModel {
             AnyModel::Controller(_) => Controller::read(input).map(AnyModel::Controller),
             AnyModel::Kinematics(_) => Kinematics::read(input).map(AnyModel::Kinematics),
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
+            AnyModel::Liar(_) => Liar::read(input).map(AnyModel::Liar),
         }
     }
 }
