@@ -7,6 +7,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::exit::Failure;
 use super::output;
 use crate::host::Effort;
+use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::model::ScanReport;
@@ -73,7 +74,8 @@ fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result
         return Ok(replays);
     }
     let failed = |cause| Failure::from(ScanError { cause });
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
+    // As a hazard is confirmed: no saved state is relied on here.
+    let mut simulation = prepared.simulation(StateChoice::Replay, false).map_err(failed)?;
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
         let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
@@ -91,10 +93,15 @@ fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result
 }
 
 /// How the scan went, which is no result: run.json, and what the FMU printed.
-pub(super) fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, out: &Path) -> Result<(), Failure> {
+pub(super) fn write_run(
+    prepared: &Prepared,
+    rung: Rung,
+    (effort, remembered): (Effort, u64),
+    out: &Path,
+) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
     let run = serde_json::json!({
-        "states_by": prepared.rung,
+        "states_by": rung,
         "fmu": effort,
         "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,

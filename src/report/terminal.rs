@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::model::{Certificate, Residual, ScanReport, Verdict};
+use super::model::{Certificate, Residual, RunAgain, ScanReport, Verdict};
 use crate::hazard::Class;
 use crate::human::Action;
 
@@ -143,6 +143,9 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
         String::new()
     };
     let _ = writeln!(out, "            equal FMU states told by {}{tried}", c.merged_by);
+    if c.run_again.compared > 0 {
+        let _ = writeln!(out, "            {}", run_again(&c.run_again));
+    }
     if let Some(random) = c.random_search.as_ref().filter(|_| c.hazardous_share > 0.0) {
         let _ = writeln!(
             out,
@@ -155,6 +158,21 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
             random.iterations
         );
     }
+}
+
+/// What was run again plainly.
+fn run_again(again: &RunAgain) -> String {
+    let part = |done: u64, of: u64| match done == of {
+        true => format!("all {}", grouped(&of.to_string())),
+        false => format!("{} of {}", grouped(&done.to_string()), grouped(&of.to_string())),
+    };
+    let merges = match again.merges {
+        0 => String::new(),
+        of => format!(", and {} merges gone on with", part(again.merges_compared, of)),
+    };
+    let whole = (again.compared, again.merges_compared) == (again.transitions, again.merges);
+    let sample = if whole { "" } else { " (a sample, chosen by a key)" };
+    format!("{} FMU transitions run again from the start{merges}{sample}", part(again.compared, again.transitions))
 }
 
 /// What random sequences say about what is left.
@@ -257,7 +275,7 @@ fn sentence(report: &ScanReport) -> String {
         }
         Verdict::NoneFound => format!("No hazard found.\n {scope}"),
         Verdict::Inconclusive => {
-            "Inconclusive: nothing was found, but nothing could have been. See the note above.".to_owned()
+            "Inconclusive: nothing was found, which says nothing about the cell. See the note above.".to_owned()
         }
         Verdict::FmuFailed => {
             "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()

@@ -4,6 +4,8 @@
 //! - [`probe`](mod@probe): what inputs do to the robots
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
+//! - `quick`: sequences chosen by a strategy
+//! - `footing`: how states are brought back, and what comes next when that is found to be wrong
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
@@ -20,10 +22,12 @@ pub mod comparison;
 pub mod exhaustive;
 pub mod explain;
 pub mod film;
+mod footing;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
 pub mod probe;
+mod quick;
 pub mod remedy;
 pub mod residual;
 pub mod run;

@@ -6,21 +6,24 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::exhaustive::{Census, Exhaustive, census};
-use super::minimise::minimise;
+use super::footing::{Doubt, Footing, Shown, not_repeatable};
 use super::prepare::{Prepared, StateChoice};
-use super::residual::Watch;
-use crate::hazard::{Finding, Groups};
-use crate::host::{Effort, Hosted, PlantError};
+use super::quick::search;
+use crate::hazard::{Finding, Group, Groups};
+use crate::host::audit::repeats;
+use crate::host::selftest::Rung;
+use crate::host::{Effort, Hosted, PlantError, Unlike};
 use crate::human::action::ACTION_S;
 use crate::report::model::{
     Certificate, FaultRecord, Hazard, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::search::mcts_dpw::Parameters;
 use crate::search::residual::Figures;
-use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Rng, Strategy};
+use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Strategy};
 use crate::sim::journal::Journal;
 use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
+use crate::sim::expansion::Merge;
 use crate::sim::{Coverage, Simulation};
 use crate::standards::provenance::tables;
 
@@ -120,6 +123,18 @@ pub enum Progress<'a> {
         /// Hazards so far.
         hazards: usize,
     },
+    /// What the FMU did is run again from the start.
+    RunAgain {
+        /// Runs so far.
+        done: usize,
+        /// Of so many.
+        of: usize,
+    },
+    /// Nothing found so far counts: everything is searched again on another footing.
+    SearchAgain {
+        /// Why, and how.
+        because: &'a str,
+    },
     /// Nothing new.
     Working,
     /// A hazard that was not met before; not confirmed yet.
@@ -139,6 +154,8 @@ pub struct ScanError {
 pub struct Scanned {
     /// Its result: the same wherever the FMU runs and however its states are brought back.
     pub report: ScanReport,
+    /// How states were brought back in the end.
+    pub rung: Rung,
     /// What the FMU did for it.
     pub effort: Effort,
     /// Questions of the exhaustive search whose answers were in its journal.
@@ -170,55 +187,38 @@ pub fn scan_with(
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let mut groups = Groups::default();
-    let searched = match options.method {
-        Method::Strategy(name) => search(prepared, name, options, &links, &mut groups, tell)?,
-        Method::Exhaustive(how) => {
-            Searched::all(census(prepared, options.state, how, journal, &links, &mut groups, tell)?)
-        }
-        Method::Auto(name, how) => {
-            let quick = search(prepared, name, options, &links, &mut groups, tell)?;
-            if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
-                Searched { name: AUTO, ..quick }
-            } else {
-                let mut all = Groups::default();
-                let searched = Searched::all(census(prepared, options.state, how, journal, &links, &mut all, tell)?);
-                let only_quick = groups.added_to(&mut all);
-                groups = all;
-                searched.after(quick, &only_quick)
-            }
-        }
-    };
+    let Attempt { footing, searched, hazards, notes, effort, doubt } =
+        attempts(prepared, options, journal, &links, tell)?;
     let Searched {
         name,
         iterations,
         interrupted,
         broken,
-        certificate,
+        mut certificate,
         figures,
         coverage,
         mut faults,
         fmu_steps,
         fmu_states,
-        effort,
         remembered,
-        notes,
+        notes: found,
+        ..
     } = searched;
     let mut warnings = prepared.warnings();
-    warnings.extend(notes);
-    // One process for all; each replay has a fresh instance in it.
-    let mut plant = prepared.plant(StateChoice::Replay);
-    let hazards: Vec<Hazard> = groups
-        .ranked()
-        .into_iter()
-        .map(|group| {
-            let mut hazard = Hazard::new(group, &links, &sensors);
-            hazard.confirmed = Some(confirm(prepared, &mut plant, &group.worst));
-            hazard.shortest.confirmed = Some(confirm(prepared, &mut plant, &group.shortest));
-            hazard
-        })
-        .collect();
+    warnings.extend(notes.into_iter().chain(found));
+    let unsteady = prepared.unsteady();
+    let doubted = doubt.as_ref().map(|doubt| match interrupted {
+        true => format!("{}: it was stopped before that was looked into", doubt.words()),
+        false => not_repeatable(doubt),
+    });
+    let against: Vec<String> = doubted.into_iter().chain(unsteady.clone()).collect();
+    if let Some(certificate) = certificate.as_mut().filter(|_| !against.is_empty()) {
+        certificate.complete = false;
+        certificate.random_search = None;
+        certificate.reasons.extend(against.iter().cloned());
+    } else {
+        warnings.extend(against);
+    }
     let vacuous = coverage.vacuous();
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
@@ -231,11 +231,11 @@ pub fn scan_with(
     }
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
-    } else if broken.is_some() || coverage.episodes_not_evaluated > 0 {
+    } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.episodes_not_evaluated > 0 {
         Verdict::FmuFailed
     } else if interrupted {
         Verdict::Interrupted
-    } else if vacuous.is_some() {
+    } else if vacuous.is_some() || unsteady.is_some() {
         Verdict::Inconclusive
     } else {
         Verdict::NoneFound
@@ -270,28 +270,154 @@ pub fn scan_with(
         tables: tables().collect(),
         warnings,
     };
-    Ok(Scanned { report, effort, remembered })
+    Ok(Scanned { report, rung: footing.rung(prepared), effort, remembered })
+}
+
+/// The last of several attempts.
+struct Attempt {
+    footing: Footing,
+    searched: Searched,
+    hazards: Vec<Hazard>,
+    /// Why there were several.
+    notes: Vec<String>,
+    /// Of all.
+    effort: Effort,
+    /// What is wrong with it, if there is no other rung.
+    doubt: Option<Doubt>,
+}
+
+/// Searches; when what was found is not to be relied on, again on the next rung. What a plain run confirmed stays.
+fn attempts(
+    prepared: &Prepared,
+    options: ScanOptions,
+    mut journal: Journal,
+    links: &[String],
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Attempt, ScanError> {
+    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
+    let merge = match options.method {
+        Method::Strategy(_) => Merge::History,
+        Method::Exhaustive(how) | Method::Auto(_, how) => how.merge,
+    };
+    let mut footing = Footing::asked(prepared, options.state, merge);
+    let (mut notes, mut kept, mut effort) = (Vec::new(), Groups::default(), Effort::default());
+    loop {
+        // One process for all; each plain run has a fresh instance in it.
+        let mut plain = footing.plain(prepared);
+        let mut groups = Groups::default();
+        let mut searched = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell)?;
+        effort = effort.and(searched.effort);
+        let complete = searched.certificate.as_ref().is_some_and(|c| c.complete);
+        let only_kept = if complete { Vec::new() } else { kept.clone().added_to(&mut groups) };
+        let confirmed = |group: &Group, plain: &mut Hosted| {
+            let mut hazard = Hazard::new(group, links, &sensors);
+            hazard.confirmed = Some(confirm(prepared, plain, &group.worst));
+            hazard.shortest.confirmed = Some(confirm(prepared, plain, &group.shortest));
+            hazard
+        };
+        let mut hazards: Vec<Hazard> = groups.ranked().into_iter().map(|g| confirmed(g, &mut plain)).collect();
+        let sure = |h: &Hazard| h.confirmed == Some(true) && h.shortest.confirmed == Some(true);
+        // Those of an earlier attempt are there because they were confirmed.
+        hazards.retain(|hazard| sure(hazard) || !only_kept.contains(&hazard.id));
+        let unconfirmed = hazards.iter().filter(|hazard| !sure(hazard)).count();
+        let unsure = || Doubt { unlike: Unlike::State, shown: Shown::Unconfirmed(unconfirmed) };
+        let doubt = searched.doubt.take().or_else(|| (unconfirmed > 0).then(unsure));
+        let next = match &doubt {
+            Some(doubt) if !searched.interrupted && repeatable(prepared, footing, &mut plain, doubt)? => {
+                footing.lower(prepared, doubt.unlike)
+            }
+            _ => None,
+        };
+        let (Some(doubt), Some(next)) = (&doubt, next) else {
+            return Ok(Attempt { footing, searched, hazards, notes, effort, doubt });
+        };
+        let because = footing.lowered(prepared, doubt, next);
+        if tell(Progress::SearchAgain { because: &because }).is_break() {
+            searched.interrupted = true;
+            return Ok(Attempt { footing, searched, hazards, notes, effort, doubt: Some(doubt.clone()) });
+        }
+        notes.push(because);
+        for hazard in hazards.iter().filter(|hazard| sure(hazard)) {
+            if let Some(group) = groups.get(&hazard.id) {
+                kept.add(group.worst.clone(), group.first_iteration, links);
+                kept.add(group.shortest.clone(), group.first_iteration, links);
+            }
+        }
+        footing = next;
+    }
+}
+
+/// Whether the history in which a doubt showed itself gives the same twice in plain runs, each in a process of its own if
+/// it can have one.
+fn repeatable(prepared: &Prepared, footing: Footing, plain: &mut Hosted, doubt: &Doubt) -> Result<bool, ScanError> {
+    let Shown::Audit(difference) = &doubt.shown else { return Ok(true) };
+    let mut apart;
+    let plant = match prepared.has_processes() {
+        true => {
+            apart = prepared.plant_by(Rung::Processes);
+            &mut apart
+        }
+        false => plain,
+    };
+    let steady = repeats(plant, &difference.history).map_err(|cause| ScanError { cause })?;
+    Ok(steady && footing.lower(prepared, doubt.unlike).is_some())
+}
+
+/// One search on one footing.
+fn once(
+    prepared: &Prepared,
+    (footing, plain): (Footing, &mut Hosted),
+    options: ScanOptions,
+    journal: &mut Journal,
+    links: &[String],
+    groups: &mut Groups,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Searched, ScanError> {
+    let mut all = |how, plain: &mut Hosted, groups: &mut Groups, tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>| {
+        let census = census(prepared, (footing, plain), how, std::mem::take(journal), links, groups, tell)?;
+        let (searched, left) = Searched::all(census);
+        *journal = left;
+        Ok::<_, ScanError>(searched)
+    };
+    match options.method {
+        Method::Strategy(name) => search(prepared, (footing, plain), name, options, links, groups, tell),
+        Method::Exhaustive(how) => all(how, plain, groups, tell),
+        Method::Auto(name, how) => {
+            let quick = search(prepared, (footing, &mut *plain), name, options, links, groups, tell)?;
+            let ended = quick.interrupted || quick.broken.is_some() || quick.doubt.is_some();
+            if ended || (options.stop_at_first && !groups.is_empty()) {
+                return Ok(Searched { name: AUTO, ..quick });
+            }
+            let mut found = Groups::default();
+            let searched = all(how, plain, &mut found, tell)?;
+            let only_quick = std::mem::take(groups).added_to(&mut found);
+            *groups = found;
+            Ok(searched.after(quick, &only_quick))
+        }
+    }
 }
 
 /// Name of [`Method::Auto`].
 const AUTO: &str = "auto";
 
 /// What a search gives besides its groups.
-struct Searched {
-    name: &'static str,
-    iterations: u64,
-    interrupted: bool,
-    broken: Option<PlantError>,
-    certificate: Option<Certificate>,
+pub(super) struct Searched {
+    pub name: &'static str,
+    pub iterations: u64,
+    pub interrupted: bool,
+    pub broken: Option<PlantError>,
+    pub certificate: Option<Certificate>,
     /// From random sequences, if the number of iterations was the one fixed beforehand.
-    figures: Option<Figures>,
-    coverage: Coverage,
-    faults: Vec<FaultRecord>,
-    fmu_steps: u64,
-    fmu_states: usize,
-    effort: Effort,
-    remembered: u64,
-    notes: Vec<String>,
+    pub figures: Option<Figures>,
+    pub coverage: Coverage,
+    pub faults: Vec<FaultRecord>,
+    pub fmu_steps: u64,
+    pub fmu_states: usize,
+    pub effort: Effort,
+    pub remembered: u64,
+    /// Why it is not to be relied on.
+    pub doubt: Option<Doubt>,
+    pub notes: Vec<String>,
 }
 
 impl Searched {
@@ -299,9 +425,11 @@ impl Searched {
     fn after(self, quick: Self, only_quick: &[String]) -> Self {
         let mut coverage = quick.coverage;
         coverage.merge(&self.coverage);
-        let mut notes = self.notes;
-        if self.certificate.as_ref().is_some_and(|c| c.complete) && !only_quick.is_empty() {
-            notes.push(format!(
+        let mut certificate = self.certificate;
+        if let Some(certificate) = certificate.as_mut().filter(|c| c.complete && !only_quick.is_empty()) {
+            certificate.complete = false;
+            certificate.random_search = None;
+            certificate.reasons.push(format!(
                 "the quick search met hazards that the complete one did not ({}): this is an error of this tool, please \
                  report it with the cell",
                 only_quick.join(", ")
@@ -318,15 +446,26 @@ impl Searched {
             fmu_steps: quick.fmu_steps + self.fmu_steps,
             fmu_states: quick.fmu_states.max(self.fmu_states),
             effort: quick.effort.and(self.effort),
-            notes,
+            certificate,
             ..self
         }
     }
 
-    fn all(census: Census) -> Self {
-        let Census { certificate, coverage, fmu_steps, fmu_states, effort, remembered, faults, interrupted, broken } =
-            census;
-        Self {
+    fn all(census: Census) -> (Self, Journal) {
+        let Census {
+            certificate,
+            coverage,
+            fmu_steps,
+            fmu_states,
+            effort,
+            remembered,
+            faults,
+            interrupted,
+            broken,
+            doubt,
+            journal,
+        } = census;
+        let searched = Self {
             name: "exhaustive",
             iterations: 0,
             interrupted,
@@ -339,78 +478,11 @@ impl Searched {
             fmu_states,
             effort,
             remembered,
+            doubt,
             notes: Vec::new(),
-        }
+        };
+        (searched, journal)
     }
-}
-
-/// Sequence after sequence; then the shortest one of each hazard is looked for.
-fn search(
-    prepared: &Prepared,
-    strategy: StrategyName,
-    options: ScanOptions,
-    links: &[String],
-    groups: &mut Groups,
-    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
-) -> Result<Searched, ScanError> {
-    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let mut simulation =
-        prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
-    let mut strategy = strategy.build();
-    let mut rng = Rng::new(options.seed);
-    let mut watch = Watch::new(options.iterations);
-    let (mut done, mut interrupted, mut broken) = (0, false, None);
-    while done < options.iterations {
-        let outcome = strategy.iterate(&mut simulation, &mut rng);
-        done += 1;
-        let findings = simulation.take_findings();
-        if let Ok(iteration) = &outcome {
-            watch.after(iteration, &findings, groups, links);
-        }
-        for finding in findings {
-            let Some(id) = groups.add(finding, u64::from(done), links) else { continue };
-            if let Some(group) = groups.get(&id) {
-                interrupted |= tell(Progress::Found(&Hazard::new(group, links, &sensors))).is_break();
-            }
-        }
-        if let Err(error) = outcome {
-            broken = Some(error);
-            break;
-        }
-        interrupted |= tell(Progress::Iteration { done, hazards: groups.len() }).is_break();
-        if interrupted || (options.stop_at_first && !groups.is_empty()) {
-            break;
-        }
-    }
-    // A search that ended because of what it met would give figures about itself.
-    let stopped = interrupted || broken.is_some() || (options.stop_at_first && !groups.is_empty());
-    let coverage = simulation.coverage().clone();
-    let faults = simulation.faults().iter();
-    let faults = faults.map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() }).collect();
-    let (fmu_steps, fmu_states) = (simulation.recall().steps(), simulation.recall().states());
-    if broken.is_none() && !interrupted {
-        for (identity, group) in groups.iter_mut() {
-            // A failure here costs no finding: the sequence stays as it was found.
-            if let Ok(shorter) = minimise(&mut simulation, &group.shortest, identity, links) {
-                group.shortest = shorter;
-            }
-        }
-    }
-    Ok(Searched {
-        name: strategy.name(),
-        iterations: u64::from(done),
-        interrupted,
-        broken,
-        certificate: None,
-        figures: watch.figures().filter(|_| !stopped),
-        coverage,
-        faults,
-        fmu_steps,
-        fmu_states,
-        effort: simulation.recall().effort_of_workers(),
-        remembered: 0,
-        notes: Vec::new(),
-    })
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit.
