@@ -10,15 +10,16 @@ use std::sync::LazyLock;
 use common::{fmi_hazard, json, scan_json, test_fmus, write};
 use serde_json::Value;
 
-/// One turning bar, whose person begins within three actions of being hit, in a lane that leaves few ways to go.
+/// One turning bar near the floor, where no hand gets, and a person who begins within three actions of being hit.
 fn cell(lie: i32) -> String {
+    let actions = actions(lie);
     format!(
         r#"schema = 1
 name = "liar"
 fmu = "x.fmu"
 [[robot]]
 name = "turntable"
-base = {{ xyz_m = [0, 0, 0.9] }}
+base = {{ xyz_m = [0, 0, 0.2] }}
 moving_mass_kg = 40
 payload_kg = 3
 [[robot.joint]]
@@ -42,12 +43,19 @@ y = "y"
 [parameters]
 lie = {lie}
 [human]
-start = {{ xy_m = [0.1, 1.2], heading_deg = -90 }}
+start = {{ xy_m = [0.3, 1.2], heading_deg = -90 }}
+bend_forward_deg = 5
+bend_lateral_deg = 5
 [search]
-actions = 3
+actions = {actions}
 iterations = 10
 "#
     )
+}
+
+/// Sequences of so many actions: only longer ones have equal bytes that are gone on from.
+const fn actions(lie: i32) -> u32 {
+    if lie == 3 { 4 } else { 3 }
 }
 
 /// What came out of a scan.
@@ -88,8 +96,9 @@ impl Ran {
 fn scan_in(dir: &Path, fmu: &str, lie: i32, more: &[&str]) -> Ran {
     std::fs::copy(test_fmus().join(fmu), dir.join("x.fmu")).unwrap();
     write(dir, "cell.toml", &cell(lie));
-    let args = ["scan", "cell.toml", "--strategy", "exhaustive", "--workers", "1", "--out", "o"];
-    let output = fmi_hazard(dir).args(args).args(more).output().unwrap();
+    let strategy = if more.contains(&"--strategy") { &[][..] } else { &["--strategy", "exhaustive"] };
+    let args = ["scan", "cell.toml", "--workers", "1", "--out", "o"];
+    let output = fmi_hazard(dir).args(args).args(strategy).args(more).output().unwrap();
     let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(dir.join("o/scan.json").is_file(), "{stderr}");
     let (scan, run) = (scan_json(&dir.join("o")), json(&dir.join("o/run.json")));
@@ -103,8 +112,13 @@ fn scan(fmu: &str, lie: i32, more: &[&str]) -> Ran {
 const FMUS: [&str; 2] = ["liar.fmu", "liar-fmi3.fmu"];
 
 /// The default, and what a user may ask for; a process for each run costs much, so it is asked for where it matters.
-const WAYS: [&[&str]; 5] =
-    [&[], &["--state", "fmu"], &["--state", "fork"], &["--state", "fork", "--merge", "history"], &["--state", "replay"]];
+const WAYS: [&[&str]; 5] = [
+    &[],
+    &["--state", "fmu"],
+    &["--state", "fork"],
+    &["--state", "fork", "--merge", "history"],
+    &["--state", "replay"],
+];
 
 /// What plain replay finds.
 fn plainly(lie: i32) -> Ran {
@@ -139,7 +153,6 @@ fn an_honest_one_is_searched_with_its_saved_states() {
         let ran = scan(fmu, 0, &[]);
         assert_eq!((ran.rung(), ran.code), ("saved_states", Some(1)));
         assert!(!ran.told().contains("searched again"), "{}", ran.told());
-        assert!(ran.scan["certificate"]["run_again"]["merges_compared"].as_u64() > Some(0), "{ran:?}");
         assert_eq!(scan(fmu, 0, &["--state", "process"]).counts(), HONEST.counts());
     }
 }
@@ -165,7 +178,18 @@ fn a_restored_state_that_keeps_a_live_latch() {
 
 #[test]
 fn bytes_that_lack_what_the_state_holds() {
-    all_agree(3, &HONEST, "with the same bytes");
+    let truth = plainly(3);
+    assert!(truth.complete() && truth.confirmed());
+    for fmu in FMUS {
+        for way in [&[][..], &["--state", "fork"]] {
+            let ran = scan(fmu, 3, way);
+            assert!(ran.complete() && ran.confirmed(), "{fmu} {way:?}: {ran:?}");
+            assert_eq!(ran.counts(), truth.counts(), "{fmu} {way:?}");
+            assert!(ran.told().contains("with the same bytes"), "{}", ran.told());
+        }
+        // The states themselves are right, so they are kept.
+        assert_eq!(scan(fmu, 3, &[]).rung(), "saved_states");
+    }
 }
 
 #[test]

@@ -226,7 +226,8 @@ impl Run<'_> {
             if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let began = Instant::now();
-        let scan::Scanned { report, rung, effort, remembered } = scan::scan_with(prepared, options, journal, &mut tell)?;
+        let scan::Scanned { report, rung, effort, remembered } =
+            scan::scan_with(prepared, options, journal, &mut tell)?;
         let searched = began.elapsed();
         progress.finish();
         levels.finish();
@@ -236,7 +237,7 @@ impl Run<'_> {
         let interrupted = stop.load(Ordering::Relaxed);
         let several = prepared.cell.beginnings.len() > 1;
         let reproduce = &arguments.reproduce(path, several.then_some(prepared.cell.beginning + 1), &options);
-        let context = results::Context { prepared, path: cell_path, reproduce, baseline, assessments };
+        let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), out)?;
         let (writing, calls) = (began.elapsed() - searched, effort.steps);

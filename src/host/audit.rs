@@ -54,6 +54,15 @@ pub struct Difference {
     pub action: usize,
     /// The history: steps, and inputs, row-major.
     pub history: (usize, Vec<f64>),
+    /// What the plain run gave, in short; nothing if it failed.
+    pub gave: Option<u64>,
+}
+
+/// What a plain run gave: the digest of everything, and those of the start and of each transition.
+#[derive(Debug, PartialEq)]
+struct Given {
+    all: u64,
+    digests: Vec<u64>,
 }
 
 /// The histories of a [`Recall`].
@@ -124,39 +133,34 @@ impl<'a, Q: Plant> Tree<'a, Q> {
 
     /// Runs these transitions from the start, plainly. The digests of the outputs at the start and of each of them, or what
     /// the FMU said.
-    fn run<P: Plant>(&self, plant: &mut P, nodes: &[NodeId]) -> Result<Result<Vec<u64>, String>, PlantError> {
+    fn run<P: Plant>(&self, plant: &mut P, nodes: &[NodeId]) -> Result<Result<Given, String>, PlantError> {
         let (steps, inputs) = self.history(nodes);
         let rows = match plain(plant, steps, &inputs)? {
             Ok(rows) => rows,
             Err(said) => return Ok(Err(said)),
         };
         let (start, mut rest) = rows.split_at(plant.output_count());
-        let mut digests = vec![recall::digest(start)];
+        let (all, mut digests) = (recall::digest(&rows), vec![recall::digest(start)]);
         for node in nodes {
             let (own, after) = rest.split_at(self.recall.transition(*node).0 * plant.output_count());
             digests.push(recall::digest(own));
             rest = after;
         }
-        Ok(Ok(digests))
+        Ok(Ok(Given { all, digests }))
     }
 
     /// Runs these transitions and compares; the first `own` of them are a history, the others a continuation of a merged
     /// one.
-    fn compare<P: Plant>(
-        &self,
-        plant: &mut P,
-        nodes: &[NodeId],
-        own: usize,
-    ) -> Result<Option<Difference>, PlantError> {
+    fn compare<P: Plant>(&self, plant: &mut P, nodes: &[NodeId], own: usize) -> Result<Option<Difference>, PlantError> {
         let known = |node: NodeId| self.recall.digest(node).unwrap_or_default();
         let expected: Vec<u64> = std::iter::once(NodeId::ROOT).chain(nodes.iter().copied()).map(known).collect();
         let found = self.run(plant, nodes)?;
-        if found.as_ref() == Ok(&expected) {
+        if found.as_ref().is_ok_and(|given| given.digests == expected) {
             return Ok(None);
         }
         let history = self.history(nodes);
         let first = |digests: &[u64]| digests.iter().zip(&expected).position(|(a, b)| a != b).unwrap_or(0);
-        let action = found.as_ref().map_or(nodes.len(), |digests| first(digests));
+        let action = found.as_ref().map_or(nodes.len(), |given| first(&given.digests));
         let again = self.run(plant, nodes)?;
         let unlike = if again != found {
             Unlike::Plain
@@ -166,10 +170,10 @@ impl<'a, Q: Plant> Tree<'a, Q> {
             // Either what the other history gave is wrong, or the two are not in the same state.
             let other = self.path(nodes[action - 1]);
             let plainly = self.run(plant, &other)?;
-            let right = plainly.is_ok_and(|digests| digests.last() == Some(&known(nodes[action - 1])));
+            let right = plainly.is_ok_and(|given| given.digests.last() == Some(&known(nodes[action - 1])));
             if right { Unlike::Merge } else { Unlike::State }
         };
-        Ok(Some(Difference { unlike, action, history }))
+        Ok(Some(Difference { unlike, action, history, gave: found.ok().map(|given| given.all) }))
     }
 }
 
@@ -177,11 +181,7 @@ impl<'a, Q: Plant> Tree<'a, Q> {
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub fn plain<P: Plant>(
-    plant: &mut P,
-    steps: usize,
-    inputs: &[f64],
-) -> Result<Result<Vec<f64>, String>, PlantError> {
+pub fn plain<P: Plant>(plant: &mut P, steps: usize, inputs: &[f64]) -> Result<Result<Vec<f64>, String>, PlantError> {
     let mut tries = 1;
     loop {
         let run = plant.restart().and_then(|mut rows| {
@@ -197,14 +197,17 @@ pub fn plain<P: Plant>(
     }
 }
 
-/// Whether two plain runs of a history give the same, to the last bit.
+/// What two plain runs of a history give, in short, if they give the same; nothing in it if both failed alike.
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub fn repeats<P: Plant>(plant: &mut P, (steps, inputs): &(usize, Vec<f64>)) -> Result<bool, PlantError> {
+pub fn repeated<P: Plant>(
+    plant: &mut P,
+    (steps, inputs): &(usize, Vec<f64>),
+) -> Result<Option<Option<u64>>, PlantError> {
     let mut bits = || Ok(plain(plant, *steps, inputs)?.map(|rows| recall::digest(&rows)));
     let first: Result<u64, String> = bits()?;
-    Ok(first == bits()?)
+    Ok((first == bits()?).then(|| first.ok()))
 }
 
 /// Compares what `recall` holds with plain runs of `plant`, to the first difference. `go_on` is told how many runs are done

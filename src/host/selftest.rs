@@ -80,14 +80,8 @@ pub enum Stage {
 
 impl Stage {
     /// Those after the first run, in their order.
-    pub(super) const LATER: [Self; 6] = [
-        Self::Deterministic,
-        Self::SecondInstance,
-        Self::Restore,
-        Self::StateSize,
-        Self::Serialize,
-        Self::Reset,
-    ];
+    pub(super) const LATER: [Self; 6] =
+        [Self::Deterministic, Self::SecondInstance, Self::Restore, Self::StateSize, Self::Serialize, Self::Reset];
 }
 
 /// The outcome of the self-test.
@@ -220,7 +214,7 @@ impl SelfTest {
     }
 }
 
-/// A way of bringing states back. The results are the same, only the speed differs.
+/// A way of bringing states back. With an FMU that keeps its promises only the speed differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Rung {

@@ -84,9 +84,8 @@ fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String
     let mut footing = Footing::asked(prepared, StateChoice::Auto, how.merge);
     let census = loop {
         let on = (footing, &mut footing.plain(prepared));
-        let found = census(prepared, on, how, Journal::default(), &links, &mut groups, &mut |_| {
-            ControlFlow::Continue(())
-        })?;
+        let found =
+            census(prepared, on, how, Journal::default(), &links, &mut groups, &mut |_| ControlFlow::Continue(()))?;
         match &found.doubt {
             None => break found,
             Some(doubt) => match footing.lower(prepared, doubt.unlike) {

@@ -154,9 +154,7 @@ impl Footing {
                 "fresh instances of the FMU in one process do not agree: {found}. Each run has a process of its own \
                  instead, and everything was searched again"
             ),
-            _ => format!(
-                "{from} cannot be relied on with this FMU: {found}. Everything was searched again with {by}"
-            ),
+            _ => format!("{from} cannot be relied on with this FMU: {found}. Everything was searched again with {by}"),
         }
     }
 }
@@ -164,7 +162,9 @@ impl Footing {
 /// Why nothing is certified of an FMU that does not even repeat itself in plain runs.
 pub(super) fn not_repeatable(doubt: &Doubt) -> String {
     match doubt.shown {
-        Shown::Unconfirmed(_) => format!("{}: what is listed as not confirmed may not be there, and more may be", doubt.words()),
+        Shown::Unconfirmed(_) => {
+            format!("{}: what is listed as not confirmed may not be there, and more may be", doubt.words())
+        }
         _ => format!(
             "the FMU does not repeat itself: {}, with the same inputs. Its results depend on something else (a clock, a \
              random generator, another process), so nothing can be certified. Ask its maker for a deterministic export",

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use thiserror::Error;
 
+use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
@@ -13,11 +14,9 @@ use crate::cell::find::{OpenedCell, open};
 use crate::cell::ssp::Wiring;
 use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
-use crate::fmi::{Causality, Fmu, Slave};
-use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Limits, Unpacked, examine};
-use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
-use crate::host::port::changing;
+use crate::fmi::{Fmu, Slave};
+use crate::host::isolation::{Guard, Isolated, Keeping, Launcher, Limits};
+use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
@@ -126,7 +125,7 @@ pub enum PrepareError {
 }
 
 impl PrepareError {
-    fn first_run(error: PlantError) -> Self {
+    pub(super) fn first_run(error: PlantError) -> Self {
         if error.not_loaded { Self::NotLoaded(error.message) } else { Self::FirstRun(error) }
     }
 
@@ -173,7 +172,7 @@ pub struct Prepared {
 }
 
 /// What plants are made of.
-enum Source {
+pub(super) enum Source {
     Here { slaves: Vec<Slave>, setup: SystemSetup },
     Apart(Launcher),
 }
@@ -271,58 +270,6 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     })
 }
 
-/// Most outputs that a cell does not bind and the self-test compares all the same.
-const MOST_WATCHED: usize = 1000;
-
-/// Numbers that the FMUs give and nobody asked for.
-fn unbound(fmus: &[Fmu], setup: &SystemSetup) -> Vec<UnitPort> {
-    let outputs = fmus.iter().enumerate().flat_map(|(unit, fmu)| {
-        let all = changing(fmu.description(), Causality::Output);
-        all.into_iter().map(move |port| UnitPort { unit, port })
-    });
-    let bound = |p: &UnitPort| setup.outputs.iter().any(|o| o.unit == p.unit && o.port.handle == p.port.handle);
-    outputs.filter(|port| !bound(port)).take(MOST_WATCHED).collect()
-}
-
-/// What the self-test gave, and the FMUs loaded.
-struct Tested {
-    self_test: SelfTest,
-    missing_protection: Vec<String>,
-    /// Of a communication step.
-    step_time: Duration,
-    source: Source,
-}
-
-/// Loads the FMUs and tests them.
-fn try_out(fmus: &[Fmu], hosting: &Hosting, setup: &SystemSetup, steps: usize) -> Result<Tested, PrepareError> {
-    // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
-    let skip = [Stage::Serialize];
-    match hosting {
-        Hosting::InProcess => {
-            let slaves = fmus.iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
-            let result = selftest(&slaves, setup, steps, &skip, Activity::unseen());
-            Ok(Tested {
-                self_test: result.map_err(PrepareError::FirstRun)?,
-                missing_protection: Vec::new(),
-                step_time: Duration::ZERO,
-                source: Source::Here { slaves, setup: setup.clone() },
-            })
-        }
-        Hosting::Workers { program, guard, limits } => {
-            let unpacked = fmus.iter().map(Unpacked::of).collect();
-            let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, *limits);
-            let Examination { result, launcher, missing, step_time } =
-                examine(&launcher, steps, &skip).map_err(|error| PrepareError::first_run(hinted(error, fmus)))?;
-            Ok(Tested {
-                self_test: result,
-                missing_protection: missing,
-                step_time,
-                source: Source::Apart(launcher),
-            })
-        }
-    }
-}
-
 impl Source {
     /// The same FMUs with another setup.
     fn with_setup(&self, setup: SystemSetup) -> Self {
@@ -356,18 +303,6 @@ fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
         heading_deg: beginning.start.heading_deg(),
         begins_s: beginning.begins_s(cell.step_s),
     }
-}
-
-/// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
-fn hinted(error: PlantError, fmus: &[Fmu]) -> PlantError {
-    let needs =
-        |fmu: &Fmu| fmu.description().co_simulation.as_ref().is_some_and(|cs| cs.capabilities.needs_execution_tool);
-    if !fmus.iter().any(needs) {
-        return error;
-    }
-    let message =
-        format!("{}. It needs the tool that made it, which it may reach with --trust-fmu only", error.message);
-    PlantError { message, ..error }
 }
 
 /// A cell that fits its FMUs.
@@ -563,9 +498,7 @@ impl Prepared {
     #[must_use]
     pub(super) fn plant_by(&self, rung: Rung) -> Hosted {
         match (&self.source, rung) {
-            (Source::Apart(launcher), Rung::Copies) => {
-                Hosted::Apart(Isolated::new(launcher.clone(), Keeping::ByFork))
-            }
+            (Source::Apart(launcher), Rung::Copies) => Hosted::Apart(Isolated::new(launcher.clone(), Keeping::ByFork)),
             (Source::Apart(launcher), Rung::Processes) => {
                 Hosted::Apart(Isolated::new(launcher.clone(), Keeping::Processes))
             }

@@ -70,8 +70,7 @@ pub(super) fn search(
                 group.shortest = shorter;
             }
         }
-        let scope =
-            Scope { since: 0, runs: usize::MAX, steps: footing.least_audit(), instance: footing.instance() };
+        let scope = Scope { since: 0, runs: usize::MAX, steps: footing.least_audit(), instance: footing.instance() };
         let audited = audit(plain, simulation.recall(), scope, &mut |_, _| tell(Progress::Working).is_continue())
             .map_err(|cause| ScanError { cause })?;
         interrupted |= audited.stopped;

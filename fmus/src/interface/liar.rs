@@ -24,7 +24,7 @@ fn variables() -> Vec<Variable> {
             "0 none; 1 a saved state lacks the flag that the person came near, and so do its bytes; 2 a restored state \
              keeps a latch that was set since; 3 only the bytes lack the flag; 4 a saved state lacks the past of the \
              integrator, which restarts when x or y changes; 5 spare is noise; 6 q is noise once the person came near; \
-             7 a state saved right after x or y changed, having been held, is restored wrongly; 8 all instances of a \
+             7 a state saved within 12 steps after x or y changed, having been held, is restored wrongly; 8 all instances of a \
              process share the flag, which nothing takes back",
             Parameter,
             Kind::integer_in(0, 0, 8),
