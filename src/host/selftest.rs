@@ -325,7 +325,9 @@ pub(super) fn stage(
     Found::Agreement(match stage {
         Stage::FirstRun | Stage::Deterministic => {
             // This process may not have made the first run, so here are two of its own.
-            match whole(&mut fresh(), steps, &main) {
+            // The first instance is gone before the second one is made.
+            let first = whole(&mut fresh(), steps, &main);
+            match first {
                 Ok(first) => agreement(&first, whole(&mut fresh(), steps, &main), &names),
                 Err(error) => Agreement::Failed { reason: error.message },
             }
