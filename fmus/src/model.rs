@@ -4,6 +4,7 @@ use crate::bytes::{Reader, Writer};
 use crate::cells::coupled::{Controller, Kinematics, Plc};
 use crate::cells::faulty::Faulty;
 use crate::cells::gantry::Gantry;
+use crate::cells::liar::Liar;
 use crate::cells::workcell::Workcell;
 use crate::interface::variables::{Interface, Value, Variant};
 use crate::interface::{self};
@@ -69,6 +70,8 @@ pub enum AnyModel {
     Faulty(Faulty),
     /// Two slides with a stop of many kinds.
     Gantry(Gantry),
+    /// The model whose states lie on demand.
+    Liar(Liar),
 }
 
 /// All interfaces, built once.
@@ -90,6 +93,7 @@ impl AnyModel {
         match identifier {
             "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
             "gantry" => Some(AnyModel::Gantry(Gantry::new())),
+            "liar" => Some(AnyModel::Liar(Liar::new())),
             "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
             "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
             "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
@@ -106,6 +110,7 @@ impl AnyModel {
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
             AnyModel::Gantry(model) => model,
+            AnyModel::Liar(model) => model,
         }
     }
 
@@ -118,6 +123,7 @@ impl AnyModel {
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
             AnyModel::Gantry(model) => model,
+            AnyModel::Liar(model) => model,
         }
     }
 
@@ -125,6 +131,7 @@ impl AnyModel {
     pub fn restore(&mut self, saved: &Self, variant: Variant) {
         match (self, saved) {
             (AnyModel::Faulty(model), AnyModel::Faulty(saved)) => model.restore(saved),
+            (AnyModel::Liar(model), AnyModel::Liar(saved)) => model.restore(saved),
             (AnyModel::Workcell(model), AnyModel::Workcell(saved)) if variant == Variant::ForgetsLatch => {
                 *model = saved.forgetting_latches(model);
             }
@@ -144,6 +151,7 @@ impl AnyModel {
             AnyModel::Kinematics(model) => *model = Kinematics::new(),
             AnyModel::Faulty(model) => model.reset(),
             AnyModel::Gantry(model) => *model = Gantry::new(),
+            AnyModel::Liar(model) => *model = Liar::new(),
         }
     }
 
@@ -173,6 +181,7 @@ impl AnyModel {
             AnyModel::Kinematics(_) => Kinematics::read(input).map(AnyModel::Kinematics),
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
             AnyModel::Gantry(_) => Gantry::read(input).map(AnyModel::Gantry),
+            AnyModel::Liar(_) => Liar::read(input).map(AnyModel::Liar),
         }
     }
 }

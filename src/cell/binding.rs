@@ -338,6 +338,7 @@ impl Binding {
             mirrors: self.mirrors.clone(),
             step_s,
             lead_in_steps: 0,
+            watched: Vec::new(),
         }
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn write(prepared: &Prepared, hazard: &Hazard, file: &Path) -> Result
     use crate::scan::{ScanError, StateChoice, film};
 
     let failed = |cause| Failure::from(ScanError { cause });
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
+    let mut simulation = prepared.simulation(StateChoice::Replay, false).map_err(failed)?;
     let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
     let trace = film::trace(prepared, &watched).map_err(failed)?;
     let recording = Recording {

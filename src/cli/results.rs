@@ -7,6 +7,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::exit::Failure;
 use super::output;
 use crate::host::Effort;
+use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::model::ScanReport;
@@ -25,6 +26,8 @@ const REPLAYS: usize = 50;
 pub(super) struct Context<'a> {
     /// The cell that was scanned.
     pub prepared: &'a Prepared,
+    /// How its states were brought back.
+    pub rung: Rung,
     /// What was scanned, as given: the cell file, or an FMU.
     pub path: &'a Path,
     /// The command that gives the same result.
@@ -59,7 +62,7 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     output::write_file(&out.join("junit.xml"), &cases)?;
     let log = sarif::render(report, &cell_file(context), context.baseline);
     output::write_file(&out.join("hazards.sarif"), &(output::pretty(&log)?))?;
-    let replays = write_hazards(report, context.prepared, out)?;
+    let replays = write_hazards(report, context, out)?;
     let scenery = film::scenery(context.prepared);
     let page = page::render(report, context.reproduce, context.assessments, &scenery, &replays);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
@@ -67,15 +70,25 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
 }
 
 /// Runs the worst hazards' sequences once more, writes their pictures and traces, and returns their replays.
-fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result<Vec<Replay>, Failure> {
+fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<Vec<Replay>, Failure> {
+    let prepared = context.prepared;
     let mut replays = Vec::new();
     if report.hazards.is_empty() {
         return Ok(replays);
     }
     let failed = |cause| Failure::from(ScanError { cause });
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
+    // As a hazard is confirmed: no saved state is relied on here.
+    let plainly = if context.rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
+    let mut simulation = prepared.simulation(plainly, false).map_err(failed)?;
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
-        let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
+        let watched = match film::watch(&mut simulation, prepared, hazard) {
+            Ok(watched) => watched,
+            // An FMU that does not repeat itself, say: the hazard is told all the same.
+            Err(error) => {
+                output::warning(&format!("{} has no picture and no replay: {error}", hazard.id));
+                continue;
+            }
+        };
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
@@ -91,10 +104,15 @@ fn write_hazards(report: &ScanReport, prepared: &Prepared, out: &Path) -> Result
 }
 
 /// How the scan went, which is no result: run.json, and what the FMU printed.
-pub(super) fn write_run(prepared: &Prepared, effort: Effort, remembered: u64, out: &Path) -> Result<(), Failure> {
+pub(super) fn write_run(
+    prepared: &Prepared,
+    rung: Rung,
+    (effort, remembered): (Effort, u64),
+    out: &Path,
+) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
     let run = serde_json::json!({
-        "states_by": prepared.rung,
+        "states_by": rung,
         "fmu": effort,
         "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,

@@ -1,7 +1,7 @@
 //! `fmi-hazard scan`: search a cell for hazards.
 
 use std::collections::BTreeSet;
-use std::io::Write as _;
+use std::io::{Seek as _, Write as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -185,9 +185,23 @@ impl Run<'_> {
         let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
         let mut logged = BTreeSet::new();
         let mut levels = Levels::new(prepared.cell.search.actions);
+        let mut audit: Option<Progress> = None;
         let mut tell = |event: scan::Progress<'_>| {
             match event {
                 scan::Progress::Working => {}
+                scan::Progress::RunAgain { done, of } => {
+                    levels.finish();
+                    audit.get_or_insert_with(|| Progress::new(of as u64, "runs from the start")).at(done as u64, "");
+                }
+                scan::Progress::SearchAgain { because } => {
+                    progress.finish();
+                    levels.finish();
+                    output::warning(because);
+                    // What was found so far does not count.
+                    (audit, levels) = (None, Levels::new(prepared.cell.search.actions));
+                    logged.clear();
+                    let _ = log.set_len(0).and_then(|()| log.rewind());
+                }
                 scan::Progress::Iteration { done, hazards } => {
                     progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
                 }
@@ -212,16 +226,20 @@ impl Run<'_> {
             if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let began = Instant::now();
-        let scan::Scanned { report, effort, remembered } = scan::scan_with(prepared, options, journal, &mut tell)?;
+        let scan::Scanned { report, rung, effort, remembered } =
+            scan::scan_with(prepared, options, journal, &mut tell)?;
         let searched = began.elapsed();
         progress.finish();
         levels.finish();
+        if let Some(audit) = &audit {
+            audit.finish();
+        }
         let interrupted = stop.load(Ordering::Relaxed);
         let several = prepared.cell.beginnings.len() > 1;
         let reproduce = &arguments.reproduce(path, several.then_some(prepared.cell.beginning + 1), &options);
-        let context = results::Context { prepared, path: cell_path, reproduce, baseline, assessments };
+        let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let json = results::write(&report, &context, out)?;
-        results::write_run(prepared, effort, remembered, out)?;
+        results::write_run(prepared, rung, (effort, remembered), out)?;
         let (writing, calls) = (began.elapsed() - searched, effort.steps);
         output::detail(&format!(
             "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",

@@ -93,7 +93,8 @@ pub(super) struct Arguments {
     /// Check only the posture of each sequence, so that iterations compare with the paper's
     #[arg(long)]
     pub(super) paper_iterations: bool,
-    /// How FMU states are brought back; the results are the same
+    /// How FMU states are brought back. A complete scan has the same hazards and counts, as far as what the FMU did was run
+    /// again from the start; its certificate says how far
     #[arg(long, value_enum, default_value_t)]
     pub(super) state: StateChoice,
     #[command(flatten)]

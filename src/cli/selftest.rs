@@ -1,7 +1,7 @@
 //! `fmi-hazard selftest`: what an FMU's promises about its state are worth, for any FMU.
 //!
-//! The FMU runs in a worker: when it crashes or hangs in one stage, that is a finding, and the other stages are run again
-//! without it.
+//! The FMU runs in workers, one for each stage: when it crashes or hangs in one of them, or damages its memory, that is a
+//! finding about this stage.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output;
-use crate::fmi::{Causality, Fmu, ModelDescription, Variability, Variable};
+use crate::fmi::{Causality, Fmu, ModelDescription};
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
-use crate::host::port::Port;
+use crate::host::port::{Port, changing, ports};
 use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
 use crate::host::{PlantError, SystemSetup, UnitPort};
 use crate::scan::Hosting;
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let (result, habits) = match arguments.hosting.hosting()? {
         Hosting::InProcess => {
             let slave = fmu.load()?;
-            (selftest(&[slave], &setup, steps, &[], Activity::unseen(), &mut |_| {}).map_err(failed)?, Vec::new())
+            (selftest(&[slave], &setup, steps, &[], Activity::unseen()).map_err(failed)?, Vec::new())
         }
         Hosting::Workers { program, guard, limits } => {
             let launcher = Launcher::new(program, vec![Unpacked::of(&fmu)], setup, guard, limits);
@@ -156,17 +156,6 @@ fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
     text
 }
 
-/// Elements of one array that take part: the first of a large one stand for the rest.
-const ELEMENTS: usize = 64;
-
-/// The numbers of a variable, each with its start value.
-fn ports(description: &ModelDescription, variable: &Variable) -> Vec<(Port, f64)> {
-    let start = variable.numeric_start();
-    let of = |i: usize| start.get(i).or(start.first()).copied().unwrap_or(0.0);
-    let elements = description.elements(variable).take(ELEMENTS).enumerate();
-    elements.filter_map(|(i, (name, handle))| Some((Port::new(name, handle, of(i))?, of(i)))).collect()
-}
-
 /// Inputs that can be moved, with their start values.
 fn inputs(description: &ModelDescription) -> (Vec<Port>, Vec<f64>) {
     let inputs = description.variables.iter().filter(|v| v.causality == Causality::Input);
@@ -175,11 +164,6 @@ fn inputs(description: &ModelDescription) -> (Vec<Port>, Vec<f64>) {
 
 /// Outputs; for an FMU without any, its changing local variables.
 fn outputs(description: &ModelDescription) -> Vec<Port> {
-    let of = |wanted: Causality| -> Vec<Port> {
-        let changing = |v: &&Variable| !matches!(v.variability, Variability::Constant | Variability::Fixed);
-        let variables = description.variables.iter().filter(|v| v.causality == wanted).filter(changing);
-        variables.flat_map(|v| ports(description, v)).map(|(port, _)| port).collect()
-    };
-    let outputs = of(Causality::Output);
-    if outputs.is_empty() { of(Causality::Local) } else { outputs }
+    let outputs = changing(description, Causality::Output);
+    if outputs.is_empty() { changing(description, Causality::Local) } else { outputs }
 }

@@ -17,6 +17,8 @@ pub struct Setup {
     pub initial_inputs: Vec<f64>,
     /// Outputs, read after every step.
     pub outputs: Vec<Port>,
+    /// Further ones, which come last and may be no numbers.
+    pub watched: Vec<Port>,
     /// Communication step, s.
     pub step_s: f64,
 }
@@ -27,12 +29,18 @@ fn plan<'a>(slave: &Slave, ports: impl IntoIterator<Item = &'a Port>) -> Plan {
     Plan::new(slave, &handles)
 }
 
+/// What stands in a row for a watched value that is no number, and for watched values that could not be read: all that is
+/// asked of them is to be the same again.
+const NO_NUMBER: f64 = f64::MAX;
+const REFUSED: f64 = f64::MIN;
+
 /// A running FMU in this process.
 pub struct InProcess {
     slave: Slave,
     setup: Setup,
     inputs: Plan,
     outputs: Plan,
+    watched: Plan,
     instance: Option<Instance<Stepping>>,
     /// Communication steps taken since time zero; time is `step * step_s`, never accumulated.
     step: u64,
@@ -57,7 +65,8 @@ impl InProcess {
     #[must_use]
     pub fn new(slave: Slave, setup: Setup) -> Self {
         let (inputs, outputs) = (plan(&slave, &setup.inputs), plan(&slave, &setup.outputs));
-        Self { slave, setup, inputs, outputs, instance: None, step: 0, activity: Activity::unseen() }
+        let watched = plan(&slave, &setup.watched);
+        Self { slave, setup, inputs, outputs, watched, instance: None, step: 0, activity: Activity::unseen() }
     }
 
     /// From now on `activity` is told what is being done.
@@ -102,6 +111,14 @@ impl InProcess {
             let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
             let name = &self.setup.outputs[bad].name;
             return Err(PlantError::of(format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s")).at(time_s));
+        }
+        if !self.setup.watched.is_empty() {
+            let mut further = vec![0.0; self.setup.watched.len()];
+            if self.watched.read(instance, &mut further).is_err() {
+                further.fill(REFUSED);
+            }
+            rounding::restore();
+            row.extend(further.into_iter().map(|value| if value.is_finite() { value } else { NO_NUMBER }));
         }
         Ok(row)
     }
@@ -199,7 +216,7 @@ impl Plant for InProcess {
     }
 
     fn output_count(&self) -> usize {
-        self.setup.outputs.len()
+        self.setup.outputs.len() + self.setup.watched.len()
     }
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {

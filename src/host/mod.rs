@@ -8,9 +8,11 @@
 //! - [`activity`]: what a plant is doing just now
 //! - [`system`]: one FMU or several coupled ones
 //! - [`recall`]: states by input history and the ladder of ways back to them
+//! - [`audit`]: what was stepped from states, run once more from the start
 //! - [`selftest`]: what an FMU's promises about its state are worth
 
 pub mod activity;
+pub mod audit;
 pub mod hosted;
 pub mod in_process;
 pub mod isolation;
@@ -22,6 +24,6 @@ pub mod selftest;
 pub mod system;
 
 pub use hosted::Hosted;
-pub use plant::{Plant, PlantError};
+pub use plant::{Plant, PlantError, Unlike};
 pub use recall::{Advanced, Effort, NodeId, Policy, Recall};
 pub use system::{System, SystemSetup, UnitPort};

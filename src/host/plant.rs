@@ -180,6 +180,19 @@ pub struct PlantError {
     pub ended_by_us: bool,
     /// The FMU could not be loaded: nothing of it has run.
     pub not_loaded: bool,
+    /// The FMU did not do again what it did before: what this shows to be wrong.
+    pub unlike: Option<Unlike>,
+}
+
+/// What is wrong when an FMU goes on differently from what is known of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Unlike {
+    /// A state that was brought back is not the state that it was.
+    State,
+    /// Two states with equal bytes are two states.
+    Merge,
+    /// Two plain runs from the start, with the same inputs.
+    Plain,
 }
 
 impl PlantError {
@@ -199,6 +212,12 @@ impl PlantError {
     #[must_use]
     pub fn at(self, time_s: f64) -> Self {
         Self { time_s: Some(time_s), ..self }
+    }
+
+    /// The same, which shows that something is not as it was.
+    #[must_use]
+    pub fn unlike(self, what: Unlike) -> Self {
+        Self { unlike: Some(what), ..self }
     }
 
     /// The same, and nothing can go on.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::fmi::{Handle, Scalar};
+use crate::fmi::{Causality, Handle, ModelDescription, Scalar, Variability, Variable};
 
 /// Type of a bound variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -54,4 +54,24 @@ impl Port {
     pub fn new(name: String, handle: Handle, start: f64) -> Option<Self> {
         Some(Self { name, handle, kind: PortKind::of(handle.scalar)?, start })
     }
+}
+
+/// Elements of one array that take part: the first of a large one stand for the rest.
+const ELEMENTS: usize = 64;
+
+/// The numbers of a variable, each with its start value.
+#[must_use]
+pub fn ports(description: &ModelDescription, variable: &Variable) -> Vec<(Port, f64)> {
+    let start = variable.numeric_start();
+    let of = |i: usize| start.get(i).or(start.first()).copied().unwrap_or(0.0);
+    let elements = description.elements(variable).take(ELEMENTS).enumerate();
+    elements.filter_map(|(i, (name, handle))| Some((Port::new(name, handle, of(i))?, of(i)))).collect()
+}
+
+/// All changing numbers of this causality.
+#[must_use]
+pub fn changing(description: &ModelDescription, causality: Causality) -> Vec<Port> {
+    let changes = |v: &&Variable| !matches!(v.variability, Variability::Constant | Variability::Fixed);
+    let variables = description.variables.iter().filter(|v| v.causality == causality).filter(changes);
+    variables.flat_map(|v| ports(description, v)).map(|(port, _)| port).collect()
 }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use self::way_back::not_repeatable;
-use super::plant::{Plant, PlantError, Taken, Then, insist};
+use super::plant::{Plant, PlantError, Taken, Then, Unlike, insist};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -25,6 +25,11 @@ pub struct NodeId(usize);
 impl NodeId {
     /// The state after initialisation.
     pub const ROOT: Self = Self(0);
+
+    /// Its number, in the order in which states were met.
+    pub(super) const fn index(self) -> usize {
+        self.0
+    }
 }
 
 /// How states are brought back.
@@ -46,6 +51,8 @@ struct Node<C> {
     edge: Arc<[u64]>,
     /// Outputs after each step of that edge, row-major; for the root, the outputs after initialisation.
     outputs: Arc<[f64]>,
+    /// Of these outputs, in short, kept when they are forgotten; nothing where they are those of another node's step.
+    digest: Option<u64>,
     /// The first node known to be in the same state; itself mostly.
     same: NodeId,
     checkpoint: Option<C>,
@@ -62,6 +69,19 @@ fn edge_of(steps: usize, inputs: &[f64]) -> Arc<[u64]> {
 fn values_of(edge: &[u64]) -> (usize, Vec<f64>) {
     let (steps, inputs) = edge.split_last().map_or((0, &[][..]), |(steps, inputs)| (*steps, inputs));
     (usize::try_from(steps).unwrap_or(0), inputs.iter().map(|bits| f64::from_bits(*bits)).collect())
+}
+
+/// One number more in a digest. For the same beginning, different numbers give different digests.
+pub(super) const fn mixed(digest: u64, number: u64) -> u64 {
+    // Odd factors and shifts are one to one; the constants are those of SplitMix64 (Steele, Lea, Flood 2014).
+    let mut z = (digest.rotate_left(5) ^ number).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// Outputs in short: traces that differ in one number always differ, others but for one in 2^64.
+pub(super) fn digest(outputs: &[f64]) -> u64 {
+    outputs.iter().fold(outputs.len() as u64, |digest, value| mixed(digest, value.to_bits()))
 }
 
 /// What an FMU really did. Depends on how states are brought back and on what happened on the way, so it is no result.
@@ -147,6 +167,8 @@ pub struct Recall<P: Plant> {
     restarts: u64,
     restores: u64,
     restores_lost: u32,
+    /// Of all transitions that were stepped so far, in their order.
+    trail: u64,
 }
 
 impl<P: Plant> Recall<P> {
@@ -157,13 +179,15 @@ impl<P: Plant> Recall<P> {
     pub fn new(mut plant: P, policy: Policy) -> Result<Self, PlantError> {
         let saves = matches!(policy, Policy::States { max_checkpoints } if max_checkpoints > 0);
         let mut begin = || Ok((plant.restart()?.into(), if saves { Some(plant.save()?) } else { None }));
-        let (outputs, checkpoint) = insist(&mut begin)?;
+        let (outputs, checkpoint): (Arc<[f64]>, _) = insist(&mut begin)?;
         let checkpoints = usize::from(saves);
+        let own = digest(&outputs);
         let root = Node {
             parent: NodeId::ROOT,
             depth: 0,
             edge: edge_of(0, &[]),
             outputs,
+            digest: Some(own),
             same: NodeId::ROOT,
             checkpoint,
             children: BTreeMap::new(),
@@ -183,6 +207,7 @@ impl<P: Plant> Recall<P> {
             restarts: 1,
             restores: 0,
             restores_lost: 0,
+            trail: own,
         })
     }
 
@@ -214,6 +239,35 @@ impl<P: Plant> Recall<P> {
     #[must_use]
     pub fn same(&self, node: NodeId) -> NodeId {
         self.nodes[node.0].same
+    }
+
+    /// Steps and inputs of the transition into `node`, row-major.
+    #[must_use]
+    pub fn transition(&self, node: NodeId) -> (usize, Vec<f64>) {
+        values_of(&self.nodes[node.0].edge)
+    }
+
+    /// All nodes, the start first, each after its parent.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<P> {
+        (0..self.nodes.len()).map(NodeId)
+    }
+
+    /// The outputs after each step of the transition into `node`, in short, if the FMU was really stepped for it: else they
+    /// were taken from a node in the same state.
+    #[must_use]
+    pub fn digest(&self, node: NodeId) -> Option<u64> {
+        self.nodes[node.0].digest
+    }
+
+    /// What tells the inputs of the transition into `node` from others.
+    pub(super) fn edge_digest(&self, node: NodeId) -> u64 {
+        self.nodes[node.0].edge.iter().fold(0, |digest, bits| mixed(digest, *bits))
+    }
+
+    /// A number that tells what the FMU gave so far, in all transitions that were stepped, from anything else.
+    #[must_use]
+    pub const fn trail(&self) -> u64 {
+        self.trail
     }
 
     /// From now on, nodes of the same depth with equal serialised states are taken as one state. Returns whether that is
@@ -393,16 +447,26 @@ impl<P: Plant> Recall<P> {
         arrival: Arrival<P::Checkpoint>,
     ) -> NodeId {
         let child = NodeId(self.nodes.len());
-        let Arrival { digest, same, checkpoint } = arrival;
-        if let (Some(digest), Some(known)) = (digest, &mut self.known) {
-            known.entry(digest).or_insert(child);
+        let Arrival { digest: state, same, checkpoint } = arrival;
+        if let (Some(state), Some(known)) = (state, &mut self.known) {
+            known.entry(state).or_insert(child);
         }
         self.merges.merged += u64::from(same.is_some());
         self.checkpoints += usize::from(checkpoint.is_some());
         let same = same.unwrap_or(child);
         let depth = self.nodes[parent.0].depth + 1;
-        let node =
-            Node { parent, depth, edge: Arc::clone(&edge), outputs, same, checkpoint, children: BTreeMap::new() };
+        let own = digest(&outputs);
+        self.trail = mixed(self.trail, own);
+        let node = Node {
+            parent,
+            depth,
+            edge: Arc::clone(&edge),
+            outputs,
+            digest: Some(own),
+            same,
+            checkpoint,
+            children: BTreeMap::new(),
+        };
         self.bytes += self.bytes_of(&node);
         self.nodes.push(node);
         self.nodes[parent.0].children.insert(edge, Ok(child));
@@ -426,6 +490,7 @@ impl<P: Plant> Recall<P> {
                 "two states of the FMU have the same serialised bytes but went on differently: its serialised \
                           state does not hold everything, so equal states cannot be told by it. Use `--merge history`",
             )
+            .unlike(Unlike::Merge)
             .fatal());
         }
         self.merges.tried_out += 1;
@@ -451,6 +516,7 @@ impl<P: Plant> Recall<P> {
             depth: *depth,
             edge: Arc::clone(edge),
             outputs: Arc::clone(outputs),
+            digest: None,
             same: *same,
             checkpoint: None,
             children: BTreeMap::new(),

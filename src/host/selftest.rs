@@ -2,8 +2,13 @@
 //!
 //! The FMI texts do not promise that a restored FMU behaves like the uninterrupted one, and `fmi2Reset` is often wrong
 //! in practice. So before a search relies on either, the *future* after coming back is compared, over a whole episode
-//! with moving inputs, holding two states at once and returning to the first (a state that shares a buffer, or that
+//! with moving inputs, holding several states at once and returning to each (a state that shares a buffer, or that
 //! forgets a hidden clock, passes simpler tests).
+//!
+//! Inputs are held for stretches of several lengths, and states are saved in the middle of one and right after a change:
+//! an integrator that restarts when an input changes hides there what its state lacks. All outputs count, also those that
+//! a cell does not bind. Each stage can run in a process of its own, so that what one of them does to the memory is not
+//! taken for another one's.
 
 use std::fmt;
 
@@ -26,6 +31,9 @@ pub enum Agreement {
     Differs {
         /// Largest relative difference.
         largest: f64,
+        /// The first output that differs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        output: Option<String>,
     },
     /// The FMU returned an error.
     Failed {
@@ -40,7 +48,10 @@ impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Exact => f.write_str("exact"),
-            Self::Differs { largest } => write!(f, "WRONG, differs by up to {largest:.2e}"),
+            Self::Differs { largest, output: None } => write!(f, "WRONG, differs by up to {largest:.2e}"),
+            Self::Differs { largest, output: Some(output) } => {
+                write!(f, "WRONG, differs by up to {largest:.2e}, first in `{output}`")
+            }
             Self::Failed { reason } => write!(f, "FAILED: {reason}"),
             Self::NotOffered => f.write_str("not offered"),
         }
@@ -68,25 +79,9 @@ pub enum Stage {
 }
 
 impl Stage {
-    const ALL: [Self; 7] = [
-        Self::FirstRun,
-        Self::Deterministic,
-        Self::SecondInstance,
-        Self::Restore,
-        Self::StateSize,
-        Self::Serialize,
-        Self::Reset,
-    ];
-
-    /// A number for it, from 1.
-    pub(super) fn number(self) -> u32 {
-        Self::ALL.iter().zip(1..).find(|(stage, _)| **stage == self).map_or(0, |(_, number)| number)
-    }
-
-    /// The stage with this number.
-    pub(super) fn numbered(number: u32) -> Option<Self> {
-        Self::ALL.get(usize::try_from(number).ok()?.checked_sub(1)?).copied()
-    }
+    /// Those after the first run, in their order.
+    pub(super) const LATER: [Self; 6] =
+        [Self::Deterministic, Self::SecondInstance, Self::Restore, Self::StateSize, Self::Serialize, Self::Reset];
 }
 
 /// The outcome of the self-test.
@@ -121,10 +116,65 @@ pub struct SelfTest {
 }
 
 impl SelfTest {
-    /// Whether results can be replayed at all.
+    /// Whether results can be replayed at all: in another process, where there are any.
     #[must_use]
     pub fn repeatable(&self) -> bool {
-        self.deterministic == Agreement::Exact || self.fresh_process == Agreement::Exact
+        match self.fresh_process {
+            Agreement::NotOffered => self.deterministic == Agreement::Exact,
+            _ => self.fresh_process == Agreement::Exact,
+        }
+    }
+
+    /// How runs that should be the same differ, where results cannot be replayed.
+    #[must_use]
+    pub fn unrepeated(&self) -> Option<&Agreement> {
+        let worse = match self.fresh_process {
+            Agreement::NotOffered => &self.deterministic,
+            _ => &self.fresh_process,
+        };
+        (!self.repeatable()).then_some(worse)
+    }
+
+    /// One that knows nothing but the first run.
+    pub(super) fn begun(setup: &SystemSetup, steps: usize, reference: &[f64]) -> Self {
+        let rows = setup.columns();
+        let range = |c: usize| {
+            let column = reference.iter().skip(c).step_by(rows);
+            let (low, high) = column.fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+            high - low
+        };
+        Self {
+            steps,
+            step_s: setup.step_s,
+            inputs: setup.inputs.len(),
+            outputs: rows,
+            deterministic: Agreement::NotOffered,
+            second_instance: Agreement::NotOffered,
+            restore: Agreement::NotOffered,
+            fork: Agreement::NotOffered,
+            fresh_process: Agreement::NotOffered,
+            reset: Agreement::NotOffered,
+            serialize: Agreement::NotOffered,
+            bytes_per_state: None,
+            output_range: (0..setup.outputs.len()).map(range).fold(0.0, f64::max),
+        }
+    }
+
+    /// Notes what a stage found.
+    pub(super) fn note(&mut self, stage: Stage, found: Found) {
+        match (stage, found) {
+            (Stage::FirstRun | Stage::Deterministic, Found::Agreement(found)) => self.deterministic = found,
+            (Stage::SecondInstance, Found::Agreement(found)) => self.second_instance = found,
+            (Stage::Restore, Found::Agreement(found)) => self.restore = found,
+            (Stage::StateSize | Stage::Serialize, Found::Agreement(found)) => self.serialize = found,
+            (Stage::Reset, Found::Agreement(found)) => self.reset = found,
+            (_, Found::Bytes(bytes)) => self.bytes_per_state = Some(bytes),
+        }
+    }
+
+    /// Whether a stage makes sense after what was found before it.
+    pub(super) fn wants(&self, stage: Stage, skip: &[Stage]) -> bool {
+        !skip.contains(&stage) && (stage != Stage::Serialize || self.bytes_per_state.is_some())
     }
 
     /// The way of bringing states back that this FMU deserves. `fork_pays` where its actions cost more than a copy of its
@@ -164,7 +214,7 @@ impl SelfTest {
     }
 }
 
-/// A way of bringing states back. The results are the same, only the speed differs.
+/// A way of bringing states back. With an FMU that keeps its promises only the speed differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Rung {
@@ -189,8 +239,16 @@ impl fmt::Display for Rung {
     }
 }
 
-/// Runs the self-test for `steps` communication steps, without the stages in `skip`; `announce` hears each stage before
-/// it begins, so that a crash can be told apart.
+/// What a stage finds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) enum Found {
+    /// How runs compare.
+    Agreement(Agreement),
+    /// Bytes of a serialised state.
+    Bytes(usize),
+}
+
+/// Runs the self-test for `steps` communication steps, without the stages in `skip`, all in this process.
 ///
 /// # Errors
 /// Only when a first plain run is not possible at all; everything after that is a finding in the result.
@@ -200,103 +258,109 @@ pub fn selftest(
     steps: usize,
     skip: &[Stage],
     activity: Activity,
-    announce: &mut dyn FnMut(Stage),
 ) -> Result<SelfTest, PlantError> {
-    let mut wanted = |stage: Stage| {
-        let wanted = !skip.contains(&stage);
-        if wanted {
-            announce(stage);
+    let reference = reference(slaves, setup, steps, activity)?;
+    let mut result = SelfTest::begun(setup, steps, &reference);
+    for later in Stage::LATER {
+        if result.wants(later, skip) {
+            result.note(later, stage(slaves, setup, steps, later, &reference, activity));
         }
-        wanted
-    };
-    wanted(Stage::FirstRun);
-    let moving = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
-    let (main, other) = (moving(0), moving(1));
+    }
+    Ok(result)
+}
+
+/// The main inputs of so many steps, or those of the other branch.
+pub(super) fn moving(setup: &SystemSetup, steps: usize, seed: usize) -> Vec<f64> {
+    (0..steps).flat_map(|step| input_row(setup, step, steps, seed)).collect()
+}
+
+/// The first plain run: what all others are compared with.
+pub(super) fn reference(
+    slaves: &[Slave],
+    setup: &SystemSetup,
+    steps: usize,
+    activity: Activity,
+) -> Result<Vec<f64>, PlantError> {
+    let main = moving(setup, steps, 0);
+    first_run(slaves, || {
+        let plant = System::new(slaves, setup.clone()).map_err(|e| PlantError::of(e.to_string()))?;
+        whole(&mut plant.watched(activity), steps, &main)
+    })
+}
+
+fn whole(plant: &mut impl Plant, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+    let mut run = plant.restart()?;
+    run.extend(plant.advance(steps, inputs)?);
+    Ok(run)
+}
+
+/// One of the later stages, against the first run.
+pub(super) fn stage(
+    slaves: &[Slave],
+    setup: &SystemSetup,
+    steps: usize,
+    stage: Stage,
+    reference: &[f64],
+    activity: Activity,
+) -> Found {
     let built = System::new(slaves, setup.clone());
-    built.map_err(|e| PlantError::of(e.to_string()))?;
+    if let Err(e) = built {
+        return Found::Agreement(Agreement::Failed { reason: e.to_string() });
+    }
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
     let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);
-    let width = setup.inputs.len();
-
-    let reference = first_run(slaves, || {
-        let mut plant = fresh();
-        let mut run = plant.restart()?;
-        run.extend(plant.advance(steps, &main)?);
-        Ok(run)
-    })?;
-    let rows = setup.outputs.len();
-    let compare = |run: Result<Vec<f64>, PlantError>| agreement(&reference, run);
-    let whole = |plant: &mut System| {
-        let mut run = plant.restart()?;
-        run.extend(plant.advance(steps, &main)?);
-        Ok(run)
-    };
-
-    let deterministic = if wanted(Stage::Deterministic) { compare(whole(&mut fresh())) } else { Agreement::NotOffered };
-    let second_instance = if wanted(Stage::SecondInstance) {
-        // The first one lives, stands somewhere in the middle, and is driven on with other inputs in between.
-        let mut first = fresh();
-        let half = steps / 2;
-        compare((|| {
-            first.restart()?;
-            first.advance(half, &other[..half * width])?;
-            let mut second = fresh();
-            let mut run = second.restart()?;
-            run.extend(second.advance(half, &main[..half * width])?);
-            first.advance(steps - half, &other[half * width..])?;
-            run.extend(second.advance(steps - half, &main[half * width..])?);
-            Ok(run)
-        })())
-    } else {
-        Agreement::NotOffered
-    };
+    let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
+    let (width, names) = (setup.inputs.len(), setup.column_names());
+    let compare = |run: Result<Vec<f64>, PlantError>| agreement(reference, run, &names);
     let offers_states = slaves.iter().all(|slave| slave.capabilities().can_get_and_set_state);
-    let restore = if offers_states && wanted(Stage::Restore) {
-        restore_test(fresh(), &reference, &main, &other, steps, width, rows)
-    } else {
-        Agreement::NotOffered
-    };
     let serialises = offers_states && slaves.iter().all(|slave| slave.capabilities().can_serialize_state);
-    let size = (serialises && wanted(Stage::StateSize)).then(|| state_size(fresh()));
-    let serialize = match &size {
-        Some(Err(error)) => Agreement::Failed { reason: error.message.clone() },
-        Some(Ok(_)) if wanted(Stage::Serialize) => serialize_test(&fresh, &reference, &main, steps, width, rows),
-        _ => Agreement::NotOffered,
+    let offered = match stage {
+        Stage::Restore => offers_states,
+        Stage::StateSize | Stage::Serialize => serialises,
+        Stage::FirstRun | Stage::Deterministic | Stage::SecondInstance | Stage::Reset => true,
     };
-    let bytes_per_state = size.and_then(Result::ok);
-    let reset = if wanted(Stage::Reset) {
-        compare((|| {
+    if !offered {
+        return Found::Agreement(Agreement::NotOffered);
+    }
+    Found::Agreement(match stage {
+        Stage::FirstRun | Stage::Deterministic => {
+            // This process may not have made the first run, so here are two of its own.
+            // The first instance is gone before the second one is made.
+            let first = whole(&mut fresh(), steps, &main);
+            match first {
+                Ok(first) => agreement(&first, whole(&mut fresh(), steps, &main), &names),
+                Err(error) => Agreement::Failed { reason: error.message },
+            }
+        }
+        Stage::SecondInstance => {
+            // The first one lives, stands somewhere in the middle, and is driven on with other inputs in between.
+            let mut first = fresh();
+            let half = steps / 2;
+            compare((|| {
+                first.restart()?;
+                first.advance(half, &other[..half * width])?;
+                let mut second = fresh();
+                let mut run = second.restart()?;
+                run.extend(second.advance(half, &main[..half * width])?);
+                first.advance(steps - half, &other[half * width..])?;
+                run.extend(second.advance(steps - half, &main[half * width..])?);
+                Ok(run)
+            })())
+        }
+        Stage::Restore => restore_test(fresh(), reference, (&main, &other), steps, width, &names),
+        Stage::StateSize => match state_size(fresh()) {
+            Ok(bytes) => return Found::Bytes(bytes),
+            Err(error) => Agreement::Failed { reason: error.message },
+        },
+        Stage::Serialize => serialize_test(&fresh, reference, &main, steps, width, &names),
+        Stage::Reset => compare((|| {
             let mut plant = fresh();
             plant.restart()?;
             plant.advance(steps, &other)?;
             let mut run = plant.reset()?;
             run.extend(plant.advance(steps, &main)?);
             Ok(run)
-        })())
-    } else {
-        Agreement::NotOffered
-    };
-    let output_range = (0..rows)
-        .map(|c| {
-            let column = reference.iter().skip(c).step_by(rows);
-            let (low, high) = column.fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
-            high - low
-        })
-        .fold(0.0, f64::max);
-    Ok(SelfTest {
-        steps,
-        step_s: setup.step_s,
-        inputs: width,
-        outputs: rows,
-        deterministic,
-        second_instance,
-        restore,
-        fork: Agreement::NotOffered,
-        fresh_process: Agreement::NotOffered,
-        reset,
-        serialize,
-        bytes_per_state,
-        output_range,
+        })()),
     })
 }
 
@@ -319,37 +383,72 @@ fn first_run(slaves: &[Slave], run: impl Fn() -> Result<Vec<f64>, PlantError>) -
     })
 }
 
-/// Two states held at once; other branches in between; the first state returned to twice.
+/// Most states that are held at once, besides the start.
+const HELD_STATES: usize = 7;
+
+/// Steps after which states are saved: right after inputs changed, and in the middle of a stretch in which they are held.
+fn saved_after(steps: usize) -> Vec<usize> {
+    let mut found: Vec<usize> = Vec::new();
+    let mut begins = 0;
+    for (number, length) in STRETCHES.iter().cycle().enumerate() {
+        if begins >= steps {
+            break;
+        }
+        let places = if number == 0 { vec![length / 2] } else { vec![begins + 1, begins + length / 2] };
+        found.extend(places.into_iter().filter(|place| (1..steps).contains(place)));
+        begins += length;
+    }
+    found.dedup();
+    // The last stretches count as much as the first ones.
+    if found.len() > HELD_STATES {
+        let late = found.split_off(found.len() - 2);
+        found.truncate(HELD_STATES - late.len());
+        found.extend(late);
+    }
+    found
+}
+
+/// States held at once; other branches in between; each returned to twice, and the first one once more at the end.
 pub(super) fn restore_test(
     mut plant: impl Plant,
     reference: &[f64],
-    main: &[f64],
-    other: &[f64],
+    (main, other): (&[f64], &[f64]),
     steps: usize,
     width: usize,
-    rows: usize,
+    names: &[String],
 ) -> Agreement {
-    let k = steps / 4;
+    let rows = names.len();
+    let after = |n: usize| &reference[(1 + n) * rows..];
     let outcome = (|| {
         let mut run = plant.restart()?;
         let at_start = plant.save()?;
-        run.extend(plant.advance(k, &main[..k * width])?);
-        let at_k = plant.save()?;
-        run.extend(plant.advance(steps - k, &main[k * width..])?);
-        let mut all = vec![agreement(reference, Ok(run))];
-        let after = |n: usize| &reference[(1 + n) * rows..];
-        plant.restore(&at_k)?;
-        plant.advance(steps - k, &other[k * width..])?;
-        plant.restore(&at_k)?;
-        all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..])));
+        let (mut held, mut at) = (Vec::new(), 0);
+        for k in saved_after(steps) {
+            run.extend(plant.advance(k - at, &main[at * width..k * width])?);
+            held.push((k, plant.save()?));
+            at = k;
+        }
+        run.extend(plant.advance(steps - at, &main[at * width..])?);
+        let mut all = vec![agreement(reference, Ok(run), names)];
+        for (k, state) in &held {
+            let k = *k;
+            plant.restore(state)?;
+            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), names));
+            plant.restore(state)?;
+            plant.advance(steps - k, &other[k * width..])?;
+            plant.restore(state)?;
+            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), names));
+        }
         plant.restore(&at_start)?;
-        all.push(agreement(after(0), plant.advance(steps, main)));
+        all.push(agreement(after(0), plant.advance(steps, main), names));
         plant.restore(&at_start)?;
         plant.advance(steps, other)?;
-        plant.restore(&at_k)?;
-        all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..])));
+        if let Some((k, state)) = held.first() {
+            plant.restore(state)?;
+            all.push(agreement(after(*k), plant.advance(steps - k, &main[k * width..]), names));
+        }
         plant.restore(&at_start)?;
-        all.push(agreement(after(0), plant.advance(steps, main)));
+        all.push(agreement(after(0), plant.advance(steps, main), names));
         Ok::<_, PlantError>(all)
     })();
     match outcome {
@@ -371,7 +470,7 @@ fn serialize_test(
     main: &[f64],
     steps: usize,
     width: usize,
-    rows: usize,
+    names: &[String],
 ) -> Agreement {
     let k = steps / 4;
     let outcome = (|| {
@@ -389,35 +488,50 @@ fn serialize_test(
         second.restore(&state)?;
         second.advance(steps - k, &main[k * width..])
     })();
-    agreement(&reference[(1 + k) * rows..], outcome)
+    agreement(&reference[(1 + k) * names.len()..], outcome, names)
 }
 
-pub(super) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>) -> Agreement {
+/// How a run compares with the reference; both have a column for each of these names.
+pub(super) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>, names: &[String]) -> Agreement {
     match run {
         Err(e) => Agreement::Failed { reason: e.message },
         Ok(run) if run.len() != reference.len() => Agreement::Failed { reason: "runs of different length".to_owned() },
         Ok(run) => {
-            let same = run.iter().zip(reference).all(|(a, b)| a.to_bits() == b.to_bits());
+            let first = run.iter().zip(reference).position(|(a, b)| a.to_bits() != b.to_bits());
+            let Some(first) = first else { return Agreement::Exact };
             let difference = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
-            match same {
-                true => Agreement::Exact,
-                false => Agreement::Differs { largest: run.iter().zip(reference).map(difference).fold(0.0, f64::max) },
-            }
+            let largest = run.iter().zip(reference).map(difference).fold(0.0, f64::max);
+            Agreement::Differs { largest, output: names.get(first % names.len().max(1)).cloned() }
         }
     }
 }
 
-/// Inputs that move: reals sway about their start, Booleans flip in a pattern without a short period.
+/// Steps for which Real inputs are held, one stretch after the other; then from the first again.
+const STRETCHES: [usize; 6] = [3, 17, 5, 11, 7, 13];
+
+/// The number of the stretch that a step belongs to.
+fn stretch(step: usize) -> usize {
+    let round = STRETCHES.iter().sum::<usize>();
+    let mut left = step % round;
+    let within = STRETCHES.iter().take_while(|length| {
+        let passed = left >= **length;
+        left -= if passed { **length } else { 0 };
+        passed
+    });
+    step / round * STRETCHES.len() + within.count()
+}
+
+/// Inputs that move: reals sway about their start and are held between, Booleans flip in a pattern without a short period.
 ///
 /// In the main run (`seed` 0) Booleans stay at their start for the first three fifths, so that a cell which latches a
 /// protective stop still moves where states are saved; the other branch stops it early.
 pub(super) fn input_row(setup: &SystemSetup, step: usize, steps: usize, seed: usize) -> Vec<f64> {
     let quiet = seed == 0 && step * 5 < steps * 3;
     let sway = |column: usize| {
-        // A triangle wave in -1..1 with a period that differs by column and seed.
-        let period = 11 + 3 * column + 5 * seed;
+        // Between -1 and 1 in sixteenths, by an odd factor that differs by column and seed: never twice the same.
+        let sixteenths = (stretch(step) * (5 + 2 * column + 6 * seed)) % 16;
         #[expect(clippy::cast_precision_loss, reason = "small numbers")]
-        let phase = (step % period) as f64 / period as f64;
+        let phase = sixteenths as f64 / 16.0;
         1.0 - 4.0 * (phase - 0.5).abs()
     };
     let value = |(column, (port, start)): (usize, (&Port, &f64))| match port.kind {
@@ -427,4 +541,33 @@ pub(super) fn input_row(setup: &SystemSetup, step: usize, steps: usize, seed: us
         PortKind::Boolean => *start,
     };
     setup.inputs.iter().map(|p| &p.port).zip(&setup.initial_inputs).enumerate().map(value).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_are_saved_right_after_a_change_and_in_the_middle_of_a_stretch() {
+        assert_eq!([0, 2, 3, 19, 20, 55, 56, 58, 59].map(stretch), [0, 0, 1, 1, 2, 5, 6, 6, 7]);
+        let saved = saved_after(80);
+        assert!(saved.len() == HELD_STATES && saved.is_sorted(), "{saved:?}");
+        // The second stretch is steps 3 to 19: the state after its first step, and after its ninth.
+        assert!(saved.contains(&4) && saved.contains(&11), "{saved:?}");
+        for steps in 2..100 {
+            assert!(saved_after(steps).iter().all(|k| (1..steps).contains(k)), "{steps}");
+        }
+    }
+
+    #[test]
+    fn one_bit_is_a_difference_and_is_named() {
+        let names = ["a".to_owned(), "b".to_owned()];
+        let reference = [1.0, 2.0, 3.0, 4.0];
+        assert_eq!(agreement(&reference, Ok(reference.to_vec()), &names), Agreement::Exact);
+        let run = vec![1.0, 2.0, 3.0, 4.0_f64.next_up()];
+        let Agreement::Differs { largest, output } = agreement(&reference, Ok(run), &names) else { panic!("exact") };
+        assert!(largest > 0.0 && largest < 1e-15 && output.as_deref() == Some("b"));
+        let zero = agreement(&[0.0], Ok(vec![-0.0]), &names[..1]);
+        assert!(matches!(zero, Agreement::Differs { .. }), "its bits differ");
+    }
 }

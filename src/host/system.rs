@@ -63,6 +63,10 @@ pub struct SystemSetup {
     /// Steps with the initial inputs that come before anything else happens.
     #[serde(default)]
     pub lead_in_steps: usize,
+    /// Further outputs, read after the others: only the self-test looks at them. They may be no numbers, or refuse to be
+    /// read.
+    #[serde(default)]
+    pub watched: Vec<UnitPort>,
 }
 
 /// Connections without delay that lead back to where they come from: nothing can be stepped first.
@@ -81,6 +85,22 @@ impl fmt::Display for AlgebraicLoop {
 impl std::error::Error for AlgebraicLoop {}
 
 impl SystemSetup {
+    /// Columns of a row of outputs.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.outputs.len() + self.watched.len()
+    }
+
+    /// Their names; with that of the FMU where there are several.
+    #[must_use]
+    pub fn column_names(&self) -> Vec<String> {
+        let name = |p: &UnitPort| match self.names.len() {
+            1 => p.port.name.clone(),
+            _ => format!("{}:{}", self.names[p.unit], p.port.name),
+        };
+        self.outputs.iter().chain(&self.watched).map(name).collect()
+    }
+
     /// The order in which the FMUs are stepped: sources first, else as listed.
     ///
     /// # Errors
@@ -137,6 +157,7 @@ impl SystemSetup {
             initial_inputs: external.chain(mirrored).chain(connected).collect(),
             inputs,
             outputs,
+            watched: ports(&self.watched),
             step_s: self.step_s,
         }
     }
@@ -151,6 +172,8 @@ struct Wiring {
     outputs: Vec<usize>,
     /// Connections that it feeds, in the order of its further outputs.
     feeds: Vec<usize>,
+    /// Columns of the system's outputs of what is watched, which comes last.
+    watched: Vec<usize>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -213,6 +236,7 @@ impl System {
                 inputs: external.chain(connected).collect(),
                 outputs: columns(&setup.outputs, unit),
                 feeds: at(|c| c.from.unit),
+                watched: columns(&setup.watched, unit).into_iter().map(|i| setup.outputs.len() + i).collect(),
             }
         };
         let wiring = (0..slaves.len()).map(wires).collect();
@@ -232,7 +256,7 @@ impl System {
         &mut self,
         begin: impl Fn(&mut InProcess) -> Result<Vec<f64>, PlantError>,
     ) -> Result<Vec<f64>, PlantError> {
-        let mut row = vec![0.0; self.setup.outputs.len()];
+        let mut row = vec![0.0; self.setup.columns()];
         self.lines.iter_mut().for_each(VecDeque::clear);
         let initial = self.setup.initial_inputs.clone();
         for place in 0..self.order.len() {
@@ -294,6 +318,10 @@ impl System {
         for (&column, &value) in wiring.outputs.iter().zip(given) {
             row[column] = value;
         }
+        let before = wiring.outputs.len() + wiring.feeds.len();
+        for (&column, &value) in wiring.watched.iter().zip(&given[before..]) {
+            row[column] = value;
+        }
         for (&connection, &value) in wiring.feeds.iter().zip(&given[wiring.outputs.len()..]) {
             let Connection { delay_steps, factor, offset, .. } = self.setup.connections[connection];
             let line = &mut self.lines[connection];
@@ -321,7 +349,7 @@ impl Plant for System {
     }
 
     fn output_count(&self) -> usize {
-        self.setup.outputs.len()
+        self.setup.columns()
     }
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
@@ -332,7 +360,7 @@ impl Plant for System {
         if self.setup.connections.is_empty() && self.units.len() == 1 {
             return self.units[0].advance(steps, inputs);
         }
-        let (width, rows) = (self.setup.inputs.len(), self.setup.outputs.len());
+        let (width, rows) = (self.setup.inputs.len(), self.setup.columns());
         let mut trace = Vec::with_capacity(steps * rows);
         for step in 0..steps {
             let mut row = vec![0.0; rows];

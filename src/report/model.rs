@@ -366,6 +366,8 @@ pub struct Certificate {
     pub merged: u64,
     /// Of these, tried out by stepping both states on.
     pub merges_tried_out: u64,
+    /// What of the FMU was run again plainly, to show that nothing rests on a state that was brought back wrongly.
+    pub run_again: RunAgain,
     /// Actions to choose from.
     pub actions: usize,
     /// Actions in a sequence.
@@ -381,6 +383,21 @@ impl Certificate {
         self.reasons.push(reason);
         self.random_search = None;
     }
+}
+
+/// How much of what an FMU did in a search was run again from the start, by a fresh instance with all inputs and without
+/// any restore, and gave the same in all bound outputs, bit for bit. Where it is not all, it is a sample, chosen by a key
+/// made from the inputs.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RunAgain {
+    /// Actions of the FMU that were stepped.
+    pub transitions: u64,
+    /// Of these, run again.
+    pub compared: u64,
+    /// Histories that were merged with another one, which went on.
+    pub merges: u64,
+    /// Of these, run on from the start with the other one's inputs.
+    pub merges_compared: u64,
 }
 
 /// Exact figures of uniform random search, from the share of hazardous sequences.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::model::{Certificate, Residual, ScanReport, Verdict};
+use super::model::{Certificate, Residual, RunAgain, ScanReport, Verdict};
 use crate::hazard::Class;
 use crate::human::Action;
 
@@ -143,6 +143,9 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
         String::new()
     };
     let _ = writeln!(out, "            equal FMU states told by {}{tried}", c.merged_by);
+    if c.run_again.compared > 0 {
+        let _ = writeln!(out, "            {}", run_again(&c.run_again));
+    }
     if let Some((random, mean)) =
         c.random_search.as_ref().and_then(|random| Some((random, random.iterations_to_hazard?)))
     {
@@ -155,6 +158,21 @@ fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
             100.0 * random.miss_probability
         );
     }
+}
+
+/// What was run again plainly.
+fn run_again(again: &RunAgain) -> String {
+    let part = |done: u64, of: u64| match done == of {
+        true => format!("all {}", grouped(&of.to_string())),
+        false => format!("{} of {}", grouped(&done.to_string()), grouped(&of.to_string())),
+    };
+    let merges = match again.merges {
+        0 => String::new(),
+        of => format!(", and {} merges gone on with", part(again.merges_compared, of)),
+    };
+    let whole = (again.compared, again.merges_compared) == (again.transitions, again.merges);
+    let sample = if whole { "" } else { " (a sample, chosen by a key)" };
+    format!("{} FMU transitions run again from the start{merges}{sample}", part(again.compared, again.transitions))
 }
 
 /// What random sequences say about what is left.

@@ -8,6 +8,7 @@ use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
 
 use super::exhaustive::{Exhaustive, census};
+use super::footing::{Footing, not_repeatable};
 use super::prepare::{Prepared, StateChoice};
 use super::run::{ScanError, StrategyName};
 use super::seeds::{self, SeedRuns};
@@ -77,9 +78,22 @@ pub fn run(
 fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String>, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let mut groups = Groups::default();
-    let census = census(prepared, StateChoice::Auto, how, Journal::default(), &links, &mut groups, &mut |_| {
-        ControlFlow::Continue(())
-    })?;
+    if let Some(reason) = prepared.unsteady() {
+        return Ok(Err(format!("{}: no recall: {reason}", prepared.cell.name)));
+    }
+    let mut footing = Footing::asked(prepared, StateChoice::Auto, how.merge);
+    let census = loop {
+        let on = (footing, &mut footing.plain(prepared));
+        let found =
+            census(prepared, on, how, Journal::default(), &links, &mut groups, &mut |_| ControlFlow::Continue(()))?;
+        match &found.doubt {
+            None => break found,
+            Some(doubt) => match footing.lower(prepared, doubt.unlike) {
+                Some(next) => (footing, groups) = (next, Groups::default()),
+                None => return Ok(Err(format!("{}: no recall: {}", prepared.cell.name, not_repeatable(doubt)))),
+            },
+        }
+    };
     if let Some(cause) = census.broken {
         return Err(ScanError { cause });
     }

@@ -1,4 +1,5 @@
-//! The exhaustive search of a cell: its groups with counts, and the certificate of what was covered.
+//! The exhaustive search of a cell: its groups with counts, the audit of what it rests on, and the certificate of what was
+//! covered.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -6,16 +7,18 @@ use std::sync::Arc;
 use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
 
-use super::prepare::{Prepared, StateChoice};
+use super::footing::{Doubt, Footing};
+use super::prepare::Prepared;
 use super::run::{Progress, ScanError};
 use crate::hazard::{Finding, Groups};
+use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
-use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch};
-use crate::search::exhaustive::{Account, Budget, Expansion as _, Stopped, Told, exhaust};
+use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
+use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
 use crate::sim::Coverage;
-use crate::sim::expansion::{Expander, Merge};
+use crate::sim::expansion::{Expander, Merge, State};
 use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
 
@@ -52,12 +55,125 @@ pub(super) struct Census {
     pub interrupted: bool,
     /// The failure that ended the search.
     pub broken: Option<PlantError>,
+    /// Why it is not to be relied on.
+    pub doubt: Option<Doubt>,
+    /// For the next search.
+    pub journal: Journal,
 }
 
-/// Looks at every sequence; findings go into `groups`.
+/// States met before the first look at some of their transitions, which catches most lies before much time is spent; the
+/// next look comes at twice as many.
+const FIRST_LOOK: usize = 64;
+
+/// Runs of such a look.
+const LOOK: usize = 24;
+
+/// Why a search ended early.
+enum Ended {
+    /// The FMU failed.
+    Failed(PlantError),
+    /// What it gave is not what it gives in a run from the start.
+    Unlike(Difference),
+}
+
+impl From<PlantError> for Ended {
+    fn from(error: PlantError) -> Self {
+        Self::Failed(error)
+    }
+}
+
+/// A search that is looked at now and then.
+struct Watched<'a> {
+    expander: Expander<Hosted>,
+    plain: &'a mut Hosted,
+    footing: Footing,
+    /// States met at the last look, and at which the next one is due.
+    looked: usize,
+    due: usize,
+}
+
+impl Watched<'_> {
+    /// Runs some of the transitions that are new plainly; `false` if told to stop.
+    fn look(&mut self, go_on: &mut dyn FnMut() -> bool) -> Result<bool, Ended> {
+        let states = self.expander.recall().states();
+        if states < self.due {
+            return Ok(true);
+        }
+        let scope = Scope { since: self.looked, runs: LOOK, steps: u64::MAX, instance: self.footing.instance() };
+        (self.looked, self.due) = (states, states * 2);
+        let found = audit(self.plain, self.expander.recall(), scope, &mut |_, _| go_on())?;
+        match found.difference {
+            Some(difference) => Err(Ended::Unlike(difference)),
+            None => Ok(!found.stopped),
+        }
+    }
+}
+
+impl Expansion for Watched<'_> {
+    type State = State;
+    type Unsafe = Finding;
+    type Error = Ended;
+
+    fn actions(&self) -> usize {
+        self.expander.actions()
+    }
+
+    fn horizon(&self) -> usize {
+        self.expander.horizon()
+    }
+
+    fn effort(&self, action: usize) -> u32 {
+        self.expander.effort(action)
+    }
+
+    fn start(&mut self) -> Result<State, Ended> {
+        Ok(self.expander.start()?)
+    }
+
+    fn may_matter(&self, state: &State, remaining: usize) -> bool {
+        self.expander.may_matter(state, remaining)
+    }
+
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&State],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<ExpandedBy<Self>>, Ended> {
+        if !self.look(go_on)? {
+            return Ok(None);
+        }
+        Ok(self.expander.expand(depth, states, go_on)?)
+    }
+
+    fn release_before(&mut self, depth: usize) {
+        self.expander.release_before(depth);
+    }
+
+    fn together(&self) -> usize {
+        self.expander.together()
+    }
+
+    fn work(&self) -> u64 {
+        self.expander.work()
+    }
+
+    fn bytes(&self) -> usize {
+        self.expander.bytes()
+    }
+}
+
+/// Communication steps that the audit may take: twice those of the search, and a small part of what the contacts cost. A
+/// question whether a person can be touched costs about 0.6 of a step in a worker, a box of joint angles 0.25.
+fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
+    let contacts = expander.questions() * 6 / 10 + expander.work() / 4;
+    footing.least_audit() + 2 * expander.recall().steps() + contacts / 16
+}
+
+/// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
 pub(super) fn census(
     prepared: &Prepared,
-    state: StateChoice,
+    (footing, plain): (Footing, &mut Hosted),
     options: Exhaustive,
     journal: Journal,
     links: &[String],
@@ -66,13 +182,13 @@ pub(super) fn census(
 ) -> Result<Census, ScanError> {
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let policy = prepared.policy(state);
-    let merge = if prepared.tells_states_by_bytes() { options.merge } else { Merge::History };
-    let mut expander = Expander::new(cell, binding, prepared.plant(state), policy, merge, options.workers)
+    let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
+    let expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
         .with_journal(journal);
+    let mut watched = Watched { expander, plain, footing, looked: 0, due: FIRST_LOOK };
     let mut faults = Vec::new();
-    let outcome = exhaust(&mut expander, options.budget, &mut |told| match told {
+    let outcome = exhaust(&mut watched, options.budget, &mut |told| match told {
         Told::Met(met) => {
             let mut actions: Vec<Action> = met.prefixes.calmest.iter().map(|&a| Action::ALL[usize::from(a)]).collect();
             actions.extend(&met.unsafe_state.actions);
@@ -95,13 +211,34 @@ pub(super) fn census(
         Told::Working => tell(Progress::Working),
         Told::Progress { depth, done, of } => tell(Progress::Level { depth, done, of, hazards: groups.len() }),
     });
-    let (account, broken) = match outcome {
-        Ok(account) => (Some(account), None),
-        Err(error) => (None, Some(error)),
+    let Watched { expander, plain, .. } = watched;
+    let (mut broken, mut doubt, mut again) = (None, None, Audit::default());
+    let account = match outcome {
+        Ok(account) => Some(account),
+        Err(Ended::Failed(error)) => {
+            doubt = Doubt::of_search(&error);
+            broken = Some(error);
+            None
+        }
+        Err(Ended::Unlike(difference)) => {
+            doubt = Some(Doubt::of_audit(difference));
+            None
+        }
     };
+    let mut interrupted = account.as_ref().is_some_and(|a| a.stopped == Stopped::Asked);
+    if account.is_some() && !interrupted {
+        let steps = audit_steps(&expander, footing);
+        let scope = Scope { since: 0, runs: usize::MAX, steps, instance: footing.instance() };
+        let mut told = |done, of| tell(Progress::RunAgain { done, of }).is_continue();
+        again = audit(plain, expander.recall(), scope, &mut told).map_err(|cause| ScanError { cause })?;
+        doubt = again.difference.take().map(Doubt::of_audit);
+        interrupted |= again.stopped;
+    } else {
+        again.stopped = true;
+    }
     Ok(Census {
-        interrupted: account.as_ref().is_some_and(|a| a.stopped == Stopped::Asked),
-        certificate: account.map(|account| certificate(&expander, &account, options)),
+        interrupted,
+        certificate: account.map(|account| certificate(&expander, &account, options, &again)),
         coverage: expander.coverage().clone(),
         motion: expander.motion().clone(),
         fmu_steps: expander.recall().steps(),
@@ -110,10 +247,12 @@ pub(super) fn census(
         remembered: expander.journal().remembered(),
         faults,
         broken,
+        doubt,
+        journal: expander.into_journal(),
     })
 }
 
-fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhaustive) -> Certificate {
+fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, again: &Audit) -> Certificate {
     let mut reasons = Vec::new();
     match account.stopped {
         Stopped::Complete => {}
@@ -144,6 +283,9 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
              inputs that follow the person's place hardly any two are equal"
                 .to_owned(),
         );
+    }
+    if again.stopped {
+        reasons.push("what the FMU did was not all run again from the start".to_owned());
     }
     let complete = reasons.is_empty();
     let share = account.hazardous.to_f64().unwrap_or(0.0) / account.total.to_f64().unwrap_or(f64::INFINITY);
@@ -176,6 +318,12 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
         merged_by: merged_by.to_owned(),
         merged: merges.merged,
         merges_tried_out: merges.tried_out,
+        run_again: RunAgain {
+            transitions: again.transitions,
+            compared: again.compared,
+            merges: again.merges,
+            merges_compared: again.merges_compared,
+        },
         actions: expander.actions(),
         horizon: expander.horizon(),
         random_search: complete.then_some(random),

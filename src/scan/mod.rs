@@ -1,9 +1,13 @@
 //! A whole scan: open, bind, self-test, search, confirm. What the commands call, and what a library user calls.
 //!
 //! - [`prepare`]: from a path to a cell that can be simulated
+//! - `trial`: FMUs loaded and self-tested, for that
 //! - [`probe`](mod@probe): what inputs do to the robots
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
+//! - `quick`: sequences chosen by a strategy
+//! - `attempts`: a search, and the same again on the next rung
+//! - `footing`: how states are brought back, and what comes next when that is found to be wrong
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
@@ -15,19 +19,23 @@
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
 
+mod attempts;
 pub mod campaign;
 pub mod comparison;
 pub mod exhaustive;
 pub mod explain;
 pub mod film;
+mod footing;
 pub mod minimise;
 pub mod picture;
 pub mod prepare;
 pub mod probe;
+mod quick;
 pub mod remedy;
 pub mod residual;
 pub mod run;
 mod seeds;
+mod trial;
 pub mod verify;
 
 pub use exhaustive::Exhaustive;

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use thiserror::Error;
 
+use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
@@ -14,11 +15,10 @@ use crate::cell::ssp::Wiring;
 use crate::cell::validate::validate;
 use crate::cell::{Binding, CellError, Workcell, binding};
 use crate::fmi::{Fmu, Slave};
-use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Guard, Isolated, Keeping, Launcher, Limits, Unpacked, examine};
-use crate::host::selftest::{Agreement, Rung, SelfTest, Stage, selftest};
+use crate::host::isolation::{Guard, Isolated, Keeping, Launcher, Limits};
+use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::system::AlgebraicLoop;
-use crate::host::{Hosted, PlantError, Policy, System, SystemSetup};
+use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 
@@ -125,7 +125,7 @@ pub enum PrepareError {
 }
 
 impl PrepareError {
-    fn first_run(error: PlantError) -> Self {
+    pub(super) fn first_run(error: PlantError) -> Self {
         if error.not_loaded { Self::NotLoaded(error.message) } else { Self::FirstRun(error) }
     }
 
@@ -167,10 +167,12 @@ pub struct Prepared {
     wiring: Option<Wiring>,
     /// What came out when its sensors were tried.
     suspicions: Vec<String>,
+    /// An output that the cell does not bind and that the FMU does not repeat.
+    unsteady: Option<String>,
 }
 
 /// What plants are made of.
-enum Source {
+pub(super) enum Source {
     Here { slaves: Vec<Slave>, setup: SystemSetup },
     Apart(Launcher),
 }
@@ -196,29 +198,35 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     let order = setup.order()?;
     let couplings = setup.couplings();
     let episode = cell.steps_per_action * usize::try_from(cell.search.actions).unwrap_or(8);
-    // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
-    let skip = [Stage::Serialize];
-    let (self_test, missing_protection, fork_pays, source) = match hosting {
-        Hosting::InProcess => {
-            let slaves = fmus.iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
-            let result = selftest(&slaves, &setup, episode, &skip, Activity::unseen(), &mut |_| {});
-            (result.map_err(PrepareError::FirstRun)?, Vec::new(), false, Source::Here { slaves, setup })
-        }
-        Hosting::Workers { program, guard, limits } => {
-            let unpacked = fmus.iter().map(Unpacked::of).collect();
-            let launcher = Launcher::new(program.clone(), unpacked, setup, *guard, *limits);
-            let Examination { result, launcher, missing, step_time } =
-                examine(&launcher, episode, &skip).map_err(|error| PrepareError::first_run(hinted(error, &fmus)))?;
-            let action = step_time * u32::try_from(cell.steps_per_action).unwrap_or(1);
-            (result, missing, action > COPY_PAYS, Source::Apart(launcher))
-        }
+    let tried = |watched: Vec<UnitPort>| {
+        let watching = SystemSetup { watched, ..setup.clone() };
+        let tried = try_out(&fmus, hosting, &watching, episode)?;
+        Ok::<_, PrepareError>((tried, watching.column_names()))
     };
-    let rung = self_test.rung(fork_pays);
-    if let (Agreement::Failed { reason }, false) = (&self_test.deterministic, self_test.repeatable()) {
-        return Err(PrepareError::RunsOnce(reason.clone()));
-    }
-    if !self_test.repeatable() {
-        return Err(PrepareError::NotDeterministic(self_test.deterministic.to_string()));
+    let watched = unbound(&fmus, &setup);
+    let all = watched.is_empty();
+    // Some FMUs do not survive it when outputs are read that nobody has ever read.
+    let first = tried(watched).or_else(|error| if all { Err(error) } else { tried(Vec::new()) })?;
+    let unrepeated = |test: &SelfTest| test.unrepeated().map(ToString::to_string);
+    let (tested, unsteady) = match unrepeated(&first.0.self_test) {
+        Some(_) if first.1.len() > setup.outputs.len() => {
+            // Perhaps those that are bound repeat themselves.
+            let output = match first.0.self_test.unrepeated() {
+                Some(Agreement::Differs { output: Some(output), .. }) => output.clone(),
+                _ => "unknown".to_owned(),
+            };
+            (tried(Vec::new())?.0, Some(output))
+        }
+        _ => (first.0, None),
+    };
+    let Tested { self_test, missing_protection, step_time, source } = tested;
+    let source = source.with_setup(setup);
+    let action = step_time * u32::try_from(cell.steps_per_action).unwrap_or(1);
+    let rung = self_test.rung(action > COPY_PAYS);
+    match self_test.unrepeated() {
+        None => {}
+        Some(Agreement::Failed { reason }) => return Err(PrepareError::RunsOnce(reason.clone())),
+        Some(differs) => return Err(PrepareError::NotDeterministic(differs.to_string())),
     }
     let subject_of = |unit: usize| {
         let fmu = &fmus[unit];
@@ -258,7 +266,18 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         found: cell_source,
         wiring,
         suspicions: Vec::new(),
+        unsteady,
     })
+}
+
+impl Source {
+    /// The same FMUs with another setup.
+    fn with_setup(&self, setup: SystemSetup) -> Self {
+        match self {
+            Self::Here { slaves, .. } => Self::Here { slaves: slaves.clone(), setup },
+            Self::Apart(launcher) => Self::Apart(launcher.clone().with_setup(setup)),
+        }
+    }
 }
 
 /// The files that the cell's robots come from, and the system that its FMUs come in.
@@ -284,18 +303,6 @@ fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
         heading_deg: beginning.start.heading_deg(),
         begins_s: beginning.begins_s(cell.step_s),
     }
-}
-
-/// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
-fn hinted(error: PlantError, fmus: &[Fmu]) -> PlantError {
-    let needs =
-        |fmu: &Fmu| fmu.description().co_simulation.as_ref().is_some_and(|cs| cs.capabilities.needs_execution_tool);
-    if !fmus.iter().any(needs) {
-        return error;
-    }
-    let message =
-        format!("{}. It needs the tool that made it, which it may reach with --trust-fmu only", error.message);
-    PlantError { message, ..error }
 }
 
 /// A cell that fits its FMUs.
@@ -386,10 +393,7 @@ impl Prepared {
         let Fitted { cell, binding, setup, free_start } =
             fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
         free_start?;
-        let source = match &self.source {
-            Source::Here { slaves, .. } => Source::Here { slaves: slaves.clone(), setup },
-            Source::Apart(launcher) => Source::Apart(launcher.clone().with_setup(setup)),
-        };
+        let source = self.source.with_setup(setup);
         Ok(Self {
             subject: Subject {
                 cell: cell.name.clone(),
@@ -410,6 +414,7 @@ impl Prepared {
             found,
             wiring: self.wiring.clone(),
             suspicions: Vec::new(),
+            unsteady: self.unsteady.clone(),
         })
     }
 
@@ -419,6 +424,18 @@ impl Prepared {
         let system = self.wiring.iter().flat_map(|wiring| &wiring.structure.warnings);
         let cell = self.cell.warnings.iter().chain(&self.binding.warnings);
         system.chain(cell).chain(&self.suspicions).cloned().collect()
+    }
+
+    /// Why nothing can be certified of these FMUs, whatever a search finds: what the self-test calls impossible for their
+    /// outputs together is possible for those that the cell binds.
+    #[must_use]
+    pub fn unsteady(&self) -> Option<String> {
+        let output = self.unsteady.as_ref()?;
+        Some(format!(
+            "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
+             a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
+             for a deterministic export, or for one without this output"
+        ))
     }
 
     /// Adds to what the user should know.
@@ -475,6 +492,37 @@ impl Prepared {
             StateChoice::Replay if self.self_test.deterministic == Agreement::Exact => Keeping::Instances,
             StateChoice::Replay | StateChoice::Process => Keeping::Processes,
         }
+    }
+
+    /// The FMUs, not yet started, for states that are brought back by this rung.
+    #[must_use]
+    pub(super) fn plant_by(&self, rung: Rung) -> Hosted {
+        match (&self.source, rung) {
+            (Source::Apart(launcher), Rung::Copies) => Hosted::Apart(Isolated::new(launcher.clone(), Keeping::ByFork)),
+            (Source::Apart(launcher), Rung::Processes) => {
+                Hosted::Apart(Isolated::new(launcher.clone(), Keeping::Processes))
+            }
+            (_, Rung::SavedStates) => self.plant(StateChoice::Fmu),
+            (Source::Apart(launcher), Rung::Instances) => {
+                Hosted::Apart(Isolated::new(launcher.clone(), Keeping::Instances))
+            }
+            (Source::Here { .. }, _) => self.plant(StateChoice::Replay),
+        }
+    }
+
+    /// How states are brought back by this rung.
+    pub(super) fn policy_by(&self, rung: Rung) -> Policy {
+        let max_checkpoints = match rung {
+            Rung::SavedStates => self.self_test.most_states(STATE_BUDGET),
+            Rung::Copies => MOST_COPIES,
+            Rung::Instances | Rung::Processes => 0,
+        };
+        Policy::States { max_checkpoints }
+    }
+
+    /// Whether runs can have a process of their own.
+    pub(super) const fn has_processes(&self) -> bool {
+        matches!(self.source, Source::Apart(_))
     }
 
     /// How states are brought back for a choice.

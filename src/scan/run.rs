@@ -1,15 +1,14 @@
 //! One search, its findings grouped and confirmed, as a [`ScanReport`].
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::exhaustive::{Census, Exhaustive, census};
-use super::minimise::minimise;
+use super::attempts::{Attempt, attempts};
+use super::exhaustive::{Census, Exhaustive};
+use super::footing::{Doubt, not_repeatable};
 use super::prepare::{Prepared, StateChoice};
-use super::residual::Watch;
-use crate::hazard::{Finding, Groups};
+use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::action::ACTION_S;
 use crate::report::model::{
@@ -18,10 +17,9 @@ use crate::report::model::{
 use crate::report::speeds::Speeds;
 use crate::search::mcts_dpw::Parameters;
 use crate::search::residual::Figures;
-use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Rng, Strategy};
+use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Strategy};
 use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
-use crate::sim::replay::replay;
 use crate::sim::simulation::Snapshot;
 use crate::sim::{Coverage, Simulation};
 use crate::standards::provenance::tables;
@@ -122,6 +120,18 @@ pub enum Progress<'a> {
         /// Hazards so far.
         hazards: usize,
     },
+    /// What the FMU did is run again from the start.
+    RunAgain {
+        /// Runs so far.
+        done: usize,
+        /// Of so many.
+        of: usize,
+    },
+    /// Nothing found so far counts: everything is searched again on another footing.
+    SearchAgain {
+        /// Why, and how.
+        because: &'a str,
+    },
     /// Nothing new.
     Working,
     /// A hazard that was not met before; not confirmed yet.
@@ -141,6 +151,8 @@ pub struct ScanError {
 pub struct Scanned {
     /// Its result: the same wherever the FMU runs and however its states are brought back.
     pub report: ScanReport,
+    /// How states were brought back in the end.
+    pub rung: Rung,
     /// What the FMU did for it.
     pub effort: Effort,
     /// Questions of the exhaustive search whose answers were in its journal.
@@ -172,26 +184,8 @@ pub fn scan_with(
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let mut groups = Groups::default();
-    let searched = match options.method {
-        Method::Strategy(name) => search(prepared, name, options, &links, &mut groups, tell)?,
-        Method::Exhaustive(how) => {
-            Searched::all(census(prepared, options.state, how, journal, &links, &mut groups, tell)?)
-        }
-        Method::Auto(name, how) => {
-            let quick = search(prepared, name, options, &links, &mut groups, tell)?;
-            if quick.interrupted || quick.broken.is_some() || (options.stop_at_first && !groups.is_empty()) {
-                Searched { name: AUTO, ..quick }
-            } else {
-                let mut all = Groups::default();
-                let searched = Searched::all(census(prepared, options.state, how, journal, &links, &mut all, tell)?);
-                let only_quick = groups.added_to(&mut all);
-                groups = all;
-                searched.after(quick, &only_quick)
-            }
-        }
-    };
+    let Attempt { footing, searched, hazards, notes, effort, doubt } =
+        attempts(prepared, options, journal, &links, tell)?;
     let Searched {
         name,
         iterations,
@@ -204,30 +198,29 @@ pub fn scan_with(
         mut faults,
         fmu_steps,
         fmu_states,
-        effort,
         remembered,
-        notes,
+        notes: found,
+        ..
     } = searched;
     let mut warnings = prepared.warnings();
-    warnings.extend(notes);
-    // One process for all; each replay has a fresh instance in it.
-    let mut plant = prepared.plant(StateChoice::Replay);
-    let hazards: Vec<Hazard> = groups
-        .ranked()
-        .into_iter()
-        .map(|group| {
-            let mut hazard = Hazard::new(group, &links, &sensors);
-            hazard.confirmed = Some(confirm(prepared, &mut plant, &group.worst));
-            hazard.shortest.confirmed = Some(confirm(prepared, &mut plant, &group.shortest));
-            hazard
-        })
-        .collect();
-    let vacuous = coverage.vacuous(motion.moved);
+    warnings.extend(notes.into_iter().chain(found));
+    let unsteady = prepared.unsteady();
+    let doubted = doubt.as_ref().map(|doubt| match interrupted {
+        true => format!("{}: it was stopped before that was looked into", doubt.words()),
+        false => not_repeatable(doubt),
+    });
+    let against: Vec<String> = doubted.into_iter().chain(unsteady.clone()).collect();
+    if let Some(certificate) = certificate.as_mut().filter(|_| !against.is_empty()) {
+        against.iter().cloned().for_each(|reason| certificate.refuse(reason));
+    } else {
+        warnings.extend(against);
+    }
     let speeds = Speeds::new(&prepared.cell, &prepared.binding, &motion);
     warnings.extend(speeds.sentences());
     if let (Some(certificate), Some(reason)) = (&mut certificate, speeds.refusal()) {
         certificate.refuse(reason);
     }
+    let vacuous = coverage.vacuous(motion.moved);
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
     }
@@ -239,11 +232,11 @@ pub fn scan_with(
     }
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
-    } else if broken.is_some() || coverage.episodes_not_evaluated > 0 {
+    } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.episodes_not_evaluated > 0 {
         Verdict::FmuFailed
     } else if interrupted {
         Verdict::Interrupted
-    } else if vacuous.is_some() || speeds.refusal().is_some() {
+    } else if vacuous.is_some() || unsteady.is_some() || speeds.refusal().is_some() {
         Verdict::Inconclusive
     } else {
         Verdict::NoneFound
@@ -279,41 +272,43 @@ pub fn scan_with(
         tables: tables().collect(),
         warnings,
     };
-    Ok(Scanned { report, effort, remembered })
+    Ok(Scanned { report, rung: footing.rung(prepared), effort, remembered })
 }
 
 /// Name of [`Method::Auto`].
-const AUTO: &str = "auto";
+pub(super) const AUTO: &str = "auto";
 
 /// What a search gives besides its groups.
-struct Searched {
-    name: &'static str,
-    iterations: u64,
-    interrupted: bool,
-    broken: Option<PlantError>,
-    certificate: Option<Certificate>,
+pub(super) struct Searched {
+    pub name: &'static str,
+    pub iterations: u64,
+    pub interrupted: bool,
+    pub broken: Option<PlantError>,
+    pub certificate: Option<Certificate>,
     /// From random sequences, if the number of iterations was the one fixed beforehand.
-    figures: Option<Figures>,
-    coverage: Coverage,
-    motion: Motion,
-    faults: Vec<FaultRecord>,
-    fmu_steps: u64,
-    fmu_states: usize,
-    effort: Effort,
-    remembered: u64,
-    notes: Vec<String>,
+    pub figures: Option<Figures>,
+    pub coverage: Coverage,
+    pub motion: Motion,
+    pub faults: Vec<FaultRecord>,
+    pub fmu_steps: u64,
+    pub fmu_states: usize,
+    pub effort: Effort,
+    pub remembered: u64,
+    /// Why it is not to be relied on.
+    pub doubt: Option<Doubt>,
+    pub notes: Vec<String>,
 }
 
 impl Searched {
     /// The second part of a search whose first part was `quick`, which alone met the hazards `only_quick`.
-    fn after(self, quick: Self, only_quick: &[String]) -> Self {
+    pub(super) fn after(self, quick: Self, only_quick: &[String]) -> Self {
         let mut coverage = quick.coverage;
         coverage.merge(&self.coverage);
         let mut motion = quick.motion;
         motion.merge(&self.motion);
-        let mut notes = self.notes;
-        if self.certificate.as_ref().is_some_and(|c| c.complete) && !only_quick.is_empty() {
-            notes.push(format!(
+        let mut certificate = self.certificate;
+        if let Some(certificate) = certificate.as_mut().filter(|c| c.complete && !only_quick.is_empty()) {
+            certificate.refuse(format!(
                 "the quick search met hazards that the complete one did not ({}): this is an error of this tool, please \
                  report it with the cell",
                 only_quick.join(", ")
@@ -331,12 +326,12 @@ impl Searched {
             fmu_steps: quick.fmu_steps + self.fmu_steps,
             fmu_states: quick.fmu_states.max(self.fmu_states),
             effort: quick.effort.and(self.effort),
-            notes,
+            certificate,
             ..self
         }
     }
 
-    fn all(census: Census) -> Self {
+    pub(super) fn all(census: Census) -> (Self, Journal) {
         let Census {
             certificate,
             coverage,
@@ -348,8 +343,10 @@ impl Searched {
             faults,
             interrupted,
             broken,
+            doubt,
+            journal,
         } = census;
-        Self {
+        let searched = Self {
             name: "exhaustive",
             iterations: 0,
             interrupted,
@@ -363,85 +360,11 @@ impl Searched {
             fmu_states,
             effort,
             remembered,
+            doubt,
             notes: Vec::new(),
-        }
+        };
+        (searched, journal)
     }
-}
-
-/// Sequence after sequence; then the shortest one of each hazard is looked for.
-fn search(
-    prepared: &Prepared,
-    strategy: StrategyName,
-    options: ScanOptions,
-    links: &[String],
-    groups: &mut Groups,
-    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
-) -> Result<Searched, ScanError> {
-    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let mut simulation =
-        prepared.simulation(options.state, options.posture_sweep).map_err(|cause| ScanError { cause })?;
-    let mut strategy = strategy.build();
-    let mut rng = Rng::new(options.seed);
-    let mut watch = Watch::new(options.iterations);
-    let (mut done, mut interrupted, mut broken) = (0, false, None);
-    while done < options.iterations {
-        let outcome = strategy.iterate(&mut simulation, &mut rng);
-        done += 1;
-        let findings = simulation.take_findings();
-        if let Ok(iteration) = &outcome {
-            watch.after(iteration, &findings, groups, links);
-        }
-        for finding in findings {
-            let Some(id) = groups.add(finding, u64::from(done), links) else { continue };
-            if let Some(group) = groups.get(&id) {
-                interrupted |= tell(Progress::Found(&Hazard::new(group, links, &sensors))).is_break();
-            }
-        }
-        if let Err(error) = outcome {
-            broken = Some(error);
-            break;
-        }
-        interrupted |= tell(Progress::Iteration { done, hazards: groups.len() }).is_break();
-        if interrupted || (options.stop_at_first && !groups.is_empty()) {
-            break;
-        }
-    }
-    // A search that ended because of what it met would give figures about itself.
-    let stopped = interrupted || broken.is_some() || (options.stop_at_first && !groups.is_empty());
-    let (coverage, motion) = (simulation.coverage().clone(), simulation.motion().clone());
-    let faults = simulation.faults().iter();
-    let faults = faults.map(|f| FaultRecord { message: f.message.clone(), actions: f.actions.clone() }).collect();
-    let (fmu_steps, fmu_states) = (simulation.recall().steps(), simulation.recall().states());
-    if broken.is_none() && !interrupted {
-        for (identity, group) in groups.iter_mut() {
-            // A failure here costs no finding: the sequence stays as it was found.
-            if let Ok(shorter) = minimise(&mut simulation, &group.shortest, identity, links) {
-                group.shortest = shorter;
-            }
-        }
-    }
-    Ok(Searched {
-        name: strategy.name(),
-        iterations: u64::from(done),
-        interrupted,
-        broken,
-        certificate: None,
-        figures: watch.figures().filter(|_| !stopped),
-        coverage,
-        motion,
-        faults,
-        fmu_steps,
-        fmu_states,
-        effort: simulation.recall().effort_of_workers(),
-        remembered: 0,
-        notes: Vec::new(),
-    })
-}
-
-/// Whether a fresh instance without any restore gives the same contact to the last bit.
-fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> bool {
-    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions);
-    again.is_ok_and(|again| again.as_ref() == Some(finding))
 }
 
 fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {

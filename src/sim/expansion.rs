@@ -203,6 +203,12 @@ impl<P: Plant> Expander<P> {
         &self.journal
     }
 
+    /// The same, when the search is over.
+    #[must_use]
+    pub fn into_journal(self) -> Journal {
+        self.journal
+    }
+
     /// What was seen. Actions and contact checks that came up several times count once.
     #[must_use]
     pub const fn coverage(&self) -> &Coverage {
@@ -368,7 +374,7 @@ impl<P: Plant> Expander<P> {
     ) -> Option<Vec<Vec<Option<Hit>>>> {
         let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
         self.questions += asked;
-        let asked = (asked, questions.len() as u64);
+        let asked = (asked, questions.len() as u64, self.robots.recall.trail());
         if let Some(block) = self.journal.next(asked) {
             self.coverage.merge(&block.coverage);
             return Some(self.found_again(&block, questions, situations));

@@ -4,6 +4,9 @@
 //! questions whether a person can be touched, which it asks in blocks, always in the same order. For each block the
 //! journal holds which questions found something, and what was counted on the way; only those few are worked out again.
 //!
+//! What the FMU gave until then is part of what a block is known by, so the answers of a search on one rung of the ladder of
+//! states are those of another one only where the FMU gave the same to the last bit.
+//!
 //! A block is written when it is complete. A torn end of the file, after a power failure say, is left out.
 
 use std::collections::VecDeque;
@@ -19,8 +22,8 @@ use super::Coverage;
 /// The answers to a block of questions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Block {
-    /// How many questions were asked, about how many stances of the person.
-    pub asked: (u64, u64),
+    /// How many questions were asked, about how many stances of the person, after which answers of the FMU.
+    pub asked: (u64, u64, u64),
     /// Which found something: number of the stance, and of the question about it.
     pub found: Vec<(u32, u32)>,
     /// What was counted.
@@ -68,7 +71,7 @@ impl Journal {
     }
 
     /// The next block, if it was worked out before.
-    pub(super) fn next(&mut self, asked: (u64, u64)) -> Option<Block> {
+    pub(super) fn next(&mut self, asked: (u64, u64, u64)) -> Option<Block> {
         let block = self.known.pop_front()?;
         if block.asked != asked {
             // Not this search after all; what is left is worked out again.
@@ -128,7 +131,7 @@ mod tests {
     fn block(asked: u64) -> Block {
         let mut coverage = Coverage::new(2);
         coverage.arm_boxes = asked * 3;
-        Block { asked: (asked, 1), found: vec![(0, 7)], coverage }
+        Block { asked: (asked, 1, 5), found: vec![(0, 7)], coverage }
     }
 
     #[test]
@@ -142,14 +145,14 @@ mod tests {
             std::fs::write(&path, &whole[..whole.len() - cut]).unwrap();
             let mut again = Journal::open(&path, "cell").unwrap();
             for i in 1..=blocks {
-                assert_eq!(again.next((i, 1)), Some(block(i)), "{cut}");
+                assert_eq!(again.next((i, 1, 5)), Some(block(i)), "{cut}");
             }
-            assert_eq!(again.next((9, 1)), None);
+            assert_eq!(again.next((9, 1, 5)), None);
             again.add(&block(9));
             let mut further = Journal::open(&path, "cell").unwrap();
             assert_eq!(further.known.len() as u64, blocks + 1);
-            assert_eq!(further.next((5, 1)), None, "another question");
-            assert_eq!(further.next((2, 1)), None, "and nothing after it");
+            assert_eq!(further.next((1, 1, 6)), None, "the same question about another FMU");
+            assert_eq!(further.next((2, 1, 5)), None, "and nothing after it");
         }
         assert!(Journal::open(&path, "another cell").is_err());
     }

@@ -11,6 +11,7 @@ pub mod gantry;
 pub mod head_collision;
 pub mod heavy_workpiece;
 pub mod hostile;
+pub mod liar;
 pub mod light_curtain;
 pub mod robots;
 pub mod safety_fence;
@@ -39,5 +40,5 @@ pub fn all() -> Vec<Interface> {
     let workcells =
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
     let faulty = [Variant::Faithful, Variant::NoState].map(faulty::interface);
-    workcells.chain(coupled::all()).chain(faulty).chain([gantry::interface()]).collect()
+    workcells.chain(coupled::all()).chain(faulty).chain([gantry::interface(), liar::interface()]).collect()
 }

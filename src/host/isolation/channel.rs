@@ -41,8 +41,6 @@ pub(super) struct Head {
     pub(super) alive: AtomicU32,
     /// How the answering process ended, see [`super::process::Ended`]; 0 while it lives.
     pub(super) death: AtomicU32,
-    /// The part of the self-test that was begun last.
-    pub(super) stage: AtomicU32,
     /// The call that the answering process is in, see [`crate::host::activity::Activity`].
     pub(super) activity: AtomicU64,
     /// What each parked process is to do.

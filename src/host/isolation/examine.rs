@@ -1,4 +1,5 @@
-//! The self-test in a worker: a part of it that ends the process is a finding, and the other parts are run without it.
+//! The self-test in workers, each stage in one of its own: one that ends the process is a finding, and damage that it does
+//! to the memory is none of another stage's.
 
 use std::time::{Duration, Instant};
 
@@ -6,7 +7,7 @@ use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
 use crate::host::plant::{Plant as _, PlantError, insist};
-use crate::host::selftest::{Agreement, SelfTest, Stage, agreement, input_row, restore_test};
+use crate::host::selftest::{Agreement, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
 pub struct Examination {
@@ -23,9 +24,8 @@ pub struct Examination {
 /// Runs in fresh processes, and copies of processes as states. Returns what a step took.
 fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Duration {
     let setup = launcher.setup();
-    let (width, rows) = (setup.inputs.len(), setup.outputs.len());
-    let inputs = |seed: usize| (0..steps).flat_map(|i| input_row(setup, i, steps, seed)).collect::<Vec<f64>>();
-    let (main, other) = (inputs(0), inputs(1));
+    let (width, names) = (setup.inputs.len(), setup.column_names());
+    let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
     let mut step_time = Duration::ZERO;
     let mut run = || -> Result<Vec<f64>, PlantError> {
         let mut plant = Isolated::new(launcher.clone(), Keeping::Processes);
@@ -43,74 +43,66 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
             return step_time;
         }
     };
-    result.fresh_process = agreement(&reference, run());
+    result.fresh_process = agreement(&reference, run(), &names);
     let mut plant = Isolated::new(launcher.clone(), Keeping::ByFork);
     let tried = plant.restart().and_then(|_| plant.advance(1, &main[..width]));
     result.fork = match (tried, plant.reason_against_copies()) {
         (Err(error), _) => Agreement::Failed { reason: error.message },
         (Ok(_), Some(reason)) => Agreement::Failed { reason },
-        (Ok(_), None) => restore_test(plant, &reference, &main, &other, steps, width, rows),
+        (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &names),
     };
     step_time
 }
+
+/// A stage in a process of its own: what it answers. When that process is gone this is done again, as often as whatever ended
+/// it may have been something else.
+fn in_a_process(launcher: &Launcher, steps: usize, stage: Stage, reference: &[f64]) -> Tried {
+    insist(&mut || {
+        let mut worker = launcher.start(false)?;
+        let question = Question::SelfTest { steps, stage, reference: reference.to_vec() };
+        let answer = worker.ask(&question, &launcher.limits)?;
+        Ok((answer, std::mem::take(&mut worker.missing)))
+    })
+}
+
+/// An answer, and what of the sandbox is missing.
+type Tried = Result<(Answer, Vec<String>), PlantError>;
+
+/// Most numbers of a first run that are kept; of a longer one each process makes its own.
+pub(super) const KEPT: usize = super::channel::AREA / 32;
 
 /// Runs the self-test for `steps` communication steps, without the parts in `skip`.
 ///
 /// # Errors
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
 pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
-    let mut crashed: Vec<(Stage, String)> = Vec::new();
-    let mut deaths: Vec<Stage> = Vec::new();
-    let again = |deaths: &mut Vec<Stage>, stage: Stage, error: &PlantError| {
-        deaths.push(stage);
-        let so_far = deaths.iter().filter(|known| **known == stage).count();
-        error.lost && u32::try_from(so_far).unwrap_or(u32::MAX) < error.tries()
+    let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
+    let columns = launcher.setup().columns();
+    let long = (steps + 1) * columns > KEPT;
+    let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[])? {
+        (Answer::FirstRun { rows, event_mode }, missing) => (rows, event_mode, missing),
+        (Answer::Failed(error), _) => return Err(error),
+        (answer, _) => return Err(unexpected(answer)),
     };
-    loop {
-        let mut worker = match launcher.start(false) {
-            Ok(worker) => worker,
-            Err(error) if again(&mut deaths, Stage::FirstRun, &error) => continue,
-            Err(error) => return Err(error),
-        };
-        let left_out: Vec<Stage> = skip.iter().copied().chain(crashed.iter().map(|(stage, _)| *stage)).collect();
-        let error = match worker.ask(&Question::SelfTest { steps, skip: left_out }, &launcher.limits) {
-            Ok(Answer::Tested { result, event_mode }) => {
-                let mut result: SelfTest = serde_json::from_str(&result)
-                    .map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))?;
-                for (stage, reason) in crashed {
-                    result.failed(stage, reason);
-                }
-                let launcher = launcher.clone().with_event_mode(event_mode);
-                let missing = std::mem::take(&mut worker.missing);
-                drop(worker);
-                let step_time = try_processes(&launcher, steps, &mut result);
-                return Ok(Examination { result, launcher, missing, step_time });
-            }
-            Ok(Answer::Failed(error)) => return Err(error),
-            Ok(other) => return Err(PlantError::of(format!("a worker gave an unexpected answer: {other:?}"))),
-            Err(error) => error,
-        };
-        let stage = Stage::numbered(worker.stage()).unwrap_or(Stage::FirstRun);
-        if again(&mut deaths, stage, &error) {
+    let launcher = launcher.clone().with_event_mode(event_mode);
+    let mut result = SelfTest::begun(launcher.setup(), steps, &reference);
+    if long {
+        reference.clear();
+    }
+    for stage in Stage::LATER {
+        if !result.wants(stage, skip) {
             continue;
         }
-        if stage == Stage::FirstRun || crashed.iter().any(|(known, _)| *known == stage) {
-            return Err(error);
-        }
-        crashed.push((stage, error.message));
+        let found = match in_a_process(&launcher, steps, stage, &reference) {
+            Ok((Answer::Tested(found), _)) => serde_json::from_str(&found)
+                .map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))?,
+            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Ok((answer, _)) => return Err(unexpected(answer)),
+            Err(error) if error.lost => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Err(error) => return Err(error),
+        };
+        result.note(stage, found);
     }
-}
-
-impl SelfTest {
-    /// Notes that the FMU ended the process in a part.
-    fn failed(&mut self, stage: Stage, reason: String) {
-        let failed = Agreement::Failed { reason };
-        match stage {
-            Stage::FirstRun | Stage::Deterministic => self.deterministic = failed,
-            Stage::SecondInstance => self.second_instance = failed,
-            Stage::Restore => self.restore = failed,
-            Stage::StateSize | Stage::Serialize => self.serialize = failed,
-            Stage::Reset => self.reset = failed,
-        }
-    }
+    let step_time = try_processes(&launcher, steps, &mut result);
+    Ok(Examination { result, launcher, missing, step_time })
 }

@@ -234,7 +234,7 @@ impl Plant for Isolated {
     }
 
     fn output_count(&self) -> usize {
-        self.launcher.setup().outputs.len()
+        self.launcher.setup().columns()
     }
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {

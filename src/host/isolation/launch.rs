@@ -263,11 +263,6 @@ impl Worker {
         Doing::of(self.channel.head().activity.load(Ordering::Relaxed))
     }
 
-    /// Number of the stage of the self-test that was begun last.
-    pub(super) fn stage(&self) -> u32 {
-        self.channel.head().stage.load(Ordering::Acquire)
-    }
-
     /// Tells a parked process that nobody needs it any more.
     pub(super) fn forget_parked(&self, slot: u32) {
         self.channel.head().tell(slot, super::worker::GO);

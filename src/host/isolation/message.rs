@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::fmi::Fmu;
 use crate::host::plant::{Fingerprint, PlantError};
-use crate::host::selftest::{SelfTest, Stage};
+use crate::host::selftest::Stage;
 use crate::host::system::SystemSetup;
 
 /// What is asked of a worker.
@@ -14,8 +14,14 @@ use crate::host::system::SystemSetup;
 pub(super) enum Question {
     /// Load these FMUs. The first question.
     Load(Box<Load>),
-    /// [`crate::host::selftest::selftest`].
-    SelfTest { steps: usize, skip: Vec<Stage> },
+    /// A stage of [`crate::host::selftest::selftest`] against the first run, which this process makes itself if it is not
+    /// told.
+    SelfTest {
+        steps: usize,
+        stage: Stage,
+        #[serde(with = "numbers")]
+        reference: Vec<f64>,
+    },
     /// So many runs of so many steps with moving inputs, and what the FMU does to the process meanwhile.
     Habits { steps: usize, runs: usize },
     /// [`crate::host::Plant::restart`].
@@ -106,8 +112,14 @@ pub(super) enum Answer {
         rows: Vec<f64>,
         taken: Result<Taken, PlantError>,
     },
-    /// The self-test's result, as JSON, and the event modes it settled on.
-    Tested { result: String, event_mode: Vec<bool> },
+    /// The first run of the self-test, and the event modes it settled on.
+    FirstRun {
+        #[serde(with = "numbers")]
+        rows: Vec<f64>,
+        event_mode: Vec<bool>,
+    },
+    /// What a later stage of the self-test found, as JSON.
+    Tested(String),
     /// See [`Question::Fingerprint`].
     Print(Option<Fingerprint>),
     /// See [`Question::Habits`]; as JSON.
@@ -122,13 +134,6 @@ pub(super) enum Taken {
     Nothing,
     Fingerprint(Option<Fingerprint>),
     Saved,
-}
-
-impl Answer {
-    /// The result of the self-test.
-    pub(super) fn tested(result: &SelfTest, event_mode: Vec<bool>) -> Self {
-        Self::Tested { result: serde_json::to_string(result).unwrap_or_default(), event_mode }
-    }
 }
 
 /// Numbers as their bytes, which takes a copy instead of a call for each.

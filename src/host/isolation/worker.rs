@@ -17,7 +17,7 @@ use super::sandbox;
 use crate::fmi::{Fmu, Slave};
 use crate::host::activity::{Activity, Call};
 use crate::host::plant::{Plant, PlantError};
-use crate::host::selftest::{Stage, input_row, selftest};
+use crate::host::selftest::{self, Stage, moving};
 use crate::host::system::{self, System};
 
 /// What a parked process is to do: nothing yet, or begin to live; anything else: go.
@@ -191,7 +191,7 @@ impl Server {
                 Answer::Done
             }
             Question::Habits { steps, runs } => self.habits(steps, runs),
-            Question::SelfTest { steps, skip } => self.test(steps, &skip),
+            Question::SelfTest { steps, stage, reference } => self.test(steps, stage, reference),
         }
     }
 
@@ -231,7 +231,7 @@ impl Server {
     fn habits(&mut self, steps: usize, runs: usize) -> Answer {
         let Some(hosted) = &mut self.hosted else { return Answer::Done };
         let setup = &hosted.load.setup;
-        let inputs: Vec<f64> = (0..steps).flat_map(|i| input_row(setup, i, steps, 0)).collect();
+        let inputs = moving(setup, steps, 0);
         for _ in 0..runs {
             let run = hosted.plant.restart().and_then(|_| hosted.plant.advance(steps, &inputs));
             if let Err(error) = run {
@@ -241,14 +241,24 @@ impl Server {
         Answer::Habits(serde_json::to_string(&self.before.since()).unwrap_or_default())
     }
 
-    fn test(&mut self, steps: usize, skip: &[Stage]) -> Answer {
+    fn test(&mut self, steps: usize, stage: Stage, reference: Vec<f64>) -> Answer {
         let Some(hosted) = &self.hosted else { return Answer::Done };
-        let head = self.channel.head();
-        let mut announce = |stage: Stage| head.stage.store(stage.number(), Ordering::Release);
-        match selftest(&hosted.slaves, &hosted.load.setup, steps, skip, self.activity, &mut announce) {
-            Ok(result) => Answer::tested(&result, hosted.slaves.iter().map(Slave::prefers_event_mode).collect()),
-            Err(error) => Answer::Failed(error),
+        let (slaves, setup) = (&hosted.slaves, &hosted.load.setup);
+        let reference = match reference.is_empty() {
+            true => match selftest::reference(slaves, setup, steps, self.activity) {
+                Ok(rows) => rows,
+                Err(error) => return Answer::Failed(error),
+            },
+            false => reference,
+        };
+        if stage == Stage::FirstRun {
+            // Of a run that is too long for a message the beginning is told.
+            let rows = reference.into_iter().take(super::examine::KEPT).collect();
+            let event_mode = slaves.iter().map(Slave::prefers_event_mode).collect();
+            return Answer::FirstRun { rows, event_mode };
         }
+        let found = selftest::stage(slaves, setup, steps, stage, &reference, self.activity);
+        Answer::Tested(serde_json::to_string(&found).unwrap_or_default())
     }
 
     /// Keeps the present state under a number.

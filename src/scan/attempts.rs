@@ -1,0 +1,153 @@
+//! A search, and the same again on the next rung when it is not to be relied on.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use super::exhaustive::census;
+use super::footing::{Doubt, Footing, Shown};
+use super::prepare::Prepared;
+use super::quick::search;
+use super::run::{AUTO, Method, Progress, ScanError, ScanOptions, Searched};
+use crate::hazard::{Finding, Group, Groups};
+use crate::host::audit::repeated;
+use crate::host::selftest::Rung;
+use crate::host::{Effort, Hosted, Unlike};
+use crate::report::model::Hazard;
+use crate::sim::expansion::Merge;
+use crate::sim::journal::Journal;
+use crate::sim::replay::replay;
+
+/// The last of several attempts.
+pub(super) struct Attempt {
+    pub footing: Footing,
+    pub searched: Searched,
+    pub hazards: Vec<Hazard>,
+    /// Why there were several.
+    pub notes: Vec<String>,
+    /// Of all.
+    pub effort: Effort,
+    /// What is wrong with it, if there is no other rung.
+    pub doubt: Option<Doubt>,
+}
+
+/// Searches; when what was found is not to be relied on, again on the next rung. What a plain run confirmed stays.
+pub(super) fn attempts(
+    prepared: &Prepared,
+    options: ScanOptions,
+    mut journal: Journal,
+    links: &[String],
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Attempt, ScanError> {
+    let sensors: Vec<String> = prepared.cell.sensors.iter().map(|s| s.name.clone()).collect();
+    let merge = match options.method {
+        Method::Strategy(_) => Merge::History,
+        Method::Exhaustive(how) | Method::Auto(_, how) => how.merge,
+    };
+    let mut footing = Footing::asked(prepared, options.state, merge);
+    let (mut notes, mut kept, mut effort) = (Vec::new(), Groups::default(), Effort::default());
+    loop {
+        // One process for all; each plain run has a fresh instance in it.
+        let mut plain = footing.plain(prepared);
+        let mut groups = Groups::default();
+        let mut searched = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell)?;
+        effort = effort.and(searched.effort);
+        let complete = searched.certificate.as_ref().is_some_and(|c| c.complete);
+        let only_kept = if complete { Vec::new() } else { kept.clone().added_to(&mut groups) };
+        let confirmed = |group: &Group, plain: &mut Hosted| {
+            let mut hazard = Hazard::new(group, links, &sensors);
+            hazard.confirmed = Some(confirm(prepared, plain, &group.worst));
+            hazard.shortest.confirmed = Some(confirm(prepared, plain, &group.shortest));
+            hazard
+        };
+        let mut hazards: Vec<Hazard> = groups.ranked().into_iter().map(|g| confirmed(g, &mut plain)).collect();
+        let sure = |h: &Hazard| h.confirmed == Some(true) && h.shortest.confirmed == Some(true);
+        // Those of an earlier attempt are there because they were confirmed.
+        hazards.retain(|hazard| sure(hazard) || !only_kept.contains(&hazard.id));
+        let unconfirmed = hazards.iter().filter(|hazard| !sure(hazard)).count();
+        let unsure = || Doubt { unlike: Unlike::State, shown: Shown::Unconfirmed(unconfirmed) };
+        let mut doubt = searched.doubt.take().or_else(|| (unconfirmed > 0).then(unsure));
+        let next = match &mut doubt {
+            Some(doubt) if !searched.interrupted => match repeatable(prepared, &mut plain, doubt)? {
+                true => footing.lower(prepared, doubt.unlike),
+                false => None,
+            },
+            _ => None,
+        };
+        let (Some(doubt), Some(next)) = (&doubt, next) else {
+            return Ok(Attempt { footing, searched, hazards, notes, effort, doubt });
+        };
+        let because = footing.lowered(prepared, doubt, next);
+        if tell(Progress::SearchAgain { because: &because }).is_break() {
+            searched.interrupted = true;
+            return Ok(Attempt { footing, searched, hazards, notes, effort, doubt: Some(doubt.clone()) });
+        }
+        notes.push(because);
+        for hazard in hazards.iter().filter(|hazard| sure(hazard)) {
+            if let Some(group) = groups.get(&hazard.id) {
+                kept.add(group.worst.clone(), group.first_iteration, links);
+                kept.add(group.shortest.clone(), group.first_iteration, links);
+            }
+        }
+        footing = next;
+    }
+}
+
+/// Whether the history in which a doubt showed itself gives the same twice in plain runs, each in a process of its own if
+/// it can have one. If that is not what the plain run of the audit gave, it is that one which is wrong.
+fn repeatable(prepared: &Prepared, plain: &mut Hosted, doubt: &mut Doubt) -> Result<bool, ScanError> {
+    let Shown::Audit(difference) = &doubt.shown else { return Ok(true) };
+    let mut apart;
+    let plant = match prepared.has_processes() {
+        true => {
+            apart = prepared.plant_by(Rung::Processes);
+            &mut apart
+        }
+        false => plain,
+    };
+    let again = repeated(plant, &difference.history).map_err(|cause| ScanError { cause })?;
+    if again.is_some_and(|gave| gave != difference.gave) {
+        doubt.unlike = Unlike::Plain;
+    }
+    Ok(again.is_some())
+}
+
+/// One search on one footing.
+fn once(
+    prepared: &Prepared,
+    (footing, plain): (Footing, &mut Hosted),
+    options: ScanOptions,
+    journal: &mut Journal,
+    links: &[String],
+    groups: &mut Groups,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Searched, ScanError> {
+    let mut all =
+        |how, plain: &mut Hosted, groups: &mut Groups, tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>| {
+            let census = census(prepared, (footing, plain), how, std::mem::take(journal), links, groups, tell)?;
+            let (searched, left) = Searched::all(census);
+            *journal = left;
+            Ok::<_, ScanError>(searched)
+        };
+    match options.method {
+        Method::Strategy(name) => search(prepared, (footing, plain), name, options, links, groups, tell),
+        Method::Exhaustive(how) => all(how, plain, groups, tell),
+        Method::Auto(name, how) => {
+            let quick = search(prepared, (footing, &mut *plain), name, options, links, groups, tell)?;
+            let ended = quick.interrupted || quick.broken.is_some() || quick.doubt.is_some();
+            if ended || (options.stop_at_first && !groups.is_empty()) {
+                return Ok(Searched { name: AUTO, ..quick });
+            }
+            let mut found = Groups::default();
+            let searched = all(how, plain, &mut found, tell)?;
+            let only_quick = std::mem::take(groups).added_to(&mut found);
+            *groups = found;
+            Ok(searched.after(quick, &only_quick))
+        }
+    }
+}
+
+/// Whether a fresh instance without any restore gives the same contact to the last bit.
+fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> bool {
+    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions);
+    again.is_ok_and(|again| again.as_ref() == Some(finding))
+}

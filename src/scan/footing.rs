@@ -1,0 +1,174 @@
+//! What a search stands on: how states are brought back, how equal ones are told, and what counts as a plain run. When one
+//! of these is found to be wrong, the search is made again on the next rung.
+
+use super::prepare::{Prepared, StateChoice};
+use crate::host::audit::Difference;
+use crate::host::selftest::{Agreement, Rung};
+use crate::host::{Hosted, PlantError, Policy, Unlike};
+use crate::sim::expansion::Merge;
+
+/// How states are brought back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum States {
+    /// As the user asked, or as the self-test recommends.
+    Asked(StateChoice),
+    /// By this rung, because another one was found to be wrong.
+    By(Rung),
+}
+
+/// What a search stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Footing {
+    states: States,
+    /// How equal states are told.
+    pub merge: Merge,
+    /// Whether a plain run has a process of its own, instead of an instance.
+    processes: bool,
+}
+
+/// A reason not to rely on what was found.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Doubt {
+    /// What is wrong.
+    pub unlike: Unlike,
+    /// Where it showed itself.
+    pub shown: Shown,
+}
+
+/// Where a doubt showed itself.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shown {
+    /// In a run from the start.
+    Audit(Difference),
+    /// While searching.
+    Search(PlantError),
+    /// Hazards, so many, that a replay did not confirm.
+    Unconfirmed(usize),
+}
+
+impl Doubt {
+    /// That of an audit.
+    pub fn of_audit(difference: Difference) -> Self {
+        Self { unlike: difference.unlike, shown: Shown::Audit(difference) }
+    }
+
+    /// That of a failure of the search, if it is one.
+    pub fn of_search(error: &PlantError) -> Option<Self> {
+        Some(Self { unlike: error.unlike?, shown: Shown::Search(error.clone()) })
+    }
+
+    /// How it showed itself, in words.
+    pub fn words(&self) -> String {
+        match &self.shown {
+            Shown::Audit(Difference { action: 0, .. }) => {
+                "run again from the start, the FMU gave other outputs at its start".to_owned()
+            }
+            Shown::Audit(Difference { action, .. }) => {
+                format!("run again from the start, the FMU gave other outputs in action {action} of a sequence")
+            }
+            Shown::Search(error) => error.message.clone(),
+            Shown::Unconfirmed(1) => "a replay did not confirm 1 hazard".to_owned(),
+            Shown::Unconfirmed(hazards) => format!("a replay did not confirm {hazards} hazards"),
+        }
+    }
+}
+
+impl Footing {
+    /// As the user asked.
+    pub fn asked(prepared: &Prepared, choice: StateChoice, merge: Merge) -> Self {
+        let merge = if prepared.tells_states_by_bytes() { merge } else { Merge::History };
+        let processes = prepared.has_processes() && prepared.self_test.deterministic != Agreement::Exact;
+        Self { states: States::Asked(choice), merge, processes }
+    }
+
+    /// The way in which states are brought back.
+    pub fn rung(&self, prepared: &Prepared) -> Rung {
+        match self.states {
+            States::By(rung) => rung,
+            States::Asked(StateChoice::Auto) => prepared.rung,
+            States::Asked(StateChoice::Fmu) => Rung::SavedStates,
+            States::Asked(StateChoice::Fork) => Rung::Copies,
+            States::Asked(StateChoice::Replay) => Rung::Instances,
+            States::Asked(StateChoice::Process) => Rung::Processes,
+        }
+    }
+
+    /// The FMUs, not yet started, to search with.
+    pub fn plant(&self, prepared: &Prepared) -> Hosted {
+        match self.states {
+            States::Asked(choice) => prepared.plant(choice),
+            States::By(rung) => prepared.plant_by(rung),
+        }
+    }
+
+    /// How states are brought back.
+    pub fn policy(&self, prepared: &Prepared) -> Policy {
+        match self.states {
+            States::Asked(choice) => prepared.policy(choice),
+            States::By(rung) => prepared.policy_by(rung),
+        }
+    }
+
+    /// The FMUs, not yet started, for plain runs: from a fresh instance or in a fresh process each, without any restore.
+    pub fn plain(&self, prepared: &Prepared) -> Hosted {
+        prepared.plant_by(if self.processes { Rung::Processes } else { Rung::Instances })
+    }
+
+    /// What a fresh start of a plain run costs, in communication steps, about.
+    pub const fn instance(&self) -> u64 {
+        if self.processes { 3000 } else { 60 }
+    }
+
+    /// Communication steps that an audit may take at least: about a second, or as many processes as start in some.
+    pub const fn least_audit(&self) -> u64 {
+        if self.processes { 1_000_000 } else { 150_000 }
+    }
+
+    /// The next rung, if there is one; none of those that were left is come back to.
+    pub fn lower(self, prepared: &Prepared, unlike: Unlike) -> Option<Self> {
+        let by = |rung| Self { states: States::By(rung), merge: Merge::History, ..self };
+        let processes =
+            (prepared.has_processes() && !self.processes).then_some(Self { processes: true, ..by(Rung::Processes) });
+        let instances = if self.processes { by(Rung::Processes) } else { by(Rung::Instances) };
+        match (unlike, self.rung(prepared)) {
+            (Unlike::Merge, _) if self.merge == Merge::Auto => Some(Self { merge: Merge::History, ..self }),
+            (Unlike::Plain, _) => processes,
+            (_, Rung::SavedStates) if prepared.self_test.fork == Agreement::Exact => Some(by(Rung::Copies)),
+            (_, Rung::SavedStates | Rung::Copies) => Some(instances),
+            (_, Rung::Instances | Rung::Processes) => processes,
+        }
+    }
+
+    /// What is said when a search is made again: what was found, and what is done.
+    pub fn lowered(self, prepared: &Prepared, doubt: &Doubt, to: Self) -> String {
+        let (from, by) = (self.rung(prepared), to.rung(prepared));
+        let found = doubt.words();
+        if self.merge != to.merge && from == by {
+            return format!(
+                "two states of the FMU with the same bytes are two states: {found}. Equal states are told by the inputs \
+                 instead, and everything was searched again"
+            );
+        }
+        match doubt.unlike {
+            Unlike::Plain => format!(
+                "fresh instances of the FMU in one process do not agree: {found}. Each run has a process of its own \
+                 instead, and everything was searched again"
+            ),
+            _ => format!("{from} cannot be relied on with this FMU: {found}. Everything was searched again with {by}"),
+        }
+    }
+}
+
+/// Why nothing is certified of an FMU that does not even repeat itself in plain runs.
+pub(super) fn not_repeatable(doubt: &Doubt) -> String {
+    match doubt.shown {
+        Shown::Unconfirmed(_) => {
+            format!("{}: what is listed as not confirmed may not be there, and more may be", doubt.words())
+        }
+        _ => format!(
+            "the FMU does not repeat itself: {}, with the same inputs. Its results depend on something else (a clock, a \
+             random generator, another process), so nothing can be certified. Ask its maker for a deterministic export",
+            doubt.words()
+        ),
+    }
+}
