@@ -3,6 +3,7 @@
 use crate::bytes::{Reader, Writer};
 use crate::cells::coupled::{Controller, Kinematics, Plc};
 use crate::cells::faulty::Faulty;
+use crate::cells::guarded::Guarded;
 use crate::cells::workcell::Workcell;
 use crate::interface::variables::{Interface, Value, Variant};
 use crate::interface::{self};
@@ -66,6 +67,8 @@ pub enum AnyModel {
     Kinematics(Kinematics),
     /// The model that misbehaves on demand.
     Faulty(Faulty),
+    /// The model with all that can be set wrongly.
+    Guarded(Guarded),
 }
 
 /// All interfaces, built once.
@@ -86,6 +89,7 @@ impl AnyModel {
     pub fn new(identifier: &str) -> Option<Self> {
         match identifier {
             "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
+            "guarded" => Some(AnyModel::Guarded(Guarded::new())),
             "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
             "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
             "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
@@ -101,6 +105,7 @@ impl AnyModel {
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
+            AnyModel::Guarded(model) => model,
         }
     }
 
@@ -112,6 +117,7 @@ impl AnyModel {
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
+            AnyModel::Guarded(model) => model,
         }
     }
 
@@ -137,6 +143,7 @@ impl AnyModel {
             AnyModel::Controller(model) => *model = Controller::new(),
             AnyModel::Kinematics(model) => *model = Kinematics::new(),
             AnyModel::Faulty(model) => model.reset(),
+            AnyModel::Guarded(model) => *model = Guarded::new(),
         }
     }
 
@@ -165,6 +172,7 @@ impl AnyModel {
             AnyModel::Controller(_) => Controller::read(input).map(AnyModel::Controller),
             AnyModel::Kinematics(_) => Kinematics::read(input).map(AnyModel::Kinematics),
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
+            AnyModel::Guarded(_) => Guarded::read(input).map(AnyModel::Guarded),
         }
     }
 }

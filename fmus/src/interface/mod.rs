@@ -7,6 +7,7 @@ pub mod coupled;
 pub mod description;
 pub mod description3;
 pub mod faulty;
+pub mod guarded;
 pub mod head_collision;
 pub mod heavy_workpiece;
 pub mod hostile;
@@ -38,5 +39,5 @@ pub fn all() -> Vec<Interface> {
     let workcells =
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
     let faulty = [Variant::Faithful, Variant::NoState].map(faulty::interface);
-    workcells.chain(coupled::all()).chain(faulty).collect()
+    workcells.chain(coupled::all()).chain(faulty).chain([guarded::interface()]).collect()
 }
