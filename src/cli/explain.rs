@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     no_changes: bool,
     /// No complete searches: what is told of changes then rests on known sequences and quick searches only
-    #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_work"])]
+    #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_memory", "max_work"])]
     quick: bool,
     /// Sequences of each quick search that tries out a change
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
@@ -36,6 +36,9 @@ pub(super) struct Arguments {
     /// Most distinct states of each complete search
     #[arg(long, default_value_t = 300_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_states: u32,
+    /// Most memory for the states of each complete search, MB
+    #[arg(long, default_value_t = 2_000, value_parser = clap::value_parser!(u32).range(1..))]
+    max_memory: u32,
     /// Most work of the arm searches in each complete search, millions of joint-angle boxes
     #[arg(long, default_value_t = 200)]
     max_work: u32,
@@ -91,9 +94,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     Ok(NO_HAZARD)
 }
 
-/// Memory for the states of a complete search, bytes.
-const MEMORY: usize = 2_000_000_000;
-
 /// Tries the changes; each that holds is told at once.
 fn changes(
     arguments: &Arguments,
@@ -106,7 +106,7 @@ fn changes(
         iterations: arguments.iterations,
         work: u64::from(arguments.max_work) * 1_000_000,
         states: if arguments.quick { 0 } else { arguments.max_states as usize },
-        bytes: MEMORY,
+        bytes: arguments.max_memory as usize * 1_000_000,
         workers: arguments.workers.unwrap_or_else(cores),
     };
     // Threads tell of their progress, one after the other.
@@ -121,7 +121,7 @@ fn changes(
                     bar.finish();
                 }
             }
-            Told::Completely(number, of) => output::note(&format!("  every sequence after change {number} of {of}")),
+            Told::Completely(number, of) => output::note(&format!("  change {number} of {of} that held so far: looking at every sequence")),
             Told::Done(remedy) => remedy.told().iter().for_each(|line| output::note(&format!("   {line}"))),
         }
     };

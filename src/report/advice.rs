@@ -161,6 +161,9 @@ impl Checked {
     /// What was looked at, in words.
     fn words(&self) -> String {
         let mut words: Vec<String> = Vec::new();
+        if self.complete.is_empty() {
+            words.push("no search of every sequence".to_owned());
+        }
         for (number, complete) in self.complete.iter().enumerate() {
             let from = if number == 0 { String::new() } else { format!(" from beginning {}", number + 1) };
             words.push(if complete.reasons.is_empty() {

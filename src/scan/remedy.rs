@@ -148,8 +148,8 @@ impl<'a> Bench<'a> {
             }
         };
         add(hazard);
-        for number in 0..known.len() {
-            alike.get(number).into_iter().copied().chain([&known[number]]).for_each(&mut add);
+        for (number, any) in known.iter().enumerate() {
+            alike.get(number).into_iter().copied().chain([any]).for_each(&mut add);
         }
         let actions = cell.search.actions as usize;
         let probes = probes(&sequences, actions, cell.search.seed);

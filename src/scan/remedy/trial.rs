@@ -94,13 +94,12 @@ impl<'a> Trial<'a> {
         // What is left is no advice: nothing of it needs a complete search.
         if self.later {
             (self.low, self.below) = (0, OneLess::AsItIs);
-            if let Some((steps, ..)) = self.fewest(Goal::ForNow, None) {
-                if let Judged::Met(witness) = self.judge(steps, Goal::Lasting, None) {
-                    if let Ok(changed) = self.changed(steps) {
-                        let met = changed.met(&witness);
-                        return self.remedy(steps, Outcome::OnlyLater(met));
-                    }
-                }
+            if let Some((steps, ..)) = self.fewest(Goal::ForNow, None)
+                && let Judged::Met(witness) = self.judge(steps, Goal::Lasting, None)
+                && let Ok(changed) = self.changed(steps)
+            {
+                let met = changed.met(&witness);
+                return self.remedy(steps, Outcome::OnlyLater(met));
             }
         }
         (self.low, self.below) = (0, OneLess::AsItIs);
