@@ -307,8 +307,8 @@ fn a_gap_that_is_closed_in_front_of_the_person_but_not_beside_is_open() {
     if let Some(remedy) = advised.enough("lintel") {
         let lower = number(&remedy.change, "lintel ");
         assert!(lower > 0.05, "{}", remedy.change);
-        for beside in ["0.03", "0.09", "0.11"] {
-            let text = remedy.cell.replace("0.06", beside);
+        for beside in ["0.01", "0.03", "0.09", "0.11"] {
+            let text = remedy.cell.replace("0.06, -1.8", &format!("{beside}, -1.8"));
             assert_ne!(text, remedy.cell);
             assert!(!advised.is_hazardous(&text, 0), "{} {beside}", remedy.change);
         }

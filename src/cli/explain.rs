@@ -121,7 +121,9 @@ fn changes(
                     bar.finish();
                 }
             }
-            Told::Completely(number, of) => output::note(&format!("  change {number} of {of} that held so far: looking at every sequence")),
+            Told::Completely(number, of) => {
+                output::note(&format!("  change {number} of {of} that held so far: looking at every sequence"))
+            }
             Told::Done(remedy) => remedy.told().iter().for_each(|line| output::note(&format!("   {line}"))),
         }
     };

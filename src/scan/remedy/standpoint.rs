@@ -10,21 +10,23 @@ use crate::scan::prepare::Prepared;
 pub(super) struct Standpoint {
     /// Which of the cell's beginnings, from 0.
     pub beginning: usize,
-    /// How far beside its start, m along x and y, and how much the person is turned, degrees.
+    /// How far off its start, m to the front and to the left, and how much the person is turned to the left, degrees.
     pub beside: [f64; 3],
     /// Actions more than the cell says.
     pub more: u32,
 }
 
-/// Places around a start, m, and turns, degrees: within 5 cm, no two on one line through it, and none that the grid of
-/// walks leads to.
-const AROUND: [[f64; 3]; 6] = [
-    [0.05, 0.0, 0.0],
-    [-0.05, 0.0, 0.0],
+/// Places beside a start, m to the front and to the left, and turns to the left, degrees: within 5 cm, and off the grid that
+/// the walks from the start are on.
+const AROUND: [[f64; 3]; 8] = [
+    [0.0, 0.03, 0.0],
+    [0.0, -0.03, 0.0],
+    [0.0, 0.05, 0.0],
+    [0.0, -0.05, 0.0],
     [0.031, 0.039, 7.0],
-    [-0.031, 0.039, -7.0],
-    [0.023, -0.043, -11.0],
-    [-0.023, -0.043, 11.0],
+    [0.031, -0.039, -7.0],
+    [-0.043, 0.023, -11.0],
+    [-0.043, -0.023, 11.0],
 ];
 
 impl Standpoint {
@@ -57,13 +59,15 @@ impl Standpoint {
                 other => human.get_mut("other_starts")?.as_array_mut()?.get_mut(other - 1)?,
             };
             let start = start.as_table_mut()?;
-            let [x, y, turn] = self.beside;
-            let heading = number(start.get("heading_deg")?)? + turn;
+            let [ahead, left, turn] = self.beside;
+            let heading = number(start.get("heading_deg")?)?;
+            let (sin, cos) = libm::sincos(heading.to_radians());
             let xy = start.get_mut("xy_m")?.as_array_mut()?;
-            for (value, off) in xy.iter_mut().zip([x, y]) {
-                *value = (number(value)? + off).into();
+            for (value, off) in xy.iter_mut().zip([cos * ahead - sin * left, sin * ahead + cos * left]) {
+                // To the nanometre: written as people would.
+                *value = (((number(value)? + off) * 1e9).round() / 1e9).into();
             }
-            start.insert("heading_deg".to_owned(), heading.into());
+            start.insert("heading_deg".to_owned(), (heading + turn).into());
         }
         if self.more > 0 {
             let search = table.entry("search").or_insert_with(|| Value::Table(Table::new())).as_table_mut()?;
@@ -111,7 +115,7 @@ mod tests {
             text.parse::<Table>().expect("it is TOML")
         };
         let [first, second] = [at(2), at(3)];
-        assert_eq!(first["human"]["start"]["xy_m"], Value::Array(vec![1.25.into(), 2.0.into()]));
+        assert_eq!(first["human"]["start"]["xy_m"], Value::Array(vec![1.5.into(), 2.75.into()]));
         assert_eq!(first["human"]["start"]["heading_deg"].as_float(), Some(97.0));
         assert_eq!(first["human"]["other_starts"], table["human"]["other_starts"]);
         assert_eq!(second["human"]["start"], table["human"]["start"]);
