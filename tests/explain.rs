@@ -1,5 +1,5 @@
-//! `explain`: its words and numbers, and that the changes it names do remove the hazard, while smaller ones do not: by scans
-//! of every sequence in the changed cells.
+//! `explain`: its words and numbers, and that after the changes it names nothing is hazardous, by scans of every sequence in
+//! cells changed by hand. `advice.rs` has more of that.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -52,10 +52,18 @@ fn remedy<'a>(explanation: &'a Value, words: &str) -> &'a Value {
     remedies.iter().find(|remedy| remedy["change"].as_str().unwrap().starts_with(words)).unwrap()
 }
 
-/// The same change, if it helps.
+/// The same change, if it is enough.
 fn change<'a>(explanation: &'a Value, words: &str) -> Option<&'a str> {
     let found = remedy(explanation, words);
-    found["outcome"].get("removed").map(|_| found["change"].as_str().unwrap())
+    found["outcome"].get("sufficient").map(|_| found["change"].as_str().unwrap())
+}
+
+/// Whether the hazard that one step less leads to begins where the cell says and within its time, so that a scan of the cell
+/// meets it.
+fn one_less_is_within(explanation: &Value, words: &str, actions: usize) -> bool {
+    let met = &remedy(explanation, words)["outcome"]["sufficient"]["one_less"]["met"];
+    let length = met["actions"].as_array().unwrap().len();
+    met["from"].is_null() && length <= actions
 }
 
 /// The number behind a word.
@@ -69,19 +77,21 @@ fn the_speed_that_it_names_is_the_highest_at_which_no_sequence_hurts() {
     let dir = examples();
     let dir = dir.path();
     let text = short(dir, "heavy-workpiece", 6);
-    let (hazard, explanation) = explained(dir, "heavy-workpiece", &text, &[]);
-    let region = hazard["body_region"].as_str().unwrap();
+    let (hazard, explanation) = explained(dir, "heavy-workpiece", &text, &["--iterations", "8"]);
     let with = |v: f64| {
         let cell = format!("{text}\n[parameters]\n\"plc.v_limit\" = {v}\n");
-        hazards(dir, "heavy-workpiece", &cell).iter().any(|(hit, _)| hit == region)
+        !hazards(dir, "heavy-workpiece", &cell).is_empty()
     };
     let limit = number(change(&explanation, "FMU parameter plc.v_limit").unwrap(), "= ");
     // One step is a hundredth of what it was, 0.48 m/s.
-    assert!(!with(limit) && with(limit + 0.0048), "{limit}");
+    assert!(!with(limit), "{limit}");
+    if one_less_is_within(&explanation, "FMU parameter plc.v_limit", 6) {
+        assert!(with(limit + 0.0048), "{limit}");
+    }
     // By hand: the force grows with the speed, so the limit is about 1/ratio of the old one; not exactly, as the point that
     // touches is not the tool centre point whose speed is limited.
     let expected = 0.48 / hazard["ratio"].as_f64().unwrap();
-    assert!((limit - expected).abs() < 0.05, "{limit} {expected}");
+    assert!(limit < expected + 0.05 && limit > 0.6 * expected, "{limit} {expected}");
 }
 
 #[test]
@@ -89,22 +99,24 @@ fn the_distance_that_it_names_is_the_smallest_in_which_no_sequence_hurts() {
     let dir = examples();
     let dir = dir.path();
     let text = short(dir, "head-collision", 5);
-    let (hazard, explanation) = explained(dir, "head-collision", &text, &[]);
-    let region = hazard["body_region"].as_str().unwrap();
+    let (_, explanation) = explained(dir, "head-collision", &text, &["--iterations", "8"]);
     let base = "base = { xyz_m = [0, 0.7, 0.8975]";
     assert!(text.contains(base));
     let with = |farther: f64| {
         let cell = text.replace(base, &format!("base = {{ xyz_m = [0, {}, 0.8975]", 0.7 + farther));
-        hazards(dir, "head-collision", &cell).iter().any(|(hit, _)| hit == region)
+        !hazards(dir, "head-collision", &cell).is_empty()
     };
     let farther = number(change(&explanation, "UR5e").unwrap(), "UR5e ");
-    assert!(!with(farther) && with(farther - 0.01), "{farther}");
+    assert!(!with(farther), "{farther}");
+    if one_less_is_within(&explanation, "UR5e", 5) {
+        assert!(with(farther - 0.01), "{farther}");
+    }
     // Where to the robot slows down makes no difference: any motion is too much for a head.
     assert_eq!(change(&explanation, "FMU parameter plc.v_reduced"), None);
     // A zone in which the person starts would be a cell that stands still.
     let zone = remedy(&explanation, "zone of field");
     assert!(
-        zone["change"].as_str().unwrap() < "zone of field 0.70" || zone["outcome"].get("removed").is_none(),
+        zone["change"].as_str().unwrap() < "zone of field 0.70" && zone["outcome"].get("sufficient").is_none(),
         "{zone}"
     );
 }
@@ -186,8 +198,9 @@ fn a_zone_that_reaches_the_start_and_one_that_stops_nothing_remove_nothing() {
     let explanation: Value = serde_json::from_str(&text).unwrap();
     // The mat's edge is 0.2 m from the start: nothing that is wider was tried to the end.
     let mat = remedy(&explanation, "zone of mat");
-    assert_eq!(mat["outcome"], "no_help");
-    assert!(number(mat["change"].as_str().unwrap(), "zone of mat ") < 0.2, "{mat}");
+    let limit = mat["outcome"]["no_help"]["limit"].as_str().unwrap();
+    assert_eq!(limit, "mat then reports the person at the start already");
+    assert!(number(mat["change"].as_str().unwrap(), "zone of mat ") <= 0.2, "{mat}");
     // The bar is 1.4 m long, and the person walks after it.
-    assert_eq!(remedy(&explanation, "turntable 1.50 m")["outcome"], "no_help");
+    assert_eq!(change(&explanation, "turntable"), None);
 }

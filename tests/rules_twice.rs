@@ -8,6 +8,7 @@
 //!   reported in one of the runs that the planes allow;
 //! - that each hazard was confirmed.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "figures of both for who reads the log")]
 
 mod common;
 #[path = "common/twin/mod.rs"]

@@ -4,6 +4,7 @@ use crate::bytes::{Reader, Writer};
 use crate::cells::coupled::{Controller, Kinematics, Plc};
 use crate::cells::faulty::Faulty;
 use crate::cells::gantry::Gantry;
+use crate::cells::guarded::Guarded;
 use crate::cells::liar::Liar;
 use crate::cells::workcell::Workcell;
 use crate::interface::variables::{Interface, Value, Variant};
@@ -72,6 +73,8 @@ pub enum AnyModel {
     Gantry(Gantry),
     /// The model whose states lie on demand.
     Liar(Liar),
+    /// The model with all that can be set wrongly.
+    Guarded(Guarded),
 }
 
 /// All interfaces, built once.
@@ -94,6 +97,7 @@ impl AnyModel {
             "faulty" | "faulty_nostate" => Some(AnyModel::Faulty(Faulty::new())),
             "gantry" => Some(AnyModel::Gantry(Gantry::new())),
             "liar" => Some(AnyModel::Liar(Liar::new())),
+            "guarded" => Some(AnyModel::Guarded(Guarded::new())),
             "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
             "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
             "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
@@ -111,6 +115,7 @@ impl AnyModel {
             AnyModel::Faulty(model) => model,
             AnyModel::Gantry(model) => model,
             AnyModel::Liar(model) => model,
+            AnyModel::Guarded(model) => model,
         }
     }
 
@@ -124,6 +129,7 @@ impl AnyModel {
             AnyModel::Faulty(model) => model,
             AnyModel::Gantry(model) => model,
             AnyModel::Liar(model) => model,
+            AnyModel::Guarded(model) => model,
         }
     }
 
@@ -152,6 +158,7 @@ impl AnyModel {
             AnyModel::Faulty(model) => model.reset(),
             AnyModel::Gantry(model) => *model = Gantry::new(),
             AnyModel::Liar(model) => *model = Liar::new(),
+            AnyModel::Guarded(model) => *model = Guarded::new(),
         }
     }
 
@@ -182,6 +189,7 @@ impl AnyModel {
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),
             AnyModel::Gantry(_) => Gantry::read(input).map(AnyModel::Gantry),
             AnyModel::Liar(_) => Liar::read(input).map(AnyModel::Liar),
+            AnyModel::Guarded(_) => Guarded::read(input).map(AnyModel::Guarded),
         }
     }
 }

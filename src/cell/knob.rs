@@ -1,11 +1,13 @@
-//! What in a cell can be turned to make it safer: speeds and lengths that its FMUs have as parameters, sensor zones, heights
-//! of fences, and where robots stand. Each turns a cell file, as a TOML table, into another one.
+//! What in a cell can be turned to make it safer: speeds, lengths, times and truth values that its FMUs have as parameters,
+//! sensor zones, heights of fences, and where robots stand. Each turns a cell file, as a TOML table, into another one.
+
+mod parameter;
 
 use toml::{Table, Value};
 
+use self::parameter::{Parameter, Quantity, Setting, parameters};
 use super::validate::Workcell;
 use super::{Zone, binding::BoundUnit};
-use crate::fmi::{Causality, Variable, VariableType};
 use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
 
@@ -16,6 +18,10 @@ enum Turn {
     Slower { parameter: String, value: f64, unit: String },
     /// A parameter to `value + sign * amount`.
     Length { parameter: String, value: f64, unit: String, per_m: f64, sign: f64 },
+    /// A parameter to `value + steps * step`.
+    Time { parameter: String, value: f64, unit: String, step: f64 },
+    /// A parameter to the other value.
+    Flip { parameter: String, value: bool },
     /// Every edge of a sensor's polygon outwards.
     Wider { sensor: usize },
     /// The upper end of a light curtain up.
@@ -36,7 +42,8 @@ pub struct Knob {
     turn: Turn,
     /// Name of the sensor, box or robot, as people know it.
     name: String,
-    /// Steps to try at most; see [`Knob::amount`].
+    /// Steps to try at most. One is 0.01 m of a length, a hundredth of a speed. Of a time it is a fiftieth, or 0.02 s if that
+    /// is more and the time becomes longer.
     pub steps: u32,
 }
 
@@ -48,6 +55,15 @@ const FARTHEST: u32 = 150;
 
 /// Most that a speed is reduced, in steps: to nothing.
 const SLOWEST: u32 = 100;
+
+/// One step of a time, as a part of it.
+const TIME_STEP: f64 = 0.02;
+
+/// Least step of a time that becomes longer, s.
+const LEAST_TIME_STEP_S: f64 = 0.02;
+
+/// Farthest that a time is made longer, in steps: to three times what it is, at least 2 s longer.
+const LONGEST: u32 = 100;
 
 /// Who could be hit by what: which way is away.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,10 +85,19 @@ impl Knob {
             }
         };
         let parameters = parameters(text, units);
-        for Parameter { name, value, unit, quantity, min, .. } in &parameters {
-            if *quantity == Quantity::Speed && *value > 0.0 {
-                let turn = Turn::Slower { parameter: name.clone(), value: *value, unit: unit.clone() };
-                add(turn, name, steps_within((value - min.max(0.0)) / value).min(SLOWEST));
+        for Parameter { name, unit, setting } in &parameters {
+            match *setting {
+                Setting::Number { value, quantity: Quantity::Speed, min, .. } if value > 0.0 => {
+                    let turn = Turn::Slower { parameter: name.clone(), value, unit: unit.clone() };
+                    add(turn, name, steps_within((value - min.max(0.0)) / value).min(SLOWEST));
+                }
+                Setting::Number { value, quantity: Quantity::Time { per_s }, min, max } => {
+                    for (step, most) in time_steps(value, per_s, min, max) {
+                        add(Turn::Time { parameter: name.clone(), value, unit: unit.clone(), step }, name, most);
+                    }
+                }
+                Setting::Flag(value) => add(Turn::Flip { parameter: name.clone(), value }, name, 1),
+                Setting::Number { .. } => {}
             }
         }
         let world_from_base = cell.robots[encounter.robot].world_from_base.translation;
@@ -91,11 +116,11 @@ impl Knob {
                 Zone::TwoHand { .. } | Zone::Reported => {}
             }
         }
-        for Parameter { name, value, unit, quantity, min, max } in &parameters {
-            if let Quantity::Length { per_m } = *quantity {
+        for Parameter { name, unit, setting } in &parameters {
+            if let Setting::Number { value, quantity: Quantity::Length { per_m }, min, max } = *setting {
                 for (sign, room) in [(1.0, max - value), (-1.0, value - min)] {
                     let (parameter, unit) = (name.clone(), unit.clone());
-                    let turn = Turn::Length { parameter, value: *value, unit, per_m, sign };
+                    let turn = Turn::Length { parameter, value, unit, per_m, sign };
                     add(turn, name, steps_within(room / per_m));
                 }
             }
@@ -112,21 +137,47 @@ impl Knob {
         knobs
     }
 
-    /// How far so many steps turn it: m, or for speeds a part of it.
+    /// Whether it is a parameter of an FMU that may be about a safeguard: no speed.
     #[must_use]
-    pub fn amount(&self, steps: u32) -> f64 {
+    pub const fn may_set_a_safeguard(&self) -> bool {
+        matches!(self.turn, Turn::Length { .. } | Turn::Time { .. } | Turn::Flip { .. })
+    }
+
+    /// Whether it is a time.
+    #[must_use]
+    pub const fn is_time(&self) -> bool {
+        matches!(self.turn, Turn::Time { .. })
+    }
+
+    /// How much slower it makes something: the part of its speed that is left after so many steps.
+    #[must_use]
+    pub fn speed_left(&self, steps: u32) -> Option<f64> {
+        matches!(self.turn, Turn::Slower { .. }).then(|| 1.0 - Self::amount(steps))
+    }
+
+    /// How much farther away so many steps move a robot, m; nothing for other knobs.
+    #[must_use]
+    pub fn farther_m(&self, steps: u32) -> f64 {
+        if matches!(self.turn, Turn::FartherRobot { .. }) { Self::amount(steps) } else { 0.0 }
+    }
+
+    /// How far so many steps turn it: m, or for speeds a part of it.
+    fn amount(steps: u32) -> f64 {
         f64::from(steps) * STEP
     }
 
     /// The cell file with this turned by so many steps; nothing if the file is not as expected.
     #[must_use]
     pub fn turned(&self, text: &Table, steps: u32) -> Option<Table> {
-        let amount = self.amount(steps);
+        let amount = Self::amount(steps);
         let mut text = text.clone();
         match &self.turn {
-            Turn::Slower { parameter, .. } | Turn::Length { parameter, .. } => {
+            Turn::Slower { parameter, .. }
+            | Turn::Length { parameter, .. }
+            | Turn::Time { parameter, .. }
+            | Turn::Flip { parameter, .. } => {
                 let parameters = text.entry("parameters").or_insert_with(|| Value::Table(Table::new()));
-                parameters.as_table_mut()?.insert(parameter.clone(), self.value(amount)?.into());
+                parameters.as_table_mut()?.insert(parameter.clone(), self.value(steps)?);
             }
             Turn::Wider { sensor } => {
                 let polygon = item(&mut text, "sensor", *sensor)?.get_mut("zone")?.get_mut("polygon_m")?;
@@ -164,24 +215,29 @@ impl Knob {
     }
 
     /// The parameter's value when turned.
-    fn value(&self, amount: f64) -> Option<f64> {
-        match &self.turn {
-            Turn::Slower { value, .. } => Some(round(value * (1.0 - amount))),
-            Turn::Length { value, per_m, sign, .. } => Some(round(value + sign * amount * per_m)),
-            _ => None,
-        }
+    fn value(&self, steps: u32) -> Option<Value> {
+        let amount = Self::amount(steps);
+        Some(match &self.turn {
+            Turn::Slower { value, .. } => round(value * (1.0 - amount)).into(),
+            Turn::Length { value, per_m, sign, .. } => round(value + sign * amount * per_m).into(),
+            Turn::Time { value, step, .. } => round(value + f64::from(steps) * step).into(),
+            Turn::Flip { value, .. } => (*value == (steps == 0)).into(),
+            _ => return None,
+        })
     }
 
     /// What turning it by so many steps means, in words.
     #[must_use]
     pub fn words(&self, steps: u32) -> String {
-        let (name, amount) = (&self.name, self.amount(steps));
+        let (name, amount) = (&self.name, Self::amount(steps));
         match &self.turn {
-            Turn::Slower { value, unit, .. } | Turn::Length { value, unit, .. } => {
-                let new = self.value(amount).unwrap_or(*value);
+            Turn::Slower { unit, .. } | Turn::Length { unit, .. } | Turn::Time { unit, .. } => {
+                let told = |steps| self.value(steps).as_ref().and_then(number).unwrap_or_default();
+                let (new, old) = (told(steps), told(0));
                 let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-                format!("FMU parameter {name} = {new}{unit} instead of {value}{unit}")
+                format!("FMU parameter {name} = {new}{unit} instead of {old}{unit}")
             }
+            Turn::Flip { value, .. } => format!("FMU parameter {name} = {} instead of {value}", !value),
             Turn::Wider { .. } => format!("zone of {name} {amount:.2} m wider on every side"),
             Turn::HigherCurtain { .. } => format!("{name} {amount:.2} m higher"),
             Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
@@ -191,68 +247,6 @@ impl Knob {
                 format!("{name} {amount:.2} m farther away, towards {}", axis(*direction))
             }
         }
-    }
-}
-
-/// What a parameter is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Quantity {
-    Speed,
-    /// With so many of its units in a metre.
-    Length {
-        per_m: f64,
-    },
-}
-
-/// A parameter of an FMU.
-struct Parameter {
-    /// With the unit's name in front, as in cell files.
-    name: String,
-    /// As the cell file sets it, else its start.
-    value: f64,
-    unit: String,
-    quantity: Quantity,
-    /// Limits that the FMU states.
-    min: f64,
-    max: f64,
-}
-
-/// Speeds and lengths among the parameters that a cell can set.
-fn parameters(text: &Table, units: &[BoundUnit<'_>]) -> Vec<Parameter> {
-    let set = text.get("parameters").and_then(Value::as_table);
-    let mut found = Vec::new();
-    for unit in units {
-        for variable in &unit.description.variables {
-            let name =
-                if unit.name.is_empty() { variable.name.clone() } else { format!("{}:{}", unit.name, variable.name) };
-            let VariableType::Real { min, max, .. } = &variable.kind else { continue };
-            let (min, max) = (min.unwrap_or(f64::NEG_INFINITY), max.unwrap_or(f64::INFINITY));
-            let Some((quantity, of)) = quantity(variable) else { continue };
-            let own = set.and_then(|set| set.get(&name)).and_then(number);
-            if let Some(value) = own.or_else(|| variable.numeric_start().first().copied()) {
-                found.push(Parameter { name, value, unit: of, quantity, min, max });
-            }
-        }
-    }
-    found
-}
-
-/// Whether a parameter is a speed or a length: by its unit, or, for factors and percentages, by its words.
-fn quantity(variable: &Variable) -> Option<(Quantity, String)> {
-    let VariableType::Real { unit, .. } = &variable.kind else { return None };
-    if variable.causality != Causality::Parameter || !variable.dimensions.is_empty() {
-        return None;
-    }
-    let unit = unit.as_deref().unwrap_or_default();
-    let words = format!("{} {}", variable.name, variable.description).to_lowercase();
-    match unit {
-        "m/s" | "mm/s" | "rad/s" | "deg/s" => Some((Quantity::Speed, unit.to_owned())),
-        "m" => Some((Quantity::Length { per_m: 1.0 }, unit.to_owned())),
-        "mm" => Some((Quantity::Length { per_m: 1000.0 }, unit.to_owned())),
-        "" | "1" | "%" if ["speed", "velocity", "override"].iter().any(|word| words.contains(word)) => {
-            Some((Quantity::Speed, if unit == "%" { unit.to_owned() } else { String::new() }))
-        }
-        _ => None,
     }
 }
 
@@ -299,6 +293,16 @@ fn axis(direction: [f64; 2]) -> &'static str {
         [_, y] if y > 0.0 => "+y",
         _ => "-y",
     }
+}
+
+/// The steps of a time, in its own unit, and how many there are: shorter, then longer.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
+fn time_steps(value: f64, per_s: f64, min: f64, max: f64) -> [(f64, u32); 2] {
+    let within = |room: f64, step: f64| (room / step + 1e-9).floor().clamp(0.0, f64::from(LONGEST)) as u32;
+    let part = TIME_STEP * value.max(0.0);
+    let longer = part.max(LEAST_TIME_STEP_S * per_s);
+    let shorter = if part > 0.0 { within(value - min.max(0.0), part) } else { 0 };
+    [(-part, shorter), (longer, within(max - value, longer))]
 }
 
 /// Whole steps in a length, at most [`FARTHEST`].
@@ -383,6 +387,21 @@ mod tests {
         assert_eq!(words, "it 0.35 m farther away, towards +x");
         let (cell, _) = turned(Turn::FartherRobot { robot: 0, direction: [0.0, 1.0] }, 1);
         assert_eq!(at(&cell, "robot", 0, &["base", "xyz_m"]), [0.0, 0.01, 0.0]);
+    }
+
+    #[test]
+    fn times_go_both_ways_and_truth_values_to_the_other_one() {
+        let time = |step| Turn::Time { parameter: "t".to_owned(), value: 0.5, unit: "s".to_owned(), step };
+        let (cell, words) = turned(time(-0.01), 20);
+        assert_eq!(cell["parameters"]["t"].as_float(), Some(0.3));
+        assert_eq!(words, "FMU parameter it = 0.3 s instead of 0.5 s");
+        assert_eq!(time_steps(0.5, 1.0, 0.0, 1.0), [(-0.01, 50), (0.02, 25)]);
+        assert_eq!(time_steps(3000.0, 1000.0, 2400.0, 1e9), [(-60.0, 10), (60.0, 100)]);
+        assert_eq!(time_steps(0.0, 1.0, 0.0, 5.0), [(0.0, 0), (0.02, 100)]);
+        let flip = Turn::Flip { parameter: "plc:mode".to_owned(), value: true };
+        let (cell, words) = turned(flip, 1);
+        assert_eq!(cell["parameters"]["plc:mode"].as_bool(), Some(false));
+        assert_eq!(words, "FMU parameter it = false instead of true");
     }
 
     #[test]

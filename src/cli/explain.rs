@@ -1,4 +1,4 @@
-//! `fmi-hazard explain`: a hazard in plain words, its force with every number, and what would remove it.
+//! `fmi-hazard explain`: a hazard in plain words, its force with every number, and what would be enough against it.
 
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -7,11 +7,13 @@ use super::exit::{Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{Format, Progress};
 use super::{earlier, output};
+use crate::report::advice::Remedy;
+use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
 use crate::scan::explain::explain;
-use crate::scan::remedy::{Effort, remedies};
+use crate::scan::remedy::{Effort, Told, remedies};
 use crate::scan::verify::verify;
-use crate::scan::{ScanError, StateChoice, film};
+use crate::scan::{Prepared, ScanError, StateChoice, film};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -22,12 +24,24 @@ pub(super) struct Arguments {
     /// The cell file or FMU, when it is no longer where it was
     #[arg(long)]
     cell: Option<PathBuf>,
-    /// Do not look for changes that remove it
+    /// Do not look for changes of the cell
     #[arg(long)]
     no_changes: bool,
-    /// Sequences that try out each change
+    /// No complete searches: what is told of changes then rests on known sequences and quick searches only
+    #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_memory", "max_work"])]
+    quick: bool,
+    /// Sequences of each quick search that tries out a change
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: u32,
+    /// Most distinct states of each complete search
+    #[arg(long, default_value_t = 300_000, value_parser = clap::value_parser!(u32).range(1..))]
+    max_states: u32,
+    /// Most memory for the states of each complete search, MB
+    #[arg(long, default_value_t = 2_000, value_parser = clap::value_parser!(u32).range(1..))]
+    max_memory: u32,
+    /// Most work of the arm searches in each complete search, millions of joint-angle boxes
+    #[arg(long, default_value_t = 200)]
+    max_work: u32,
     /// Threads (default: one a core); the result is the same
     #[arg(long)]
     workers: Option<usize>,
@@ -65,26 +79,53 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let Some(mut explanation) = explain(&prepared, hazard, &watched) else {
         return Err(Failure::unusable(format!("the cell has no link {}", hazard.robot_link)));
     };
+    if arguments.format == Format::Table {
+        output::result(&explanation.render_hazard());
+    }
     if !arguments.no_changes {
-        let cores = || std::thread::available_parallelism().map_or(1, Into::into);
-        let effort = Effort { iterations: arguments.iterations, workers: arguments.workers.unwrap_or_else(cores) };
-        // Threads tell of their progress, one after the other.
-        let progress: Mutex<Option<Progress>> = Mutex::new(None);
-        let tell = |done: usize, of: usize| {
-            if let Ok(mut progress) = progress.lock() {
-                progress.get_or_insert_with(|| Progress::new(of as u64, "changes tried")).at(done as u64, "");
-            }
-        };
-        explanation.remedies = remedies(&prepared, hazard, &recorded.hazards, effort, &tell).map_err(failed)?;
-        if let Ok(Some(progress)) = progress.into_inner() {
-            progress.finish();
-        }
+        explanation.remedies = changes(arguments, &prepared, hazard, &recorded.hazards)?;
     }
     match arguments.format {
-        Format::Table => output::result(&explanation.render()),
+        Format::Table => output::result(&explanation.render_changes()),
         Format::Json => {
             output::json_of(&explanation)?;
         }
     }
     Ok(NO_HAZARD)
+}
+
+/// Tries the changes; each that holds is told at once.
+fn changes(
+    arguments: &Arguments,
+    prepared: &Prepared,
+    hazard: &Hazard,
+    known: &[Hazard],
+) -> Result<Vec<Remedy>, Failure> {
+    let cores = || std::thread::available_parallelism().map_or(1, Into::into);
+    let effort = Effort {
+        iterations: arguments.iterations,
+        work: u64::from(arguments.max_work) * 1_000_000,
+        states: if arguments.quick { 0 } else { arguments.max_states as usize },
+        bytes: arguments.max_memory as usize * 1_000_000,
+        workers: arguments.workers.unwrap_or_else(cores),
+    };
+    // Threads tell of their progress, one after the other.
+    let progress: Mutex<Option<Progress>> = Mutex::new(None);
+    let tell = |told: Told<'_>| {
+        let Ok(mut progress) = progress.lock() else { return };
+        match told {
+            Told::Tried(done, of) => {
+                let bar = progress.get_or_insert_with(|| Progress::new(of as u64, "changes tried"));
+                bar.at(done as u64, "");
+                if done == of {
+                    bar.finish();
+                }
+            }
+            Told::Completely(number, of) => {
+                output::note(&format!("  change {number} of {of} that held so far: looking at every sequence"))
+            }
+            Told::Done(remedy) => remedy.told().iter().for_each(|line| output::note(&format!("   {line}"))),
+        }
+    };
+    remedies(prepared, hazard, known, effort, &tell).map_err(|cause| Failure::from(ScanError { cause }))
 }

@@ -1,10 +1,11 @@
-//! A hazard explained: what happens in plain words, the force with its formula, numbers and sources, the safe speed, and the
-//! smallest changes that remove it.
+//! A hazard explained: what happens in plain words, the force with its formula, numbers and sources, the safe speed, and
+//! what came of changes of the cell.
 
 use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
 use crate::human::{Action, Posture, Walk};
 use crate::standards::iso_ts_15066 as limits;
@@ -60,52 +61,19 @@ pub struct Robot {
     pub mass_from: String,
 }
 
-/// A change of the cell against a hazard.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Remedy {
-    /// The change, in words: the smallest that helps, else the largest that was tried.
-    pub change: String,
-    /// What came of it.
-    pub outcome: Outcome,
-}
-
-/// What came of a change.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Outcome {
-    /// The hazard was not met any more.
-    Removed(Removed),
-    /// It is still met.
-    NoHelp,
-    /// The FMU failed.
-    NotTried {
-        /// Why.
-        cause: String,
-    },
-}
-
-/// What stands behind "removed".
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Removed {
-    /// Sequences of the scan that led to the hazard, none of which does any more.
-    pub known_sequences: usize,
-    /// Sequences met while searching that led to it after smaller changes, none of which does any more.
-    pub counterexamples: u32,
-    /// New sequences tried with this change, none of which led to it.
-    pub searched: u32,
-    /// Other hazards that these met.
-    pub others: usize,
-    /// The worst of them.
-    pub worst_other: Option<String>,
-}
-
 /// Tables whose figures are in the formula.
 const BEHIND: [&str; 3] = ["iso_ts_15066_force_limits", "iso_ts_15066_springs_and_masses", "iso_ts_15066_formulas"];
 
 impl Explanation {
-    /// For people.
+    /// For people: what came of changes.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub fn render_changes(&self) -> String {
+        advice::render(&self.remedies)
+    }
+
+    /// For people: all but the changes.
+    #[must_use]
+    pub fn render_hazard(&self) -> String {
         let hazard = &self.hazard;
         let mut out = format!(
             "{}  {} <- {}  {:.2}x{}\n\n What happens\n",
@@ -147,7 +115,6 @@ impl Explanation {
             say(&format!("The arm went past {sensor} {since_s:.2} s before{ahead}, on its way there."));
         }
         self.force(&mut out);
-        self.changes(&mut out);
         out
     }
 
@@ -229,43 +196,6 @@ impl Explanation {
             )
         };
     }
-
-    fn changes(&self, out: &mut String) {
-        if self.remedies.is_empty() {
-            return;
-        }
-        let _ = writeln!(
-            out,
-            "\n Smallest changes after which {} does not hit the {} beyond its limit",
-            self.robot.name,
-            self.hazard.body_region.words()
-        );
-        let mut none = true;
-        for remedy in &self.remedies {
-            let Outcome::Removed(removed) = &remedy.outcome else { continue };
-            none = false;
-            *out += &wrapped(&remedy.change, "   ");
-            *out += &wrapped(&removed.words(), "      ");
-        }
-        if none {
-            *out += "   none of those tried\n";
-        }
-        let no_help: Vec<&str> =
-            self.remedies.iter().filter(|r| r.outcome == Outcome::NoHelp).map(|r| r.change.as_str()).collect();
-        if !no_help.is_empty() {
-            *out += &wrapped(&format!("Does not help alone: {}.", no_help.join("; ")), "   ");
-        }
-        for remedy in &self.remedies {
-            if let Outcome::NotTried { cause } = &remedy.outcome {
-                *out += &wrapped(&format!("Could not be tried: {}: {cause}", remedy.change), "   ");
-            }
-        }
-        *out += &wrapped(
-            "A search that meets nothing is no proof, and a slower programme is also elsewhere at each instant: make the \
-             change, then scan again. Whether it can be built, and what it does to the work, is for people to judge.",
-            "   ",
-        );
-    }
 }
 
 impl Reports {
@@ -278,25 +208,6 @@ impl Reports {
             _ => format!("nobody from {time:.2} s"),
         };
         self.changes_s.iter().enumerate().map(word).collect::<Vec<_>>().join(", ")
-    }
-}
-
-impl Removed {
-    fn words(&self) -> String {
-        let mut words = format!(
-            "not met again: {} known sequences, {} new ones",
-            self.known_sequences,
-            self.searched + self.counterexamples
-        );
-        if let Some(worst) = &self.worst_other {
-            let _ = match self.others {
-                1 => write!(words, "; another hazard remains, {worst}"),
-                others => write!(words, "; {others} other hazards remain, worst {worst}"),
-            };
-        } else if self.searched > 0 {
-            words += "; no other hazard met either";
-        }
-        words
     }
 }
 
@@ -345,7 +256,7 @@ const fn stands(posture: Posture) -> &'static str {
 /// Width of a line.
 const WIDTH: usize = 100;
 
-fn wrapped(text: &str, indent: &str) -> String {
+pub(super) fn wrapped(text: &str, indent: &str) -> String {
     let options = textwrap::Options::new(WIDTH).initial_indent(indent).subsequent_indent(indent);
     textwrap::fill(text, options) + "\n"
 }

@@ -8,6 +8,7 @@
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
 //! - [`page`]: the report that one looks at
 //! - [`explanation`]: a hazard in plain words and with all its numbers
+//! - [`advice`]: changes of a cell, and what came of them
 //! - [`inspection`]: what an FMU is, and what of it a scan could use
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
@@ -19,6 +20,7 @@
 //! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
 //! - [`growth`]: how the number of hazards found grows with the iterations
 
+pub mod advice;
 pub mod assessment;
 pub mod baseline;
 pub mod campaign;

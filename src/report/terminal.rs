@@ -96,7 +96,7 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
 }
 
 /// A number with its thousands set apart.
-fn grouped(digits: &str) -> String {
+pub(super) fn grouped(digits: &str) -> String {
     let first = (digits.len() + 2) % 3 + 1;
     let (head, tail) = digits.split_at(first.min(digits.len()));
     let groups = tail.as_bytes().chunks(3).map(|c| String::from_utf8_lossy(c).into_owned());

@@ -1,40 +1,67 @@
-//! The smallest change of a cell that removes a hazard, for each thing that can be turned. Removed means: this robot does
-//! not hit this region of the body beyond its limit any more, by whatever link and wherever the person stands; a change
-//! after which the neighbouring link hits would be none.
+//! The smallest change of a cell after which nothing in it is hazardous, for each thing that can be turned.
 //!
-//! The known sequences decide first: by bisection, the fewest steps of a knob after which none of them leads to the hazard.
-//! Then a search tries the changed cell. If it meets the hazard all the same, its sequence joins the known ones and the
-//! bisection goes on above (counterexample-guided, as in program synthesis). So what is printed held against every sequence
-//! met on the way and against one whole search; it is no proof, which takes an exhaustive scan of the changed cell.
+//! Hazardous is any hazard, whatever region of the body and robot it is about: a change that removes one cause and leaves
+//! others is told apart, and never as enough. What is cheap comes first (`trial`, `looking`):
 //!
-//! Bisection takes for granted that more of a change is never worse, up to the largest of 1, 1/2, 1/4, ... of the range that
-//! helps. Where it is worse, the result may be larger than necessary, but it was tried itself, as said. What makes the FMU
-//! fail, the robot stand still or a sensor report the person from the start removes nothing.
+//! 1. **Against the change itself** (`behaviour`): the person would start inside a field, the robot would hardly move or
+//!    merely be elsewhere in its programme, or sensors and robot would answer later to the same walks: a safeguard made
+//!    smaller. Such changes are no advice.
+//! 2. **Known sequences**, of all hazards of the scan.
+//! 3. **Quick searches**: from the start, for longer than the cell file says (a hazard that only comes later is not gone),
+//!    from the cell's other beginnings, and from places beside the start (`standpoint`): the person starts as precisely as
+//!    people do, and a gap is open to those who come from 3 cm beside.
+//! 4. **Every sequence**, from the start and the cell's other beginnings; from beside the start too where that is cheap. Each
+//!    of these searches has a budget of states and work, which do not depend on the machine, so what is said to be looked at
+//!    does not either.
+//!
+//! A change that all this finds nothing against is offered as enough; where a budget ended a search, that is said, and how
+//! far it came.
+
+mod behaviour;
+mod looking;
+mod standpoint;
+mod trial;
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use self::behaviour::{Behaviour, probes};
+use self::looking::Known;
+use self::standpoint::Standpoint;
+use self::trial::Trial;
 use super::prepare::{Prepared, StateChoice};
-use super::run::StrategyName;
 use crate::cell::binding::BoundUnit;
 use crate::cell::knob::{Encounter, Knob};
-use crate::hazard::Groups;
-use crate::hazard::contact::STANDSTILL_M_S;
-use crate::host::{Hosted, PlantError};
+use crate::hazard::Finding;
+use crate::host::PlantError;
 use crate::human::Action;
-use crate::report::explanation::{Outcome, Remedy, Removed};
+use crate::report::advice::{Outcome, Remedy};
 use crate::report::model::Hazard;
-use crate::search::{End, Environment as _, Rng};
-use crate::sim::Simulation;
 use crate::standards::BodyRegion;
 
 /// How hard a remedy is tried.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Iterations of the search that tries each candidate.
+    /// Iterations of each quick search.
     pub iterations: u32,
+    /// Most work of each complete search, joint-angle boxes.
+    pub work: u64,
+    /// Most distinct states of each complete search; none means that there are no such searches.
+    pub states: usize,
+    /// Most memory of each complete search, bytes, about.
+    pub bytes: usize,
     /// Threads; the result is the same.
     pub workers: usize,
+}
+
+/// What is told while changes are tried.
+pub enum Told<'a> {
+    /// So many of so many were tried without complete searches.
+    Tried(usize, usize),
+    /// So many of so many that held until then are looked at completely.
+    Completely(usize, usize),
+    /// What came of one of these.
+    Done(&'a Remedy),
 }
 
 /// The same hazard wherever it happens: this region of the body, hit by this robot.
@@ -44,14 +71,145 @@ struct Kind {
     robot: usize,
 }
 
+/// What a change shall do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Goal {
+    /// Nothing is hazardous, from anywhere, and not later either.
+    Lasting,
+    /// Nothing is hazardous within the time that the cell file looks at.
+    ForNow,
+    /// This hazard is not met from the start.
+    Hazard,
+}
+
+/// Why a change is not tried any further.
+#[derive(Clone, Debug, PartialEq)]
+enum Why {
+    /// The cell or the FMU does not take it.
+    NotTried(String),
+    /// It makes a safeguard smaller or slower.
+    Smaller(String),
+    /// It would help for a reason that does not count.
+    NoAdvice(String),
+}
+
+impl Why {
+    fn cause(&self) -> &str {
+        let (Self::NotTried(cause) | Self::Smaller(cause) | Self::NoAdvice(cause)) = self;
+        cause
+    }
+}
+
 /// Most sequences of the scan that are tried after each change.
 const KNOWN: usize = 24;
 
-/// After so many counterexamples for one knob, steps grow.
-const PATIENCE: u32 = 4;
+/// What all trials have in common.
+struct Bench<'a> {
+    prepared: &'a Prepared,
+    text: toml::Table,
+    hazard: Kind,
+    effort: Effort,
+    own: Standpoint,
+    beginnings: Vec<Standpoint>,
+    around: Vec<Standpoint>,
+    known: Vec<Known>,
+    links: Vec<String>,
+    sensors: Vec<&'a str>,
+    robots: Vec<&'a str>,
+    probes: Vec<Vec<Action>>,
+    /// For so many actions the person stands still to see what the robots do.
+    rest: usize,
+    before: Behaviour,
+}
 
-/// Looks for the smallest turn of each knob that removes `hazard`. `known` are all hazards of the scan that it is from.
-/// `tell` hears how many knobs are done. Nothing if the cell is not the one that was scanned.
+impl<'a> Bench<'a> {
+    /// Nothing if the cell is not the one that was scanned.
+    fn new(
+        prepared: &'a Prepared,
+        hazard: &Hazard,
+        known: &[Hazard],
+        effort: Effort,
+    ) -> Result<Option<Self>, PlantError> {
+        let cell = &prepared.cell;
+        let Ok(text) = prepared.text.parse::<toml::Table>() else { return Ok(None) };
+        let kind = |hazard: &Hazard| {
+            let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
+            Some(Kind { region: hazard.body_region, robot: link.robot })
+        };
+        let Some(own) = kind(hazard) else { return Ok(None) };
+        // This hazard first, then in turns those of its kind and all of them, worst first as they stand in the scan.
+        let alike: Vec<&Hazard> = known.iter().filter(|other| kind(other) == Some(own)).collect();
+        let mut sequences: Vec<Vec<Action>> = Vec::new();
+        let mut add = |hazard: &Hazard| {
+            for actions in [&hazard.actions, &hazard.shortest.actions] {
+                if sequences.len() < KNOWN && !sequences.contains(actions) {
+                    sequences.push(actions.clone());
+                }
+            }
+        };
+        add(hazard);
+        for (number, any) in known.iter().enumerate() {
+            alike.get(number).into_iter().copied().chain([any]).for_each(&mut add);
+        }
+        let actions = cell.search.actions as usize;
+        let probes = probes(&sequences, actions, cell.search.seed);
+        let rest = actions + 4;
+        let before = Behaviour::observe(&mut prepared.simulation(StateChoice::Auto, false)?, rest, &probes)?;
+        let standpoint = Standpoint::own(prepared);
+        let (beginnings, around) = Standpoint::others(prepared);
+        let mut bench = Self {
+            prepared,
+            text,
+            hazard: own,
+            effort,
+            own: standpoint,
+            beginnings,
+            around: Vec::new(),
+            known: sequences.into_iter().map(|actions| Known { standpoint, actions }).collect(),
+            links: cell.links.iter().map(|link| link.name.clone()).collect(),
+            sensors: cell.sensors.iter().map(|sensor| sensor.name.as_str()).collect(),
+            robots: cell.robots.iter().map(|robot| robot.name.as_str()).collect(),
+            probes,
+            rest,
+            before,
+        };
+        for place in around {
+            if bench.is_like_the_start(&place)? {
+                bench.around.push(place);
+            }
+        }
+        Ok(Some(bench))
+    }
+
+    /// Whether the person has room beside the start and no sensor reports them there that does not at the start.
+    fn is_like_the_start(&self, place: &Standpoint) -> Result<bool, PlantError> {
+        let Ok(prepared) = place.of(self.prepared, &self.text) else { return Ok(false) };
+        let there = Behaviour::observe(&mut prepared.simulation(StateChoice::Auto, false)?, self.rest, &[])?;
+        Ok(self.before.objection(&there, false, self.names()).is_none())
+    }
+
+    fn names(&self) -> [&[&str]; 2] {
+        [&self.sensors, &self.robots]
+    }
+
+    /// Whether a goal is about sequences from there.
+    fn is_from(&self, goal: Goal, standpoint: &Standpoint) -> bool {
+        match goal {
+            Goal::Lasting => true,
+            Goal::ForNow => standpoint.more == 0,
+            Goal::Hazard => *standpoint == self.own,
+        }
+    }
+
+    /// Whether a finding counts against a goal.
+    fn counts(&self, goal: Goal, finding: &Finding) -> bool {
+        let robot = self.prepared.cell.links[finding.contact.link].robot;
+        goal != Goal::Hazard || Kind { region: finding.contact.region, robot } == self.hazard
+    }
+}
+
+/// Looks for the smallest turn of each knob after which nothing is hazardous. `known` are all hazards of the scan that
+/// `hazard` is from. Nothing if the cell is not the one that was scanned.
 ///
 /// # Errors
 /// When the FMU fails in the cell as it is.
@@ -60,220 +218,44 @@ pub fn remedies(
     hazard: &Hazard,
     known: &[Hazard],
     effort: Effort,
-    tell: &(dyn Fn(usize, usize) + Sync),
+    tell: &(dyn Fn(Told<'_>) + Sync),
 ) -> Result<Vec<Remedy>, PlantError> {
-    let Ok(text) = prepared.text.parse::<toml::Table>() else { return Ok(Vec::new()) };
-    let kind = |hazard: &Hazard| {
-        let link = prepared.cell.links.iter().find(|link| link.name == hazard.robot_link)?;
-        Some(Kind { region: hazard.body_region, robot: link.robot })
-    };
-    let Some(own) = kind(hazard) else { return Ok(Vec::new()) };
-    let at_start = at_start(&mut prepared.simulation(StateChoice::Auto, false)?)?;
+    let Some(bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
-    let encounter = Encounter { person_m: hazard.person_xy_m, robot: own.robot };
-    let knobs = Knob::all(&prepared.cell, &text, &units, &encounter);
-    let alike = known.iter().filter(|other| kind(other) == Some(own));
-    // Worst first, as they stand in the scan.
-    let mut sequences: Vec<Vec<Action>> = Vec::new();
-    for actions in [hazard].into_iter().chain(alike).flat_map(|other| [&other.actions, &other.shortest.actions]) {
-        if sequences.len() < KNOWN && !sequences.contains(actions) {
-            sequences.push(actions.clone());
-        }
-    }
-
+    let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.hazard.robot };
+    let knobs = Knob::all(&prepared.cell, &bench.text, &units, &encounter);
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let work = || {
         let mut mine = Vec::new();
         while let Some((number, knob)) =
             Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|n| Some((n, knobs.get(n)?)))
         {
-            let trial =
-                Trial { prepared, text: &text, knob, kind: own, iterations: effort.iterations, at_start: &at_start };
-            mine.push((number, trial.remedy(sequences.clone())));
-            tell(done.fetch_add(1, Ordering::Relaxed) + 1, knobs.len());
+            let mut trial = Trial::new(&bench, knob);
+            let remedy = trial.quick();
+            mine.push((number, trial, remedy));
+            tell(Told::Tried(done.fetch_add(1, Ordering::Relaxed) + 1, knobs.len()));
         }
         mine
     };
-    let mut all: Vec<(usize, Remedy)> = std::thread::scope(|scope| {
+    let mut all: Vec<(usize, Trial<'_>, Remedy)> = std::thread::scope(|scope| {
         let threads: Vec<_> = (0..effort.workers.clamp(1, knobs.len().max(1))).map(|_| scope.spawn(work)).collect();
         let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)));
         joined.flatten().collect()
     });
-    all.sort_by_key(|(number, _)| *number);
-    Ok(all.into_iter().map(|(_, remedy)| remedy).collect())
-}
-
-/// One knob.
-struct Trial<'a> {
-    prepared: &'a Prepared,
-    text: &'a toml::Table,
-    knob: &'a Knob,
-    kind: Kind,
-    iterations: u32,
-    /// What the sensors report at the start of the unchanged cell.
-    at_start: &'a [bool],
-}
-
-/// What came of known sequences, or of a search, in a changed cell.
-enum Met {
-    /// The hazard, by this sequence.
-    Hazard(Vec<Action>),
-    /// Others, if any.
-    Others(Groups),
-    /// Nothing that counts: why.
-    Impossible(String),
-}
-
-impl Trial<'_> {
-    fn remedy(&self, mut known: Vec<Vec<Action>>) -> Remedy {
-        let (steps, outcome) = match self.smallest(&mut known) {
-            Ok(found) => found,
-            Err(error) => (self.knob.steps, Outcome::NotTried { cause: error.message }),
-        };
-        Remedy { change: self.knob.words(steps), outcome }
+    all.sort_by_key(|(number, ..)| *number);
+    let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_));
+    let of = if effort.states > 0 { all.iter().filter(|(.., remedy)| held(remedy)).count() } else { 0 };
+    let mut number = 0;
+    for (_, trial, remedy) in &mut all {
+        if !held(remedy) {
+            continue;
+        }
+        if of > 0 {
+            number += 1;
+            tell(Told::Completely(number, of));
+            *remedy = trial.complete(effort.workers);
+        }
+        tell(Told::Done(remedy));
     }
-
-    /// The fewest steps that help, and what stands behind them; else the most that were tried.
-    fn smallest(&self, known: &mut Vec<Vec<Action>>) -> Result<(u32, Outcome), PlantError> {
-        let known_sequences = known.len();
-        // The largest change that helps: a smaller one may where a larger does not, because it is too much for the cell (the
-        // person would start in it, the FMU refuses it) or leads past the person.
-        let (mut most, mut tried, mut impossible) = (None, None, String::new());
-        let mut steps = self.knob.steps;
-        while steps > 0 && most.is_none() {
-            match self.known(steps, known)? {
-                Met::Others(_) => most = Some(steps),
-                Met::Hazard(_) => tried = tried.or(Some(steps)),
-                Met::Impossible(why) => impossible = why,
-            }
-            steps /= 2;
-        }
-        let no_help = |tried: Option<u32>| match tried {
-            Some(steps) => (steps, Outcome::NoHelp),
-            None => (self.knob.steps, Outcome::NotTried { cause: impossible.clone() }),
-        };
-        let Some(most) = most else { return Ok(no_help(tried)) };
-        let (mut low, mut counterexamples) = (0, 0_u32);
-        while low < most {
-            // With `high` steps no known sequence leads to the hazard, with `low` steps some do.
-            let mut high = most;
-            while high - low > 1 {
-                let middle = low + (high - low) / 2;
-                if matches!(self.known(middle, known)?, Met::Others(_)) { high = middle } else { low = middle }
-            }
-            let patience = counterexamples.saturating_sub(PATIENCE).min(6);
-            let candidate = if patience > 0 { (high + (1 << patience)).min(most) } else { high };
-            let Met::Others(others) = self.known(candidate, known)? else {
-                low = candidate;
-                continue;
-            };
-            match self.search(candidate, others)? {
-                Met::Hazard(sequence) => {
-                    known.push(sequence);
-                    low = candidate;
-                    counterexamples += 1;
-                }
-                Met::Impossible(cause) => return Ok((candidate, Outcome::NotTried { cause })),
-                Met::Others(others) => {
-                    let worst_other = others.ranked().first().map(|group| {
-                        let contact = &group.worst.contact;
-                        let link = &self.prepared.cell.links[contact.link].name;
-                        format!("{:.2}x {} <- {link}", contact.ratio(), contact.region)
-                    });
-                    let removed = Removed {
-                        known_sequences,
-                        counterexamples,
-                        searched: self.iterations,
-                        others: others.len(),
-                        worst_other,
-                    };
-                    return Ok((candidate, Outcome::Removed(removed)));
-                }
-            }
-        }
-        Ok(no_help(Some(most)))
-    }
-
-    /// The cell turned so far, with its simulation; or why it is none.
-    fn changed(&self, steps: u32, posture_sweep: bool) -> Result<(Prepared, Simulation<Hosted>), String> {
-        let text = self.knob.turned(self.text, steps).and_then(|table| toml::to_string(&table).ok());
-        let text = text.ok_or("the cell file cannot be changed so")?;
-        let prepared = self.prepared.changed(&text).map_err(|error| error.to_string())?;
-        let mut simulation = prepared.simulation(StateChoice::Auto, posture_sweep).map_err(|error| error.message)?;
-        let at_start = at_start(&mut simulation).map_err(|error| error.message)?;
-        if at_start.iter().zip(self.at_start).any(|(now, before)| *now && !before) {
-            return Err("a sensor reports the person at the start already".to_owned());
-        }
-        Ok((prepared, simulation))
-    }
-
-    /// What the known sequences lead to. One that leads to the hazard then stands first: it is likely to do so again.
-    fn known(&self, steps: u32, known: &mut [Vec<Action>]) -> Result<Met, PlantError> {
-        let (prepared, mut simulation) = match self.changed(steps, false) {
-            Ok(changed) => changed,
-            Err(why) => return Ok(Met::Impossible(why)),
-        };
-        let mut others = Groups::default();
-        for number in 0..known.len() {
-            simulation.reset()?;
-            for action in &known[number] {
-                match simulation.step(action.index())?.end {
-                    Some(End::NotEvaluated) => return Ok(Met::Impossible(simulation.not_evaluated().message)),
-                    Some(_) => break,
-                    None => {}
-                }
-            }
-            if let Some(sequence) = self.sort(&prepared, &mut simulation, &mut others) {
-                known[..=number].rotate_right(1);
-                return Ok(Met::Hazard(sequence));
-            }
-        }
-        Ok(Met::Others(others))
-    }
-
-    /// A whole search, which ends when it meets the hazard; what it meets else joins `others`.
-    fn search(&self, steps: u32, mut others: Groups) -> Result<Met, PlantError> {
-        let (prepared, mut simulation) = match self.changed(steps, true) {
-            Ok(changed) => changed,
-            Err(why) => return Ok(Met::Impossible(why)),
-        };
-        let mut strategy = StrategyName::Hybrid.build();
-        let mut rng = Rng::new(prepared.cell.search.seed);
-        for _ in 0..self.iterations {
-            if strategy.iterate(&mut simulation, &mut rng)?.end == End::NotEvaluated {
-                return Ok(Met::Impossible(simulation.not_evaluated().message));
-            }
-            if let Some(sequence) = self.sort(&prepared, &mut simulation, &mut others) {
-                return Ok(Met::Hazard(sequence));
-            }
-        }
-        if simulation.coverage().robot_top_speed_m_s <= STANDSTILL_M_S {
-            return Ok(Met::Impossible("it helps only because the robot does not move at all then".to_owned()));
-        }
-        Ok(Met::Others(others))
-    }
-
-    /// The sequence of the first finding that is the hazard; other findings join `others`.
-    fn sort(
-        &self,
-        prepared: &Prepared,
-        simulation: &mut Simulation<Hosted>,
-        others: &mut Groups,
-    ) -> Option<Vec<Action>> {
-        let links: Vec<String> = prepared.cell.links.iter().map(|link| link.name.clone()).collect();
-        for finding in simulation.take_findings() {
-            let robot = prepared.cell.links[finding.contact.link].robot;
-            if (Kind { region: finding.contact.region, robot }) == self.kind {
-                return Some(finding.actions);
-            }
-            others.add(finding, 0, &links);
-        }
-        None
-    }
-}
-
-/// What the sensors report at the start.
-fn at_start(simulation: &mut Simulation<Hosted>) -> Result<Vec<bool>, PlantError> {
-    let watched = simulation.watch(&[], &[])?;
-    Ok(watched.instants[0].readings.clone())
+    Ok(all.into_iter().map(|(.., remedy)| remedy).collect())
 }

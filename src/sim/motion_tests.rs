@@ -3,6 +3,9 @@ use std::f64::consts::{PI, TAU};
 use super::*;
 use crate::cell::binding::{Derived, Reader};
 
+/// What a drive says of its speed at a row, of its positions.
+type Telling<'a> = &'a dyn Fn(&[f64], usize) -> f64;
+
 const STEP_S: f64 = 0.02;
 
 /// Joints of two columns each, angle and speed, with steps of `step_s`; row 0 does not count.
@@ -61,7 +64,7 @@ fn exact(speeds: &[f64], n: usize) -> f64 {
 
 #[test]
 fn hard_starts_and_stops_told_late_early_or_in_the_mean_are_true() {
-    let ways: [(&str, &dyn Fn(&[f64], usize) -> f64); 5] = [
+    let ways: [(&str, Telling<'_>); 5] = [
         ("exact", &exact),
         ("a step late", &|speeds, n| speeds[n.saturating_sub(1)]),
         ("a step early", &|speeds, n| speeds[(n + 1).min(speeds.len() - 1)]),
@@ -101,7 +104,7 @@ fn angles_that_are_rounded_or_wrap_are_no_lie() {
 #[test]
 fn lies_are_seen_however_slow_or_short() {
     let comparison = joints(1, STEP_S);
-    let lies: [(&str, &dyn Fn(&[f64], usize) -> f64); 5] = [
+    let lies: [(&str, Telling<'_>); 5] = [
         ("nothing", &|_, _| 0.0),
         ("sign", &|speeds, n| -speeds[n]),
         ("half", &|speeds, n| speeds[n] / 2.0),

@@ -147,7 +147,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{all, coupled, faulty, gantry, safety_fence, workcell};
+    use super::super::{all, coupled, faulty, gantry, guarded, safety_fence, workcell};
     use super::*;
 
     #[test]
@@ -182,6 +182,25 @@ mod tests {
             (gantry::vr::LEG, "ctrl.leg"),
         ] {
             assert_eq!(slides.variables[place].name, name);
+        }
+        let guarded = guarded::interface();
+        for (place, name) in [
+            (guarded::vr::SPEED, "drive.speed"),
+            (guarded::vr::T_REACT, "plc.t_react"),
+            (guarded::vr::T_RAMP, "plc.t_ramp"),
+            (guarded::vr::TAU, "filter.tau"),
+            (guarded::vr::MUTING, "muting.enabled"),
+            (guarded::vr::HOLD_TIME, "muting.hold_time"),
+            (guarded::vr::SSM_DISTANCE, "ssm.distance"),
+            (guarded::vr::FIELD_RADIUS, "field.radius"),
+            (guarded::vr::CLEAR, "clear"),
+            (guarded::vr::PERSON_X, "person.x"),
+            (guarded::vr::PERSON_Y, "person.y"),
+            (guarded::vr::Q, "q"),
+            (guarded::vr::QD, "qd"),
+            (guarded::vr::OCCUPIED, "field.occupied"),
+        ] {
+            assert_eq!(guarded.variables[place].name, name);
         }
         let [plc, controller, kinematics] = coupled::all();
         for (interface, place, name) in [

@@ -8,6 +8,7 @@ pub mod description;
 pub mod description3;
 pub mod faulty;
 pub mod gantry;
+pub mod guarded;
 pub mod head_collision;
 pub mod heavy_workpiece;
 pub mod hostile;
@@ -40,5 +41,6 @@ pub fn all() -> Vec<Interface> {
     let workcells =
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
     let faulty = [Variant::Faithful, Variant::NoState].map(faulty::interface);
-    workcells.chain(coupled::all()).chain(faulty).chain([gantry::interface(), liar::interface()]).collect()
+    let others = [gantry::interface(), guarded::interface(), liar::interface()];
+    workcells.chain(coupled::all()).chain(faulty).chain(others).collect()
 }

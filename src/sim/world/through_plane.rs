@@ -133,9 +133,9 @@ impl World {
                 return Ok(Some(Hit::new(found, &frames[i])));
             }
         }
-        for c in 0..count {
+        for (c, ways) in ways.iter().enumerate() {
             let Some(walls) = untold(&[c]) else { continue };
-            let runs = runs(&ways[c].told, &[], i, earlier)?;
+            let runs = runs(&ways.told, &[], i, earlier)?;
             let mask = |frame: &RobotFrame| mask(frame, &[c]);
             if let Some((run, found)) = self.first_of(person, c, &runs, &walls, &mask, i, coverage) {
                 return Ok(Some(self.hit(found, &run.frames[i], &[run.way.window])));

@@ -9,6 +9,9 @@ use super::force::{Region, class, safe_speed};
 use super::geometry::{M3, Solid, V3, about, add, between, length, product, scaled, sub, turned};
 use super::robot::{Link, Robot};
 
+/// For upper arm, forearm and hand: links that they may come near to, with the ends of their pieces.
+type Near = [Vec<(usize, Vec<[V3; 2]>)>; 3];
+
 pub const UPPER: f64 = 0.30;
 pub const FORE: f64 = 0.32;
 const ELBOW: f64 = 0.06;
@@ -297,7 +300,7 @@ impl Question<'_> {
 
     /// Whether a contact in a box of these half widths around a pose is possible, when the upper arm moves by `upper` and
     /// the wrist by `wrist`.
-    fn possible(&self, near: &[Vec<(usize, Vec<[V3; 2]>)>; 3], pose: &Pose, (upper, wrist): (f64, f64)) -> bool {
+    fn possible(&self, near: &Near, pose: &Pose, (upper, wrist): (f64, f64)) -> bool {
         let limbs = pose.limbs();
         let reaches = |axis: [V3; 2], radius: f64, moves: f64, region: usize| {
             near[region].iter().any(|(i, fast)| {
@@ -329,7 +332,7 @@ impl Question<'_> {
     }
 
     /// Whether a contact above the limit is possible at all: the box of all angles divided, until each part is left.
-    fn possible_at_all(&self, near: &[Vec<(usize, Vec<[V3; 2]>)>; 3]) -> bool {
+    fn possible_at_all(&self, near: &Near) -> bool {
         // Where a box is not divided any more.
         let finest = 0.3 * self.tight;
         // Middle and half widths of each box, degrees.

@@ -1,0 +1,296 @@
+//! Changes of a cell against a hazard: what came of each, and what that rests on.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::explanation::wrapped;
+use super::terminal::grouped;
+use crate::human::Action;
+use crate::standards::BodyRegion;
+
+/// A change of the cell against a hazard.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Remedy {
+    /// The change, in words: the smallest that helps, else the largest that was tried.
+    pub change: String,
+    /// The cell file with it.
+    #[serde(skip)]
+    pub cell: String,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+/// What came of a change.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// Nothing in the cell is hazardous any more: every sequence was looked at.
+    Sufficient(Checked),
+    /// No hazard was met, but not everything was looked at.
+    NotMet(Checked),
+    /// This hazard is not met any more, others are.
+    OthersRemain(Others),
+    /// No hazard is met within the time that the cell file looks at, but later.
+    OnlyLater(Met),
+    /// It is met no more, for a reason that does not count.
+    NoAdvice {
+        /// The reason.
+        cause: String,
+    },
+    /// The hazard is still met.
+    NoHelp {
+        /// Why no more of the change was tried.
+        limit: Option<String>,
+    },
+    /// The cell or the FMU does not take the change.
+    NotTried {
+        /// Why.
+        cause: String,
+    },
+}
+
+/// What a change was held against.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Checked {
+    /// Sequences of the scan, for all its hazards.
+    pub known_sequences: usize,
+    /// Sequences that led to a hazard after smaller changes.
+    pub counterexamples: u32,
+    /// New sequences from the start.
+    pub searched: u32,
+    /// The complete search from each of the cell's beginnings, the own first.
+    pub complete: Vec<Complete>,
+    /// Places around the start from which the person began, too.
+    pub around: usize,
+    /// Whether all sequences from there were looked at, else some.
+    pub around_complete: bool,
+    /// Longest time of known and new sequences that were tried beyond that of the cell file, s.
+    pub longest_s: f64,
+    /// What one step less leads to.
+    pub one_less: OneLess,
+}
+
+/// A complete search.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Complete {
+    /// How many sequences there are, in decimal.
+    pub sequences: String,
+    /// How many actions they have.
+    pub actions: usize,
+    /// All of so many actions were looked at.
+    pub looked_at: usize,
+    /// Why not all; nothing if it is complete.
+    pub reasons: Vec<String>,
+}
+
+/// What the next smaller change leads to.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OneLess {
+    /// No change at all: the cell as it is.
+    #[default]
+    AsItIs,
+    /// A hazard.
+    Met(Met),
+    /// It cannot be tried.
+    NotTried {
+        /// Why.
+        cause: String,
+    },
+}
+
+/// A hazard that was met after a change.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Met {
+    /// What is hit.
+    pub body_region: BodyRegion,
+    /// By what.
+    pub robot_link: String,
+    /// Force over limit.
+    pub ratio: f64,
+    /// Time of the contact, s.
+    pub time_s: f64,
+    /// The sequence.
+    pub actions: Vec<Action>,
+    /// Where it begins, if that is not where the scan began.
+    pub from: Option<Begin>,
+    /// The cell file in which it is met.
+    #[serde(skip)]
+    pub cell: String,
+    /// Which of its beginnings that is, from 0.
+    #[serde(skip)]
+    pub beginning: usize,
+}
+
+/// Where and when a person begins.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Begin {
+    /// Floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Heading from +x towards +y, degrees.
+    pub heading_deg: f64,
+    /// Time from the FMU's own start, s.
+    pub begins_s: f64,
+}
+
+/// What is left after a change.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Others {
+    /// Different hazards that were met; there may be more.
+    pub at_least: usize,
+    /// The worst of them.
+    pub worst: Met,
+}
+
+impl Met {
+    fn words(&self) -> String {
+        let mut words =
+            format!("{:.2}x {} <- {} after {:.2} s", self.ratio, self.body_region, self.robot_link, self.time_s);
+        if let Some(Begin { xy_m: [x, y], heading_deg, begins_s }) = &self.from {
+            let _ = write!(words, ", from ({x:.2}, {y:.2}) m, {heading_deg:.0} degrees");
+            if *begins_s > 0.0 {
+                let _ = write!(words, ", {begins_s:.2} s after the FMU");
+            }
+        }
+        words
+    }
+}
+
+impl Checked {
+    /// What was looked at, in words.
+    fn words(&self) -> String {
+        let mut words: Vec<String> = Vec::new();
+        if self.complete.is_empty() {
+            words.push("no search of every sequence".to_owned());
+        }
+        for (number, complete) in self.complete.iter().enumerate() {
+            let from = if number == 0 { String::new() } else { format!(" from beginning {}", number + 1) };
+            words.push(if complete.reasons.is_empty() {
+                format!("all {} sequences of {} actions{from}", grouped(&complete.sequences), complete.actions)
+            } else {
+                let [looked_at, actions] = [complete.looked_at, complete.actions];
+                format!("all sequences of {looked_at} of {actions} actions{from}, longer ones in part")
+            });
+        }
+        let known = self.known_sequences + self.counterexamples as usize;
+        words.push(format!("{known} known sequences and {} new ones", self.searched));
+        match self.around {
+            0 => {}
+            n if self.around_complete => words.push(format!("all sequences from {n} places around the start")),
+            n => words.push(format!("some from each of {n} places around the start")),
+        }
+        if self.longest_s > 0.0 {
+            words.push(format!("some of up to {:.1} s", self.longest_s));
+        }
+        words.join("; ")
+    }
+
+    fn one_less(&self) -> String {
+        match &self.one_less {
+            OneLess::AsItIs => "One step less is the cell as it is.".to_owned(),
+            OneLess::Met(met) => format!("One step less: {}.", met.words()),
+            OneLess::NotTried { cause } => format!("One step less cannot be tried: {cause}."),
+        }
+    }
+}
+
+impl Remedy {
+    /// One line as soon as it is known; nothing if it is no advice.
+    #[must_use]
+    pub fn told(&self) -> Option<String> {
+        match &self.outcome {
+            Outcome::Sufficient(_) => Some(format!("{}: no hazard is left", self.change)),
+            Outcome::NotMet(_) => Some(format!("{}: no hazard was met; not every sequence was looked at", self.change)),
+            _ => None,
+        }
+    }
+}
+
+/// A title, and the changes under it with what is said of each.
+fn section(out: &mut String, title: &str, changes: &[(&str, Vec<String>)]) {
+    if changes.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "\n {title}");
+    for (change, lines) in changes {
+        *out += &wrapped(change, "   ");
+        lines.iter().for_each(|line| *out += &wrapped(line, "      "));
+    }
+}
+
+/// All of them, for people: what is enough comes first.
+#[must_use]
+pub fn render(remedies: &[Remedy]) -> String {
+    if remedies.is_empty() {
+        return String::new();
+    }
+    let mut out = String::new();
+    let of = |lines: &dyn Fn(&Outcome) -> Option<Vec<String>>| -> Vec<(&str, Vec<String>)> {
+        remedies.iter().filter_map(|remedy| Some((remedy.change.as_str(), lines(&remedy.outcome)?))).collect()
+    };
+    let sufficient = of(&|outcome| match outcome {
+        Outcome::Sufficient(checked) => Some(vec![format!("Looked at: {}.", checked.words()), checked.one_less()]),
+        _ => None,
+    });
+    let none = sufficient.is_empty();
+    section(&mut out, "Smallest changes after which nothing in the cell is hazardous", &sufficient);
+    if none {
+        out += "\n Smallest changes after which nothing in the cell is hazardous\n   none of those tried\n";
+    }
+    let not_met = of(&|outcome| match outcome {
+        Outcome::NotMet(checked) => {
+            let mut lines = vec![format!("Looked at: {}.", checked.words())];
+            lines.extend(checked.complete.iter().flat_map(|c| c.reasons.first()).map(|r| format!("Not all: {r}.")));
+            lines.push(checked.one_less());
+            Some(lines)
+        }
+        _ => None,
+    });
+    section(&mut out, "No hazard was met after these, but not every sequence was looked at", &not_met);
+    let others = of(&|outcome| match outcome {
+        Outcome::OthersRemain(Others { at_least, worst }) => {
+            let s = if *at_least == 1 { "" } else { "s" };
+            Some(vec![format!("At least {at_least} hazard{s} left, worst {}.", worst.words())])
+        }
+        _ => None,
+    });
+    section(&mut out, "Not enough: this hazard is not met after these, others remain", &others);
+    let later = of(&|outcome| match outcome {
+        Outcome::OnlyLater(met) => Some(vec![format!("Met again: {}.", met.words())]),
+        _ => None,
+    });
+    section(&mut out, "Not enough: only later than the cell file looks", &later);
+    let mut causes: Vec<(&str, Vec<&str>)> = Vec::new();
+    for remedy in remedies {
+        let Outcome::NoAdvice { cause } = &remedy.outcome else { continue };
+        match causes.iter_mut().find(|(known, _)| known == cause) {
+            Some((_, changes)) => changes.push(&remedy.change),
+            None => causes.push((cause, vec![&remedy.change])),
+        }
+    }
+    let no_advice: Vec<(&str, Vec<String>)> =
+        causes.iter().map(|(cause, changes)| (*cause, vec![format!("{}.", changes.join("; "))])).collect();
+    section(&mut out, "Not advised", &no_advice);
+    out.push('\n');
+    let no_help = |remedy: &Remedy| match &remedy.outcome {
+        Outcome::NoHelp { limit: None } => Some(remedy.change.clone()),
+        Outcome::NoHelp { limit: Some(why) } => Some(format!("{} (not more: {why})", remedy.change)),
+        _ => None,
+    };
+    let no_help: Vec<String> = remedies.iter().filter_map(no_help).collect();
+    if !no_help.is_empty() {
+        out += &wrapped(&format!("Does not help alone: {}.", no_help.join("; ")), "   ");
+    }
+    for remedy in remedies {
+        if let Outcome::NotTried { cause } = &remedy.outcome {
+            out += &wrapped(&format!("Could not be tried: {}: {cause}", remedy.change), "   ");
+        }
+    }
+    out += &wrapped(
+        "Make the change, then scan again. All this is about the model, from the starts and for the times said above. Whether \
+         a change can be built, and what it does to the work, is for people to judge.",
+        "   ",
+    );
+    out
+}

@@ -1,0 +1,187 @@
+//! How sensors and robots answer to people who walk about, without looking for contacts; and what a change of these answers
+//! says against a change of the cell: the person would start where a sensor sees them, the robot would hardly move, a
+//! safeguard would be smaller or slower.
+
+use crate::geometry::Vec3;
+use crate::hazard::contact::STANDSTILL_M_S;
+use crate::host::{Hosted, PlantError};
+use crate::human::Action;
+use crate::search::Rng;
+use crate::sim::Simulation;
+use crate::sim::simulation::Instant;
+
+/// Answers to a person who stands at the start, and to some walks.
+#[derive(Clone, Debug)]
+pub(super) struct Behaviour {
+    /// Where the middles of the robots' links are at the start, m.
+    links: Vec<Vec3>,
+    /// Whether each sensor ever reports the person who stands there.
+    at_start: Vec<bool>,
+    /// Highest speed of each robot meanwhile, in the second half, m/s.
+    speeds: Vec<f64>,
+    /// By walk.
+    walks: Vec<Answer>,
+}
+
+/// The answer to one walk: when it is first to be seen, in steps from the start.
+#[derive(Clone, Debug, PartialEq)]
+struct Answer {
+    /// Each sensor reports the person.
+    reports: Vec<Option<usize>>,
+    /// A robot moves otherwise than if the person had stood still.
+    reacts: Option<usize>,
+}
+
+/// What is said against a change.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Objection {
+    /// A safeguard would be smaller or slower.
+    Smaller(String),
+    /// It would help for a reason that does not count.
+    Other(String),
+}
+
+/// Random walks beside those that are known to lead to hazards.
+const RANDOM_WALKS: usize = 60;
+
+/// A robot that is left so much of its speed hardly moves.
+const HARDLY: f64 = 0.1;
+
+/// Links that begin farther off than this begin elsewhere, m.
+const ELSEWHERE_M: f64 = 1e-3;
+
+/// Walks that show how a cell answers: those of the known sequences, and random ones.
+pub(super) fn probes(known: &[Vec<Action>], actions: usize, seed: u64) -> Vec<Vec<Action>> {
+    let mut rng = Rng::new(seed);
+    let mut random = || (0..actions).map(|_| Action::ALL[rng.below(Action::COUNT)]).collect();
+    let mut all: Vec<Vec<Action>> = known.to_vec();
+    all.extend((0..RANDOM_WALKS).map(|_| random()));
+    all
+}
+
+impl Behaviour {
+    /// The answers to a person who stands for `actions`, and to `probes`.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn observe(
+        simulation: &mut Simulation<Hosted>,
+        actions: usize,
+        probes: &[Vec<Action>],
+    ) -> Result<Self, PlantError> {
+        let longest = probes.iter().map(Vec::len).max().unwrap_or(0).max(actions);
+        let rest = simulation.watch(&vec![Action::REST; longest], &[])?.instants;
+        let cell = &simulation.world().cell;
+        let (sensors, robot_of) = (cell.sensors.len(), cell.links.iter().map(|link| link.robot).collect::<Vec<_>>());
+        let mut speeds = vec![0.0_f64; cell.robots.len()];
+        for instant in &rest[rest.len() / 2..] {
+            for (robot, speed) in robot_of.iter().zip(&instant.frame.speed_bounds) {
+                speeds[*robot] = speeds[*robot].max(*speed);
+            }
+        }
+        let first = |instants: &[Instant], is: &dyn Fn(usize, &Instant) -> bool| {
+            instants.iter().enumerate().position(|(i, instant)| is(i, instant))
+        };
+        let mut walks = Vec::with_capacity(probes.len());
+        for probe in probes {
+            let instants = simulation.watch(probe, &[])?.instants;
+            let reports = (0..sensors).map(|sensor| first(&instants, &|_, instant| instant.readings[sensor])).collect();
+            let bits = |instant: &Instant| instant.frame.speed_bounds.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+            let reacts = first(&instants, &|i, instant| bits(instant) != bits(&rest[i]));
+            walks.push(Answer { reports, reacts });
+        }
+        Ok(Self {
+            links: rest[0].frame.links.iter().map(|link| link.bounding_sphere().0).collect(),
+            at_start: (0..sensors).map(|sensor| rest.iter().any(|instant| instant.readings[sensor])).collect(),
+            speeds,
+            walks,
+        })
+    }
+
+    /// What a change from these answers to `after` says against it. `names` are those of sensors and robots.
+    pub fn objection(&self, after: &Self, is_time: bool, names: [&[&str]; 2]) -> Option<Objection> {
+        let [sensors, robots] = names;
+        let other = |text: String| Some(Objection::Other(text));
+        let newly = |(now, before): (&bool, &bool)| *now && !before;
+        if let Some(sensor) = after.at_start.iter().zip(&self.at_start).position(newly) {
+            return other(format!("{} then reports the person at the start already", sensors[sensor]));
+        }
+        for (robot, (before, now)) in self.speeds.iter().zip(&after.speeds).enumerate() {
+            if *before > STANDSTILL_M_S && *now < HARDLY * before {
+                let left = 100.0 * now / before;
+                let name = robots[robot];
+                return other(format!(
+                    "{name} then hardly moves while the person is at the start: {left:.0} % of its speed is left"
+                ));
+            }
+        }
+        let moved = |(a, b): (&Vec3, &Vec3)| (*a - *b).length() > ELSEWHERE_M;
+        if is_time && self.links.iter().zip(&after.links).any(moved) {
+            return other("it only changes where the robot is when the person begins".to_owned());
+        }
+        for (before, now) in self.walks.iter().zip(&after.walks) {
+            let later =
+                |(before, now): (&Option<usize>, &Option<usize>)| before.is_some_and(|b| now.is_none_or(|n| n > b));
+            if let Some(sensor) = before.reports.iter().zip(&now.reports).position(later) {
+                let text = format!(
+                    "it makes a safeguard smaller: {} then reports the person later or not at all",
+                    sensors[sensor]
+                );
+                return Some(Objection::Smaller(text));
+            }
+            if later((&before.reacts, &now.reacts)) {
+                let text =
+                    "it makes a safeguard smaller or slower: the robot then answers to the person later or not at all";
+                return Some(Objection::Smaller(text.to_owned()));
+            }
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answers(reports: Option<usize>, reacts: Option<usize>) -> Behaviour {
+        let walks = vec![Answer { reports: vec![reports], reacts }];
+        Behaviour { links: vec![Vec3::ZERO], at_start: vec![false], speeds: vec![1.0], walks }
+    }
+
+    fn objection(before: &Behaviour, after: &Behaviour, is_time: bool) -> Option<Objection> {
+        before.objection(after, is_time, [&["mat"], &["robot"]])
+    }
+
+    #[test]
+    fn later_is_smaller_and_sooner_is_not() {
+        let before = answers(Some(5), Some(9));
+        assert_eq!(objection(&before, &answers(Some(4), Some(9)), true), None);
+        for after in
+            [answers(Some(6), Some(9)), answers(None, Some(9)), answers(Some(5), Some(10)), answers(Some(5), None)]
+        {
+            assert!(matches!(objection(&before, &after, false), Some(Objection::Smaller(_))), "{after:?}");
+        }
+        // Nobody was reported before.
+        assert_eq!(objection(&answers(None, None), &answers(Some(3), Some(7)), false), None);
+    }
+
+    #[test]
+    fn who_starts_in_a_field_or_before_a_robot_that_stands_has_learnt_nothing() {
+        let before = answers(None, None);
+        let says = |after: &Behaviour, is_time| match objection(&before, after, is_time) {
+            Some(Objection::Other(text)) => text,
+            other => panic!("{other:?}"),
+        };
+        let inside = Behaviour { at_start: vec![true], ..before.clone() };
+        assert_eq!(says(&inside, false), "mat then reports the person at the start already");
+        assert_eq!(objection(&inside, &inside, false), None);
+        let slow = Behaviour { speeds: vec![0.04], ..before.clone() };
+        assert_eq!(
+            says(&slow, false),
+            "robot then hardly moves while the person is at the start: 4 % of its speed is left"
+        );
+        let elsewhere = Behaviour { links: vec![Vec3::X], ..before.clone() };
+        assert!(says(&elsewhere, true).contains("where the robot is when"));
+        assert_eq!(objection(&before, &elsewhere, false), None);
+    }
+}

@@ -1,0 +1,280 @@
+//! Looking for hazards in a changed cell: by known sequences, by a quick search, by looking at every sequence.
+
+use std::ops::ControlFlow;
+
+use super::standpoint::Standpoint;
+use super::{Bench, Goal, Why};
+use crate::cell::knob::Knob;
+use crate::hazard::{Finding, Groups};
+use crate::host::Hosted;
+use crate::human::{Action, Posture, Walk};
+use crate::report::advice::{Begin, Complete, Met};
+use crate::report::model::{Hazard, Verdict};
+use crate::scan::prepare::{Prepared, StateChoice};
+use crate::scan::run::{Method, Progress, StrategyName};
+use crate::scan::{Exhaustive, ScanOptions, scan};
+use crate::search::exhaustive::Budget;
+use crate::search::{End, Environment as _, Rng};
+use crate::sim::Simulation;
+use crate::sim::expansion::Merge;
+use crate::standards::BodyRegion;
+
+use super::behaviour::{Behaviour, Objection};
+
+/// A sequence that led to a hazard, and from where.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Known {
+    pub standpoint: Standpoint,
+    pub actions: Vec<Action>,
+}
+
+/// A hazard that was met after a change.
+#[derive(Clone, Debug)]
+pub(super) struct Witness {
+    pub known: Known,
+    pub region: BodyRegion,
+    pub link: usize,
+    pub ratio: f64,
+    pub time_s: f64,
+}
+
+impl Witness {
+    pub fn new(finding: &Finding, standpoint: Standpoint) -> Self {
+        let contact = &finding.contact;
+        Self {
+            known: Known { standpoint, actions: finding.actions.clone() },
+            region: contact.region,
+            link: contact.link,
+            ratio: contact.ratio(),
+            time_s: finding.time_s,
+        }
+    }
+
+    fn of(hazard: &Hazard, prepared: &Prepared, standpoint: Standpoint) -> Self {
+        let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
+        Self {
+            known: Known { standpoint, actions: hazard.actions.clone() },
+            region: hazard.body_region,
+            link: link.unwrap_or_default(),
+            ratio: hazard.ratio,
+            time_s: hazard.time_s,
+        }
+    }
+}
+
+/// Most of the known sequences that are tried with stops before and after them, and from beside the start.
+pub(super) const SHIFTED: usize = 6;
+
+/// The cell with a knob turned.
+pub(super) struct Changed<'a> {
+    bench: &'a Bench<'a>,
+    /// Its file.
+    pub table: toml::Table,
+    own: Prepared,
+}
+
+/// A known sequence, or a search, runs into something.
+type Looked = Result<Option<Witness>, Why>;
+
+impl<'a> Changed<'a> {
+    /// The cell with `knob` turned so far; or why that is none, or no help that counts.
+    pub fn new(bench: &'a Bench<'a>, knob: &Knob, steps: u32) -> Result<Self, Why> {
+        let not_tried = |cause: String| Why::NotTried(cause);
+        let table = knob.turned(&bench.text, steps);
+        let table = table.ok_or_else(|| not_tried("the cell file cannot be changed so".to_owned()))?;
+        let own = Standpoint::own(bench.prepared).of(bench.prepared, &table).map_err(not_tried)?;
+        let mut simulation = own.simulation(StateChoice::Auto, false).map_err(|e| not_tried(e.message))?;
+        let probes: &[Vec<Action>] = if knob.may_set_a_safeguard() { &bench.probes } else { &[] };
+        let after = Behaviour::observe(&mut simulation, bench.rest, probes).map_err(|e| not_tried(e.message))?;
+        match bench.before.objection(&after, knob.is_time(), bench.names()) {
+            None => Ok(Self { bench, table, own }),
+            Some(Objection::Smaller(cause)) => Err(Why::Smaller(cause)),
+            Some(Objection::Other(cause)) => Err(Why::NoAdvice(cause)),
+        }
+    }
+
+    /// The cell file as text.
+    pub fn text(&self) -> &str {
+        &self.own.text
+    }
+
+    /// The cell from somewhere; nothing if the person has no room there.
+    fn from(&self, standpoint: &Standpoint) -> Option<Prepared> {
+        standpoint.of(self.bench.prepared, &self.table).ok()
+    }
+
+    /// What is told of a witness.
+    pub fn met(&self, witness: &Witness) -> Met {
+        let standpoint = &witness.known.standpoint;
+        let there = self.from(standpoint);
+        let elsewhere = Standpoint { more: 0, ..*standpoint } != Standpoint::own(self.bench.prepared);
+        let begin = |prepared: &Prepared| Begin {
+            xy_m: prepared.cell.start.xy_m(),
+            heading_deg: prepared.cell.start.heading_deg(),
+            begins_s: prepared.cell.begins_s(),
+        };
+        Met {
+            body_region: witness.region,
+            robot_link: self.own.cell.links[witness.link].name.clone(),
+            ratio: witness.ratio,
+            time_s: witness.time_s,
+            actions: witness.known.actions.clone(),
+            from: there.as_ref().filter(|_| elsewhere).map(begin),
+            cell: there.map_or_else(String::new, |prepared| prepared.text),
+            beginning: standpoint.beginning,
+        }
+    }
+
+    /// Runs sequences from one place; the first hazard that counts.
+    pub fn run<'s>(
+        &self,
+        standpoint: Standpoint,
+        sequences: impl Iterator<Item = &'s [Action]>,
+        goal: Goal,
+        others: &mut Groups,
+    ) -> Looked {
+        let mut sequences = sequences.peekable();
+        if sequences.peek().is_none() {
+            return Ok(None);
+        }
+        let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
+        let mut simulation = self.simulation(&prepared, false)?;
+        for actions in sequences {
+            simulation.reset().map_err(|e| Why::NotTried(e.message))?;
+            for action in actions.iter().take(simulation.horizon()) {
+                match simulation.step(action.index()).map_err(|e| Why::NotTried(e.message))?.end {
+                    Some(End::NotEvaluated) => return Err(Why::NotTried(simulation.not_evaluated().message)),
+                    Some(_) => break,
+                    None => {}
+                }
+            }
+            if let Some(witness) = self.sort(&mut simulation, standpoint, goal, others) {
+                return Ok(Some(witness));
+            }
+        }
+        Ok(None)
+    }
+
+    /// A quick search from one place, which ends when it meets a hazard that counts.
+    pub fn search(&self, standpoint: Standpoint, iterations: u32, goal: Goal, others: &mut Groups) -> Looked {
+        let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
+        let mut simulation = self.simulation(&prepared, true)?;
+        let mut strategy = StrategyName::Hybrid.build();
+        let mut rng = Rng::new(prepared.cell.search.seed);
+        for _ in 0..iterations {
+            let iteration = strategy.iterate(&mut simulation, &mut rng).map_err(|e| Why::NotTried(e.message))?;
+            if iteration.end == End::NotEvaluated {
+                return Err(Why::NotTried(simulation.not_evaluated().message));
+            }
+            if let Some(witness) = self.sort(&mut simulation, standpoint, goal, others) {
+                return Ok(Some(witness));
+            }
+        }
+        Ok(None)
+    }
+
+    fn simulation(&self, prepared: &Prepared, posture_sweep: bool) -> Result<Simulation<Hosted>, Why> {
+        prepared.simulation(StateChoice::Auto, posture_sweep).map_err(|e| Why::NotTried(e.message))
+    }
+
+    /// The first finding that counts; others are kept.
+    fn sort(
+        &self,
+        simulation: &mut Simulation<Hosted>,
+        standpoint: Standpoint,
+        goal: Goal,
+        others: &mut Groups,
+    ) -> Option<Witness> {
+        for finding in simulation.take_findings() {
+            if self.bench.counts(goal, &finding) {
+                return Some(Witness::new(&finding, standpoint));
+            }
+            others.add(finding, 0, &self.bench.links);
+        }
+        None
+    }
+
+    /// Looks at every sequence from one place, as far as `budget` goes; ends when it meets a hazard. Also says what it cost.
+    pub fn all(
+        &self,
+        standpoint: Standpoint,
+        budget: Budget,
+        workers: usize,
+    ) -> Result<Result<(Complete, [u64; 2]), Witness>, Why> {
+        let prepared =
+            self.from(&standpoint).ok_or_else(|| Why::NotTried("the person has no room there".to_owned()))?;
+        let how = Exhaustive { budget, merge: Merge::Auto, workers };
+        let options = ScanOptions {
+            method: Method::Exhaustive(how),
+            seed: prepared.cell.search.seed,
+            iterations: 0,
+            stop_at_first: false,
+            posture_sweep: true,
+            state: StateChoice::Auto,
+        };
+        let mut tell = |event: Progress<'_>| match event {
+            Progress::Level { hazards, .. } if hazards > 0 => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        };
+        let report = scan(&prepared, options, &mut tell).map_err(|e| Why::NotTried(e.cause.message))?.report;
+        if let Some(hazard) = report.hazards.first() {
+            return Ok(Err(Witness::of(hazard, &prepared, standpoint)));
+        }
+        let failed =
+            || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
+        match (report.verdict, report.certificate) {
+            (Verdict::FmuFailed, _) | (_, None) => Err(Why::NotTried(failed())),
+            (_, Some(certificate)) => {
+                let complete = Complete {
+                    sequences: certificate.sequences,
+                    actions: certificate.horizon,
+                    looked_at: certificate.complete_for_actions,
+                    reasons: certificate.reasons,
+                };
+                Ok(Ok((complete, [certificate.states as u64, report.coverage.arm_boxes])))
+            }
+        }
+    }
+}
+
+/// Known sequences begun later, and with the person standing still or walking on after them: of each, some stops in front, and
+/// what there is time for behind.
+pub(super) fn shifted(known: &[Known], actions: usize, more: usize) -> Vec<Vec<Action>> {
+    let whole = actions + more;
+    let mut all: Vec<Vec<Action>> = Vec::new();
+    for Known { actions, .. } in known.iter().filter(|known| known.standpoint.more == 0).take(SHIFTED) {
+        for stops in (0..=more).step_by(2) {
+            for then in [Action::REST, Action::new(Walk::Forward, Posture::Upright)] {
+                let mut sequence = vec![Action::REST; stops];
+                sequence.extend(actions);
+                sequence.resize(sequence.len().max(whole), then);
+                sequence.truncate(whole);
+                if !all.contains(&sequence) {
+                    all.push(sequence);
+                }
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sequences_begin_later_and_end_with_standing_still() {
+        let standpoint = Standpoint { beginning: 0, beside: [0.0; 3], more: 0 };
+        let walk = Action::ALL[7];
+        let known =
+            [Known { standpoint, actions: vec![walk; 2] }, Known { standpoint: standpoint.longer(1), actions: vec![] }];
+        let (rest, on) = (Action::REST, Action::new(Walk::Forward, Posture::Upright));
+        let expected = [
+            [walk, walk, rest, rest, rest],
+            [walk, walk, on, on, on],
+            [rest, rest, walk, walk, rest],
+            [rest, rest, walk, walk, on],
+        ];
+        assert_eq!(shifted(&known, 3, 2), expected);
+    }
+}

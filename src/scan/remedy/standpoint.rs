@@ -1,0 +1,125 @@
+//! Where and when the person begins while a change is tried, and for how long: from the start that the hazard is about, from
+//! the cell's other beginnings, from beside the start, and for longer than the cell says.
+
+use toml::{Table, Value};
+
+use crate::scan::prepare::Prepared;
+
+/// Where a sequence begins, and how many actions it may have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Standpoint {
+    /// Which of the cell's beginnings, from 0.
+    pub beginning: usize,
+    /// How far off its start, m to the front and to the left, and how much the person is turned to the left, degrees.
+    pub beside: [f64; 3],
+    /// Actions more than the cell says.
+    pub more: u32,
+}
+
+/// Places beside a start, m to the front and to the left, and turns to the left, degrees: within 5 cm, and off the grid that
+/// the walks from the start are on.
+const AROUND: [[f64; 3]; 8] = [
+    [0.0, 0.03, 0.0],
+    [0.0, -0.03, 0.0],
+    [0.0, 0.05, 0.0],
+    [0.0, -0.05, 0.0],
+    [0.031, 0.039, 7.0],
+    [0.031, -0.039, -7.0],
+    [-0.043, 0.023, -11.0],
+    [-0.043, -0.023, 11.0],
+];
+
+impl Standpoint {
+    /// The beginning that a prepared cell is about.
+    pub fn own(prepared: &Prepared) -> Self {
+        Self { beginning: prepared.cell.beginning, beside: [0.0; 3], more: 0 }
+    }
+
+    /// The cell's other beginnings, then places around the own start.
+    pub fn others(prepared: &Prepared) -> (Vec<Self>, Vec<Self>) {
+        let own = Self::own(prepared);
+        let all = 0..prepared.cell.beginnings.len();
+        let other = all.filter(|number| *number != own.beginning).map(|beginning| Self { beginning, ..own });
+        (other.collect(), AROUND.map(|beside| Self { beside, ..own }).to_vec())
+    }
+
+    /// The same for so many actions more.
+    pub fn longer(self, more: u32) -> Self {
+        Self { more, ..self }
+    }
+
+    /// The cell file with the person there; nothing if the file is not as expected.
+    fn text(&self, table: &Table, actions: u32) -> Option<String> {
+        let mut table = table.clone();
+        if self.beside != [0.0; 3] {
+            let human = table.get_mut("human")?.as_table_mut()?;
+            let others = human.get("other_starts").and_then(Value::as_array).map_or(0, Vec::len);
+            let start = match self.beginning % (1 + others) {
+                0 => human.get_mut("start")?,
+                other => human.get_mut("other_starts")?.as_array_mut()?.get_mut(other - 1)?,
+            };
+            let start = start.as_table_mut()?;
+            let [ahead, left, turn] = self.beside;
+            let heading = number(start.get("heading_deg")?)?;
+            let (sin, cos) = libm::sincos(heading.to_radians());
+            let xy = start.get_mut("xy_m")?.as_array_mut()?;
+            for (value, off) in xy.iter_mut().zip([cos * ahead - sin * left, sin * ahead + cos * left]) {
+                // To the nanometre: written as people would.
+                *value = (((number(value)? + off) * 1e9).round() / 1e9).into();
+            }
+            start.insert("heading_deg".to_owned(), (heading + turn).into());
+        }
+        if self.more > 0 {
+            let search = table.entry("search").or_insert_with(|| Value::Table(Table::new())).as_table_mut()?;
+            search.insert("actions".to_owned(), i64::from((actions + self.more).min(MOST_ACTIONS)).into());
+        }
+        toml::to_string(&table).ok()
+    }
+
+    /// The cell with the person there.
+    ///
+    /// # Errors
+    /// When it is none, or the person has no room there.
+    pub fn of(&self, prepared: &Prepared, table: &Table) -> Result<Prepared, String> {
+        let text = self.text(table, prepared.cell.search.actions).ok_or("the cell file cannot be changed so")?;
+        let changed = prepared.changed(&text).map_err(|error| error.to_string())?;
+        if changed.cell.beginning == self.beginning {
+            return Ok(changed);
+        }
+        changed.beginning(self.beginning).map_err(|error| error.to_string())
+    }
+}
+
+/// Most actions that a cell file may ask for.
+const MOST_ACTIONS: u32 = 64;
+
+#[expect(clippy::cast_precision_loss, reason = "a person wrote it")]
+fn number(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_start_that_a_beginning_has_is_moved() {
+        let table: Table = "[human]\nstart = { xy_m = [1, 2.5], heading_deg = 90 }\nother_starts = [{ xy_m = [3, 4], \
+                            heading_deg = 0 }]\nbegins_s = [0, 1]"
+            .parse()
+            .expect("it is TOML");
+        let at = |beginning| {
+            let text = Standpoint { beginning, beside: [0.25, -0.5, 7.0], more: 3 }
+                .text(&table, 8)
+                .expect("it can be changed");
+            text.parse::<Table>().expect("it is TOML")
+        };
+        let [first, second] = [at(2), at(3)];
+        assert_eq!(first["human"]["start"]["xy_m"], Value::Array(vec![1.5.into(), 2.75.into()]));
+        assert_eq!(first["human"]["start"]["heading_deg"].as_float(), Some(97.0));
+        assert_eq!(first["human"]["other_starts"], table["human"]["other_starts"]);
+        assert_eq!(second["human"]["start"], table["human"]["start"]);
+        assert_eq!(second["human"]["other_starts"][0]["xy_m"], Value::Array(vec![3.25.into(), 3.5.into()]));
+        assert_eq!(second["search"]["actions"].as_integer(), Some(11));
+    }
+}

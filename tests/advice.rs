@@ -1,0 +1,352 @@
+//! Advice is true: in cells whose remedies are known, every change that is offered as enough is looked at completely here, and
+//! one step less leads to a hazard. What lies is not offered.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use common::test_fmus;
+use fmi_hazard::report::advice::{Met, OneLess, Outcome, Remedy};
+use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::remedy::{Effort, remedies};
+use fmi_hazard::scan::run::{Method, Progress};
+use fmi_hazard::scan::{Exhaustive, Prepared, ScanOptions, StateChoice, scan};
+use fmi_hazard::search::exhaustive::Budget;
+use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::sim::replay::replay;
+use fmi_hazard::standards::BodyRegion;
+use fmi_hazard::standards::iso_ts_15066::safe_speed_m_s;
+use tempfile::TempDir;
+
+const MAT: &str = "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nzone = { polygon_m = [[-3, EDGE], [3, EDGE], [3, 3], [-3, 3]] }\n\
+                   variable = \"clear\"\nactive = false\n";
+
+const FIELD: &str = "[[sensor]]\nname = \"field\"\nkind = \"reported\"\nvariable = \"field.occupied\"\nactive = true\n";
+
+/// A mat from `edge` on.
+fn mat(edge: f64) -> String {
+    MAT.replace("EDGE", &edge.to_string())
+}
+
+/// A bar at knee height that comes by in front of a person who walks towards it. Too slow to hurt arms: legs matter.
+fn cell(parts: &str, parameters: &str) -> String {
+    format!(
+        r#"schema = 1
+name = "guarded"
+fmu = "guarded.fmu"
+{parts}
+[[robot]]
+name = "bar"
+base = {{ xyz_m = [0, 0, 0.45] }}
+moving_mass_kg = 40
+payload_kg = 3
+[[robot.joint]]
+name = "axis"
+axis = [0, 0, 1]
+angle = {{ variable = "q", unit = "rad", offset_deg = -125 }}
+speed = {{ variable = "qd", unit = "rad/s" }}
+[[robot.link]]
+name = "bar"
+joint = "axis"
+capsule = {{ from_m = [0, 0, 0], to_m = [0.8, 0, 0], radius_m = 0.05 }}
+[pose]
+x = "person.x"
+y = "person.y"
+[parameters]
+{parameters}
+[human]
+start = {{ xy_m = [0, -1.8], heading_deg = 90 }}
+[search]
+actions = 4
+"#
+    )
+}
+
+/// Every sequence; ends early when only a hazard is asked for.
+fn all(prepared: &Prepared, any: bool) -> ScanReport {
+    let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
+    let options = ScanOptions {
+        method: Method::Exhaustive(Exhaustive { budget, merge: Merge::Auto, workers: 2 }),
+        seed: 1,
+        iterations: 0,
+        stop_at_first: false,
+        posture_sweep: true,
+        state: StateChoice::Auto,
+    };
+    let mut tell = |event: Progress<'_>| match event {
+        Progress::Level { hazards, .. } if any && hazards > 0 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    scan(prepared, options, &mut tell).unwrap().report
+}
+
+/// What is advised against the worst hazard of a cell.
+struct Advised {
+    prepared: Prepared,
+    remedies: Vec<Remedy>,
+    _dir: TempDir,
+}
+
+fn advised(text: &str) -> Advised {
+    let dir = TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("guarded.fmu"), dir.path().join("guarded.fmu")).unwrap();
+    advised_in(dir, "cell.toml", text, 2)
+}
+
+fn advised_in(dir: TempDir, name: &str, text: &str, iterations: u32) -> Advised {
+    let path = dir.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    let prepared = prepare(&path, None).unwrap();
+    let report = all(&prepared, false);
+    assert!(report.certificate.unwrap().complete);
+    let [states, work, bytes] = [200_000, 100_000_000, 2_000_000_000];
+    let effort = Effort { iterations, work: work as u64, states, bytes, workers: 2 };
+    let remedies = remedies(&prepared, &report.hazards[0], &report.hazards, effort, &|_| {}).unwrap();
+    Advised { prepared, remedies, _dir: dir }
+}
+
+impl Advised {
+    /// What came of the changes that begin with `words`.
+    fn of(&self, words: &str) -> Vec<&Remedy> {
+        let of: Vec<&Remedy> = self.remedies.iter().filter(|remedy| remedy.change.starts_with(words)).collect();
+        assert!(!of.is_empty(), "{words}: {:#?}", self.remedies);
+        of
+    }
+
+    /// The change that begins so and is offered as enough.
+    fn enough(&self, words: &str) -> Option<&Remedy> {
+        self.of(words).into_iter().find(|remedy| matches!(remedy.outcome, Outcome::Sufficient(_)))
+    }
+
+    /// The value that a parameter is to have.
+    fn value(&self, parameter: &str) -> f64 {
+        let remedy =
+            self.enough(&format!("FMU parameter {parameter} ")).unwrap_or_else(|| panic!("{:#?}", self.remedies));
+        number(&remedy.change, "= ")
+    }
+
+    /// Whether any sequence is hazardous in another cell of the same FMU.
+    fn is_hazardous(&self, text: &str, beginning: usize) -> bool {
+        let changed = self.prepared.changed(text).unwrap().beginning(beginning).unwrap();
+        let report = all(&changed, true);
+        let hazardous = !report.hazards.is_empty();
+        assert!(hazardous || report.certificate.unwrap().complete);
+        hazardous
+    }
+
+    fn leads_to_a_hazard(&self, met: &Met) -> bool {
+        let cell = self.prepared.changed(&met.cell).unwrap().beginning(met.beginning).unwrap();
+        // What comes only later than the cell file looks would take long to look at completely.
+        if met.actions.len() <= self.prepared.cell.search.actions as usize && met.from.is_none() {
+            return self.is_hazardous(&met.cell, met.beginning);
+        }
+        let plant = cell.plant(StateChoice::Replay);
+        let found = replay(Arc::clone(&cell.cell), Arc::clone(&cell.binding), plant, &met.actions).unwrap();
+        found.is_some_and(|found| found.contact.region == met.body_region)
+    }
+
+    /// Every change that is offered as enough is, and one step less is not. Returns how many there are.
+    fn verified(&self) -> usize {
+        let mut enough = 0;
+        for remedy in &self.remedies {
+            let Outcome::Sufficient(checked) = &remedy.outcome else { continue };
+            enough += 1;
+            for beginning in 0..self.prepared.cell.beginnings.len() {
+                assert!(!self.is_hazardous(&remedy.cell, beginning), "{}", remedy.change);
+            }
+            match &checked.one_less {
+                OneLess::AsItIs => assert!(self.is_hazardous(&self.prepared.text, self.prepared.cell.beginning)),
+                OneLess::Met(met) => {
+                    assert_ne!(met.cell, remedy.cell);
+                    assert!(self.leads_to_a_hazard(met), "{}: {met:?}", remedy.change);
+                }
+                OneLess::NotTried { cause } => panic!("{}: {cause}", remedy.change),
+            }
+        }
+        enough
+    }
+
+    /// What is said against the changes that begin so, of which none is offered.
+    fn not_advised(&self, words: &str) -> Vec<String> {
+        assert!(self.enough(words).is_none(), "{words}");
+        let cause = |remedy: &&Remedy| match &remedy.outcome {
+            Outcome::NoAdvice { cause } => Some(cause.clone()),
+            Outcome::NoHelp { limit } => limit.clone(),
+            _ => None,
+        };
+        self.of(words).iter().filter_map(cause).collect()
+    }
+}
+
+/// The number behind a word.
+fn number(text: &str, behind: &str) -> f64 {
+    let (_, rest) = text.split_once(behind).unwrap_or_else(|| panic!("no {behind} in {text}"));
+    rest.split_whitespace().next().unwrap().parse().unwrap()
+}
+
+#[test]
+fn a_mat_that_is_far_too_narrow_is_made_as_wide_as_it_has_to_be() {
+    let text = cell(&mat(-0.95), "\"plc.t_ramp\" = 0.5");
+    let advised = advised(&text);
+    assert!(advised.verified() >= 2, "{:#?}", advised.remedies);
+    let wider = number(&advised.enough("zone of mat").unwrap().change, "zone of mat ");
+    // ISO 13855: nobody gets from the edge to where the bar may be, 0.85 m and half a person from its axis, in the 0.55 s
+    // until it stands. The bar is too slow to hurt some time before.
+    let iso = 0.85 + 0.15 + 1.6 * 0.55 - 0.95;
+    assert!((0.35..iso).contains(&wider), "{wider}");
+    // What was once offered: a little wider, after which one of the sequences known is no hazard any more.
+    assert!(advised.is_hazardous(&text.replace("-0.95]", "-1.02]"), 0));
+}
+
+#[test]
+fn a_protective_distance_is_enough_from_everywhere_and_never_smaller() {
+    let advised = advised(&cell("", "\"ssm.distance\" = 1.0"));
+    assert!(advised.verified() >= 2, "{:#?}", advised.remedies);
+    let distance = advised.value("ssm.distance");
+    assert!((1.1..1.7).contains(&distance), "{distance}");
+    let smaller =
+        advised.of("FMU parameter ssm.distance").into_iter().find(|remedy| number(&remedy.change, "= ") < 1.0);
+    let outcome = &smaller.unwrap().outcome;
+    assert!(
+        matches!(outcome, Outcome::NoAdvice { cause } if cause.contains("makes a safeguard smaller")),
+        "{outcome:?}"
+    );
+}
+
+#[test]
+fn a_field_is_not_made_smaller_and_not_so_large_that_the_person_starts_in_it() {
+    let text = cell(FIELD, "\"field.radius\" = 1.0");
+    let far = advised(&text);
+    assert!(far.verified() >= 1, "{:#?}", far.remedies);
+    let radius = far.value("field.radius");
+    assert!((1.1..1.7).contains(&radius), "{radius}");
+    let smaller = far.of("FMU parameter field.radius").into_iter().find(|remedy| number(&remedy.change, "= ") < 1.0);
+    assert!(
+        matches!(&smaller.unwrap().outcome, Outcome::NoAdvice { cause } if cause.contains("field then reports")),
+        "{:#?}",
+        far.remedies
+    );
+    // The same field, and a person who starts nearer than it would have to reach.
+    let near = text.replace("xy_m = [0, -1.8]", "xy_m = [0, -1.2]").replace("-125", "-105");
+    let near = advised(&near);
+    near.verified();
+    let against = near.not_advised("FMU parameter field.radius");
+    assert!(against.iter().any(|cause| cause.contains("reports the person at the start already")), "{against:?}");
+}
+
+#[test]
+fn times_and_truth_values_that_are_the_cause_are_found() {
+    // The mat is wide enough, as long as nothing delays it.
+    let wide = mat(-1.5);
+    let muted = advised(&cell(&wide, "\"muting.enabled\" = true\n\"muting.hold_time\" = 1.5"));
+    assert!(muted.verified() >= 2);
+    assert!(muted.enough("FMU parameter muting.enabled = false").is_some(), "{:#?}", muted.remedies);
+    let hold = muted.value("muting.hold_time");
+    assert!(hold < 1.0, "{hold}");
+    // A mat does not help against its being muted.
+    assert!(muted.enough("zone of mat").is_none());
+    let filtered = advised(&cell(&wide, "\"filter.tau\" = 0.6"));
+    assert!(filtered.verified() >= 1);
+    assert!(filtered.value("filter.tau") < 0.5, "{:#?}", filtered.remedies);
+    let slow = advised(&cell(&wide, "\"plc.t_react\" = 0.7"));
+    assert!(slow.verified() >= 1);
+    assert!(slow.value("plc.t_react") < 0.6, "{:#?}", slow.remedies);
+}
+
+#[test]
+fn without_a_safeguard_the_speed_is_the_one_that_the_standard_allows() {
+    let advised = advised(&cell("", ""));
+    assert!(advised.verified() >= 1, "{:#?}", advised.remedies);
+    let speed = advised.value("drive.speed");
+    // The end of the bar is 0.85 m from its axis, and comes as fast as it may to a leg.
+    let safe = safe_speed_m_s(BodyRegion::LowerLeg, 23.0) / 0.85;
+    assert!(speed <= 1.25 * safe && speed > 0.9 * safe, "{speed} {safe}");
+    // A bar that stands farther away is reached later, that is all.
+    let farther = advised.of("bar ")[0];
+    assert!(matches!(farther.outcome, Outcome::OnlyLater(_) | Outcome::NoHelp { .. }), "{farther:#?}");
+}
+
+#[test]
+fn what_removes_one_of_two_causes_is_not_enough() {
+    // The mat is muted for a while, and too narrow.
+    let advised = advised(&cell(&mat(-1.1), "\"muting.enabled\" = true\n\"muting.hold_time\" = 2.0"));
+    advised.verified();
+    for words in ["FMU parameter muting", "zone of mat"] {
+        assert!(advised.enough(words).is_none(), "{words}: {:#?}", advised.remedies);
+    }
+    // Each for itself is.
+    assert!(advised.is_hazardous(&cell(&mat(-1.1), ""), 0));
+    assert!(!advised.is_hazardous(&cell(&mat(-1.6), ""), 0));
+}
+
+#[test]
+fn a_gap_that_is_closed_in_front_of_the_person_but_not_beside_is_open() {
+    // Two lintels side by side, under which a person of 1.755 m just gets through.
+    let wall = |name: &str, from: f64, to: f64, under: f64| {
+        let (x, width) = (0.5 * (from + to), to - from);
+        let (z, height) = (0.5 * (under + 2.2), 2.2 - under);
+        format!("[[obstacle]]\nname = \"{name}\"\ncentre_m = [{x}, -1.3, {z}]\nsize_m = [{width}, 0.04, {height}]\n")
+    };
+    let parts = [
+        wall("left", -3.0, -0.25, 0.0),
+        wall("lintel", -0.25, 0.02, 1.76),
+        wall("other lintel", 0.02, 0.29, 1.76),
+        wall("right", 0.29, 3.0, 0.0),
+    ];
+    let text = cell(&parts.concat(), "").replace("xy_m = [0, -1.8]", "xy_m = [0.06, -1.8]");
+    let advised = advised(&text);
+    advised.verified();
+    // 2 cm stop who walks straight ahead from the start, and nobody 3 cm beside.
+    let lower = text.replace(&parts[1], &wall("lintel", -0.25, 0.02, 1.74));
+    assert!(!advised.is_hazardous(&lower, 0));
+    assert!(advised.is_hazardous(&lower.replace("xy_m = [0.06,", "xy_m = [0.09,"), 0));
+    if let Some(remedy) = advised.enough("lintel") {
+        let lower = number(&remedy.change, "lintel ");
+        assert!(lower > 0.05, "{}", remedy.change);
+        for beside in ["0.01", "0.03", "0.09", "0.11"] {
+            let text = remedy.cell.replace("0.06, -1.8", &format!("{beside}, -1.8"));
+            assert_ne!(text, remedy.cell);
+            assert!(!advised.is_hazardous(&text, 0), "{} {beside}", remedy.change);
+        }
+    }
+}
+
+#[test]
+fn a_barrier_has_to_be_higher_than_what_people_step_over() {
+    // Legs begin 5 cm above the floor.
+    let barrier = "[[obstacle]]\nname = \"barrier\"\ncentre_m = [0, -1.3, 0.02]\nsize_m = [8, 0.04, 0.04]\n";
+    let advised = advised(&cell(barrier, ""));
+    assert!(advised.verified() >= 2, "{:#?}", advised.remedies);
+    let higher = number(&advised.enough("barrier").unwrap().change, "barrier ");
+    assert!((0.01..=0.03).contains(&higher), "{higher}");
+}
+
+#[test]
+fn every_beginning_counts() {
+    // Who begins at once finds the mat muted for 0.3 s, which matters to nobody; who begins 6 s later finds the bar again
+    // where it was, and the mat never muted.
+    let text = cell(&mat(-1.0), "").replace("[human]\n", "[human]\nbegins_s = [0, 6.2]\n");
+    let advised = advised(&text);
+    assert!(advised.verified() >= 1, "{:#?}", advised.remedies);
+    let Some(Outcome::Sufficient(checked)) = advised.enough("zone of mat").map(|remedy| &remedy.outcome) else {
+        panic!("{:#?}", advised.remedies)
+    };
+    assert_eq!(checked.complete.len(), 2);
+}
+
+/// The example cells with fewer actions, so that every sequence is looked at within seconds.
+#[test]
+fn advice_for_the_example_cells_is_true() {
+    for (example, actions) in [("head-collision", 5), ("heavy-workpiece", 6)] {
+        let dir = common::examples();
+        let folder = dir.path().join(example);
+        let text = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
+        let text = text + &format!("\n[search]\nactions = {actions}\n");
+        let advised = advised_in(dir, &Path::new(example).join("short.toml").display().to_string(), &text, 2);
+        assert!(advised.verified() >= 1, "{example}: {:#?}", advised.remedies);
+    }
+}
