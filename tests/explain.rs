@@ -146,7 +146,7 @@ fn words_and_numbers() {
         "changed.toml:",
         "not yet verified against",
         "not allowed at all",
-        "No speed is safe: the head",
+        "No speed is safe: only a robot that stands",
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }

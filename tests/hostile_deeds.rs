@@ -113,11 +113,12 @@ fn children_do_not_outlive_a_scan() {
             // Processes that copy themselves cannot be kept from having children.
             for more in [&["--trust-fmu"][..], &["--state", "fork"], &["--trust-fmu", "--state", "fork"]] {
                 let place = Place::new(&hostile.clone().what(what).when_stopped(6).size(3600));
-                // A short robot: the speed that shows the child is not that of its motion, which makes arm searches long.
+                // A short robot: the speed that shows the child is not that of its motion, which makes arm searches long, and
+                // nothing certain.
                 let cell = std::fs::read_to_string(place.cell()).unwrap();
                 std::fs::write(place.cell(), cell.replace("to_m = [1.4, 0, 0]", "to_m = [0.2, 0, 0]")).unwrap();
                 let ran = place.scan(more);
-                assert!(ran.code == Some(0) && ran.faults().is_empty(), "{what} {more:?}: {ran:?}");
+                assert!(ran.code == Some(4) && ran.faults().is_empty(), "{what} {more:?}: {ran:?}");
             }
         }
     }

@@ -50,14 +50,31 @@ impl Root {
         }
         let all = tempfile::env::temp_dir();
         sweep(&all);
-        let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(all)?;
-        let lock = File::create_new(folder.path().join(LOCK))?;
-        flock(&lock, FlockOperation::NonBlockingLockExclusive)?;
-        let new = Arc::new(Self { folder, _lock: lock });
+        let mut tries = 0;
+        let new = loop {
+            tries += 1;
+            match Self::new(&all) {
+                Err(_) if tries < TRIES => {}
+                made => break Arc::new(made?),
+            }
+        };
         *root = Arc::downgrade(&new);
         Ok(new)
     }
+
+    /// A new one; nothing if another process swept it away before it was locked.
+    fn new(all: &Path) -> io::Result<Self> {
+        let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(all)?;
+        let lock = File::create_new(folder.path().join(LOCK))?;
+        flock(&lock, FlockOperation::NonBlockingLockExclusive)?;
+        // Whoever had the lock in between has removed the file.
+        std::fs::metadata(folder.path().join(LOCK))?;
+        Ok(Self { folder, _lock: lock })
+    }
 }
+
+/// How often such a folder is made: other processes that begin at the same moment may take it for one that nobody needs.
+const TRIES: u32 = 20;
 
 /// Removes what processes left behind that are gone. What cannot be removed stays: it may be another user's.
 fn sweep(all: &Path) {

@@ -356,7 +356,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             }
         }
         let ends = [self.elbow_part(), 1.0].map(Share::on_forearm);
-        fore > cutoff && self.may_touch(piece, &Limb { ends, radius: arm.forearm_radius_m }, placed, movement)
+        let limb = Limb { ends, radius: arm.forearm_radius_m };
+        fore > cutoff && self.limb_may_matter(ArmSegment::Forearm, piece, &limb, placed, movement)
     }
 
     /// The same of the upper arm and of what counts as elbow.
@@ -365,14 +366,29 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let [upper, elbow, _, _] = piece.bounds;
         let to_zone = [Share::ELBOW, Share::on_forearm(self.elbow_part())];
         let to_elbow = [Share::SHOULDER, Share::ELBOW];
-        let may_touch = |ends, radius| self.may_touch(piece, &Limb { ends, radius }, placed, movement);
-        (elbow > cutoff && may_touch(to_zone, arm.forearm_radius_m))
-            || (upper > cutoff && may_touch(to_elbow, arm.upper_arm_radius_m))
+        let may_matter =
+            |segment, ends, radius| self.limb_may_matter(segment, piece, &Limb { ends, radius }, placed, movement);
+        (elbow > cutoff && may_matter(ArmSegment::Elbow, to_zone, arm.forearm_radius_m))
+            || (upper > cutoff && may_matter(ArmSegment::UpperArm, to_elbow, arm.upper_arm_radius_m))
     }
 
-    /// Whether a limb may overlap a piece by the tolerance within the box.
-    fn may_touch(&self, piece: &Piece, limb: &Limb, placed: &Placed, movement: &Movement) -> bool {
-        limb.may_touch(&piece.solid, self.query.tolerance_m, placed, movement)
+    /// Whether some contact of a limb with a piece could score above the cutoff within the box.
+    fn limb_may_matter(
+        &self,
+        segment: ArmSegment,
+        piece: &Piece,
+        limb: &Limb,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> bool {
+        let tolerance = self.query.tolerance_m;
+        let Some(near) = limb.may_touch(&piece.solid, tolerance, placed, movement) else { return false };
+        let bound = |(centre, radius): (Vec3, f64)| {
+            self.query.score.upper_bound_near(segment, piece.link, &Neighbourhood::ball(centre, radius))
+        };
+        let touched = limb.touched(&piece.solid, &near, tolerance, placed, movement);
+        touched.on_core.is_none_or(|ball| bound(ball) > self.cutoff())
+            && touched.beside.is_none_or(|ends| ends.into_iter().any(|ball| bound(ball) > self.cutoff()))
     }
 
     /// The part of the forearm that counts as elbow.

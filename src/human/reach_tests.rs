@@ -362,7 +362,7 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
         }
         let radius = arm.forearm_radius_m;
         let limb = Limb { ends: [Share::ELBOW, Share::on_forearm(1.0)], radius };
-        if limb.may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b)) {
+        if limb.may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b)).is_some() {
             continue;
         }
         apart += 1;

@@ -106,22 +106,65 @@ pub(super) struct Limb {
 }
 
 impl Limb {
-    /// Whether the limb may overlap a solid by `depth` within a box of joint angles.
-    pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> bool {
+    /// Where the limb is nearest to a solid in the middle of a box of joint angles; none if they cannot overlap by `depth` in
+    /// it.
+    pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> Option<Closest> {
         let ends = self.ends.map(|end| end.at(placed));
         let near = link.segment_distance(ends[0], ends[1]);
         let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
         let least = near.distance - self.radius - at_most[0].max(at_most[1]);
         if least > -depth {
-            return false;
+            return None;
         }
-        let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return true };
+        let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return Some(near) };
         // Signed distance from a convex solid is convex: it stays above its tangent plane.
         let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - self.radius);
         let (elbow, wrist) = movement.along(placed, n);
         let nearest = |k: usize| plane[k] - self.ends[k].of(elbow, wrist);
-        nearest(0).min(nearest(1)) <= -depth
+        (nearest(0).min(nearest(1)) <= -depth).then_some(near)
     }
+
+    /// Where the points of a solid can be at which the limb touches it within a box of joint angles, if the contact stays one
+    /// when the arm moves by `tolerance`; `near` is where they are nearest in the middle.
+    ///
+    /// Such a contact may be moved by the tolerance towards the middle of the box, so only what is left of the movement
+    /// counts, m. Let v be the vector from a capsule's core to the limb's axis. It is the shortest vector of the convex set
+    /// of all such differences, which lies beyond a plane at |v| and moves by at most m: so the shortest one afterwards is
+    /// no shorter along v than |v| - m, and no longer than |v| + m, and the cosine of the angle between the two at least
+    /// (|v| - m) / (|v| + m). The touched point is on that side of the core.
+    pub(super) fn touched(
+        &self,
+        link: &Solid,
+        near: &Closest,
+        tolerance: f64,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> Touched {
+        let ends = self.ends.map(|end| end.at(placed));
+        let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
+        let by = (at_most[0].max(at_most[1]) - tolerance).max(0.0);
+        let on_core = match (link, link.outward(near)) {
+            (Solid::Capsule(c), Some(outward)) if near.distance + c.radius > by => {
+                let from_core = near.distance + c.radius;
+                let turned = 2.0 * (by / (from_core + by)).sqrt();
+                let (middle, half) = ((c.a + c.b) * 0.5, 0.5 * (c.b - c.a).length());
+                Some((middle + outward * c.radius, half + c.radius * turned))
+            }
+            _ => None,
+        };
+        // An axis that stays outside is no farther from what the limb touches than it is thick. Speed is a convex function
+        // of the point, so it is greatest around one of the ends.
+        let beside = (near.distance > by).then(|| ends.map(|end| (end, self.radius + by)));
+        Touched { on_core, beside }
+    }
+}
+
+/// Balls, each given by its centre and radius, that hold the points of a solid at which a limb touches it.
+pub(super) struct Touched {
+    /// One that holds them all, for a capsule.
+    pub(super) on_core: Option<(Vec3, f64)>,
+    /// Two of which the hull of both holds them all.
+    pub(super) beside: Option<[(Vec3, f64); 2]>,
 }
 
 /// How far the point of a convex solid that is nearest to the wrist can move within a box of joint angles.

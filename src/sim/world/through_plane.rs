@@ -120,7 +120,7 @@ impl World {
                 let curtain = &self.curtains[c];
                 curtain.within(0.0, link) || shoulders.iter().any(|s| !curtain.closed.out_of_reach(*s, reach, link))
             }
-            _ => self.curtains[c].within(ways[c].untold_limit_m - 2.0 * self.encounter.reach_tolerance_m, link),
+            _ => self.curtains[c].within(ways[c].untold_limit_m - self.encounter.reach_tolerance_m, link),
         };
         let mask = |frame: &RobotFrame, but: &[usize]| -> Vec<bool> {
             let others: Vec<usize> = (0..count).filter(|c| !but.contains(c)).collect();
@@ -218,11 +218,10 @@ impl World {
         std::iter::once(out_of_reach).chain(way.closed.then(|| curtain.unbroken())).collect()
     }
 
-    /// Whether a hand on a way past plane `c` can get hold of a link. A contact deeper than the tolerance that leaves as much
-    /// room to what is out of reach in time: the guarantee of the arm search asks for no more, and thin layers of space cost
-    /// it most.
+    /// Whether a hand on a way past plane `c` can get hold of a link, and still could with the arm moved by the tolerance: the
+    /// guarantee of the arm search asks for no more, and thin layers of space cost it most.
     fn in_reach(&self, c: usize, way: &Way, link: &Solid) -> bool {
-        let far = way.limit_m - 2.0 * self.encounter.reach_tolerance_m;
+        let far = way.limit_m - self.encounter.reach_tolerance_m;
         let curtain = &self.curtains[c];
         if way.back { curtain.within_before(far, link) } else { curtain.within(far, link) }
     }

@@ -119,7 +119,8 @@ impl Twin {
         let all: Vec<&Hit> = hits.iter().filter(|h| h.1).map(|h| &h.0).collect();
         let deepest = all.iter().map(|h| h.depth).fold(0.0, f64::max);
         let near = all.into_iter().filter(|h| h.depth >= deepest - 0.02);
-        near.max_by(|a, b| a.ratio.total_cmp(&b.ratio)).cloned()
+        // Of equals, to rounding, the first.
+        near.reduce(|worst, h| if h.ratio > worst.ratio * (1.0 + 1e-12) { h } else { worst }).cloned()
     }
 
     /// The arms that are available: side and shoulder.
