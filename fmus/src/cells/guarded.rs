@@ -142,7 +142,8 @@ mod tests {
         // Reaction 50 ms, ramp 300 ms.
         let plain = stands(&[]).unwrap();
         assert!((450..=452).contains(&plain), "{plain}");
-        assert_eq!(stands(&[(vr::TAU, Value::Real(0.2))]), Some(plain + 200));
+        // The millisecond in which it begins counts.
+        assert_eq!(stands(&[(vr::TAU, Value::Real(0.2))]), Some(plain + 199));
         let muted = [(vr::HOLD_TIME, Value::Real(1.1)), (vr::MUTING, Value::Boolean(true))];
         assert_eq!(stands(&muted), Some(plain + 1000));
         assert_eq!(stands(&muted[..1]), Some(plain));
