@@ -9,7 +9,7 @@
 //! not for the rest of the body; and hands that have been free for long are held by nothing.
 
 use crate::cell::{Sensor, Workcell};
-use crate::geometry::distance::point_segment;
+use crate::geometry::distance::{point_segment, segment_segment};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::standards::iso_13855::HAND_SPEED_M_S;
 
@@ -50,6 +50,17 @@ impl Curtain {
             })
         };
         cell.sensors.iter().enumerate().filter_map(curtain).collect()
+    }
+
+    /// No point of one plane is nearer to one of the other than this, m: seen from above.
+    #[must_use]
+    pub fn apart_m(&self, other: &Self) -> f64 {
+        let ends = |plane: &Cuboid| {
+            let (middle, half) = (plane.centre.with_z(0.0), plane.rotation * Vec3::X * plane.half.x);
+            [middle - half, middle + half]
+        };
+        let ([a, b], [c, d]) = (ends(&self.plane), ends(&other.plane));
+        segment_segment(a, b, c, d).distance
     }
 
     /// The plane as a wall: for arms that do not break it.

@@ -9,8 +9,8 @@
 //! **Equal states.** The person stands at the same place with the same heading, the sensors' delay lines are equal, and
 //! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With a plane
 //! (light curtain, door, two-hand control), the states in which the FMU would be had the plane told of an arm are equal as
-//! well, because what an arm meets depends on them (see [`super::curtain`]). With several planes, which an arm may pass at
-//! once, the inputs have to be the same.
+//! well, because what an arm meets depends on them (see [`super::curtain`]). With two planes that an arm may pass at once the
+//! inputs have to be the same.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
@@ -60,7 +60,7 @@ pub struct Expander<P: Plant> {
     by_bytes: bool,
     /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
     /// the body was first seen in it.
-    bundles: BTreeMap<(usize, Vec<Option<NodeId>>), NodeId>,
+    bundles: BTreeMap<(Vec<usize>, Vec<Option<NodeId>>), NodeId>,
     coverage: Coverage,
     journal: Journal,
     questions: u64,
@@ -242,16 +242,20 @@ impl<P: Plant> Expander<P> {
     /// The first node with the same future as `node`, where the sensors remember `delays`.
     fn representative(&mut self, node: NodeId, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
         let same = self.robots.recall.same(node);
-        let sensor = match &*self.world.curtains {
-            [] => return Ok(same),
-            [plane] => plane.sensor,
-            _ => return Ok(node),
-        };
-        let since = delays[sensor].first_seen();
-        let shadows = self.robots.shadows(node, 0, since)?;
-        let shadows = shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n)));
-        let bundle = std::iter::once(Some(same)).chain(shadows).collect();
-        Ok(*self.bundles.entry((since, bundle)).or_insert(node))
+        if self.world.curtains.is_empty() {
+            return Ok(same);
+        }
+        if !self.world.neighbours.is_empty() {
+            return Ok(node);
+        }
+        let (mut sinces, mut bundle) = (Vec::new(), vec![Some(same)]);
+        for plane in 0..self.world.curtains.len() {
+            let since = delays[self.world.curtains[plane].sensor].first_seen();
+            let shadows = self.robots.shadows(node, plane, since)?;
+            bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));
+            sinces.push(since);
+        }
+        Ok(*self.bundles.entry((sinces, bundle)).or_insert(node))
     }
 
     /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
@@ -344,7 +348,7 @@ impl<P: Plant> Expander<P> {
         }
         let mut rows = vec![situations.rows.of(transition.node, &transition.frames)[i]];
         let mut earlier = BTreeMap::new();
-        for windows in Asked::windows(&question.2) {
+        for windows in Asked::windows(&question.2, &self.world.neighbours) {
             // Nothing before the start of time.
             let Some(node) = HadTold::new(&mut self.robots, transition.node, i).node_for(&windows)? else {
                 rows.push(u32::MAX);
@@ -551,8 +555,8 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn release_before(&mut self, depth: usize) {
-        // What an arm meets that passes several planes at once is worked out from the beginning.
-        if self.world.curtains.len() > 1 {
+        // What an arm meets that passes two planes at once is worked out from the beginning.
+        if !self.world.neighbours.is_empty() {
             return;
         }
         let recall = &self.robots.recall;

@@ -133,6 +133,8 @@ pub struct World {
     boxes: Vec<Cuboid>,
     /// Light curtains, doors, two-hand controls.
     pub(super) curtains: Vec<Curtain>,
+    /// Those of which an arm may pass two at once.
+    pub(super) neighbours: Vec<(usize, usize)>,
 }
 
 impl World {
@@ -146,8 +148,11 @@ impl World {
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
         };
-        let mut world = Self { cell, binding, encounter, boxes, curtains: Vec::new() };
+        let mut world = Self { cell, binding, encounter, boxes, curtains: Vec::new(), neighbours: Vec::new() };
         world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
+        let (curtains, reach) = (&world.curtains, world.encounter.arm.reach());
+        let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
+        world.neighbours = pairs.filter(|&(c, d)| curtains[c].apart_m(&curtains[d]) < reach).collect();
         world
     }
 

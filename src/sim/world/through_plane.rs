@@ -56,9 +56,16 @@ struct Ways {
     told: Vec<Way>,
 }
 
-/// Robots of one way, and how far the hand can be.
+impl Way {
+    /// The one of two that leaves the hand more time.
+    fn wider(self, other: Self) -> Self {
+        if other.limit_m > self.limit_m { other } else { self }
+    }
+}
+
+/// The robots, had planes told of an arm on these ways, one past each of some planes.
 struct Run {
-    way: Way,
+    ways: Vec<Way>,
     frames: Frames,
 }
 
@@ -133,45 +140,25 @@ impl World {
                 return Ok(Some(Hit::new(found, &frames[i])));
             }
         }
-        for (c, ways) in ways.iter().enumerate() {
-            let Some(walls) = untold(&[c]) else { continue };
-            let runs = runs(&ways.told, &[], i, earlier)?;
-            let mask = |frame: &RobotFrame| mask(frame, &[c]);
-            if let Some((run, found)) = self.first_of(person, c, &runs, &walls, &mask, i, coverage) {
-                return Ok(Some(self.hit(found, &run.frames[i], &[run.way.window])));
-            }
-        }
-        for c in 0..count {
-            for d in c + 1..count {
-                let Some(walls) = untold(&[c, d]) else { continue };
-                for first in &ways[c].told {
-                    let runs = runs(&ways[d].told, &[first.window], i, earlier)?;
-                    let mut walls = walls.clone();
-                    walls.extend(self.walls_of(c, first));
-                    let mask = |frame: &RobotFrame| {
-                        let near = mask(frame, &[c, d]);
-                        frame.links.iter().zip(near).map(|(l, near)| near && self.in_reach(c, first, l)).collect()
-                    };
-                    if let Some((run, found)) = self.first_of(person, d, &runs, &walls, &mask, i, coverage) {
-                        return Ok(Some(self.hit(found, &run.frames[i], &[first.window, run.way.window])));
-                    }
-                }
+        let one = (0..count).map(|c| vec![c]);
+        let two = self.neighbours.iter().map(|&(c, d)| vec![c, d]);
+        for planes in one.chain(two) {
+            let Some(walls) = untold(&planes) else { continue };
+            let told: Vec<&[Way]> = planes.iter().map(|&c| ways[c].told.as_slice()).collect();
+            let runs = runs(&told, i, earlier)?;
+            let mask = |frame: &RobotFrame| mask(frame, &planes);
+            if let Some((run, found)) = self.first_of(person, &runs, &walls, &mask, i, coverage) {
+                let windows = run.ways.iter().map(|way| way.window).collect();
+                return Ok(Some(Hit { windows, ..Hit::new(found, &run.frames[i]) }));
             }
         }
         Ok(None)
     }
 
-    /// A contact of an arm that went past planes, each of which told of it in a window.
-    fn hit(&self, found: Encountered, frame: &RobotFrame, windows: &[Window]) -> Hit {
-        Hit { windows: windows.to_vec(), ..Hit::new(found, frame) }
-    }
-
-    /// The first of `runs`, ways past plane `c`, in which an arm can get hold of a robot in time, and the contact.
-    #[expect(clippy::too_many_arguments, reason = "one question, asked in one place")]
+    /// The first of `runs` in which an arm can get hold of a robot in time, and the contact.
     fn first_of<'a>(
         &self,
         person: &Person,
-        c: usize,
         runs: &'a [Run],
         walls: &[Cuboid],
         mask: &dyn Fn(&RobotFrame) -> Vec<bool>,
@@ -180,24 +167,29 @@ impl World {
     ) -> Option<(&'a Run, Encountered)> {
         let within = |run: &Run| -> Vec<bool> {
             let links = run.frames[i].links.iter().zip(mask(&run.frames[i]));
-            links.map(|(link, near)| near && self.in_reach(c, &run.way, link)).collect()
+            links.map(|(link, near)| near && run.ways.iter().all(|way| self.in_reach(way, link))).collect()
         };
-        let with = |way: &Way| [walls, &self.walls_of(c, way)].concat();
+        let with = |ways: &[Way]| -> Vec<Cuboid> {
+            walls.iter().copied().chain(ways.iter().flat_map(|way| self.walls_of(way))).collect()
+        };
         // Ways from in front and from behind have different walls.
-        let mut groups: Vec<&[Run]> = runs.chunk_by(|a, b| a.way.back == b.way.back).rev().collect();
+        let alike = |a: &Run, b: &Run| a.ways.iter().zip(&b.ways).all(|(a, b)| a.back == b.back);
+        let mut groups: Vec<&[Run]> = runs.chunk_by(alike).rev().collect();
         while let Some(group) = groups.pop() {
             match group {
                 [] => {}
                 [run] => {
-                    let (walls, links) = (with(&run.way), within(run));
+                    let (walls, links) = (with(&run.ways), within(run));
                     let space = ArmSpace { walls: &walls, links: Some(&links) };
                     if let Some(found) = self.encounter.unsafe_arm_contact(person, &run.frames[i], &space, coverage) {
                         return Some((run, found));
                     }
                 }
-                [.., last] => {
-                    // The space open to the last of them holds that of all: nothing there is nothing for any.
-                    let walls = with(&last.way);
+                [first, ..] => {
+                    // The space open to the widest ways holds that of all: nothing there is nothing for any.
+                    let widest = |n: usize| group.iter().map(|run| run.ways[n]).reduce(Way::wider);
+                    let widest: Vec<Way> = (0..first.ways.len()).filter_map(widest).collect();
+                    let walls = with(&widest);
                     let links: Vec<bool> = group.iter().flat_map(within).collect();
                     let space = ArmSpace { walls: &walls, links: Some(&links) };
                     let frames: Vec<&RobotFrame> = group.iter().map(|run| &run.frames[i]).collect();
@@ -211,18 +203,18 @@ impl World {
         None
     }
 
-    /// What an arm does not pass on a way past plane `c`: what is out of the hand's reach, and a plane that is clear.
-    fn walls_of(&self, c: usize, way: &Way) -> Vec<Cuboid> {
-        let curtain = &self.curtains[c];
+    /// What an arm does not pass on a way past a plane: what is out of the hand's reach, and a plane that is clear.
+    fn walls_of(&self, way: &Way) -> Vec<Cuboid> {
+        let curtain = &self.curtains[way.window.curtain];
         let out_of_reach = if way.back { curtain.before(way.limit_m) } else { curtain.beyond(way.limit_m) };
         std::iter::once(out_of_reach).chain(way.closed.then(|| curtain.unbroken())).collect()
     }
 
-    /// Whether a hand on a way past plane `c` can get hold of a link, and still could with the arm moved by the tolerance: the
+    /// Whether a hand on a way past a plane can get hold of a link, and still could with the arm moved by the tolerance: the
     /// guarantee of the arm search asks for no more, and thin layers of space cost it most.
-    fn in_reach(&self, c: usize, way: &Way, link: &Solid) -> bool {
+    fn in_reach(&self, way: &Way, link: &Solid) -> bool {
         let far = way.limit_m - self.encounter.reach_tolerance_m;
-        let curtain = &self.curtains[c];
+        let curtain = &self.curtains[way.window.curtain];
         if way.back { curtain.within_before(far, link) } else { curtain.within(far, link) }
     }
 
@@ -325,9 +317,9 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// All of them: of one plane, and of two at once.
+    /// All of them: of one plane, and of two `neighbours` at once.
     #[must_use]
-    pub fn windows(asked: &[Self]) -> Vec<Vec<Window>> {
+    pub fn windows(asked: &[Self], neighbours: &[(usize, usize)]) -> Vec<Vec<Window>> {
         let of = |(curtain, asked): (usize, &Self)| -> Vec<Window> {
             let through = (0..asked.through).map(|from| Window { curtain, from, until: 0 });
             let ahead = (1..=asked.ahead).map(|j| Window { curtain, from: asked.since + j, until: asked.since });
@@ -335,28 +327,35 @@ impl Asked {
         };
         let windows: Vec<Vec<Window>> = asked.iter().enumerate().map(of).collect();
         let mut all: Vec<Vec<Window>> = windows.iter().flatten().map(|window| vec![*window]).collect();
-        for (c, first) in windows.iter().enumerate() {
-            for second in &windows[c + 1..] {
-                all.extend(first.iter().flat_map(|a| second.iter().map(|b| vec![*a, *b])));
-            }
+        for &(c, d) in neighbours {
+            all.extend(windows[c].iter().flat_map(|a| windows[d].iter().map(|b| vec![*a, *b])));
         }
         all
     }
 }
 
-/// The robots of each way, with the windows of other planes besides; ways by the time they take, as long as there is time.
-fn runs<E: Earlier>(ways: &[Way], besides: &[Window], i: usize, earlier: &mut E) -> Result<Vec<Run>, E::Error> {
+/// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
+/// time.
+fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<Vec<Run>, E::Error> {
     let mut runs: Vec<Run> = Vec::new();
-    for of_kind in ways.chunk_by(|a, b| a.back == b.back) {
-        let first = runs.len();
-        for &way in of_kind {
-            let windows: Vec<Window> = besides.iter().copied().chain([way.window]).collect();
-            let Some(frames) = earlier.told_of(&windows)? else { break };
-            // Of instants at which the robots are the same, the last leaves the hand the most time.
-            if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
-                runs.pop();
+    let Some((last, before)) = told.split_last() else { return Ok(runs) };
+    let before: Vec<Vec<Way>> = match before {
+        [ways] => ways.iter().map(|way| vec![*way]).collect(),
+        _ => vec![Vec::new()],
+    };
+    for besides in before {
+        for of_kind in last.chunk_by(|a, b| a.back == b.back) {
+            let first = runs.len();
+            for &way in of_kind {
+                let ways: Vec<Way> = besides.iter().copied().chain([way]).collect();
+                let windows: Vec<Window> = ways.iter().map(|way| way.window).collect();
+                let Some(frames) = earlier.told_of(&windows)? else { break };
+                // Of instants at which the robots are the same, the last leaves the hand the most time.
+                if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
+                    runs.pop();
+                }
+                runs.push(Run { ways, frames });
             }
-            runs.push(Run { way, frames });
         }
     }
     Ok(runs)
