@@ -242,7 +242,6 @@ fn a_door_that_does_not_latch() {
 }
 
 #[test]
-#[ignore = "the program takes minutes with two planes"]
 fn a_curtain_behind_a_door() {
     gantry(&cells::curtain_behind_a_door()).agree();
 }

@@ -55,7 +55,7 @@ const FLAWS: [Flaw; 6] = [
         cell: "head-collision",
         seed: "1",
         iterations: "200",
-        regions: &["skull_forehead", "face"],
+        regions: &["skull_forehead", "face", "neck_front"],
         links: &["gripper", "tool", "wrist_1", "wrist_2", "forearm", "elbow"],
         sensors: &[("field", true)],
         place: [-0.6, 1.0, -0.7, -0.1],
@@ -64,16 +64,16 @@ const FLAWS: [Flaw; 6] = [
         cell: "light-curtain",
         seed: "1",
         iterations: "60",
-        regions: &["hand", "lower_arm", "upper_arm", "chest", "face", "skull_forehead"],
+        regions: &["hand", "lower_arm", "upper_arm", "chest", "back_shoulders", "face", "skull_forehead", "neck_front"],
         links: &["gripper", "tool", "wrist", "forearm"],
         sensors: &[("curtain", true)],
-        place: [-0.5, 0.7, -0.7, 0.3],
+        place: [-0.5, 0.85, -0.8, 0.3],
     },
     Flaw {
         cell: "two-scanners",
         seed: "1",
         iterations: "320",
-        regions: &["hand"],
+        regions: &["hand", "lower_arm", "upper_arm"],
         links: &["robot B gripper", "robot B tool", "robot B wrist", "robot B forearm"],
         sensors: &[("field A", true), ("field B", false)],
         place: [-0.9, 0.4, -1.0, -0.1],
@@ -82,8 +82,8 @@ const FLAWS: [Flaw; 6] = [
         cell: "heavy-workpiece",
         seed: "1",
         iterations: "120",
-        regions: &["chest"],
-        links: &["workpiece", "wrist_1"],
+        regions: &["chest", "thigh"],
+        links: &["workpiece", "wrist_1", "wrist_2", "tool", "forearm"],
         sensors: &[],
         place: [0.2, 0.8, -1.0, -0.1],
     },
@@ -115,7 +115,7 @@ fn each_flaw_is_the_one_its_readme_names() {
             as_named += usize::from(flaw.sensors.iter().all(|(name, on)| seen(name) == *on));
             let [x, y] = [0, 1].map(|i| hazard["person_xy_m"][i].as_f64().unwrap());
             let [left, right, front, back] = flaw.place;
-            assert!(left <= x && x <= right && front <= y && y <= back, "{}: ({x}, {y})", flaw.cell);
+            assert!(left <= x && x <= right && front <= y && y <= back, "{}: ({x}, {y}) {hazard}", flaw.cell);
         }
         // A foot that has just crossed to the next field is reported there while the robot still stops.
         assert!(2 * as_named > hazards.len(), "{}: {as_named} of {}", flaw.cell, hazards.len());
