@@ -1,7 +1,7 @@
 //! What inputs do to the robots, found out by running the FMU: which slow them, after how long, and with which polarity.
 //!
 //! A run with all inputs idle is compared with runs in which one input changes, or all that sensors drive, at several moments
-//! while the robots move. The person plays a part for sensors inside the FMU only ([`places`]).
+//! while the robots move. The person plays a part for sensors inside the FMU only (`probe/places.rs`).
 
 mod places;
 

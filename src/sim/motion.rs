@@ -12,7 +12,7 @@
 //! over most of an action a tenth of that must do: a robot that creeps is compared, too.
 //!
 //! The last step of an action is compared when the next is known. Where none follows, it has to be within what a robot can
-//! do at all ([`HARDEST`](crate::cell::binding::HARDEST)): it may still not have been put somewhere else.
+//! do at all ([`HARDEST`]): it may still not have been put somewhere else.
 
 mod seen;
 mod signal;

@@ -22,7 +22,7 @@ pub struct Disagreement {
     pub told: f64,
 }
 
-/// What was seen of a [`Signal`].
+/// What was seen of a signal that is compared.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Seen {
     /// The largest disagreement.
