@@ -75,7 +75,8 @@ fn crc32(bytes: &[u8]) -> [u8; 4] {
 
 #[test]
 fn paths_that_leave_the_folder() {
-    for name in ["../escaped", "/escaped", "a/../../escaped", "C:/escaped", "a\\..\\..\\escaped", "./a", "a/./b"] {
+    for name in ["../escaped", "/escaped", "a/../../escaped", "C:/escaped", "a\\..\\..\\escaped", "./../a", "a/./../b"]
+    {
         refused(
             "inspect",
             &plus(name, b"x"),
@@ -86,6 +87,25 @@ fn paths_that_leave_the_folder() {
     let message = "x.fmu was refused, nothing was unpacked: the path ../\\u{1b}[2J\\u{202e}a would write outside the \
                    FMU's folder";
     refused("inspect", &plus("../\u{1b}[2J\u{202e}a", b"x"), message);
+}
+
+#[test]
+fn a_folder_that_is_listed_as_here() {
+    let renamed = |to: &dyn Fn(&str) -> String| -> Vec<(String, Vec<u8>)> {
+        entries().into_iter().map(|(name, content)| (to(&name), content)).collect()
+    };
+    let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    archive.add_directory("./", SimpleFileOptions::default()).unwrap();
+    for (name, content) in renamed(&|name| format!("./{name}")) {
+        archive.start_file(name, SimpleFileOptions::default()).unwrap();
+        archive.write_all(&content).unwrap();
+    }
+    inspected(&archive.finish().unwrap().into_inner(), &[]);
+    inspected(&plus("a/./b", b"x"), &[]);
+    // What then has the same path is one file twice.
+    let message = "x.fmu was refused, nothing was unpacked: it contains ./modelDescription.xml twice (also as \
+                   modelDescription.xml)";
+    refused("inspect", &plus("./modelDescription.xml", b"x"), message);
 }
 
 #[test]

@@ -6,7 +6,9 @@ mod common;
 
 use std::fmt::Write as _;
 
-use common::archives::{XML, entries_of, folder_with, inspected, pack, refused, run, same, with, with_xml};
+use common::archives::{
+    BINARY, XML, entries, entries_of, folder_with, inspected, pack, refused, run, same, with, with_xml,
+};
 use common::{faulty_cell, write};
 
 /// With one piece of the description replaced.
@@ -135,9 +137,26 @@ fn model_identifiers_that_name_other_files() {
         ("", ""),
     ] {
         let fmu = changed("modelIdentifier=\"faulty\"", &format!("modelIdentifier=\"{identifier}\""));
-        let message = "is not a C identifier and could name a file outside the FMU; refused";
+        let message = "could name a file outside the FMU; refused. FMI asks for a C identifier";
         wrong(&fmu, &format!("line 11, column 3: in <CoSimulation>: modelIdentifier \"{shown}\" {message}"));
     }
+}
+
+/// Vendors' exporters put hyphens and dots there, which name the binary just as well.
+#[test]
+fn model_identifiers_that_are_file_names() {
+    let mut all = entries();
+    for (name, content) in &mut all {
+        if name == BINARY {
+            *name = name.replace("faulty.so", "my-cell.v2.so");
+        } else if name == XML {
+            let text = String::from_utf8(std::mem::take(content)).unwrap();
+            *content = text.replace("modelIdentifier=\"faulty\"", "modelIdentifier=\"my-cell.v2\"").into_bytes();
+        }
+    }
+    let dir = folder_with(&pack(&all));
+    let (code, _, said) = run(dir.path(), &["selftest", "x.fmu"]);
+    assert_eq!(code, 0, "{said}");
 }
 
 #[test]

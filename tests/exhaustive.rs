@@ -19,7 +19,7 @@ use fmi_hazard::search::{End, Environment as _, Rng};
 use fmi_hazard::sim::expansion::{Expander, Merge, State};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
-use fmi_hazard::sim::world::{Earlier, Frames, Hit, Stance, Window};
+use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window};
 use fmi_hazard::sim::{Coverage, World};
 
 const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
@@ -69,8 +69,8 @@ struct NoCurtain;
 impl Earlier for NoCurtain {
     type Error = Infallible;
 
-    fn told_of(&mut self, _: &[Window]) -> Result<Option<Frames>, Infallible> {
-        Ok(None)
+    fn told_of(&mut self, _: &[Window]) -> Result<HadTold<Frames>, Infallible> {
+        Ok(HadTold::BeforeTime)
     }
 }
 

@@ -227,6 +227,11 @@ fn limbs_that_are_hit_while_the_hand_is_within_its_limit() {
 }
 
 #[test]
+fn the_end_of_a_forearm_that_is_hit_beside_the_hand() {
+    gantry(&cells::too_fast_for_the_end_of_a_forearm()).agree();
+}
+
+#[test]
 fn a_fast_link_within_a_slow_one() {
     gantry(&cells::fast_within_slow()).agree();
 }
@@ -239,6 +244,39 @@ fn a_palletiser_that_is_muted_for_too_long() {
 #[test]
 fn a_door_that_does_not_latch() {
     gantry(&cells::door_that_does_not_latch()).agree();
+}
+
+/// What an arm meets in a run that the FMU cannot finish is not known: nothing is certified, nothing is fixed.
+#[test]
+fn a_door_that_an_arm_opens_before_the_controller_is_ready() {
+    const LATE: &str = "\"plc.reaction_ms\" = 400\n";
+    let dir = tempfile::tempdir().unwrap();
+    let ran = |arguments: &[&str]| {
+        let output = fmi_hazard(dir.path()).args(arguments).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let file = cells::behind_a_door(LATE).write(dir.path());
+    both(&file).agree();
+    let known = scan_json(&dir.path().join("out"))["hazards"].as_array().unwrap().len();
+    assert!(known > 1);
+    let cell = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(
+        dir.path().join("early.toml"),
+        cell.replace(LATE, &format!("{LATE}\"fault.fails_until_ms\" = 110\n")),
+    )
+    .unwrap();
+    let (code, _) = ran(&["scan", "early.toml", "--strategy", "exhaustive", "--out", "early"]);
+    let scan = scan_json(&dir.path().join("early"));
+    let certificate = &scan["certificate"];
+    assert_eq!((code, &scan["verdict"], &certificate["hazardous"]), (Some(3), &"fmu_failed".into(), &"0".into()));
+    assert_eq!((&certificate["complete"], &certificate["not_evaluated"]), (&false.into(), &"0".into()));
+    assert!(text(&certificate["reasons"][0]).contains("in which a plane tells of an arm"), "{certificate}");
+    assert!(scan["coverage"]["arm_runs_not_evaluated"].as_u64().unwrap() > 0);
+    assert!(text(&scan["faults"][0]["message"]).starts_with("while a plane told of an arm: "), "{}", scan["faults"]);
+    let (_, told) = ran(&["verify", "out", "early.toml"]);
+    assert_eq!(told.matches("NOT RUN").count(), known, "{told}");
+    let (_, told) = ran(&["compare", "out", "early"]);
+    assert!(told.contains("not found again") && !told.contains("fixed "), "{told}");
 }
 
 #[test]

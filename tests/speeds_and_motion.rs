@@ -80,6 +80,9 @@ const LIES: [(&str, &str); 5] = [
     ("{ variable = \"qd\", plus = { \"qd\" = -0.5 } }", "2.00 times"),
 ];
 
+/// All rungs.
+const STATES: [&str; 4] = ["fmu", "fork", "replay", "process"];
+
 const TRUE_SPEED: &str = "{ variable = \"qd\", unit = \"rad/s\" }";
 
 /// The faulty cell with two actions and this speed of its joint.
@@ -125,11 +128,17 @@ fn nothing_is_certified_where_told_speeds_are_not_those_of_the_motion() {
             assert!(warned(&result, "is not that of its motion"), "{text}");
         }
     }
-    for state in ["fmu", "fork", "replay", "process"] {
-        write(dir.path(), "lie.toml", &cell_with("faulty.fmu", 0, 0, LIES[0].0));
-        let (code, text, result) = scan(dir.path(), "lie.toml", state);
+    for (fmu, state) in ["faulty.fmu", "faulty-fmi3.fmu"].iter().flat_map(|fmu| STATES.map(|state| (fmu, state))) {
+        for (speed, _) in [LIES[0], LIES[1], LIES[4]] {
+            write(dir.path(), "lie.toml", &cell_with(fmu, 0, 0, speed));
+            let (code, text, result) = scan(dir.path(), "lie.toml", state);
+            assert!(code == 4 && result["certificate"]["complete"] == false, "{state}: {text}");
+            assert_eq!(result["speeds"][0]["steps"], 18, "{state}: all steps but the first and the last: {text}");
+        }
+        // Put somewhere else in the middle.
+        write(dir.path(), "later.toml", &cell_with(fmu, 15, 9, TRUE_SPEED));
+        let (code, text, result) = scan(dir.path(), "later.toml", state);
         assert!(code == 4 && result["certificate"]["complete"] == false, "{state}: {text}");
-        assert_eq!(result["speeds"][0]["steps"], 18, "{state}: all steps but the first and the last: {text}");
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::exit::Failure;
 use super::{beginnings, output};
 use crate::cell::error::{Source, nearest};
+use crate::host::selftest::Rung;
 use crate::report::model::{FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
 use crate::scan::prepare::prepare_in;
@@ -62,4 +63,17 @@ pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -
         output::warning("the FMU has changed since the scan");
     }
     Ok(prepared)
+}
+
+/// The same, with states brought back as plainly as the scan in `path` did: it may have found out that the FMU needs that.
+pub(super) fn as_plainly(mut prepared: Prepared, path: &Path) -> Prepared {
+    #[derive(serde::Deserialize)]
+    struct Run {
+        states_by: Rung,
+    }
+    let folder = if path.is_dir() { Some(path) } else { path.parent() };
+    let text = folder.and_then(|folder| std::fs::read_to_string(folder.join("run.json")).ok());
+    let run: Option<Run> = text.and_then(|text| serde_json::from_str(&text).ok());
+    prepared.rung = run.map_or(prepared.rung, |run| run.states_by.max(prepared.rung));
+    prepared
 }

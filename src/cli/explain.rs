@@ -56,6 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let recorded = earlier::read(&arguments.scan)?;
     let hazard = earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
     let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let prepared = earlier::as_plainly(prepared, &arguments.scan);
     match verify(&prepared, hazard).outcome {
         Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
         Outcome::StillThere { body_region, robot_link, .. }

@@ -193,7 +193,11 @@ fn check(
             let how = file.compression();
             return Err(refused(format!("{shown} is compressed with {how}, FMUs may use Deflate only. Zip it again")));
         }
-        let key = name.trim_end_matches('/').to_lowercase();
+        // The folder itself, which some packers list.
+        if relative.as_os_str().is_empty() {
+            continue;
+        }
+        let key = relative.to_string_lossy().to_lowercase();
         if let Some(other) = seen.insert(key, name.clone()) {
             return Err(refused(format!("it contains {shown} twice (also as {})", printable(&other))));
         }
@@ -204,7 +208,7 @@ fn check(
         if file.size() > SMALL && file.size() / file.compressed_size().max(1) > limits.ratio {
             return Err(refused(format!("{shown} unpacks to more than {} times its size", limits.ratio)));
         }
-        if name.eq_ignore_ascii_case("modelDescription.xml") && file.size() > limits.description_bytes {
+        if is_description(&relative) && file.size() > limits.description_bytes {
             let limit = limits.description_bytes >> 20;
             return Err(refused(format!("{shown} is larger than {limit} MiB")));
         }
@@ -213,7 +217,7 @@ fn check(
     both_file_and_folder(&entries).map_or(Ok(()), |name| {
         Err(refused(format!("it contains {} both as a file and as a folder", printable(name))))
     })?;
-    if is_fmu && !entries.iter().any(|e| e.name == "modelDescription.xml") {
+    if is_fmu && !entries.iter().any(|e| e.relative == Path::new("modelDescription.xml")) {
         let like = |e: &&Entry| e.name.to_lowercase().ends_with("modeldescription.xml");
         let hint = match entries.iter().find(like).map(|e| printable(&e.name)) {
             Some(name) if name.contains('/') => format!(", only {name}: zip the folder's contents, not the folder"),
@@ -234,17 +238,23 @@ fn both_file_and_folder(entries: &[Entry]) -> Option<&str> {
     clash.map(|pair| pair[0].name.as_str())
 }
 
-/// The path below the FMU's folder, if it stays there: no `..`, no root, no drive, no backslash.
+/// Whether this is the model description, in whatever letters.
+fn is_description(relative: &Path) -> bool {
+    relative.to_str().is_some_and(|name| name.eq_ignore_ascii_case("modelDescription.xml"))
+}
+
+/// The path below the FMU's folder, if it stays there: no `..`, no root, no drive, no backslash. A `.` is where one is.
 fn safe_path(name: &str) -> Option<PathBuf> {
     if name.is_empty() || name.starts_with('/') || name.contains(['\\', '\0', ':']) {
         return None;
     }
     let mut path = PathBuf::new();
     for part in name.split('/').filter(|p| !p.is_empty()) {
-        if part == "." || part == ".." {
-            return None;
+        match part {
+            ".." => return None,
+            "." => {}
+            part => path.push(part),
         }
-        path.push(part);
     }
     Some(path)
 }
@@ -269,9 +279,11 @@ mod tests {
 
     #[test]
     fn paths_that_leave_the_folder_are_refused() {
-        for bad in ["../x", "a/../../x", "/etc/x", "C:/x", "a\\..\\x", "./x", ""] {
+        for bad in ["../x", "a/../../x", "/etc/x", "C:/x", "a\\..\\x", "./../x", ""] {
             assert_eq!(safe_path(bad), None, "{bad}");
         }
-        assert_eq!(safe_path("a/b.txt"), Some(PathBuf::from("a/b.txt")));
+        for good in ["a/b.txt", "./a/b.txt", "a/./b.txt"] {
+            assert_eq!(safe_path(good), Some(PathBuf::from("a/b.txt")), "{good}");
+        }
     }
 }

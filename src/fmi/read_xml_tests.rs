@@ -70,7 +70,12 @@ fn what_would_give_wrong_results_is_an_error_with_its_line() {
 fn hostile_xml_is_refused() {
     let bomb = r#"<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "aaaa">]><fmiModelDescription fmiVersion="2.0"/>"#;
     assert!(problem(bomb).1.contains("DOCTYPE"));
-    for identifier in ["../../bin/sh", "a b", "a;rm", "1st", "", "caf\u{e9}"] {
+    for identifier in ["My-Cell", "cell.v2", "1st"] {
+        let text = with_variables("").replace("modelIdentifier=\"Cell\"", &format!("modelIdentifier=\"{identifier}\""));
+        let (d, _) = read(&text).unwrap();
+        assert_eq!(d.co_simulation.unwrap().capabilities.model_identifier, identifier);
+    }
+    for identifier in ["../../bin/sh", "a/b", "a b", "a;rm", ".so", "-v", "..", "", "caf\u{e9}"] {
         let text = HEAD.replace("modelIdentifier=\"Cell\"", &format!("modelIdentifier=\"{identifier}\""));
         assert!(problem(&format!("{text}</fmiModelDescription>")).1.contains("C identifier"), "{identifier}");
     }

@@ -214,8 +214,8 @@ impl SelfTest {
     }
 }
 
-/// A way of bringing states back. With an FMU that keeps its promises only the speed differs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// A way of bringing states back, the plainest last. With an FMU that keeps its promises only the speed differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Rung {
     /// States saved by the FMU.

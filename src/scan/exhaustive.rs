@@ -163,11 +163,11 @@ impl Expansion for Watched<'_> {
     }
 }
 
-/// Communication steps that the audit may take: twice those of the search, and a small part of what the contacts cost. A
-/// question whether a person can be touched costs about 0.6 of a step in a worker, a box of joint angles 0.25.
+/// Communication steps that the audit may take: as many as the search, where steps are what costs, and a small part of what
+/// the contacts cost, else. A question whether a person can be touched costs about 0.6 of a step in a worker, a box of joint angles 0.25.
 fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
     let contacts = expander.questions() * 6 / 10 + expander.work() / 4;
-    footing.least_audit() + 2 * expander.recall().steps() + contacts / 16
+    footing.least_audit() + expander.recall().steps() + contacts / 16
 }
 
 /// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
@@ -212,6 +212,7 @@ pub(super) fn census(
         Told::Progress { depth, done, of } => tell(Progress::Level { depth, done, of, hazards: groups.len() }),
     });
     let Watched { expander, plain, .. } = watched;
+    faults.extend(expander.arm_run_unfinished().map(|message| FaultRecord { message, actions: Vec::new() }));
     let (mut broken, mut doubt, mut again) = (None, None, Audit::default());
     let account = match outcome {
         Ok(account) => Some(account),
@@ -271,6 +272,12 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     }
     if account.not_evaluated > BigUint::ZERO {
         reasons.push("the FMU could not finish some actions: what follows from them is not known".to_owned());
+    }
+    let runs = expander.coverage().arm_runs_not_evaluated;
+    if runs > 0 {
+        reasons.push(format!(
+            "the FMU could not finish {runs} runs in which a plane tells of an arm: what the arm meets there is not known"
+        ));
     }
     let unfinished = expander.coverage().arm_checks_incomplete;
     if unfinished > 0 {

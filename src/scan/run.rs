@@ -232,7 +232,7 @@ pub fn scan_with(
     }
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
-    } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.episodes_not_evaluated > 0 {
+    } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.not_evaluated() {
         Verdict::FmuFailed
     } else if interrupted {
         Verdict::Interrupted

@@ -18,6 +18,10 @@ pub struct Coverage {
     pub arm_checks: u64,
     /// Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
     pub arm_checks_incomplete: u64,
+    /// Runs in which a plane tells of an arm that the FMU could not finish: what the arm meets there is not evaluated, never
+    /// counted as safe.
+    #[serde(default)]
+    pub arm_runs_not_evaluated: u64,
     /// Boxes of joint angles that all arm searches together looked at: what their work is measured in.
     pub arm_boxes: u64,
     /// Smallest distance between trunk, head or legs and the robot, m; negative when they met. An exhaustive search takes
@@ -48,6 +52,7 @@ impl Coverage {
             contact_checks: 0,
             arm_checks: 0,
             arm_checks_incomplete: 0,
+            arm_runs_not_evaluated: 0,
             arm_boxes: 0,
             closest_approach_m: f64::MAX,
             checks_with_robot_in_arm_reach: 0,
@@ -67,6 +72,7 @@ impl Coverage {
         self.contact_checks += other.contact_checks;
         self.arm_checks += other.arm_checks;
         self.arm_checks_incomplete += other.arm_checks_incomplete;
+        self.arm_runs_not_evaluated += other.arm_runs_not_evaluated;
         self.arm_boxes += other.arm_boxes;
         self.closest_approach_m = self.closest_approach_m.min(other.closest_approach_m);
         self.checks_with_robot_in_arm_reach += other.checks_with_robot_in_arm_reach;
@@ -75,6 +81,12 @@ impl Coverage {
         self.robot_top_speed_m_s = self.robot_top_speed_m_s.max(other.robot_top_speed_m_s);
         self.sensor_actions.iter_mut().zip(&other.sensor_actions).for_each(|(a, b)| *a += b);
         self.walks_blocked += other.walks_blocked;
+    }
+
+    /// Whether something is not known because the FMU could not finish it.
+    #[must_use]
+    pub const fn not_evaluated(&self) -> bool {
+        self.episodes_not_evaluated > 0 || self.arm_runs_not_evaluated > 0
     }
 
     /// Why a run without hazards would say nothing, if that is so. `moved`: whether anything changed its place, whatever

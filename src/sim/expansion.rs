@@ -21,9 +21,9 @@ use super::Coverage;
 use super::bound::RobotBounds;
 use super::journal::{Block, Journal};
 use super::motion::Motion;
-use super::robots::{HadTold, Robots};
+use super::robots::{Instead, Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Asked, Earlier, Frames, Hit, Sensed, Sight, Stance, Window, World};
+use super::world::{Asked, Earlier, Frames, HadTold, Hit, Sensed, Sight, Stance, Window, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -59,8 +59,8 @@ pub struct Expander<P: Plant> {
     workers: usize,
     by_bytes: bool,
     /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
-    /// the body was first seen in it.
-    bundles: BTreeMap<(Vec<usize>, Vec<Option<NodeId>>), NodeId>,
+    /// the body was first seen in it, and how many such states there are.
+    bundles: BTreeMap<(Vec<usize>, Vec<Shadow>), NodeId>,
     coverage: Coverage,
     journal: Journal,
     questions: u64,
@@ -92,19 +92,19 @@ struct Pending {
 
 /// The robots at an instant, and as they would be had planes told of an arm.
 struct Situation {
-    /// Whether any of them is fast enough to harm.
+    /// Whether any of them is fast enough to harm, or not known.
     may_harm: bool,
     frames: Frames,
     i: usize,
     /// By the windows in which they told.
-    earlier: BTreeMap<Vec<Window>, Frames>,
+    earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
 }
 
 impl Earlier for &Situation {
     type Error = Infallible;
 
-    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, Infallible> {
-        Ok(self.earlier.get(windows).cloned())
+    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Infallible> {
+        Ok(self.earlier.get(windows).cloned().unwrap_or(HadTold::BeforeTime))
     }
 }
 
@@ -227,6 +227,12 @@ impl<P: Plant> Expander<P> {
         &self.robots.recall
     }
 
+    /// What the FMU said when it first could not finish a run in which planes told of an arm.
+    #[must_use]
+    pub fn arm_run_unfinished(&self) -> Option<String> {
+        self.robots.unfinished()
+    }
+
     /// Whether equal states of the FMU are told by their serialised bytes, else by the inputs.
     #[must_use]
     pub const fn merges_by_bytes(&self) -> bool {
@@ -239,8 +245,8 @@ impl<P: Plant> Expander<P> {
         self.questions
     }
 
-    /// The first node with the same future as `node`, where the sensors remember `delays`.
-    fn representative(&mut self, node: NodeId, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
+    /// The first node with the same future as `node`, where the sensors remember `delays` and the person is at `place`.
+    fn representative(&mut self, node: NodeId, place: &Place, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
         let same = self.robots.recall.same(node);
         if self.world.curtains.is_empty() {
             return Ok(same);
@@ -248,12 +254,12 @@ impl<P: Plant> Expander<P> {
         if !self.world.neighbours.is_empty() {
             return Ok(node);
         }
-        let (mut sinces, mut bundle) = (Vec::new(), vec![Some(same)]);
+        let (mut sinces, mut bundle) = (Vec::new(), vec![Shadow::Is(same)]);
         for plane in 0..self.world.curtains.len() {
             let since = delays[self.world.curtains[plane].sensor].first_seen();
-            let shadows = self.robots.shadows(node, plane, since)?;
+            let shadows = self.robots.shadows(node, place, plane, since)?;
             bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));
-            sinces.push(since);
+            sinces.extend([since, bundle.len()]);
         }
         Ok(*self.bundles.entry((sinces, bundle)).or_insert(node))
     }
@@ -291,10 +297,10 @@ impl<P: Plant> Expander<P> {
                                 Err(fault.message.clone())
                             }
                             Advanced::To(node) => {
+                                let place = ahead.walks[w].end();
                                 // Where the sequences end, nothing depends on which state it is.
                                 let representative =
-                                    if last { node } else { self.representative(node, &sensed.delays)? };
-                                let place = ahead.walks[w].end();
+                                    if last { node } else { self.representative(node, &place, &sensed.delays)? };
                                 let delays = sensed.delays.clone().into_boxed_slice();
                                 expanded.next.push(State { place, node: representative, delays });
                                 let frames = self.robots.frames(node);
@@ -349,19 +355,24 @@ impl<P: Plant> Expander<P> {
         let mut rows = vec![situations.rows.of(transition.node, &transition.frames)[i]];
         let mut earlier = BTreeMap::new();
         for windows in Asked::windows(&question.2, &self.world.neighbours) {
-            // Nothing before the start of time.
-            let Some(node) = HadTold::new(&mut self.robots, transition.node, i).node_for(&windows)? else {
-                rows.push(u32::MAX);
-                continue;
-            };
-            let frames = self.robots.frames(node);
-            rows.push(situations.rows.of(node, &frames)[i]);
+            let shadow = Instead::new(&mut self.robots, transition.node, i).node_for(&windows)?;
+            let frames = shadow.clone().map(|node| self.robots.frames(node));
+            rows.push(match (&shadow, &frames) {
+                (Shadow::Is(node), HadTold::Is(frames)) => situations.rows.of(*node, frames)[i],
+                (Shadow::Unfinished, _) => u32::MAX - 1,
+                _ => u32::MAX,
+            });
             earlier.insert(windows, frames);
         }
         let key = (rows, question.2.clone());
         let all = &mut situations.all;
         let number = *situations.numbers.entry(key).or_insert_with(|| {
-            let may_harm = std::iter::once(&transition.frames).chain(earlier.values()).any(|frames| frames[i].may_harm);
+            let told_may_harm = |told: &HadTold<Frames>| match told {
+                HadTold::Is(frames) => frames[i].may_harm,
+                HadTold::BeforeTime => false,
+                HadTold::Unfinished => true,
+            };
+            let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
             all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
             all.len() - 1
         });
@@ -484,8 +495,9 @@ impl<P: Plant> Expansion for Expander<P> {
 
     fn start(&mut self) -> Result<State, PlantError> {
         let delays = self.world.delays_at_start().into_boxed_slice();
-        let node = self.representative(NodeId::ROOT, &delays)?;
-        Ok(State { place: self.world.start(), node, delays })
+        let place = self.world.start();
+        let node = self.representative(NodeId::ROOT, &place, &delays)?;
+        Ok(State { place, node, delays })
     }
 
     fn may_matter(&self, state: &State, remaining: usize) -> bool {

@@ -18,7 +18,7 @@ use super::Coverage;
 use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Hit, Sensed, Window, World};
+use super::world::{Earlier, Frames, HadTold, Hit, Sensed, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
 use crate::hazard::group::place_cell;
@@ -334,16 +334,16 @@ struct IfBroken<'a> {
 impl Earlier for IfBroken<'_> {
     type Error = Infallible;
 
-    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, Infallible> {
+    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Infallible> {
         // Of arms ahead of the body, or past two planes, nothing was observed: the robots may go on as they do.
-        let [Window { curtain, from, until: 0 }] = windows else { return Ok(Some(Arc::clone(self.own))) };
+        let [Window { curtain, from, until: 0 }] = windows else { return Ok(HadTold::Is(Arc::clone(self.own))) };
         let (delay, shadows) = &self.shadows[*curtain];
         let first = (self.i + 1 + delay).cast_signed() - from.cast_signed();
         if first > self.i.cast_signed() {
-            return Ok(Some(Arc::clone(self.own)));
+            return Ok(HadTold::Is(Arc::clone(self.own)));
         }
         let number = usize::try_from(first - EARLIEST).ok();
-        Ok(number.and_then(|n| shadows.get(n).cloned().flatten()))
+        Ok(number.and_then(|n| shadows.get(n).cloned().flatten()).map_or(HadTold::BeforeTime, HadTold::Is))
     }
 }
 

@@ -12,7 +12,8 @@ use crate::search::{End, Environment as _};
 /// Runs `actions` and returns the unsafe contact they lead to, if any.
 ///
 /// # Errors
-/// When the FMU cannot be started, or cannot finish an action: what would come then is not known.
+/// When the FMU cannot be started, or cannot finish an action, or a run in which a plane tells of an arm, and nothing was
+/// found: what would come then is not known.
 pub fn replay<P: Plant>(
     cell: Arc<Workcell>,
     binding: Arc<Binding>,
@@ -29,5 +30,8 @@ pub fn replay<P: Plant>(
             None => {}
         }
     }
-    Ok(simulation.take_findings().pop())
+    match simulation.take_findings().pop() {
+        None if !simulation.is_evaluated() => Err(simulation.not_evaluated()),
+        found => Ok(found),
+    }
 }

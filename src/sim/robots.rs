@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
-use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Window, World};
+use super::world::{Earlier, Frames, HadTold, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
+use crate::human::Place;
 
 /// Most FMU states whose robot frames are remembered at a time, some hundred MB; beyond that all are forgotten and worked
 /// out again when they are needed.
@@ -25,12 +25,11 @@ struct Told {
 
 impl Told {
     const EVER: i16 = i16::MAX;
-    /// Steps of an action, at most: 0.2 s in steps of 1 ms.
-    const LONGEST_ACTION: i16 = 200;
 
-    /// Steps from its beginning to its end, or for what never ends to the longest action's.
-    fn earlier(self) -> usize {
-        let end = if self.until == Self::EVER { Self::LONGEST_ACTION } else { self.until };
+    /// Steps from its beginning to its end, or for what never ends to that of an action of so many steps, which it begins
+    /// in or before.
+    fn earlier(self, per_action: i16) -> usize {
+        let end = if self.until == Self::EVER { per_action } else { self.until };
         usize::try_from(end - self.first).unwrap_or(0)
     }
 
@@ -42,13 +41,7 @@ impl Told {
 }
 
 /// The state that stands in for another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shadow {
-    NotAsked,
-    /// Before the start of time, or the FMU could not do it.
-    None,
-    Is(NodeId),
-}
+pub(super) type Shadow = HadTold<NodeId>;
 
 /// The FMU's states, and the robots as its outputs tell them.
 pub(super) struct Robots<P: Plant> {
@@ -58,9 +51,11 @@ pub(super) struct Robots<P: Plant> {
     frames: BTreeMap<NodeId, Frames>,
     /// The states that stand in for others had a plane told of an arm, where they are known: by state, sensor, and when it
     /// ended; then by how much earlier it began.
-    shadows: BTreeMap<(NodeId, u16, i16), Vec<Shadow>>,
+    shadows: BTreeMap<(NodeId, u16, i16), Vec<Option<Shadow>>>,
     /// The same for several planes.
-    of_several: BTreeMap<(NodeId, Box<[Told]>), Option<NodeId>>,
+    of_several: BTreeMap<(NodeId, Box<[Told]>), Shadow>,
+    /// What the FMU said when it first could not finish such a run.
+    unfinished: Option<String>,
     /// States that were reached since they were last taken.
     reached: BTreeSet<NodeId>,
     /// How told speeds are compared with the motion, and what was seen of that in all frames.
@@ -77,6 +72,7 @@ impl<P: Plant> Robots<P> {
             frames: BTreeMap::new(),
             shadows: BTreeMap::new(),
             of_several: BTreeMap::new(),
+            unfinished: None,
             reached: BTreeSet::new(),
             comparison,
             motion: Motion::default(),
@@ -141,26 +137,30 @@ impl<P: Plant> Robots<P> {
         &self.motion
     }
 
-    /// The state after the action into `node` had planes told of an arm besides; nothing before the start of time, or if the
-    /// FMU could not do that.
-    fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Option<NodeId>, PlantError> {
+    /// What the FMU said when it first could not finish a run in which planes told of an arm.
+    pub(super) fn unfinished(&self) -> Option<String> {
+        let message = self.unfinished.as_ref()?;
+        Some(format!("while a plane told of an arm: {message}"))
+    }
+
+    /// The state after the action into `node` had planes told of an arm besides.
+    fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Shadow, PlantError> {
         let per_action = i16::try_from(self.world.cell.steps_per_action).unwrap_or(i16::MAX);
         // What is told later than in this action changes nothing yet.
         let told: Box<[Told]> = told.iter().copied().filter(|t| t.first < t.until && t.first < per_action).collect();
         if told.is_empty() {
-            return Ok(Some(node));
+            return Ok(Shadow::Is(node));
         }
         if node == NodeId::ROOT {
-            return Ok(None);
+            return Ok(Shadow::BeforeTime);
         }
-        if let Some(known) = self.known_shadow(node, &told) {
+        if let Some(known) = self.known_shadow(node, &told, per_action) {
             return Ok(known);
         }
         let parent = self.recall.parent(node);
         let earlier: Vec<Told> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
         let shadow = match self.had_told(parent, &earlier)? {
-            None => None,
-            Some(from) => {
+            Shadow::Is(from) => {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
                     let SensorBinding::Input(column) = self.world.binding.sensors[usize::from(t.sensor)] else {
@@ -174,34 +174,35 @@ impl<P: Plant> Robots<P> {
                     }
                 }
                 match self.advance(from, &inputs)? {
-                    Advanced::To(node) => Some(node),
-                    Advanced::Fault(_) => None,
+                    Advanced::To(node) => Shadow::Is(node),
+                    Advanced::Fault(fault) => {
+                        self.unfinished.get_or_insert_with(|| fault.message.clone());
+                        Shadow::Unfinished
+                    }
                 }
             }
+            none => none,
         };
-        self.remember_shadow(node, told, shadow);
+        self.remember_shadow(node, told, per_action, shadow.clone());
         Ok(shadow)
     }
 
-    fn known_shadow(&self, node: NodeId, told: &[Told]) -> Option<Option<NodeId>> {
-        let [one] = told else { return self.of_several.get(&(node, told.into())).copied() };
-        match self.shadows.get(&(node, one.sensor, one.until))?.get(one.earlier())? {
-            Shadow::NotAsked => None,
-            Shadow::None => Some(None),
-            Shadow::Is(node) => Some(Some(*node)),
-        }
+    fn known_shadow(&self, node: NodeId, told: &[Told], per_action: i16) -> Option<Shadow> {
+        let [one] = told else { return self.of_several.get(&(node, told.into())).cloned() };
+        self.shadows.get(&(node, one.sensor, one.until))?.get(one.earlier(per_action))?.clone()
     }
 
-    fn remember_shadow(&mut self, node: NodeId, told: Box<[Told]>, shadow: Option<NodeId>) {
+    fn remember_shadow(&mut self, node: NodeId, told: Box<[Told]>, per_action: i16, shadow: Shadow) {
         let [one] = *told else {
             self.of_several.insert((node, told), shadow);
             return;
         };
+        let earlier = one.earlier(per_action);
         let known = self.shadows.entry((node, one.sensor, one.until)).or_default();
-        if known.len() <= one.earlier() {
-            known.resize(one.earlier() + 1, Shadow::NotAsked);
+        if known.len() <= earlier {
+            known.resize(earlier + 1, None);
         }
-        known[one.earlier()] = shadow.map_or(Shadow::None, Shadow::Is);
+        known[earlier] = Some(shadow);
     }
 
     /// The steps of the action into a state that windows, seen from step `i` of it, are about.
@@ -225,21 +226,17 @@ impl<P: Plant> Robots<P> {
 
     /// The states in which the FMU would be in `node`'s stead had a plane told of an arm in the last 1, 2, ... samples, or,
     /// where the body was first seen in it `since` samples ago, in the 1, 2, ... samples before that: as many as may ever
-    /// matter. They decide, with the state itself, what an arm may meet later. Remembered, so that nothing before `node` is
-    /// asked again.
+    /// matter to a person who is at `place`. They decide, with the state itself, what an arm may meet later. Remembered, so
+    /// that nothing before `node` is asked again.
     pub(super) fn shadows(
         &mut self,
         node: NodeId,
+        place: &Place,
         curtain: usize,
         since: usize,
-    ) -> Result<Vec<Option<NodeId>>, PlantError> {
-        let longest = usize::from(DelayLine::LONGEST);
+    ) -> Result<Vec<Shadow>, PlantError> {
         let last = self.world.cell.steps_per_action - 1;
-        // What was sensed and has not taken effect will.
-        let delay = self.world.cell.sensors[self.world.curtains[curtain].sensor].delay_steps;
-        let through = (1..=longest + delay).map(|from| Window { curtain, from, until: 0 });
-        let ahead = (since + 1..=longest).filter(|_| since > 0 && since < longest);
-        let windows: Vec<Window> = through.chain(ahead.map(|from| Window { curtain, from, until: since })).collect();
+        let windows = self.world.windows_that_will_matter(place, curtain, since);
         windows.into_iter().map(|window| self.had_told(node, &self.told(&[window], last))).collect()
     }
 
@@ -253,28 +250,28 @@ impl<P: Plant> Robots<P> {
 }
 
 /// The robots as they would be after step `i` of the action into `node`.
-pub(super) struct HadTold<'a, P: Plant> {
+pub(super) struct Instead<'a, P: Plant> {
     robots: &'a mut Robots<P>,
     node: NodeId,
     i: usize,
 }
 
-impl<'a, P: Plant> HadTold<'a, P> {
+impl<'a, P: Plant> Instead<'a, P> {
     pub(super) const fn new(robots: &'a mut Robots<P>, node: NodeId, i: usize) -> Self {
         Self { robots, node, i }
     }
 
-    /// The state of the FMU; nothing before the start of time, or if the FMU could not do that.
-    pub(super) fn node_for(&mut self, windows: &[Window]) -> Result<Option<NodeId>, PlantError> {
+    /// The state of the FMU had planes told of an arm in these windows.
+    pub(super) fn node_for(&mut self, windows: &[Window]) -> Result<Shadow, PlantError> {
         let told = self.robots.told(windows, self.i);
         self.robots.had_told(self.node, &told)
     }
 }
 
-impl<P: Plant> Earlier for HadTold<'_, P> {
+impl<P: Plant> Earlier for Instead<'_, P> {
     type Error = PlantError;
 
-    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, PlantError> {
+    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, PlantError> {
         let node = self.node_for(windows)?;
         Ok(node.map(|node| self.robots.frames(node)))
     }

@@ -13,7 +13,7 @@ use super::encounter::ArmSpace;
 use super::imagination::Imagination;
 use super::motion::Motion;
 use super::robot::RobotFrame;
-use super::robots::{HadTold, Robots};
+use super::robots::{Instead, Robots};
 use super::sensors::DelayLine;
 use super::world::{Sensed, Stance, World};
 use crate::cell::{Binding, Workcell};
@@ -41,6 +41,8 @@ pub struct Snapshot {
     place: Place,
     delays: Vec<DelayLine>,
     actions: Vec<Action>,
+    /// Whether the FMU could finish every run in which a plane tells of an arm, on the way here.
+    evaluated: bool,
 }
 
 /// An action the FMU could not finish.
@@ -104,6 +106,8 @@ struct Outcome {
     /// Findings with the last action only; the sequence that led here goes in front.
     findings: Vec<Finding>,
     fault: Option<String>,
+    /// Whether the FMU could finish every run in which a plane tells of an arm, or none was needed to find a contact.
+    evaluated: bool,
     /// What was seen on the way.
     coverage: Coverage,
 }
@@ -146,7 +150,13 @@ impl<P: Plant> Simulation<P> {
         let recall = Recall::new(plant, options.policy)?;
         let world = Arc::new(World::new(cell, binding));
         let place = world.start();
-        let root = Snapshot { node: NodeId::ROOT, place, delays: world.delays_at_start(), actions: Vec::new() };
+        let root = Snapshot {
+            node: NodeId::ROOT,
+            place,
+            delays: world.delays_at_start(),
+            actions: Vec::new(),
+            evaluated: true,
+        };
         Ok(Self {
             coverage: Coverage::new(world.cell.sensors.len()),
             robots: Robots::new(Arc::clone(&world), recall),
@@ -200,6 +210,12 @@ impl<P: Plant> Simulation<P> {
     #[must_use]
     pub fn faults(&self) -> &[Fault] {
         &self.faults
+    }
+
+    /// Whether all that was asked of the FMU since the last reset is known: else a contact may have been missed.
+    #[must_use]
+    pub const fn is_evaluated(&self) -> bool {
+        self.state.evaluated
     }
 
     /// Why the last action that the FMU could not finish was not evaluated.
@@ -285,17 +301,28 @@ impl<P: Plant> Simulation<P> {
             self.findings.push(finding);
         }
         actions.push(action);
-        if let Some(message) = &outcome.fault {
-            if self.faults.len() < FAULTS_KEPT && self.faults.iter().all(|f| f.message != *message) {
-                self.faults.push(Fault { actions, message: message.clone() });
-            }
-        } else if let Some((node, place, delays)) = &outcome.to {
-            self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions };
+        let arm = (outcome.coverage.arm_runs_not_evaluated > 0).then(|| self.robots.unfinished()).flatten();
+        if let Some(message) = outcome.fault.clone().or(arm)
+            && self.faults.len() < FAULTS_KEPT
+            && self.faults.iter().all(|f| f.message != message)
+        {
+            self.faults.push(Fault { actions: actions.clone(), message });
+        }
+        let evaluated = self.state.evaluated && outcome.evaluated;
+        if let Some((node, place, delays)) = &outcome.to {
+            self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions, evaluated };
             if outcome.end.is_some() {
                 self.imagination.observe(&self.world, &self.robots.recall, *node, &self.state.actions);
             }
         }
-        Ok(Step { reward: outcome.reward, end: outcome.end })
+        let end = match outcome.end {
+            Some(End::Horizon) if !evaluated => {
+                self.coverage.episodes_not_evaluated += 1;
+                Some(End::NotEvaluated)
+            }
+            end => end,
+        };
+        Ok(Step { reward: outcome.reward, end })
     }
 
     /// What an action does from the present state, remembered or worked out.
@@ -334,6 +361,7 @@ impl<P: Plant> Simulation<P> {
                     reached: BTreeSet::new(),
                     findings: Vec::new(),
                     fault: Some(fault.message.clone()),
+                    evaluated: false,
                     coverage,
                 });
             }
@@ -348,7 +376,9 @@ impl<P: Plant> Simulation<P> {
         if self.options.posture_sweep {
             self.sweep(&walked, action, &sensed, node, &mut findings, &mut coverage)?;
         }
+        let unfinished = coverage.arm_runs_not_evaluated;
         let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
+        let evaluated = hit.is_some() || coverage.arm_runs_not_evaluated == unfinished;
         let last = walked.places.len() - 1;
         let (reward, end) = if let Some(finding) = hit {
             findings.push(finding);
@@ -364,7 +394,7 @@ impl<P: Plant> Simulation<P> {
         };
         let to = Some((node, walked.places[last], sensed.delays));
         let reached = self.robots.take_reached();
-        Ok(Outcome { to, reward, end, reached, findings, fault: None, coverage })
+        Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
     }
 
     /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
@@ -438,7 +468,7 @@ impl<P: Plant> Simulation<P> {
         let frames = self.robots.frames(node);
         for i in 0..frames.len() {
             let stance = self.world.stance(walked, i, action.posture(), sensed);
-            let mut earlier = HadTold::new(&mut self.robots, node, i);
+            let mut earlier = Instead::new(&mut self.robots, node, i);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
             let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);

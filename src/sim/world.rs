@@ -109,8 +109,30 @@ pub struct Window {
     pub until: usize,
 }
 
+/// Something of the run in which planes told of an arm besides.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum HadTold<T> {
+    /// This is it.
+    Is(T),
+    /// There is no such run: the windows begin before the start of time.
+    BeforeTime,
+    /// The FMU could not finish it: what an arm meets in it is not known.
+    Unfinished,
+}
+
+impl<T> HadTold<T> {
+    /// The same of something that follows from it.
+    pub fn map<U>(self, with: impl FnOnce(T) -> U) -> HadTold<U> {
+        match self {
+            Self::Is(it) => HadTold::Is(with(it)),
+            Self::BeforeTime => HadTold::BeforeTime,
+            Self::Unfinished => HadTold::Unfinished,
+        }
+    }
+}
+
 /// Tells the robots' motion as it would be at the same instant had planes told of an arm in some windows, each of another
-/// plane; nothing before the start of time.
+/// plane.
 pub trait Earlier {
     /// Why it cannot be told.
     type Error;
@@ -119,7 +141,7 @@ pub trait Earlier {
     ///
     /// # Errors
     /// When the FMU fails.
-    fn told_of(&mut self, windows: &[Window]) -> Result<Option<Frames>, Self::Error>;
+    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Self::Error>;
 }
 
 /// See the module's text.

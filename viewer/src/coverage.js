@@ -5,6 +5,14 @@ import { count, grouped, ratio, share, speed } from "./words.js";
 
 const ms = (seconds) => `${(1000 * seconds).toFixed(0)} ms`;
 
+/** What of the FMU was run again from the start: all of it, or which part. */
+function again({ transitions, compared, merges, merges_compared: gone }) {
+  const part = (done, of) => (done === of ? `all ${grouped(of)}` : `${grouped(done)} of ${grouped(of)}`);
+  const merged = merges > 0 ? `, and ${part(gone, merges)} merges gone on with` : "";
+  const sample = compared === transitions && gone === merges ? "" : "; a sample, chosen by a key";
+  return compared > 0 ? `${part(compared, transitions)} FMU transitions, by fresh instances from the start${merged}${sample}` : "";
+}
+
 function certificate({ certificate: c, settings }) {
   if (!c) {
     return [
@@ -34,6 +42,7 @@ function certificate({ certificate: c, settings }) {
       ["too far away", `${grouped(c.excluded)} cannot meet the robot any more in the time that is left`],
       ["not evaluated", c.not_evaluated === "0" ? "" : `${grouped(c.not_evaluated)}: the FMU could not finish them`],
       ["distinct states", `${grouped(c.states)}; equal FMU states told by ${c.merged_by}${c.merged > 0 ? ` (${grouped(c.merged)} histories merged, ${grouped(c.merges_tried_out)} of the merges tried out)` : ""}`],
+      ["run again", again(c.run_again)],
       ["random search", random && c.hazardous_share > 0 ? `one in ${grouped((1 / c.hazardous_share).toFixed(0))} random sequences is hazardous, so it needs that many iterations on average; within ${random.iterations} it finds nothing in ${(100 * random.miss_probability).toFixed(1)} % of runs` : ""],
     ]),
   ];
@@ -67,7 +76,7 @@ function seen({ coverage: c, spent, certificate: complete }, cell) {
     h("h3", {}, "Coverage"),
     definitions([
       ["sequences", complete ? "" : `${grouped(spent.iterations)}, ${grouped(c.episodes_not_evaluated)} not evaluated`],
-      ["spent", `${count(c.actions, "action")}, ${count(spent.fmu_steps, "FMU step")}, ${count(spent.fmu_states, "FMU state")}, ${count(c.contact_checks, "contact check")}, ${count(c.arm_checks, "arm search").replace("searchs", "searches")}${c.arm_checks_incomplete > 0 ? ` (${grouped(c.arm_checks_incomplete)} ended early)` : ""}`],
+      ["spent", `${count(c.actions, "action")}, ${count(spent.fmu_steps, "FMU step")}, ${count(spent.fmu_states, "FMU state")}, ${count(c.contact_checks, "contact check")}, ${count(c.arm_checks, "arm search").replace("searchs", "searches")}${c.arm_checks_incomplete > 0 ? ` (${grouped(c.arm_checks_incomplete)} ended early)` : ""}${c.arm_runs_not_evaluated > 0 ? `; ${grouped(c.arm_runs_not_evaluated)} runs in which a plane tells of an arm could not be finished by the FMU` : ""}`],
       ["robot", `moved at up to ${speed(c.robot_top_speed_m_s)}; within arm's reach at ${count(c.checks_with_robot_in_arm_reach, "instant")}`],
       ["closest approach", `of the body: ${near}`],
       ["within the limits", `${count(c.contacts_within_limits, "contact")}${c.contacts_within_limits > 0 ? `, highest ${ratio(c.highest_ratio_within_limits)}` : ""}`],

@@ -162,7 +162,7 @@ function scan(hazards, { exhaustive, faults }) {
     complete: true, reasons: [], sequences: "2821109907456", covered: "2821109907456", hazardous: hazards.length ? "41953532688" : "0",
     harmless: hazards.length ? "2680999615728" : "2722953148416", excluded: "98156759040", not_evaluated: "0", hazardous_share: hazards.length ? 0.014871 : 0,
     states: 13750, levels: [[1, 0], [6, 0]], complete_for_actions: 8, fmu_transitions: 8, questions: 2526076, merged_by: "serialised states, byte for byte",
-    merged: 12, merges_tried_out: 12, actions: 36, horizon: 8, random_search: { iterations: 320, mean_iterations: 66.7, sigma: 64, miss_probability: 0.0083 },
+    merged: 12, merges_tried_out: 12, run_again: { transitions: 90, compared: 30, merges: 12, merges_compared: 4 }, actions: 36, horizon: 8, random_search: { iterations: 320, mean_iterations: 66.7, sigma: 64, miss_probability: 0.0083 },
   };
   return {
     schema_version: 3, tool: "fmi-hazard 0.1.0", verdict: hazards.length ? "hazards_found" : "none_found",
@@ -178,7 +178,7 @@ function scan(hazards, { exhaustive, faults }) {
     certificate: exhaustive ? certificate : null,
     residual: exhaustive ? null : residual,
     coverage: {
-      episodes: 320, episodes_not_evaluated: faults, actions: 2470, contact_checks: 8787, arm_checks: 36, arm_checks_incomplete: 1, arm_boxes: 5000, closest_approach_m: -0.12,
+      episodes: 320, episodes_not_evaluated: faults, actions: 2470, contact_checks: 8787, arm_checks: 36, arm_checks_incomplete: 1, arm_runs_not_evaluated: 2, arm_boxes: 5000, closest_approach_m: -0.12,
       checks_with_robot_in_arm_reach: 1423, contacts_within_limits: 3, highest_ratio_within_limits: 0.24, robot_top_speed_m_s: 1.3, sensor_actions: [78, 64, 12], walks_blocked: 1,
     },
     spent: { iterations: 320, actions: 2470, fmu_steps: 810, fmu_states: 82, contact_checks: 8787, arm_checks: 36 },

@@ -40,6 +40,7 @@ pub struct Gantry {
     filter: u64,
     ramp: u64,
     muting: [u64; 2],
+    fails_until: u64,
     slides: [Slide; AXES],
     curtain_clear: bool,
     door_clear: bool,
@@ -66,6 +67,7 @@ impl Gantry {
             filter: 0,
             ramp: 200,
             muting: [0; 2],
+            fails_until: 0,
             slides: [Slide::default(); AXES],
             curtain_clear: true,
             door_clear: true,
@@ -86,6 +88,7 @@ impl Gantry {
         for value in [&mut model.reaction, &mut model.filter, &mut model.ramp].into_iter().chain(&mut model.muting) {
             *value = input.u64()?;
         }
+        model.fails_until = input.u64()?;
         for slide in &mut model.slides {
             *slide = Slide { stroke: input.f64()?, speed: input.f64()?, phase0: input.f64()? };
         }
@@ -146,6 +149,7 @@ impl Model for Gantry {
             (vr::RAMP, Value::Integer(n)) => self.ramp = milliseconds(n),
             (vr::MUTING_FROM, Value::Integer(n)) => self.muting[0] = milliseconds(n),
             (vr::MUTING_TO, Value::Integer(n)) => self.muting[1] = milliseconds(n),
+            (vr::FAILS_UNTIL, Value::Integer(n)) => self.fails_until = milliseconds(n),
             (vr::STROKE..vr::SPEED, Value::Real(x)) => self.slides[variable - vr::STROKE].stroke = x,
             (vr::SPEED..vr::PHASE0, Value::Real(x)) => self.slides[variable - vr::SPEED].speed = x,
             (vr::PHASE0..vr::CURTAIN_CLEAR, Value::Real(x)) => self.slides[variable - vr::PHASE0].phase0 = x,
@@ -163,6 +167,7 @@ impl Model for Gantry {
         values[vr::RAMP] = integer(self.ramp);
         values[vr::MUTING_FROM] = integer(self.muting[0]);
         values[vr::MUTING_TO] = integer(self.muting[1]);
+        values[vr::FAILS_UNTIL] = integer(self.fails_until);
         for (axis, slide) in self.slides.iter().enumerate() {
             let (position, velocity) = self.motion(axis);
             values[vr::STROKE + axis] = Value::Real(slide.stroke);
@@ -180,6 +185,9 @@ impl Model for Gantry {
     }
 
     fn step(&mut self, ticks: u64) -> Outcome {
+        if !self.door_clear && self.tick < self.fails_until {
+            return Outcome::Failed("the door opened before the controller was ready".to_owned());
+        }
         for _ in 0..ticks {
             self.millisecond();
         }
@@ -191,6 +199,7 @@ impl Model for Gantry {
         for value in [self.reaction, self.filter, self.ramp, self.muting[0], self.muting[1]] {
             out.u64(value);
         }
+        out.u64(self.fails_until);
         for slide in &self.slides {
             for value in [slide.stroke, slide.speed, slide.phase0] {
                 out.f64(value);

@@ -20,8 +20,11 @@ const ACCELERATION: f64 = 20.0;
 const NEAR: f64 = 0.95;
 /// Period of the hidden clock, ms: the drive runs up to 20 % faster in its middle.
 const PERIOD: u64 = 700;
-/// How often the drive looks whether the person came near, ms; with lie 3 less often, so that more histories lead to equal
-/// bytes before.
+/// Lie 9: who came past here, with less than this x and more than this y, m, is slowed down for once near.
+const CORNER: [f64; 2] = [0.1, 1.15];
+const NEARER: f64 = 0.85;
+/// How often the drive looks whether the person came near, ms; with lies 3 and 9 less often, so that more histories lead to
+/// equal bytes before.
 const CYCLE: u64 = 400;
 const LONG_CYCLE: u64 = 600;
 /// Inputs that were the same for so many steps were held.
@@ -120,10 +123,17 @@ impl Liar {
         })
     }
 
+    fn is_within(&self, distance: f64) -> bool {
+        self.x * self.x + self.y * self.y < distance * distance
+    }
+
     fn millisecond(&mut self, restarts: bool) {
-        let cycle = if self.lie == 3 { LONG_CYCLE } else { CYCLE };
+        let cycle = if matches!(self.lie, 3 | 9) { LONG_CYCLE } else { CYCLE };
         if self.clock.is_multiple_of(cycle) {
-            self.slow = self.near || self.latch;
+            self.slow = match self.lie {
+                9 => self.slow || (self.near && self.is_within(NEARER)),
+                _ => self.near || self.latch,
+            };
         }
         let pace = if self.slow { SLOW } else { SPEED };
         let target = if self.stop { 0.0 } else { pace };
@@ -179,7 +189,9 @@ impl Model for Liar {
         let changed = std::mem::take(&mut self.changed);
         self.fresh = if changed && self.held >= HELD { FRESH } else { self.fresh.saturating_sub(1) };
         self.held = if changed { 0 } else { self.held.saturating_add(1) };
-        if self.x * self.x + self.y * self.y < NEAR * NEAR {
+        let [x, y] = CORNER;
+        let comes = if self.lie == 9 { self.x < x && self.y > y } else { self.is_within(NEAR) };
+        if comes {
             if self.lie == 2 {
                 self.latch = true;
             } else {
@@ -210,7 +222,7 @@ impl Model for Liar {
             out.f64(value);
         }
         out.u64(self.clock);
-        out.bool(self.near && !matches!(self.lie, 1 | 3));
+        out.bool(self.near && !matches!(self.lie, 1 | 3 | 9));
         out.bool(self.latch);
         out.bool(self.slow);
         out.f64(if self.lie == 4 { 0.0 } else { self.before });

@@ -15,15 +15,16 @@ pub mod vr {
     pub const RAMP: usize = 4;
     pub const MUTING_FROM: usize = 5;
     pub const MUTING_TO: usize = 6;
-    pub const STROKE: usize = 7;
-    pub const SPEED: usize = 9;
-    pub const PHASE0: usize = 11;
-    pub const CURTAIN_CLEAR: usize = 13;
-    pub const DOOR_CLEAR: usize = 14;
-    pub const RESET: usize = 15;
-    pub const POSITION: usize = 16;
-    pub const VELOCITY: usize = 18;
-    pub const LEG: usize = 20;
+    pub const FAILS_UNTIL: usize = 7;
+    pub const STROKE: usize = 8;
+    pub const SPEED: usize = 10;
+    pub const PHASE0: usize = 12;
+    pub const CURTAIN_CLEAR: usize = 14;
+    pub const DOOR_CLEAR: usize = 15;
+    pub const RESET: usize = 16;
+    pub const POSITION: usize = 17;
+    pub const VELOCITY: usize = 19;
+    pub const LEG: usize = 21;
 }
 
 /// The longest time of a parameter, ms.
@@ -55,6 +56,11 @@ fn variables() -> Vec<Variable> {
         milliseconds("plc.ramp_ms", "From full pace to standstill, and back, ms", 200),
         milliseconds("muting.from_ms", "The curtain is muted from here, ms after the start", 0),
         milliseconds("muting.to_ms", "To here; never, if that is not later", 0),
+        milliseconds(
+            "fault.fails_until_ms",
+            "A demand of the door before this makes the step fail, ms after the start",
+            0,
+        ),
     ];
     let stroke = Kind::real_in("m", 0.0, 0.0, 100.0);
     let speed = Kind::real_in("m/s", 0.0, 0.0, 10.0);

@@ -25,9 +25,10 @@ fn variables() -> Vec<Variable> {
              keeps a latch that was set since; 3 only the bytes lack the flag; 4 a saved state lacks the past of the \
              integrator, which restarts when x or y changes; 5 spare is noise; 6 q is noise once the person came near; \
              7 a state saved within 12 steps after x or y changed, having been held, is restored wrongly; 8 all instances of a \
-             process share the flag, which nothing takes back",
+             process share the flag, which nothing takes back; 9 only the bytes lack the flag, which is that the person \
+             came past a corner, and matters once the person is near",
             Parameter,
-            Kind::integer_in(0, 0, 8),
+            Kind::integer_in(0, 0, 9),
         ),
         Variable::new("stop", "While true the drive slows down to a stop", Input, Kind::Boolean { start: false }),
         Variable::new("x", "Where the person is", Input, place(9.0)),

@@ -38,12 +38,13 @@ impl Parser {
             return Err(a.problem("a second co-simulation interface, an FMU has one at most"));
         }
         let model_identifier = a.required("modelIdentifier")?;
-        let letter = |c: char| c.is_ascii_alphabetic() || c == '_';
-        let is_identifier =
-            model_identifier.starts_with(letter) && model_identifier.chars().all(|c| letter(c) || c.is_ascii_digit());
-        if !is_identifier {
+        // FMI asks for a C identifier. Hyphens and dots are met, name a file all the same, and do no harm.
+        let letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let is_name =
+            model_identifier.starts_with(letter) && model_identifier.chars().all(|c| letter(c) || "-.".contains(c));
+        if !is_name {
             return Err(a.problem(format_args!(
-                "modelIdentifier \"{}\" is not a C identifier and could name a file outside the FMU; refused",
+                "modelIdentifier \"{}\" could name a file outside the FMU; refused. FMI asks for a C identifier",
                 model_identifier.escape_debug()
             )));
         }

@@ -151,6 +151,9 @@ impl<'a> Changed<'a> {
             if let Some(witness) = self.sort(&mut simulation, standpoint, goal, others) {
                 return Ok(Some(witness));
             }
+            if !simulation.is_evaluated() {
+                return Err(Why::NotTried(simulation.not_evaluated().message));
+            }
         }
         Ok(None)
     }

@@ -10,7 +10,7 @@ use super::super::curtain::{Curtain, depth_m};
 use super::super::encounter::{ArmSpace, Encountered, Person};
 use super::super::robot::RobotFrame;
 use super::super::sensors::{DelayLine, breaks};
-use super::{Earlier, Frames, Hit, Stance, Window, World};
+use super::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::{Place, Side};
 use crate::sim::Coverage;
@@ -145,7 +145,7 @@ impl World {
         for planes in one.chain(two) {
             let Some(walls) = untold(&planes) else { continue };
             let told: Vec<&[Way]> = planes.iter().map(|&c| ways[c].told.as_slice()).collect();
-            let runs = runs(&told, i, earlier)?;
+            let runs = runs(&told, i, earlier, coverage)?;
             let mask = |frame: &RobotFrame| mask(frame, &planes);
             if let Some((run, found)) = self.first_of(person, &runs, &walls, &mask, i, coverage) {
                 let windows = run.ways.iter().map(|way| way.window).collect();
@@ -293,6 +293,30 @@ impl World {
         self.curtains.iter().zip(broken).map(of).collect()
     }
 
+    /// In which windows until now plane `c` may have told of an arm, as far as that decides what an arm meets later: for a
+    /// person who is at this place and was first seen in the plane `since` samples ago.
+    ///
+    /// A window matters as long as the hand is not for sure deeper than it reaches. No part of the body, and no hand, is
+    /// farther from the middle of the feet than [`World::reach_m`], and these walk slower than a hand moves, so a window that is
+    /// long enough now would be so later. Who is first seen later than now is no farther behind the plane then, or, at a
+    /// two-hand control, where it is let go.
+    #[must_use]
+    pub fn windows_that_will_matter(&self, place: &Place, c: usize, since: usize) -> Vec<Window> {
+        let curtain = &self.curtains[c];
+        let (at, reach) = (self.position(place) + Vec3::Z, self.reach_m());
+        let depth = curtain.depth(at).max(0.0);
+        let samples = |deepest: f64| (0..).find(|&s| depth_m(s, self.cell.step_s) >= deepest).unwrap_or(0);
+        // What was sensed and has not taken effect will.
+        let delay = self.cell.sensors[curtain.sensor].delay_steps;
+        let first_seen = if curtain.hands_only { depth.max(reach) } else { reach };
+        let longest = samples(first_seen + reach) + delay;
+        let through = (1..=longest).map(|from| Window { curtain: c, from, until: 0 });
+        let is_tracked = since > 0 && since < LONG_AGO;
+        let longest = if is_tracked { samples(depth + reach) } else { 0 };
+        let ahead = (since + 1..=longest).map(|from| Window { curtain: c, from, until: since });
+        through.chain(ahead).collect()
+    }
+
     /// Whether the body could have come as far as `point` behind each plane that it is in. Who holds a two-hand control may
     /// lean over it; who is not in a plane passed it before, or went round it.
     pub(super) fn in_time(&self, point: Vec3, person: &Person, stance: &Stance) -> bool {
@@ -335,8 +359,8 @@ impl Asked {
 }
 
 /// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
-/// time.
-fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<Vec<Run>, E::Error> {
+/// time. Those that the FMU could not finish are counted and left out.
+fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E, coverage: &mut Coverage) -> Result<Vec<Run>, E::Error> {
     let mut runs: Vec<Run> = Vec::new();
     let Some((last, before)) = told.split_last() else { return Ok(runs) };
     let before: Vec<Vec<Way>> = match before {
@@ -349,7 +373,14 @@ fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<Vec<Ru
             for &way in of_kind {
                 let ways: Vec<Way> = besides.iter().copied().chain([way]).collect();
                 let windows: Vec<Window> = ways.iter().map(|way| way.window).collect();
-                let Some(frames) = earlier.told_of(&windows)? else { break };
+                let frames = match earlier.told_of(&windows)? {
+                    HadTold::Is(frames) => frames,
+                    HadTold::BeforeTime => break,
+                    HadTold::Unfinished => {
+                        coverage.arm_runs_not_evaluated += 1;
+                        continue;
+                    }
+                };
                 // Of instants at which the robots are the same, the last leaves the hand the most time.
                 if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
                     runs.pop();

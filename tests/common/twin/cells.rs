@@ -103,12 +103,18 @@ pub fn too_fast_for_limbs() -> Gantry {
     }
 }
 
+/// The same where hands reach well, and of the limbs only the last of the forearm, beside the wrist.
+pub fn too_fast_for_the_end_of_a_forearm() -> Gantry {
+    let links = &[("tool", 1, [0.0, 0.7, 1.05], 0.0, 0.08)];
+    Gantry { base: [-1.2, 0.0, 0.0], slides: [[3.0, 1.25, 0.0], [0.0, 0.0, 0.0]], links, ..too_fast_for_limbs() }
+}
+
 /// A slow tube, and in it a link at 1.6 m/s, which a hand does not bear: the tube is always deeper in the hand.
 pub fn fast_within_slow() -> Gantry {
     Gantry {
         base: [-0.9, 0.0, 0.0],
         slides: [[2.0, 0.2, 0.0], [3.0, 1.4, 0.2]],
-        links: &[("tube", 1, [0.8, 0.5, 1.1], 1.6, 0.07), ("tool", 2, [0.0, 0.51, 1.1], 0.0, 0.05)],
+        links: &[("tube", 1, [0.8, 0.5, 1.1], 1.6, 0.15), ("tool", 2, [0.0, 0.5, 1.1], 0.0, 0.04)],
         mass: 200.0,
         tables: LOW_WALL,
         parameters: "",
@@ -142,11 +148,12 @@ const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantr
     }
 }
 
-/// The curtain is muted for so long that the person has passed it.
+/// The curtain is muted for so long that the person has passed it; then it is in force again.
 pub const fn palletiser() -> Gantry {
-    let cell = behind_a_plane(CURTAIN, "\"plc.latched\" = true\n\"muting.from_ms\" = 0\n\"muting.to_ms\" = 700\n");
-    let links = &[("tool", 1, [0.0, 0.8, 1.1], 0.0, 0.1)];
-    Gantry { base: [-2.15, 0.0, 0.0], slides: [[4.4, 3.0, 0.03], [0.0, 0.0, 0.0]], links, ..cell }
+    const PARAMETERS: &str = "\"plc.latched\" = true\n\"muting.from_ms\" = 0\n\"muting.to_ms\" = 380\n\
+         \"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n";
+    let slides = [[4.4, 2.0, 0.0], [0.0, 0.0, 0.0]];
+    Gantry { base: [-1.1, 0.0, 0.0], slides, start: [0.0, -0.35], ..behind_a_plane(CURTAIN, PARAMETERS) }
 }
 
 /// The stop ends when the door is clear again, behind the person.
@@ -155,6 +162,15 @@ pub const fn door_that_does_not_latch() -> Gantry {
         start: [0.0, -0.35],
         ..behind_a_plane(DOOR, "\"plc.latched\" = false\n\"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n")
     }
+}
+
+/// A tool behind a door whose stop comes late, soon out of reach; nobody's body gets as far in one action, hands do that
+/// begin at once.
+pub const fn behind_a_door(parameters: &'static str) -> Gantry {
+    let cell = behind_a_plane(DOOR, parameters);
+    let links = &[("tool", 1, [0.0, 0.3, 1.0], 0.0, 0.1)];
+    let slides = [[2.0, 2.0, 0.0], [0.0, 0.0, 0.0]];
+    Gantry { base: [-0.2, 0.0, 0.0], slides, links, start: [0.0, -0.9], actions: 1, ..cell }
 }
 
 /// A curtain 0.25 m behind a door, and a stop that comes late.

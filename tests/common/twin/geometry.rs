@@ -161,7 +161,8 @@ fn box_distance(low: V3, high: V3, s: [V3; 2]) -> f64 {
             ab += (s[0][i] - edge) * d[i];
             bb += d[i] * d[i];
         }
-        let t = if bb > 0.0 { (-ab / bb).clamp(pair[0], pair[1]) } else { pair[0] };
+        // Within the box the middle is as near as any, and not at an edge, where rounding decides.
+        let t = if bb > 0.0 { (-ab / bb).clamp(pair[0], pair[1]) } else { 0.5 * (pair[0] + pair[1]) };
         least = least.min(distance(t));
     }
     least.sqrt()
