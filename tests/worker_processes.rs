@@ -6,6 +6,7 @@ mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use common::hostile::Hostile;
 use common::{examples, fmi_hazard, json};
@@ -110,6 +111,45 @@ fn a_million_steps_of_an_fmu_that_leaks_take_bounded_memory() {
     // The limit, a run of a thousand steps, and the worker itself.
     assert!(most < (64 << 20) + 20_000_000 + (32 << 20), "{most} bytes");
     assert!(most > 64 << 20 && workers.len() > 200, "{most} bytes, {} workers: does it leak?", workers.len());
+}
+
+/// Sends a signal to a process.
+fn signal(name: &str, pid: u32) {
+    assert!(Command::new("kill").args([name, &pid.to_string()]).status().unwrap().success());
+}
+
+/// On a busy machine a process that is to go may do so late: nobody else is woken in its stead.
+#[test]
+fn a_parked_state_that_goes_late_is_not_taken_for_another() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let (_fmu, mut plant) = plant(&Hostile::v2().write(dir.path()), Keeping::ByFork, Limits::default());
+    plant.restart().unwrap();
+    let children = |pid: u32| -> BTreeSet<u32> {
+        let list = std::fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap();
+        list.split_whitespace().map(|pid| pid.parse().unwrap()).collect()
+    };
+    let [live, _] = plant.pids().unwrap();
+    let early = plant.save().unwrap();
+    let parked = *children(live).first().unwrap();
+    let run = plant.advance(60, &[0.0; 60]).unwrap();
+    signal("-STOP", parked);
+    drop(early);
+    let late: Vec<_> = (0..3).map(|_| plant.save().unwrap()).collect();
+    let on = plant.advance(60, &[0.0; 60]).unwrap();
+    assert_ne!(run, on);
+    signal("-CONT", parked);
+    let gone = || {
+        !children(live).contains(&parked)
+            || std::fs::read_to_string(format!("/proc/{parked}/stat")).is_ok_and(|s| s.contains(") Z "))
+    };
+    while !gone() {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    for state in &late {
+        plant.restore(state).unwrap();
+        assert_eq!(plant.advance(60, &[0.0; 60]).unwrap(), on);
+    }
+    assert_eq!(plant.replaced(), 0);
 }
 
 #[test]

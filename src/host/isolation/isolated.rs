@@ -2,6 +2,7 @@
 //! question meets a fresh worker.
 
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 use super::launch::{Launcher, Worker};
 use super::message::{self, Answer, Question, Saving};
@@ -42,6 +43,8 @@ struct Numbers {
     next: u32,
     /// Given back, with their generation.
     back: Vec<(u64, u32)>,
+    /// Those of parked processes that were told to go and may still be there.
+    leaving: Vec<u32>,
     unused: Vec<u32>,
 }
 
@@ -163,18 +166,43 @@ impl Isolated {
         if numbers.is_empty() {
             return Ok(());
         }
-        if let (Some(Saving::ByFork), Some(worker)) = (self.saving(), &self.worker) {
+        let forked = matches!(self.saving(), Some(Saving::ByFork));
+        if let (true, Some(worker)) = (forked, &self.worker) {
             numbers.iter().for_each(|slot| worker.forget_parked(*slot));
         } else {
             self.ask(&Question::Forget(numbers.clone()))?;
         }
-        self.free.lock().unwrap_or_else(PoisonError::into_inner).unused.extend(numbers);
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        if forked {
+            free.leaving.extend(numbers)
+        } else {
+            free.unused.extend(numbers)
+        }
         Ok(())
+    }
+
+    /// Takes back the numbers of parked processes that have gone. Where all places are taken it waits for one, for a second
+    /// at most.
+    fn collect_gone(&self) {
+        let Some(worker) = &self.worker else { return };
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        for _ in 0..1000 {
+            let (gone, leaving) =
+                std::mem::take(&mut free.leaving).into_iter().partition(|slot| worker.has_gone(*slot));
+            free.leaving = leaving;
+            free.unused.extend::<Vec<u32>>(gone);
+            let full = usize::try_from(free.next).is_ok_and(|next| next >= super::channel::SLOTS);
+            if !full || !free.unused.is_empty() || free.leaving.is_empty() {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
     }
 
     /// A number for a state that is about to be saved.
     fn number(&mut self) -> Result<u32, PlantError> {
         self.tidy()?;
+        self.collect_gone();
         let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(free.unused.pop().unwrap_or_else(|| {
             free.next += 1;

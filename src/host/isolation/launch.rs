@@ -268,6 +268,12 @@ impl Worker {
         self.channel.head().tell(slot, super::worker::GO);
     }
 
+    /// Whether the parked process that was told so has gone. Before that, another one in its place could be taken for it.
+    pub(super) fn has_gone(&self, slot: u32) -> bool {
+        let slot = self.channel.head().slot(slot);
+        slot.is_none_or(|slot| slot.load(Ordering::Acquire) == super::worker::GONE)
+    }
+
     /// The live process; nothing if there is none. Its number stands in memory that the FMU could write to, so it counts
     /// only if the system says that the process is one of this worker's group.
     fn alive(&self) -> Option<i32> {

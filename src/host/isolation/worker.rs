@@ -25,6 +25,8 @@ const PARKED: u32 = 0;
 const LIVE: u32 = 1;
 /// What a parked process is told that nobody needs any more.
 pub(super) const GO: u32 = 2;
+/// What it answers to that, as the last thing it does: until then its place is its own.
+pub(super) const GONE: u32 = 3;
 
 /// Stands for the live process before there is one.
 const NOBODY_YET: u32 = u32::MAX;
@@ -312,7 +314,10 @@ impl Server {
                         Err(_) => self.cannot_live(),
                     }
                 }
-                _ => process::leave(0),
+                _ => {
+                    slot.store(GONE, Ordering::Release);
+                    process::leave(0)
+                }
             }
         }
         head.alive.store(process::own_pid(), Ordering::Release);
