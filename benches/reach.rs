@@ -103,6 +103,7 @@ fn branch_and_bound(scene: &Scene, side: Side) -> bool {
         tolerance_m: 0.02,
         enough: 0.5,
         work_limit: 400_000,
+        stop: None,
     });
     black_box(outcome.best.is_some())
 }

@@ -32,6 +32,7 @@
 //! | [`geometry`] | shapes, distances, kinematic trees |
 //! | [`fmi`] | open an FMU safely, read it, call it; useful alone |
 //! | [`standards`] | the numbers, with their sources |
+//! | [`stop`] | when work has to end; every floor may look |
 //!
 //! `sim` implements the trait of `search`, and nothing else of it is used below.
 //!
@@ -77,3 +78,4 @@ pub mod scan;
 pub mod search;
 pub mod sim;
 pub mod standards;
+pub mod stop;

@@ -367,10 +367,12 @@ fn no_strategy_meets_a_hazard_that_the_exhaustive_search_does_not() {
     }
     let auto = run("auto", &["--iterations", "20"]);
     assert_eq!(ids(&auto), known);
-    assert_eq!((&auto["certificate"]["complete"], &auto["spent"]["iterations"]), (&true.into(), &20.into()));
+    // Beside a complete search, sequences are tried only as far as they cost little.
+    let tried = auto["spent"]["iterations"].as_u64().unwrap();
+    assert!(auto["certificate"]["complete"] == true && (5..=20).contains(&tried), "{tried}");
     assert!(auto["hazards"].as_array().unwrap().iter().all(|h| h["sequences"].is_string()));
     // A budget that ends the second part keeps what the first one met.
     let cut = run("auto", &["--iterations", "20", "--max-states", "1"]);
-    assert_eq!(cut["certificate"]["complete"], false);
+    assert_eq!((&cut["certificate"]["complete"], &cut["spent"]["iterations"]), (&false.into(), &20.into()));
     assert!(!cut["hazards"].as_array().unwrap().is_empty());
 }

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use super::exit::{Failure, NO_HAZARD};
+use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{Format, Progress};
-use super::{earlier, output};
+use super::{earlier, output, stopping};
+use crate::host::PlantError;
 use crate::report::advice::Remedy;
 use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
@@ -14,6 +15,7 @@ use crate::scan::explain::explain;
 use crate::scan::remedy::{Effort, Told, remedies};
 use crate::scan::verify::verify;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
+use crate::stop::Stop;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -55,9 +57,14 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let recorded = earlier::read(&arguments.scan)?;
     let hazard = earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
-    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let stop = Stop::default();
+    let hosting = arguments.hosting.heeding(&stop)?;
+    output::phase("running the hazard's sequences again");
+    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &hosting)?;
     let prepared = earlier::as_plainly(prepared, &arguments.scan);
+    stopping::by_signals(&stop);
     match verify(&prepared, hazard).outcome {
+        _ if stop.is_asked() => return Ok(INTERRUPTED),
         Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
         Outcome::StillThere { body_region, robot_link, .. }
             if body_region == hazard.body_region.to_string() && robot_link == hazard.robot_link => {}
@@ -76,7 +83,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     let failed = |cause| Failure::from(ScanError { cause });
     let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
-    let watched = film::watch(&mut simulation, &prepared, hazard).map_err(failed)?;
+    let watched = match film::watch(&mut simulation, &prepared, hazard) {
+        Err(error) if error.stopped => return Ok(INTERRUPTED),
+        watched => watched.map_err(failed)?,
+    };
     let Some(mut explanation) = explain(&prepared, hazard, &watched) else {
         return Err(Failure::unusable(format!("the cell has no link {}", hazard.robot_link)));
     };
@@ -84,13 +94,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         output::result(&explanation.render_hazard());
     }
     if !arguments.no_changes {
-        explanation.remedies = changes(arguments, &prepared, hazard, &recorded.hazards)?;
+        output::note("  Trying changes of the cell. Ctrl-C ends that and keeps what is known by then");
+        explanation.remedies = match changes(arguments, &prepared, hazard, &recorded.hazards) {
+            Err(error) if error.stopped => Vec::new(),
+            changes => changes.map_err(failed)?,
+        };
     }
     match arguments.format {
         Format::Table => output::result(&explanation.render_changes()),
         Format::Json => {
             output::json_of(&explanation)?;
         }
+    }
+    if stop.is_asked() {
+        output::note(" Stopped: changes that are not listed were not tried to their end");
+        return Ok(INTERRUPTED);
     }
     Ok(NO_HAZARD)
 }
@@ -101,7 +119,7 @@ fn changes(
     prepared: &Prepared,
     hazard: &Hazard,
     known: &[Hazard],
-) -> Result<Vec<Remedy>, Failure> {
+) -> Result<Vec<Remedy>, PlantError> {
     let cores = || std::thread::available_parallelism().map_or(1, Into::into);
     let effort = Effort {
         iterations: arguments.iterations,
@@ -116,6 +134,7 @@ fn changes(
         let Ok(mut progress) = progress.lock() else { return };
         match told {
             Told::Tried(done, of) => {
+                output::phase(&format!("trying changes: {done} of {of}"));
                 let bar = progress.get_or_insert_with(|| Progress::new(of as u64, "changes tried"));
                 bar.at(done as u64, "");
                 if done == of {
@@ -123,10 +142,15 @@ fn changes(
                 }
             }
             Told::Completely(number, of) => {
-                output::note(&format!("  change {number} of {of} that held so far: looking at every sequence"))
+                output::phase(&format!("looking at every sequence with change {number} of {of}"));
+                output::note(&format!("  change {number} of {of} that held so far: looking at every sequence"));
+            }
+            Told::Held(remedy) => {
+                let line = format!("   So far nothing is met with: {}", remedy.change);
+                progress.as_ref().map_or_else(|| output::note(&line), |bar| bar.line(&line));
             }
             Told::Done(remedy) => remedy.told().iter().for_each(|line| output::note(&format!("   {line}"))),
         }
     };
-    remedies(prepared, hazard, known, effort, &tell).map_err(|cause| Failure::from(ScanError { cause }))
+    remedies(prepared, hazard, known, effort, &tell)
 }

@@ -6,6 +6,7 @@ use super::exit::Failure;
 use super::output;
 use crate::host::isolation::{Guard, Limits};
 use crate::scan::Hosting;
+use crate::stop::Stop;
 
 /// Longest time of a call unless told otherwise, s.
 const TIMEOUT_S: u64 = 10;
@@ -53,6 +54,11 @@ impl HostingArguments {
 
     /// What `--in-process` and the like choose.
     pub(super) fn hosting(&self) -> Result<Hosting, Failure> {
+        self.heeding(&Stop::default())
+    }
+
+    /// The same; whatever the FMU does ends when `stop` says so.
+    pub(super) fn heeding(&self, stop: &Stop) -> Result<Hosting, Failure> {
         if self.in_process {
             output::warning("the FMU runs in this process: a crash of it ends everything, it may do what you may");
             return Ok(Hosting::InProcess);
@@ -64,7 +70,7 @@ impl HostingArguments {
             output::warning("the FMU is trusted: it can read and write your files, use the network and start programs");
         }
         let call = Duration::from_secs(self.fmu_timeout);
-        let limits = Limits { call, memory: self.fmu_memory * 1_000_000, ..Limits::default() };
+        let limits = Limits { call, memory: self.fmu_memory * 1_000_000, stop: stop.clone(), ..Limits::default() };
         Ok(Hosting::Workers { program, guard, limits })
     }
 }

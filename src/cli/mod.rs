@@ -26,6 +26,7 @@ mod scan;
 mod scan_arguments;
 mod schema;
 mod selftest;
+mod stopping;
 mod verify;
 
 use std::process::ExitCode;

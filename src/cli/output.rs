@@ -2,6 +2,7 @@
 
 use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -82,8 +83,68 @@ pub(super) fn json_of(what: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
     Ok(())
 }
 
+/// What is being done, for [`phase`], since when, and when something was last printed.
+static PHASE: Mutex<Option<Phase>> = Mutex::new(None);
+
+struct Phase {
+    text: String,
+    since: Instant,
+    printed: Instant,
+}
+
+/// Longest time without a line, where nobody watches a bar.
+const BETWEEN_LINES: Duration = Duration::from_secs(15);
+
+/// Says what is being done, for whoever waits: where there is no bar it is told when nothing else was for a while.
+pub(super) fn phase(text: &str) {
+    let now = Instant::now();
+    let Ok(mut phase) = PHASE.lock() else { return };
+    match phase.as_mut() {
+        Some(phase) => {
+            phase.since = now;
+            text.clone_into(&mut phase.text);
+        }
+        None => {
+            *phase = Some(Phase { text: text.to_owned(), since: now, printed: now });
+            if !quiet() && !std::io::stderr().is_terminal() {
+                // Ends with the program.
+                let _ = std::thread::Builder::new().name("still-there".to_owned()).spawn(still_there);
+            }
+        }
+    }
+}
+
+/// Tells now and then that the program is at work.
+fn still_there() {
+    loop {
+        std::thread::sleep(Duration::from_millis(500));
+        let Ok(phase) = PHASE.lock() else { return };
+        let Some(Phase { text, since, printed }) = phase.as_ref() else { continue };
+        if printed.elapsed() < BETWEEN_LINES.saturating_sub(Duration::from_secs(1)) {
+            continue;
+        }
+        let waited = since.elapsed().as_secs();
+        let line = if waited < 2 { format!("  {text}") } else { format!("  {text} ({waited} s)") };
+        drop(phase);
+        note(&line);
+    }
+}
+
+/// Prints a message between other lines, on a terminal with a bar too.
+pub(super) fn interlude(text: &str) {
+    if std::io::stderr().is_terminal() {
+        note("");
+    }
+    note(text);
+}
+
 /// Prints a message for the person at the terminal.
 pub(super) fn note(text: &str) {
+    if let Ok(mut phase) = PHASE.lock()
+        && let Some(phase) = phase.as_mut()
+    {
+        phase.printed = Instant::now();
+    }
     if !quiet() {
         let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
     }
@@ -196,9 +257,6 @@ pub(super) struct Levels {
     told: Option<(usize, Instant)>,
 }
 
-/// Between two lines about one level, where nobody watches a bar.
-const BETWEEN_LINES: Duration = Duration::from_secs(15);
-
 impl Levels {
     /// Levels up to `horizon` actions.
     pub(super) fn new(horizon: u32) -> Self {
@@ -242,6 +300,62 @@ impl Levels {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
+    }
+}
+
+/// How long an exhaustive search will take, by how its states grew and how fast they were looked at.
+pub(super) struct Estimate {
+    horizon: usize,
+    began: Instant,
+    /// States of the levels so far; of the last one, how many were looked at.
+    levels: Vec<usize>,
+    done: usize,
+}
+
+impl Estimate {
+    /// Of a search up to `horizon` actions.
+    pub(super) fn new(horizon: u32) -> Self {
+        let horizon = usize::try_from(horizon).unwrap_or(usize::MAX);
+        Self { horizon, began: Instant::now(), levels: Vec::new(), done: 0 }
+    }
+
+    /// `done` of the `of` states that are `depth` actions from the start were looked at.
+    pub(super) fn level(&mut self, depth: usize, done: usize, of: usize) {
+        if depth == 0 && self.levels.len() > 1 {
+            (self.began, self.levels) = (Instant::now(), Vec::new());
+        }
+        self.levels.truncate(depth);
+        self.levels.push(of);
+        self.done = done;
+    }
+
+    /// In words, to be added to others: nothing before there is something to go by. It takes no longer than `limit`.
+    pub(super) fn left(&self, limit: Option<Duration>) -> String {
+        let told = |time: Duration| match time.as_secs() {
+            s if s < 90 => format!("{} s", s.max(1)),
+            s if s < 5400 => format!("{} min", s.div_ceil(60)),
+            s => format!("{} h", s.div_ceil(3600)),
+        };
+        match (self.by_growth(), limit) {
+            (Some(time), Some(limit)) if time > limit => format!(", ends in {} by its time limit", told(limit)),
+            (Some(time), _) => format!(", about {} left", told(time)),
+            (None, Some(limit)) => format!(", at most {} left", told(limit)),
+            (None, None) => String::new(),
+        }
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+    fn by_growth(&self) -> Option<Duration> {
+        let [.., before, last] = self.levels[..] else { return None };
+        let earlier: usize = self.levels[..self.levels.len() - 1].iter().sum();
+        let looked = (earlier + self.done) as f64;
+        let growth = last as f64 / before.max(1) as f64;
+        let (mut level, mut ahead) = (last as f64, (last - self.done.min(last)) as f64);
+        for _ in self.levels.len()..self.horizon {
+            level *= growth;
+            ahead += level;
+        }
+        Duration::try_from_secs_f64(self.began.elapsed().as_secs_f64() * ahead / looked.max(1.0)).ok()
     }
 }
 

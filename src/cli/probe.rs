@@ -119,7 +119,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     };
     let fmu = Fmu::open(path)?;
     let setup = setup(fmu.description(), None)?;
-    let launcher = Launcher::new(program.clone(), vec![Unpacked::of(&fmu)], setup.clone(), *guard, *limits);
+    let launcher = Launcher::new(program.clone(), vec![Unpacked::of(&fmu)], setup.clone(), *guard, limits.clone());
     let Examination { result, launcher, .. } = examine(&launcher, 80, &[Stage::Serialize]).map_err(failed)?;
     let roles = guess(fmu.description());
     let (columns, unit) = measured(&setup, &roles);

@@ -79,10 +79,24 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     let failed = |cause| Failure::from(ScanError { cause });
     // As a hazard is confirmed: no saved state is relied on here.
     let plainly = if context.rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
-    let mut simulation = prepared.simulation(plainly, false).map_err(failed)?;
+    let untold = |from: usize| {
+        let of = report.hazards.len().min(REPLAYS);
+        output::note(&format!("   Stopped: {} of {of} hazards have no picture and no replay in the report", of - from));
+    };
+    let mut simulation = match prepared.simulation(plainly, false) {
+        Err(error) if error.stopped => {
+            untold(0);
+            return Ok(replays);
+        }
+        started => started.map_err(failed)?,
+    };
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
         let watched = match film::watch(&mut simulation, prepared, hazard) {
             Ok(watched) => watched,
+            Err(error) if error.stopped => {
+                untold(number);
+                break;
+            }
             // An FMU that does not repeat itself, say: the hazard is told all the same.
             Err(error) => {
                 output::warning(&format!("{} has no picture and no replay: {error}", hazard.id));
@@ -92,7 +106,11 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
-            if let Some(trace) = film::trace(prepared, &watched).map_err(failed)? {
+            let traced = match film::trace(prepared, &watched) {
+                Err(error) if error.stopped => None,
+                traced => traced.map_err(failed)?,
+            };
+            if let Some(trace) = traced {
                 let (inputs, outputs) = (trace.input_table(), trace.output_table());
                 output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
                 output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;

@@ -4,8 +4,6 @@ use std::collections::BTreeSet;
 use std::io::{Seek as _, Write as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Parser as _;
@@ -15,7 +13,7 @@ use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
 pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::StopAt;
-use super::{beginnings, earlier, results};
+use super::{beginnings, earlier, results, stopping};
 use crate::cell::validate::BASELINE;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
@@ -26,6 +24,7 @@ use crate::scan::probe::wrong_polarities;
 use crate::scan::run::Method;
 use crate::scan::{self, Prepared, ScanOptions, StateChoice};
 use crate::sim::journal::Journal;
+use crate::stop::Stop;
 
 /// The arguments of a scan, alone.
 #[derive(clap::Parser)]
@@ -59,7 +58,10 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let Some(path) = &arguments.path else { return Err(Failure::unusable("no cell is named")) };
     let cell_path = arguments.cell.as_deref().unwrap_or(path);
     let assessments = results::assessments(cell_path)?;
-    let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    output::phase(&format!("trying out {}", path.display()));
+    // Nothing is lost before the search: until then Ctrl-C ends the program.
+    let stop = Stop::default();
+    let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
     let all = match arguments.begin {
         Some(number) => vec![prepared.beginning(number as usize - 1)?],
@@ -74,7 +76,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         ));
     }
     // Before anything is told: whoever reads it may interrupt.
-    let stop = stop_flag();
+    stopping::by_signals(&stop);
     introduce(&prepared, arguments.state);
     let own = || {
         let of_cell = Path::new("out").join(file_name(&prepared.cell.name));
@@ -94,10 +96,13 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         run.all(&all, &baselines, &out, journals)?
     } else {
         beginnings::forget(&out);
+        if let Some(time) = arguments.time() {
+            stop.within(time);
+        }
         run.one(&all[0], baselines[0].as_ref(), &out, journals)?.code
     };
     if journals {
-        if stop.load(Ordering::Relaxed) {
+        if stop.is_asked() {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         } else {
             resume::finished(&out);
@@ -112,7 +117,7 @@ struct Run<'a> {
     path: &'a Path,
     cell_path: &'a Path,
     assessments: &'a Assessments,
-    stop: &'a AtomicBool,
+    stop: &'a Stop,
     /// Whether it goes on with an interrupted one.
     goes_on: bool,
     /// Whether the cell is searched from several beginnings.
@@ -130,11 +135,18 @@ impl Run<'_> {
     fn all(&self, all: &[Prepared], baselines: &[Option<Baseline>], out: &Path, journals: bool) -> Result<u8, Failure> {
         let mut table = beginnings::Table::begun(out, &all[0].subject, self.goes_on);
         table.keep(out)?;
+        let began = Instant::now();
+        let mut left = all.iter().filter(|prepared| !table.has(prepared.cell.beginning + 1)).count();
         for (prepared, baseline) in all.iter().zip(baselines) {
             let number = prepared.cell.beginning + 1;
             if table.has(number) {
                 continue;
             }
+            // What one does not use of its time, the others have.
+            if let Some(time) = self.arguments.time() {
+                self.stop.within(time.saturating_sub(began.elapsed()) / u32::try_from(left).unwrap_or(1));
+            }
+            left -= 1;
             if let Some(beginning) = &prepared.subject.beginning {
                 output::note(&format!("   Begins  {number} of {}: {}", all.len(), beginning.words()));
             }
@@ -177,19 +189,29 @@ impl Run<'_> {
             posture_sweep: !arguments.paper_iterations,
             state: arguments.state,
         };
+        stop.searching();
         let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
         std::fs::create_dir_all(out).map_err(cannot)?;
         let journal = if journals { resume::journal(out, prepared, self.goes_on)? } else { Journal::default() };
-        let mut log = std::fs::File::create(out.join("hazards.jsonl")).map_err(cannot)?;
+        let before = self.goes_on.then(|| Before::of(out)).flatten();
+        let mut log = std::fs::File::create(out.join(LOG)).map_err(cannot)?;
         let iterating = !matches!(options.method, Method::Exhaustive(_));
         let mut progress = Progress::new(if iterating { u64::from(options.iterations) } else { 1 }, "iterations");
         let mut logged = BTreeSet::new();
         let mut levels = Levels::new(prepared.cell.search.actions);
         let mut audit: Option<Progress> = None;
+        let mut estimate = output::Estimate::new(prepared.cell.search.actions);
         let mut tell = |event: scan::Progress<'_>| {
             match event {
                 scan::Progress::Working => {}
+                scan::Progress::Shortening { done, of } => {
+                    output::phase(&format!("looking for shorter sequences: {done} of {of} hazards"));
+                }
+                scan::Progress::Confirming { done, of } => {
+                    output::phase(&format!("confirming from a fresh start: {done} of {of} hazards"));
+                }
                 scan::Progress::RunAgain { done, of } => {
+                    output::phase(&format!("running what the FMU did again from the start: {done} of {of}"));
                     levels.finish();
                     audit.get_or_insert_with(|| Progress::new(of as u64, "runs from the start")).at(done as u64, "");
                 }
@@ -203,12 +225,22 @@ impl Run<'_> {
                     let _ = log.set_len(0).and_then(|()| log.rewind());
                 }
                 scan::Progress::Iteration { done, hazards } => {
-                    progress.at(u64::from(done), &format!("{hazards} hazard{}", if hazards == 1 { "" } else { "s" }));
+                    let s = if hazards == 1 { "" } else { "s" };
+                    let told = format!("{hazards} hazard{s}");
+                    output::phase(&format!("sequence {done} of at most {}, {told}", options.iterations));
+                    progress.at(u64::from(done), &told);
                 }
-                scan::Progress::Level { depth, done, of, hazards } => {
+                scan::Progress::Level { depth, done, of, hazards, cost: _ } => {
                     progress.finish();
                     let s = if hazards == 1 { "" } else { "s" };
-                    levels.at(depth, done, of, &format!("{hazards} hazard{s}"));
+                    estimate.level(depth, done, of);
+                    let left = estimate.left(stop.left());
+                    output::phase(&format!(
+                        "action {} of {}: {done}/{of} states, {hazards} hazard{s}{left}",
+                        depth + 1,
+                        prepared.cell.search.actions
+                    ));
+                    levels.at(depth, done, of, &format!("{hazards} hazard{s}{left}"));
                 }
                 scan::Progress::Found(hazard) => {
                     // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
@@ -223,7 +255,7 @@ impl Run<'_> {
                     }
                 }
             }
-            if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if stop.ends_search() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let began = Instant::now();
         let scan::Scanned { report, rung, effort, remembered } =
@@ -234,7 +266,18 @@ impl Run<'_> {
         if let Some(audit) = &audit {
             audit.finish();
         }
-        let interrupted = stop.load(Ordering::Relaxed);
+        output::phase("writing the results");
+        let interrupted = stop.is_asked();
+        if let Some(before) =
+            before.filter(|before| report.verdict == Verdict::Interrupted || (interrupted && before.has_more(&report)))
+        {
+            before.put_back(out)?;
+            output::note(&format!(
+                " Stopped before it came as far as the scan that it goes on with: the results in {} are still those",
+                out.display()
+            ));
+            return Ok(Ended { report, code: exit::INTERRUPTED });
+        }
         let several = prepared.cell.beginnings.len() > 1;
         let reproduce = &arguments.reproduce(path, several.then_some(prepared.cell.beginning + 1), &options);
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
@@ -301,6 +344,34 @@ impl Run<'_> {
         })
     }
 }
+
+/// What an interrupted scan left, for one that goes on with it and is interrupted before it comes as far.
+struct Before {
+    hazards: Vec<String>,
+    log: String,
+}
+
+impl Before {
+    /// In this folder, if there is a result.
+    fn of(out: &Path) -> Option<Self> {
+        let recorded = earlier::read(out).ok()?;
+        let log = std::fs::read_to_string(out.join(LOG)).ok()?;
+        Some(Self { hazards: recorded.hazards.into_iter().map(|hazard| hazard.id).collect(), log })
+    }
+
+    /// Whether it holds a hazard that is not found again yet.
+    fn has_more(&self, report: &ScanReport) -> bool {
+        self.hazards.iter().any(|id| report.hazards.iter().all(|hazard| hazard.id != *id))
+    }
+
+    /// All but its log is still there.
+    fn put_back(&self, out: &Path) -> Result<(), Failure> {
+        output::write_file(&out.join(LOG), &self.log)
+    }
+}
+
+/// The hazards as they are found.
+const LOG: &str = "hazards.jsonl";
 
 /// The hazards that a baseline holds.
 fn known(path: &Path, arguments: &Arguments) -> Result<Baseline, Failure> {
@@ -410,15 +481,6 @@ fn against(report: &ScanReport, baseline: &Baseline) {
         " Against the baseline: {} new or worse{which}; {known} known, {gone} not found again",
         failing.len()
     ));
-}
-
-/// Set by Ctrl-C and SIGTERM; the scan then ends after the iteration it is in.
-fn stop_flag() -> Arc<AtomicBool> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let handler = Arc::clone(&flag);
-    // A second handler in one process cannot be set; the default (end at once) then stays.
-    let _ = ctrlc::set_handler(move || handler.store(true, Ordering::Relaxed));
-    flag
 }
 
 /// A folder name from a cell's name.

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::time::Duration;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
@@ -24,7 +25,7 @@ pub(super) enum StopAt {
 }
 
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 22] = [
+const OTHERS: [&str; 23] = [
     "path",
     "cell",
     "begin",
@@ -36,6 +37,7 @@ const OTHERS: [&str; 22] = [
     "format",
     "baseline",
     "write_baseline",
+    "time",
     "paper_iterations",
     "state",
     "in_process",
@@ -90,6 +92,10 @@ pub(super) struct Arguments {
     /// baseline.json beside the cell file. Known hazards are not looked up then
     #[arg(long)]
     pub(super) write_baseline: bool,
+    /// Longest time for all of it, for instance 90s, 5m or 2h; what was not looked at then is told [default: 10m for auto;
+    /// none for others]
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    time: Option<Duration>,
     /// Check only the posture of each sequence, so that iterations compare with the paper's
     #[arg(long)]
     pub(super) paper_iterations: bool,
@@ -176,6 +182,11 @@ impl Arguments {
         if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
     }
 
+    /// The longest time.
+    pub(super) fn time(&self) -> Option<Duration> {
+        self.time.or_else(|| (self.strategy == Choice::Auto).then_some(AUTO_TIME))
+    }
+
     /// The command that gives the result of `options` again. What only says how to come by it (threads, saved states,
     /// folders) is left out. `beginning` is that of a cell with several.
     pub(super) fn reproduce(&self, path: &Path, beginning: Option<usize>, options: &ScanOptions) -> String {
@@ -213,6 +224,9 @@ impl Arguments {
         if let Some(merge) = own.merge.to_possible_value().filter(|_| own.merge != usual.merge) {
             add("--merge", Some(merge.get_name().to_owned()));
         }
+        if let Some(time) = self.time {
+            add("--time", Some(humantime::format_duration(time).to_string().replace(' ', "")));
+        }
         self.hosting.told(&mut add);
         // Nothing to quote it with is needed but for a zero byte, which no path holds.
         shlex::try_join(words.iter().map(String::as_str)).unwrap_or_default()
@@ -233,12 +247,22 @@ impl Arguments {
             format: Format::default(),
             baseline: None,
             write_baseline: false,
+            time: None,
             paper_iterations: false,
             state: StateChoice::default(),
             hosting: HostingArguments::default(),
             exhaustive: ExhaustiveArguments::default(),
         }
     }
+}
+
+/// Time of `auto`.
+const AUTO_TIME: Duration = Duration::from_secs(600);
+
+/// A time of a second at least.
+fn time(text: &str) -> Result<Duration, String> {
+    let time = humantime::parse_duration(text).map_err(|e| format!("{e}: give it as 90s, 5m or 2h"))?;
+    if time < Duration::from_secs(1) { Err("it is shorter than a second".to_owned()) } else { Ok(time) }
 }
 
 /// Work of the exhaustive part of `auto`, millions of boxes.

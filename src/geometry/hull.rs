@@ -8,8 +8,8 @@ use std::sync::Arc;
 use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
 use parry3d_f64::shape::{ConvexPolyhedron, Segment};
 
-use super::distance::segment_segment;
-use super::{Closest, Pose, Vec3};
+use super::distance::{point_segment, segment_segment};
+use super::{Capsule, Closest, Pose, Vec3};
 
 /// A convex polyhedron with what its depths follow from, in its own frame.
 #[derive(Debug)]
@@ -19,6 +19,8 @@ struct Polyhedron {
     faces: Vec<(Vec3, f64)>,
     /// The ends of each edge.
     edges: Vec<[Vec3; 2]>,
+    /// A capsule that holds it: what is far from that is far from the polyhedron.
+    around: Capsule,
 }
 
 /// A convex polyhedron shared between placements, with where it is.
@@ -28,6 +30,8 @@ pub struct Hull {
     pose: Pose,
     centre: Vec3,
     radius: f64,
+    /// The capsule around it where it stands.
+    around: Capsule,
 }
 
 impl Hull {
@@ -54,7 +58,9 @@ impl Hull {
         let normals = convex.faces().iter().filter_map(|face| face.normal.try_normalize());
         let faces: Vec<(Vec3, f64)> = normals.map(|normal| (normal, reach(normal))).collect();
         let edges = convex.edges().iter().map(|edge| edge.vertices.map(|corner| points[corner as usize])).collect();
-        Self { shape: Arc::new(Polyhedron { convex, faces, edges }), pose: Pose::IDENTITY, centre, radius }
+        let around = capsule_around(points, low, high);
+        let shape = Arc::new(Polyhedron { convex, faces, edges, around });
+        Self { shape, pose: Pose::IDENTITY, centre, radius, around }
     }
 
     /// The polyhedron in its own frame.
@@ -71,7 +77,14 @@ impl Hull {
 
     /// The hull moved by `pose`.
     pub(super) fn placed(&self, pose: Pose) -> Self {
-        Self { pose: pose * self.pose, ..self.clone() }
+        let pose = pose * self.pose;
+        let Capsule { a, b, radius } = self.shape.around;
+        Self { pose, around: Capsule { a: pose * a, b: pose * b, radius }, ..self.clone() }
+    }
+
+    /// The distance from the segment between `a` and `b` is at least this, m.
+    pub(super) fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
+        segment_segment(a, b, self.around.a, self.around.b).distance - self.around.radius
     }
 
     /// Centre and radius of a sphere around it, world.
@@ -81,9 +94,11 @@ impl Hull {
 
     pub(super) fn point_distance(&self, point: Vec3) -> Closest {
         let local = self.pose.inverse_transform_point(point);
-        let (normal, depth) = self.shape.shallowest(local, local);
-        if depth >= 0.0 {
-            return Closest { distance: -depth, on_first: point, on_second: self.pose * (local + normal * depth) };
+        if self.at_least(point, point) <= 0.0 {
+            let (normal, depth) = self.shape.shallowest(local, local);
+            if depth >= 0.0 {
+                return Closest { distance: -depth, on_first: point, on_second: self.pose * (local + normal * depth) };
+            }
         }
         let on = self.shape.convex.project_local_point(local, false).point;
         Closest { distance: (on - local).length(), on_first: point, on_second: self.pose * on }
@@ -105,6 +120,28 @@ impl Hull {
         Closest { distance: -depth, on_first: self.pose * on, on_second: self.pose * (on + normal * depth) }
     }
 }
+
+/// A capsule along the longest side of the box that holds these points, which holds them too.
+fn capsule_around(points: &[Vec3], low: Vec3, high: Vec3) -> Capsule {
+    let (centre, half) = ((low + high) * 0.5, (high - low) * 0.5);
+    let axis = [Vec3::X, Vec3::Y, Vec3::Z]
+        .into_iter()
+        .fold(Vec3::X, |longest, axis| if half.dot(axis) > half.dot(longest) { axis } else { longest });
+    // As thick as it is across; its core is as short as the points allow.
+    let across = |point: &Vec3| {
+        let off = *point - centre;
+        (off - axis * off.dot(axis)).length()
+    };
+    let least = points.iter().map(across).fold(0.0, f64::max);
+    let core = (half.dot(axis) - 0.5 * least).max(0.0);
+    let (a, b) = (centre - axis * core, centre + axis * core);
+    let radius = points.iter().map(|point| point_segment(*point, a, b).distance).fold(0.0, f64::max);
+    // Placing it elsewhere rounds.
+    Capsule { a, b, radius: radius + ROUNDING_M }
+}
+
+/// More than placing a shape in a workshop rounds by, m.
+const ROUNDING_M: f64 = 1e-9;
 
 /// Sine of the angle below which a segment and an edge are parallel.
 const PARALLEL: f64 = 1e-9;

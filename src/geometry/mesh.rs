@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use super::distance::point_segment;
 use super::{Closest, Pose, Surface, Vec3};
 
 /// A closed surface shared between placements, with where it is.
@@ -44,6 +45,12 @@ impl Mesh {
     /// The mesh moved by `pose`.
     pub(super) fn placed(&self, pose: Pose) -> Self {
         Self { surface: Arc::clone(&self.surface), pose: pose * self.pose }
+    }
+
+    /// The distance from the segment between `a` and `b` is at least this, m.
+    pub(super) fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
+        let (centre, radius) = self.sphere();
+        point_segment(centre, a, b).distance - radius
     }
 
     /// Centre and radius of a sphere around it, world.

@@ -35,6 +35,17 @@ impl Solid {
         }
     }
 
+    /// The signed distance from the segment between `a` and `b` is at least this, m: soon told for all shapes, and for a
+    /// capsule the distance itself.
+    #[must_use]
+    pub fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
+        match self {
+            Self::Capsule(_) => self.segment_distance(a, b).distance,
+            Self::Hull(hull) => hull.at_least(a, b),
+            Self::Mesh(mesh) => mesh.at_least(a, b),
+        }
+    }
+
     /// Signed distance from a point to the link's surface, negative inside.
     #[must_use]
     pub fn point_distance(&self, point: Vec3) -> Closest {

@@ -176,6 +176,12 @@ impl Groups {
         self.groups.iter_mut()
     }
 
+    /// Whether there is such a hazard.
+    #[must_use]
+    pub fn has(&self, identity: &Identity) -> bool {
+        self.groups.contains_key(identity)
+    }
+
     /// What tells the hazards apart.
     pub fn identities(&self) -> impl Iterator<Item = &Identity> {
         self.groups.keys()

@@ -247,9 +247,17 @@ pub fn audit<P: Plant, Q: Plant>(
             audit.stopped = true;
             break;
         }
-        if let Some(difference) = tree.compare(plant, &nodes, own)? {
-            audit.difference = Some(difference);
-            break;
+        match tree.compare(plant, &nodes, own) {
+            Ok(None) => {}
+            Ok(difference) => {
+                audit.difference = difference;
+                break;
+            }
+            Err(error) if error.stopped => {
+                audit.stopped = true;
+                break;
+            }
+            Err(error) => return Err(error),
         }
         for node in &nodes[..own] {
             let new = !std::mem::replace(&mut seen[node.index()], true) && stepped(node);

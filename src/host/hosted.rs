@@ -4,6 +4,7 @@ use super::isolation::{self, Isolated};
 use super::plant::{Fingerprint, Plant, PlantError, Stepped, Then};
 use super::recall::{Effort, Recall};
 use super::system::{self, System};
+use crate::stop::Stop;
 
 /// FMUs, wherever they run.
 pub enum Hosted {
@@ -112,6 +113,13 @@ impl Plant for Hosted {
             (Self::Here(plant), Checkpoint::Here(saved)) => plant.holds(saved),
             (Self::Apart(plant), Checkpoint::Apart(saved)) => plant.holds(saved),
             _ => false,
+        }
+    }
+
+    fn stop(&self) -> Stop {
+        match self {
+            Self::Here(_) => Stop::default(),
+            Self::Apart(plant) => plant.stop(),
         }
     }
 }

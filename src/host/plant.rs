@@ -7,6 +7,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::stop::Stop;
+
 /// A running workcell model, in this process or elsewhere.
 ///
 /// Traces are row-major: one row per communication step, one column per bound variable (Booleans as 0 and 1).
@@ -75,6 +77,11 @@ pub trait Plant {
     /// Whether a saved state can still be restored; some are lost with the process that held them.
     fn holds(&self, _checkpoint: &Self::Checkpoint) -> bool {
         true
+    }
+
+    /// When work with it has to end.
+    fn stop(&self) -> Stop {
+        Stop::default()
     }
 }
 
@@ -153,6 +160,10 @@ impl<P: Plant> Plant for &mut P {
     fn holds(&self, checkpoint: &P::Checkpoint) -> bool {
         (**self).holds(checkpoint)
     }
+
+    fn stop(&self) -> Stop {
+        (**self).stop()
+    }
 }
 
 /// The serialised state of a plant, in short.
@@ -178,6 +189,10 @@ pub struct PlantError {
     pub lost: bool,
     /// With `lost`: this program ended it, because it gave no answer or took too much.
     pub ended_by_us: bool,
+    /// With `ended_by_us`: it happened so often that it is not tried again.
+    pub settled: bool,
+    /// It was ended because all work has to end, see [`Stop`]: this says nothing about the FMU.
+    pub stopped: bool,
     /// The FMU could not be loaded: nothing of it has run.
     pub not_loaded: bool,
     /// The FMU did not do again what it did before: what this shows to be wrong.
@@ -205,7 +220,17 @@ impl PlantError {
     /// In how many fresh processes something is tried before such a failure counts as the FMU's own. Fewer where it has
     /// to be ended because it gave no answer or took too much, which takes long.
     pub(super) const fn tries(&self) -> u32 {
-        if self.ended_by_us { 2 } else { 5 }
+        match self {
+            Self { stopped: true, .. } | Self { settled: true, .. } => 1,
+            Self { ended_by_us: true, .. } => 2,
+            _ => 5,
+        }
+    }
+
+    /// Work was ended, see [`Stop`].
+    #[must_use]
+    pub fn stopped() -> Self {
+        Self { stopped: true, lost: true, fatal: true, ..Self::of("stopped") }
     }
 
     /// The same at a simulation time.

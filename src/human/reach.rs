@@ -28,6 +28,7 @@ use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
+use crate::stop::Stop;
 
 /// Part of the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +80,8 @@ pub struct ReachQuery<'a, S: ContactScore> {
     pub enough: f64,
     /// Boxes after which the search gives up and says so.
     pub work_limit: u32,
+    /// When it has to give up in any case; nothing for never.
+    pub stop: Option<&'a Stop>,
 }
 
 /// A configuration that touches.
@@ -109,11 +112,14 @@ pub struct ArmContact {
 pub struct Reach {
     /// The worst contact found, within 5 % of the worst there is.
     pub best: Option<ArmContact>,
-    /// Whether the guarantee holds; false when the work limit ended the search.
+    /// Whether the guarantee holds; false when the work limit or a [`Stop`] ended the search.
     pub complete: bool,
     /// Boxes looked at.
     pub boxes: u32,
 }
+
+/// Boxes between two looks at whether the search has to end.
+const LOOK: u32 = 64;
 
 /// A score this much above the best known is not looked for any more.
 const SLACK: f64 = 1.05;
@@ -226,7 +232,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let mut stack = vec![(whole, self.place(whole.middle), open)];
         let mut boxes = 0;
         while let Some((next, placed, mut open)) = stack.pop() {
-            if boxes == self.query.work_limit {
+            if boxes == self.query.work_limit || (boxes % LOOK == LOOK - 1 && self.query.stop.is_some_and(Stop::is_due))
+            {
                 return (false, boxes);
             }
             if self.best.is_some_and(|b| b.score > self.query.enough) {
@@ -234,13 +241,19 @@ impl<'a, S: ContactScore> Search<'a, S> {
             }
             boxes += 1;
             let Some(joint) = self.look_at(&next, &placed, &mut open) else { continue };
-            let [mut far, mut near] = next.halves(joint).map(|b| (b, self.place(b.middle)));
-            // The half that is nearer to harm last: it is taken first.
-            if self.distance_to_harm(&far.1, &open) < self.distance_to_harm(&near.1, &open) {
-                std::mem::swap(&mut far, &mut near);
+            let placed = |half: JointBox| half.within_limits().map(|b| (b, self.place(b.middle)));
+            match next.halves(joint).map(placed) {
+                [Some(mut far), Some(mut near)] => {
+                    // The half that is nearer to harm last: it is taken first.
+                    if self.distance_to_harm(&far.1, &open) < self.distance_to_harm(&near.1, &open) {
+                        std::mem::swap(&mut far, &mut near);
+                    }
+                    stack.push((far.0, far.1, open.clone()));
+                    stack.push((near.0, near.1, open));
+                }
+                [Some((b, placed)), None] | [None, Some((b, placed))] => stack.push((b, placed, open)),
+                [None, None] => {}
             }
-            stack.push((far.0, far.1, open.clone()));
-            stack.push((near.0, near.1, open));
         }
         (true, boxes)
     }
@@ -253,7 +266,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
         Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
     }
 
-    /// How far a configuration is from a contact that matters, m: of what may matter, the nearest.
+    /// How far a configuration is from a contact that matters, m, by the piece that is looked at next.
     fn distance_to_harm(&self, placed: &Placed, open: &Open) -> f64 {
         let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let beyond_elbow = !open.beyond_elbow.is_empty();
@@ -262,10 +275,11 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let distance = |i: &u16| {
             let piece = &self.pieces[usize::from(*i)];
             let [upper, elbow, fore, hand] = piece.bounds;
-            let limb = |from: Vec3, to: Vec3, radius: f64| piece.solid.segment_distance(from, to).distance - radius;
+            // What is soon told is enough to go by.
+            let limb = |from: Vec3, to: Vec3, radius: f64| piece.solid.at_least(from, to) - radius;
             let mut nearest = f64::MAX;
             if beyond_elbow && hand > cutoff {
-                nearest = piece.solid.point_distance(placed.wrist).distance - arm.hand_radius_m;
+                nearest = piece.solid.at_least(placed.wrist, placed.wrist) - arm.hand_radius_m;
             } else if beyond_elbow && fore > cutoff {
                 nearest = limb(zone, placed.wrist, arm.forearm_radius_m);
             }
@@ -277,7 +291,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             }
             nearest
         };
-        open.iter().map(distance).fold(f64::MAX, f64::min)
+        // The piece that is looked at first: it decides.
+        open.last().map_or(f64::MAX, distance)
     }
 
     /// What a contact must score to matter.
@@ -287,11 +302,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
 
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
     fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
-        if b.outside_limits() {
-            return None;
-        }
         let arm = self.query.arm;
-        let movement = Movement::of(arm, b);
+        let movement = Movement::of(arm, b, placed);
         settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
         let beyond_elbow = !open.beyond_elbow.is_empty();
         if !beyond_elbow {
@@ -317,7 +329,9 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn hand_or_forearm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
         let (cutoff, arm, link) = (self.cutoff(), self.query.arm, &piece.solid);
         let [_, _, fore, hand] = piece.bounds;
-        if hand > cutoff {
+        // Contacts no deeper than the tolerance are not looked for.
+        let gap = |distance: f64| distance - arm.hand_radius_m + self.query.tolerance_m;
+        if hand > cutoff && gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
             let near = link.point_distance(placed.wrist);
             let bound = || {
                 let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
@@ -339,8 +353,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                     bound(&Neighbourhood::ball(near.on_second, less(around)))
                 }
             };
-            // Contacts no deeper than the tolerance are not looked for.
-            let gap = near.distance - arm.hand_radius_m + self.query.tolerance_m;
+            let gap = gap(near.distance);
             // A convex link stays behind the plane through its nearest point: only movement against it counts.
             let touches = gap <= movement.wrist && {
                 let n = (near.on_first - near.on_second).normalize_or_zero();
@@ -487,7 +500,11 @@ impl<'a, S: ContactScore> Search<'a, S> {
         };
         for &(index, centre, radius) in &self.links {
             let link = &self.query.links[index];
-            if (centre - placed.wrist).length() - radius <= arm.hand_radius_m {
+            let near = |a: Vec3, b: Vec3, thickness: f64| {
+                let is_near = point_segment(centre, a, b).distance - radius <= thickness;
+                is_near && (matches!(link, Solid::Capsule(_)) || link.at_least(a, b) <= thickness)
+            };
+            if near(placed.wrist, placed.wrist, arm.hand_radius_m) {
                 let hand = link.point_distance(placed.wrist);
                 if hand.distance <= arm.hand_radius_m {
                     // A wrist inside the link touches it where it is.
@@ -504,7 +521,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 (ArmSegment::Forearm, zone, placed.wrist, arm.forearm_radius_m),
                 (ArmSegment::UpperArm, placed.shoulder, placed.elbow, arm.upper_arm_radius_m),
             ] {
-                if point_segment(centre, a, b).distance - radius <= thickness {
+                if near(a, b, thickness) {
                     let near = link.segment_distance(a, b);
                     consider(near.distance - thickness, segment, index, near.on_second, near.on_first);
                 }

@@ -50,6 +50,7 @@ impl Scene {
             tolerance_m: TOLERANCE,
             enough: f64::INFINITY,
             work_limit: 60_000,
+            stop: None,
         }
     }
 }
@@ -362,7 +363,7 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
         }
         let radius = arm.forearm_radius_m;
         let limb = Limb { ends: [Share::ELBOW, Share::on_forearm(1.0)], radius };
-        if limb.may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b)).is_some() {
+        if limb.may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b, &place(b.middle))).is_some() {
             continue;
         }
         apart += 1;
@@ -399,6 +400,7 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
             tolerance_m: TOLERANCE,
             enough: f64::INFINITY,
             work_limit: 0,
+            stop: None,
         };
         let search = Search::new(&query);
         if search.pieces.is_empty() {
@@ -413,7 +415,8 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
                 let room = whole.half[joint] - b.half[joint];
                 b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
             }
-            let (placed, movement) = (search.place(b.middle), Movement::of(&arm, &b));
+            let placed = search.place(b.middle);
+            let movement = Movement::of(&arm, &b, &placed);
             let open = search.pieces.iter().any(|p| {
                 search.hand_or_forearm_may_matter(p, &placed, &movement)
                     || search.elbow_or_upper_arm_may_matter(p, &placed, &movement)
@@ -464,7 +467,8 @@ fn nearest_points_move_no_farther_than_told() {
             // Some joints hardly turn: what is along one direction and what across it then differ.
             half: std::array::from_fn(|_| if rng.below(2) == 0 { 0.001 } else { uniform(&mut rng, 0.005, 0.15) }),
         };
-        let (placed, movement) = (search.place(b.middle), Movement::of(&arm, &b));
+        let placed = search.place(b.middle);
+        let movement = Movement::of(&arm, &b, &placed);
         // Just outside of the wrist's ball, where directions turn most.
         let radius = uniform(&mut rng, 0.02, 0.5);
         let away = movement.wrist * uniform(&mut rng, 1.01, 3.0) + radius;

@@ -6,16 +6,23 @@ use std::sync::Arc;
 use super::exhaustive::census;
 use super::footing::{Doubt, Footing, Shown};
 use super::prepare::Prepared;
-use super::quick::search;
+use super::quick::{Quick, search};
 use super::run::{AUTO, Method, Progress, ScanError, ScanOptions, Searched};
 use crate::hazard::{Finding, Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
-use crate::host::{Effort, Hosted, Unlike};
+use crate::host::{Effort, Hosted, Plant as _, Unlike};
 use crate::report::model::Hazard;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 use crate::sim::replay::replay;
+
+/// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
+const FIRST: u32 = 5;
+
+/// While the complete part goes on, the quick one may cost one of so many parts of what that did so far. It has one thread,
+/// the other all: so it takes a larger part of the time.
+const SHARE: u64 = 16;
 
 /// The last of several attempts.
 pub(super) struct Attempt {
@@ -49,27 +56,45 @@ pub(super) fn attempts(
         // One process for all; each plain run has a fresh instance in it.
         let mut plain = footing.plain(prepared);
         let mut groups = Groups::default();
-        let mut searched = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell)?;
+        let once = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell);
+        let mut searched = match once {
+            Err(error) if error.cause.stopped => Searched::nothing(options.method, sensors.len()),
+            searched => searched?,
+        };
         effort = effort.and(searched.effort);
         let complete = searched.certificate.as_ref().is_some_and(|c| c.complete);
         let only_kept = if complete { Vec::new() } else { kept.clone().added_to(&mut groups) };
-        let confirmed = |group: &Group, plain: &mut Hosted| {
+        let stop = plain.stop();
+        stop.finishing();
+        let ranked = groups.ranked();
+        let of = ranked.len();
+        let confirmed = |(done, group): (usize, &Group)| {
+            searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
-            hazard.confirmed = Some(confirm(prepared, plain, &group.worst));
-            hazard.shortest.confirmed = Some(confirm(prepared, plain, &group.shortest));
+            hazard.confirmed = confirm(prepared, &mut plain, &group.worst);
+            hazard.shortest.confirmed = match group.shortest == group.worst {
+                true => hazard.confirmed,
+                false => confirm(prepared, &mut plain, &group.shortest),
+            };
             hazard
         };
-        let mut hazards: Vec<Hazard> = groups.ranked().into_iter().map(|g| confirmed(g, &mut plain)).collect();
+        let mut hazards: Vec<Hazard> = ranked.into_iter().enumerate().map(confirmed).collect();
         let sure = |h: &Hazard| h.confirmed == Some(true) && h.shortest.confirmed == Some(true);
         // Those of an earlier attempt are there because they were confirmed.
         hazards.retain(|hazard| sure(hazard) || !only_kept.contains(&hazard.id));
-        let unconfirmed = hazards.iter().filter(|hazard| !sure(hazard)).count();
+        let refuted = |h: &&Hazard| h.confirmed == Some(false) || h.shortest.confirmed == Some(false);
+        let unconfirmed = hazards.iter().filter(refuted).count();
         let unsure = || Doubt { unlike: Unlike::State, shown: Shown::Unconfirmed(unconfirmed) };
         let mut doubt = searched.doubt.take().or_else(|| (unconfirmed > 0).then(unsure));
         let next = match &mut doubt {
-            Some(doubt) if !searched.interrupted => match repeatable(prepared, &mut plain, doubt)? {
-                true => footing.lower(prepared, doubt.unlike),
-                false => None,
+            Some(doubt) if !searched.interrupted => match repeatable(prepared, &mut plain, doubt) {
+                Ok(true) => footing.lower(prepared, doubt.unlike),
+                Ok(false) => None,
+                Err(error) if error.cause.stopped => {
+                    searched.interrupted = true;
+                    None
+                }
+                Err(error) => return Err(error),
             },
             _ => None,
         };
@@ -89,6 +114,7 @@ pub(super) fn attempts(
             }
         }
         footing = next;
+        stop.searching();
     }
 }
 
@@ -132,22 +158,50 @@ fn once(
         Method::Strategy(name) => search(prepared, (footing, plain), name, options, links, groups, tell),
         Method::Exhaustive(how) => all(how, plain, groups, tell),
         Method::Auto(name, how) => {
-            let quick = search(prepared, (footing, &mut *plain), name, options, links, groups, tell)?;
-            let ended = quick.interrupted || quick.broken.is_some() || quick.doubt.is_some();
-            if ended || (options.stop_at_first && !groups.is_empty()) {
-                return Ok(Searched { name: AUTO, ..quick });
-            }
+            let mut quick = Quick::new(prepared, footing, name, options, links)?;
+            let first = if options.stop_at_first { u32::MAX } else { FIRST };
+            let _ = quick.run(|done, _| done < first, tell);
             let mut found = Groups::default();
-            let searched = all(how, plain, &mut found, tell)?;
-            let only_quick = std::mem::take(groups).added_to(&mut found);
+            let mut rest = None;
+            if !quick.has_ended() {
+                // One search beside the other.
+                let mut both = |progress: Progress<'_>| {
+                    let spent = if let Progress::Level { cost, .. } = progress { cost } else { 0 };
+                    tell(progress)?;
+                    quick.run(|_, cost| cost < spent / SHARE, &mut |progress| match progress {
+                        Progress::Iteration { .. } => tell(Progress::Working),
+                        other => tell(other),
+                    })
+                };
+                match all(how, plain, &mut found, &mut both) {
+                    Err(error) if error.cause.stopped => quick.interrupt(),
+                    searched => rest = Some(searched?),
+                }
+                if rest.as_ref().is_some_and(Searched::needs_quick) {
+                    let _ = quick.run(|_, _| true, tell);
+                }
+            }
+            // What the complete part met, it met with the shortest sequences there are.
+            if rest.as_ref().is_none_or(Searched::needs_quick) {
+                quick.shorten(|identity| !found.has(identity), tell);
+            }
+            let (quick, only_quick) = quick.end(plain, tell)?;
             *groups = found;
-            Ok(searched.after(quick, &only_quick))
+            let only_quick = only_quick.added_to(groups);
+            Ok(match rest {
+                Some(searched) if quick.doubt.is_none() => searched.after(quick, &only_quick),
+                _ => Searched { name: AUTO, ..quick },
+            })
         }
     }
 }
 
-/// Whether a fresh instance without any restore gives the same contact to the last bit.
-fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> bool {
-    let again = replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions);
-    again.is_ok_and(|again| again.as_ref() == Some(finding))
+/// Whether a fresh instance without any restore gives the same contact to the last bit; nothing if there was no time to
+/// see.
+fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> Option<bool> {
+    match replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions) {
+        Ok(again) => Some(again.as_ref() == Some(finding)),
+        Err(error) if error.stopped => None,
+        Err(_) => Some(false),
+    }
 }

@@ -140,10 +140,15 @@ impl Expansion for Watched<'_> {
         states: &[&State],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, Ended> {
-        if !self.look(go_on)? {
-            return Ok(None);
+        let looked = match self.look(go_on) {
+            Ok(true) => Ok(true),
+            Ok(false) => return Ok(None),
+            Err(error) => Err(error),
+        };
+        match looked.and_then(|_| Ok(self.expander.expand(depth, states, go_on)?)) {
+            Err(Ended::Failed(error)) if error.stopped => Ok(None),
+            expanded => expanded,
         }
-        Ok(self.expander.expand(depth, states, go_on)?)
     }
 
     fn release_before(&mut self, depth: usize) {
@@ -158,16 +163,20 @@ impl Expansion for Watched<'_> {
         self.expander.work()
     }
 
+    fn cost(&self) -> u64 {
+        self.expander.cost()
+    }
+
     fn bytes(&self) -> usize {
         self.expander.bytes()
     }
 }
 
 /// Communication steps that the audit may take: as many as the search, where steps are what costs, and a small part of what
-/// the contacts cost, else. A question whether a person can be touched costs about 0.6 of a step in a worker, a box of joint angles 0.25.
+/// the contacts cost, else.
 fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
-    let contacts = expander.questions() * 6 / 10 + expander.work() / 4;
-    footing.least_audit() + expander.recall().steps() + contacts / 16
+    let steps = expander.recall().steps();
+    footing.least_audit() + steps + (expander.cost() - steps) / 16
 }
 
 /// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
@@ -209,7 +218,9 @@ pub(super) fn census(
             ControlFlow::Continue(())
         }
         Told::Working => tell(Progress::Working),
-        Told::Progress { depth, done, of } => tell(Progress::Level { depth, done, of, hazards: groups.len() }),
+        Told::Progress { depth, done, of, cost } => {
+            tell(Progress::Level { depth, done, of, hazards: groups.len(), cost })
+        }
     });
     let Watched { expander, plain, .. } = watched;
     faults.extend(expander.arm_run_unfinished().map(|message| FaultRecord { message, actions: Vec::new() }));
@@ -266,7 +277,7 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
             account.depth
         )),
         Stopped::Asked => reasons.push(format!(
-            "it was stopped: all sequences of {} actions were looked at, longer ones in part",
+            "it was stopped, or its time was up: all sequences of {} actions were looked at, longer ones in part",
             account.depth
         )),
     }

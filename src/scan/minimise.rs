@@ -15,7 +15,8 @@ use crate::sim::Simulation;
 /// Sequences tried for one hazard at most.
 const TRIES: usize = 400;
 
-/// A finding of the same `identity` that is as short and calm as trying makes it, beginning with `finding`.
+/// A finding of the same `identity` that is as short and calm as trying makes it, beginning with `finding`; as long as
+/// `go_on`, asked before each try.
 ///
 /// # Errors
 /// When the simulation cannot go on at all.
@@ -24,12 +25,16 @@ pub fn minimise<P: Plant>(
     finding: &Finding,
     identity: &Identity,
     links: &[String],
+    go_on: impl Fn(&Simulation<P>) -> bool,
 ) -> Result<Finding, PlantError> {
     let mut best = finding.clone();
     let mut tried: BTreeSet<Vec<Action>> = BTreeSet::new();
     'again: loop {
         for candidate in candidates(&best.actions) {
-            if tried.len() >= TRIES || calmness(&candidate) >= calmness(&best.actions) || tried.contains(&candidate) {
+            if tried.len() >= TRIES || !go_on(simulation) {
+                return Ok(best);
+            }
+            if calmness(&candidate) >= calmness(&best.actions) || tried.contains(&candidate) {
                 continue;
             }
             let found = run(simulation, &candidate)?;

@@ -21,6 +21,7 @@ use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
+use crate::stop::Stop;
 
 /// Memory for saved FMU states, bytes.
 const STATE_BUDGET: usize = 512 * 1024 * 1024;
@@ -436,6 +437,15 @@ impl Prepared {
              a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
              for a deterministic export, or for one without this output"
         ))
+    }
+
+    /// When everything with its FMUs has to end.
+    #[must_use]
+    pub fn stop(&self) -> Stop {
+        match &self.source {
+            Source::Here { .. } => Stop::default(),
+            Source::Apart(launcher) => launcher.stop().clone(),
+        }
     }
 
     /// Adds to what the user should know.

@@ -60,6 +60,8 @@ pub enum Told<'a> {
     Tried(usize, usize),
     /// So many of so many that held until then are looked at completely.
     Completely(usize, usize),
+    /// One that holds without a complete search.
+    Held(&'a Remedy),
     /// What came of one of these.
     Done(&'a Remedy),
 }
@@ -225,6 +227,7 @@ pub fn remedies(
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.hazard.robot };
     let knobs = Knob::all(&prepared.cell, &bench.text, &units, &encounter);
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_));
     let work = || {
         let mut mine = Vec::new();
         while let Some((number, knob)) =
@@ -232,6 +235,13 @@ pub fn remedies(
         {
             let mut trial = Trial::new(&bench, knob);
             let remedy = trial.quick();
+            // What was being tried then says nothing.
+            if prepared.stop().is_due() {
+                break;
+            }
+            if held(&remedy) {
+                tell(Told::Held(&remedy));
+            }
             mine.push((number, trial, remedy));
             tell(Told::Tried(done.fetch_add(1, Ordering::Relaxed) + 1, knobs.len()));
         }
@@ -243,7 +253,6 @@ pub fn remedies(
         joined.flatten().collect()
     });
     all.sort_by_key(|(number, ..)| *number);
-    let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_));
     let of = if effort.states > 0 { all.iter().filter(|(.., remedy)| held(remedy)).count() } else { 0 };
     let mut number = 0;
     for (_, trial, remedy) in &mut all {
@@ -253,7 +262,11 @@ pub fn remedies(
         if of > 0 {
             number += 1;
             tell(Told::Completely(number, of));
-            *remedy = trial.complete(effort.workers);
+            let complete = trial.complete(effort.workers);
+            if prepared.stop().is_due() {
+                break;
+            }
+            *remedy = complete;
         }
         tell(Told::Done(remedy));
     }

@@ -119,6 +119,22 @@ pub enum Progress<'a> {
         of: usize,
         /// Hazards so far.
         hazards: usize,
+        /// What the search cost so far, in communication steps, about.
+        cost: u64,
+    },
+    /// Shorter sequences are looked for.
+    Shortening {
+        /// Hazards for which that is done.
+        done: usize,
+        /// Of so many.
+        of: usize,
+    },
+    /// Hazards are confirmed by runs from the start.
+    Confirming {
+        /// Hazards so far.
+        done: usize,
+        /// Of so many.
+        of: usize,
     },
     /// What the FMU did is run again from the start.
     RunAgain {
@@ -190,6 +206,7 @@ pub fn scan_with(
         name,
         iterations,
         interrupted,
+        quick_cut,
         broken,
         mut certificate,
         figures,
@@ -220,6 +237,13 @@ pub fn scan_with(
     if let (Some(certificate), Some(reason)) = (&mut certificate, speeds.refusal()) {
         certificate.refuse(reason);
     }
+    // Not somebody, but its time.
+    let timed_out = interrupted && prepared.stop().ends_search() && !prepared.stop().is_asked();
+    if timed_out {
+        warnings.push(
+            "its time ended the search; on another machine it may end elsewhere. Give it more with --time".to_owned(),
+        );
+    }
     let vacuous = coverage.vacuous(motion.moved);
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
@@ -234,9 +258,9 @@ pub fn scan_with(
         Verdict::HazardsFound
     } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.not_evaluated() {
         Verdict::FmuFailed
-    } else if interrupted {
+    } else if interrupted && !timed_out {
         Verdict::Interrupted
-    } else if vacuous.is_some() || unsteady.is_some() || speeds.refusal().is_some() {
+    } else if (timed_out && quick_cut) || vacuous.is_some() || unsteady.is_some() || speeds.refusal().is_some() {
         Verdict::Inconclusive
     } else {
         Verdict::NoneFound
@@ -283,6 +307,8 @@ pub(super) struct Searched {
     pub name: &'static str,
     pub iterations: u64,
     pub interrupted: bool,
+    /// The quick part did not try all its sequences, because it was told to stop.
+    pub quick_cut: bool,
     pub broken: Option<PlantError>,
     pub certificate: Option<Certificate>,
     /// From random sequences, if the number of iterations was the one fixed beforehand.
@@ -300,6 +326,39 @@ pub(super) struct Searched {
 }
 
 impl Searched {
+    /// Stopped before anything was looked at.
+    pub(super) fn nothing(method: Method, sensors: usize) -> Self {
+        let name = match method {
+            Method::Strategy(name) => name.build().name(),
+            Method::Exhaustive(_) => "exhaustive",
+            Method::Auto(..) => AUTO,
+        };
+        Self {
+            name,
+            iterations: 0,
+            interrupted: true,
+            quick_cut: true,
+            broken: None,
+            certificate: None,
+            figures: None,
+            coverage: Coverage::new(sensors),
+            motion: Motion::default(),
+            faults: Vec::new(),
+            fmu_steps: 0,
+            fmu_states: 0,
+            effort: Effort::default(),
+            remembered: 0,
+            doubt: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Whether sequence after sequence is worth trying beside a complete search that came to this.
+    pub(super) fn needs_quick(&self) -> bool {
+        let complete = self.certificate.as_ref().is_some_and(|c| c.complete);
+        !complete && !self.interrupted && self.broken.is_none() && self.doubt.is_none()
+    }
+
     /// The second part of a search whose first part was `quick`, which alone met the hazards `only_quick`.
     pub(super) fn after(self, quick: Self, only_quick: &[String]) -> Self {
         let mut coverage = quick.coverage;
@@ -327,6 +386,9 @@ impl Searched {
             fmu_states: quick.fmu_states.max(self.fmu_states),
             effort: quick.effort.and(self.effort),
             certificate,
+            interrupted: self.interrupted || quick.interrupted,
+            quick_cut: quick.quick_cut,
+            broken: self.broken.or(quick.broken),
             ..self
         }
     }
@@ -350,6 +412,7 @@ impl Searched {
             name: "exhaustive",
             iterations: 0,
             interrupted,
+            quick_cut: false,
             broken,
             certificate,
             figures: None,

@@ -54,7 +54,7 @@ pub(super) fn try_out(
         }
         Hosting::Workers { program, guard, limits } => {
             let unpacked = fmus.iter().map(Unpacked::of).collect();
-            let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, *limits);
+            let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, limits.clone());
             let Examination { result, launcher, missing, step_time } =
                 examine(&launcher, steps, &skip).map_err(|error| PrepareError::first_run(hinted(error, fmus)))?;
             Ok(Tested { self_test: result, missing_protection: missing, step_time, source: Source::Apart(launcher) })

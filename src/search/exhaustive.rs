@@ -87,6 +87,11 @@ pub trait Expansion {
         0
     }
 
+    /// All that was done so far, work included, in another unit of that kind.
+    fn cost(&self) -> u64 {
+        self.work()
+    }
+
     /// Memory held besides the states themselves, bytes, about.
     fn bytes(&self) -> usize;
 }
@@ -146,6 +151,8 @@ pub enum Told<'a, U> {
         done: usize,
         /// States of the level.
         of: usize,
+        /// What everything cost so far, see [`Expansion::cost`].
+        cost: u64,
     },
 }
 
@@ -302,7 +309,7 @@ pub fn exhaust<E: Expansion>(
                 }
             }
             let done = (number * together + chunk.len()).min(open.len());
-            if tell(Told::Progress { depth, done, of: open.len() }).is_break() {
+            if tell(Told::Progress { depth, done, of: open.len(), cost: environment.cost() }).is_break() {
                 account.stopped = Stopped::Asked;
                 return Ok(account);
             }

@@ -17,6 +17,7 @@ use crate::human::arm::ArmModel;
 use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::{BodyPart, PlacedBody, Side};
 use crate::standards::BodyRegion;
+use crate::stop::Stop;
 
 /// What an arm check is for.
 struct Aim {
@@ -62,6 +63,8 @@ pub struct Encounter {
     pub reach_tolerance_m: f64,
     /// Whether the worst arm contact is looked for where there is an unsafe one: for the record, not for the verdict.
     pub worst: bool,
+    /// When searches have to end: what they had not finished says nothing then.
+    pub stop: Stop,
 }
 
 /// A contact, and the arm pose if an arm makes it.
@@ -230,6 +233,7 @@ impl Encounter {
                 tolerance_m: self.reach_tolerance_m,
                 enough: NO_HAZARD.enough,
                 work_limit: NO_HAZARD.work_limit,
+                stop: Some(&self.stop),
             });
             coverage.arm_boxes += u64::from(outcome.boxes);
             outcome.complete && outcome.best.is_none()
@@ -328,9 +332,10 @@ impl Encounter {
                 tolerance_m: self.reach_tolerance_m,
                 enough: aim.enough,
                 work_limit: aim.work_limit,
+                stop: Some(&self.stop),
             });
             coverage.arm_boxes += u64::from(outcome.boxes);
-            coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete);
+            coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete && !self.stop.is_due());
             let Some(found) = outcome.best else { continue };
             let contact = arm_touch(person, frame, &found);
             if worst.as_ref().is_none_or(|(w, _)| contact.ratio() > w.ratio()) {

@@ -174,9 +174,10 @@ impl<P: Plant> Expander<P> {
         merge: Merge,
         workers: usize,
     ) -> Result<Self, PlantError> {
+        let stop = plant.stop();
         let mut recall = Recall::new(plant, policy)?;
         let by_bytes = merge == Merge::Auto && recall.merge_equal_states()?;
-        let world = Arc::new(World::new(cell, binding));
+        let world = Arc::new(World::new(cell, binding).heeding(stop));
         Ok(Self {
             bounds: RobotBounds::new(&world.cell),
             robots: Robots::new(Arc::clone(&world), recall),
@@ -444,7 +445,7 @@ impl<P: Plant> Expander<P> {
             let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
             loop {
                 let from = next.fetch_add(BLOCK, Ordering::Relaxed);
-                if !go_on() {
+                if !go_on() || world.stop().is_due() {
                     stopped.store(true, Ordering::Relaxed);
                 }
                 if from >= questions.len() || stopped.load(Ordering::Relaxed) {
@@ -454,6 +455,11 @@ impl<P: Plant> Expander<P> {
                     let instant = |s: &usize| (&situations[*s].frames, situations[*s].i, &situations[*s]);
                     let mut instants: Vec<_> = asked.iter().map(instant).collect();
                     let Ok(hits) = world.contacts(stance, &mut instants, &mut coverage);
+                    // What was under way then says nothing.
+                    if world.stop().is_due() {
+                        stopped.store(true, Ordering::Relaxed);
+                        return (answers, coverage);
+                    }
                     answers.push((number, hits));
                 }
             }
@@ -513,6 +519,9 @@ impl<P: Plant> Expansion for Expander<P> {
         let mut ahead: BTreeMap<Place, Ahead> = BTreeMap::new();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
+            if !go_on() {
+                return Ok(None);
+            }
             let world = &self.world;
             let ahead = ahead.entry(state.place).or_insert_with(|| Ahead::new(world, state.place));
             let (one, own) = self.advance(index, depth, state, ahead, &mut pending)?;
@@ -585,6 +594,10 @@ impl<P: Plant> Expansion for Expander<P> {
     /// Boxes of joint angles looked at.
     fn work(&self) -> u64 {
         self.coverage.arm_boxes
+    }
+
+    fn cost(&self) -> u64 {
+        super::coverage::cost(self.robots.recall.steps(), self.questions, self.coverage.arm_boxes)
     }
 
     fn bytes(&self) -> usize {

@@ -109,8 +109,14 @@ fn remember<K: Ord, V: Clone>(memory: &mut BTreeMap<K, V>, key: K, value: V) -> 
 }
 
 impl Imagination {
+    /// What imagining looked at.
+    pub(super) const fn coverage(&self) -> &Coverage {
+        &self.unreal
+    }
+
     pub(super) fn new(world: &World) -> Self {
-        let own = World::new(Arc::clone(&world.cell), Arc::clone(&world.binding)).content_with_any();
+        let own = World::new(Arc::clone(&world.cell), Arc::clone(&world.binding));
+        let own = own.heeding(world.stop().clone()).content_with_any();
         Self {
             world: Arc::new(own),
             reached: BTreeSet::new(),

@@ -147,8 +147,9 @@ impl<P: Plant> Simulation<P> {
     /// # Errors
     /// When the FMU cannot be started.
     pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>, plant: P, options: Options) -> Result<Self, PlantError> {
+        let stop = plant.stop();
         let recall = Recall::new(plant, options.policy)?;
-        let world = Arc::new(World::new(cell, binding));
+        let world = Arc::new(World::new(cell, binding).heeding(stop));
         let place = world.start();
         let root = Snapshot {
             node: NodeId::ROOT,
@@ -198,6 +199,14 @@ impl<P: Plant> Simulation<P> {
     #[must_use]
     pub const fn coverage(&self) -> &Coverage {
         &self.coverage
+    }
+
+    /// What was done so far, in communication steps, about, what was only imagined included: the same on every machine.
+    #[must_use]
+    pub fn cost(&self) -> u64 {
+        let (real, unreal) = (&self.coverage, self.imagination.coverage());
+        let questions = real.contact_checks + unreal.contact_checks;
+        super::coverage::cost(self.recall().steps(), questions, real.arm_boxes + unreal.arm_boxes)
     }
 
     /// What was seen of the robots' motion, in all runs so far.
@@ -498,7 +507,13 @@ impl<P: Plant> Environment for Simulation<P> {
     }
 
     fn step(&mut self, action: usize) -> Result<Step, PlantError> {
-        self.act(Action::ALL[action])
+        let step = self.act(Action::ALL[action])?;
+        // What was looked for may not have been looked for to its end.
+        if self.world.stop().is_due() {
+            self.findings.clear();
+            return Err(PlantError::stopped());
+        }
+        Ok(step)
     }
 
     fn save(&self) -> Snapshot {

@@ -22,6 +22,7 @@ use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, BendFraction, Body, Place, Posture, Side, posture, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
+use crate::stop::Stop;
 
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
@@ -169,6 +170,7 @@ impl World {
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
+            stop: Stop::default(),
         };
         let mut world = Self { cell, binding, encounter, boxes, curtains: Vec::new(), neighbours: Vec::new() };
         world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
@@ -176,6 +178,18 @@ impl World {
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
         world.neighbours = pairs.filter(|&(c, d)| curtains[c].apart_m(&curtains[d]) < reach).collect();
         world
+    }
+
+    /// The same, but its searches end when `stop` says so: then what they find says nothing.
+    #[must_use]
+    pub fn heeding(mut self, stop: Stop) -> Self {
+        self.encounter.stop = stop;
+        self
+    }
+
+    /// When searches have to end.
+    pub(super) const fn stop(&self) -> &Stop {
+        &self.encounter.stop
     }
 
     /// The same, but where there is an unsafe arm contact any such is told, not the worst: whether there is one, is the

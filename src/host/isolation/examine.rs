@@ -68,6 +68,40 @@ fn in_a_process(launcher: &Launcher, steps: usize, stage: Stage, reference: &[f6
 /// An answer, and what of the sandbox is missing.
 type Tried = Result<(Answer, Vec<String>), PlantError>;
 
+/// The self-test may take about so long, and has the FMU run about so often.
+const AFFORDED: Duration = Duration::from_secs(30);
+const RUNS: u32 = 30;
+
+/// Steps of each run where they take long: the most that can be afforded, and these at least.
+const FEW_STEPS: [usize; 2] = [20, 4];
+
+/// A step that takes no longer than this is never too long, however busy the machine may be.
+const QUICK: Duration = Duration::from_millis(10);
+
+/// As many of these steps as the self-test can have where they take long. Few values, so that it is the same ones again.
+fn affordable(launcher: &Launcher, steps: usize) -> usize {
+    let time = |steps: usize| {
+        let began = Instant::now();
+        let ran = in_a_process(launcher, steps, Stage::FirstRun, &[]);
+        matches!(ran, Ok((Answer::FirstRun { .. }, _))).then(|| began.elapsed())
+    };
+    let few = FEW_STEPS[1].min(steps);
+    // Whoever cannot do this may do the real run, whose inputs change later.
+    let (Some(mut start), Some(mut run)) = (time(1), time(1 + few)) else { return steps };
+    for _ in 0..2 {
+        if run.saturating_sub(start) > QUICK * u32::try_from(few).unwrap_or(1) {
+            (start, run) = (start.min(time(1).unwrap_or(start)), run.min(time(1 + few).unwrap_or(run)));
+        }
+    }
+    let step = run.saturating_sub(start) / u32::try_from(few.max(1)).unwrap_or(1);
+    let fits = |steps: usize| (start + step * u32::try_from(steps).unwrap_or(u32::MAX)) * RUNS <= AFFORDED;
+    if step <= QUICK || fits(steps) {
+        steps
+    } else {
+        FEW_STEPS.into_iter().find(|few| fits(*few)).unwrap_or(FEW_STEPS[1]).min(steps)
+    }
+}
+
 /// Most numbers of a first run that are kept; of a longer one each process makes its own.
 pub(super) const KEPT: usize = super::channel::AREA / 32;
 
@@ -77,6 +111,7 @@ pub(super) const KEPT: usize = super::channel::AREA / 32;
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
 pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
     let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
+    let steps = affordable(launcher, steps);
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;
     let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[])? {

@@ -7,6 +7,7 @@ use std::time::Duration;
 use super::launch::{Launcher, Worker};
 use super::message::{self, Answer, Question, Saving};
 use crate::host::plant::{Fingerprint, Plant, PlantError, Stepped, Taken, Then};
+use crate::stop::Stop;
 
 /// How states are brought back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,10 @@ pub enum Keeping {
     Processes,
 }
 
+/// Each time a worker gives no answer costs its whole time limit. So often, in one search, it is seen whether it happens
+/// again; then it is the FMU's way.
+const TRIED_AGAIN: u32 = 6;
+
 /// A plant in a worker process.
 pub struct Isolated {
     launcher: Launcher,
@@ -32,6 +37,8 @@ pub struct Isolated {
     replaced: u64,
     /// Steps that the present worker has made.
     steps: u64,
+    /// How often a worker had to be ended because it gave no answer or took too much.
+    ended_by_us: u32,
     /// Actions and what is done after them are asked for one by one, since a worker was lost that was asked for both: so
     /// it shows what ends it.
     one_by_one: bool,
@@ -73,6 +80,7 @@ impl Isolated {
             free: Arc::default(),
             replaced: 0,
             steps: 0,
+            ended_by_us: 0,
             one_by_one: false,
         }
     }
@@ -125,9 +133,10 @@ impl Isolated {
             Ok(Answer::Failed(error)) => Err(self.failed(error)),
             Ok(answer) => Ok(answer),
             Err(error) => {
-                self.replaced += 1;
+                self.replaced += u64::from(!error.stopped);
+                self.ended_by_us += u32::from(error.ended_by_us);
                 self.end();
-                Err(error)
+                Err(PlantError { settled: self.ended_by_us > TRIED_AGAIN, ..error })
             }
         }
     }
@@ -342,5 +351,9 @@ impl Plant for Isolated {
 
     fn holds(&self, checkpoint: &Checkpoint) -> bool {
         checkpoint.generation == self.generation && self.worker.is_some()
+    }
+
+    fn stop(&self) -> Stop {
+        self.launcher.stop().clone()
     }
 }

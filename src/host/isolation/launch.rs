@@ -20,9 +20,10 @@ use crate::fmi::temporary::Folder;
 use crate::host::activity::{Call, Doing};
 use crate::host::plant::PlantError;
 use crate::host::system::SystemSetup;
+use crate::stop::Stop;
 
 /// How much an FMU may take.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Longest time of one call of the FMU.
     pub call: Duration,
@@ -32,12 +33,20 @@ pub struct Limits {
     pub growth: u64,
     /// So is one after so many communication steps: what else an FMU uses up, like file descriptors, ends with it.
     pub steps: u64,
+    /// When everything has to end.
+    pub stop: Stop,
 }
 
 impl Default for Limits {
     /// 10 s a call, 4 GiB, replaced after growing by 256 MiB or ten million steps.
     fn default() -> Self {
-        Self { call: Duration::from_secs(10), memory: 4 << 30, growth: 256 << 20, steps: 10_000_000 }
+        Self {
+            call: Duration::from_secs(10),
+            memory: 4 << 30,
+            growth: 256 << 20,
+            steps: 10_000_000,
+            stop: Stop::default(),
+        }
     }
 }
 
@@ -94,6 +103,12 @@ impl Launcher {
         self
     }
 
+    /// When everything with these FMUs has to end.
+    #[must_use]
+    pub const fn stop(&self) -> &Stop {
+        &self.limits.stop
+    }
+
     /// The setup of the FMUs.
     #[must_use]
     pub fn setup(&self) -> &SystemSetup {
@@ -112,6 +127,9 @@ impl Launcher {
 
     /// A worker with the FMUs loaded. With `fork` it may copy itself.
     pub(super) fn start(&self, fork: bool) -> Result<Worker, PlantError> {
+        if self.limits.stop.is_due() {
+            return Err(PlantError::stopped());
+        }
         let ours = |what: &str, e: &dyn std::fmt::Display| PlantError {
             message: format!("{what}: {e}. This concerns this machine, not the FMU"),
             fatal: true,
@@ -204,6 +222,9 @@ impl Worker {
     /// # Errors
     /// When the FMU ended or blocked the process, or took too much memory: this worker is of no use any more.
     pub(super) fn ask(&mut self, question: &Question, limits: &Limits) -> Result<Answer, PlantError> {
+        if limits.stop.is_due() {
+            return Err(PlantError::stopped());
+        }
         let bytes = postcard::to_stdvec(question).unwrap_or_default();
         if bytes.len() > super::channel::AREA {
             return Err(PlantError::of("a message to the worker is too long: this is an error of this program"));
@@ -227,6 +248,9 @@ impl Worker {
             self.channel.sleep(rung, LOOK);
             if self.channel.rung() != rung {
                 continue;
+            }
+            if limits.stop.is_due() {
+                return Err(PlantError::stopped());
             }
             if matches!(self.keeper.try_wait(), Ok(Some(_)) | Err(_)) && self.channel.answer_to(number).is_none() {
                 return Err(self.gone("ended its process".to_owned(), false));

@@ -30,17 +30,31 @@ impl JointBox {
         self.middle[joint] + self.half[joint]
     }
 
-    /// Whether no configuration of the box is within the joint limits. The bounds are linear or bilinear, so their
-    /// extremes over the box are at its corners.
-    pub(super) fn outside_limits(&self) -> bool {
+    /// The part of the box that holds all of its configurations within the joint limits, if there is any. The bounds are
+    /// linear or bilinear, so their extremes over the box are at its corners; those of rotation follow from what is left of
+    /// flexion.
+    pub(super) fn within_limits(mut self) -> Option<Self> {
         let abduction = [self.low(0), self.high(0)];
-        let (low, high) = widest(abduction.iter().map(|&a| flexion_range(a)));
-        if self.high(1) < low || self.low(1) > high {
-            return true;
+        self.cut(1, widest(abduction.iter().map(|&a| flexion_range(a))))?;
+        let flexion = [self.low(1), self.high(1)];
+        let corners = abduction.iter().flat_map(|&a| flexion.map(|f| rotation_range(a, f)));
+        self.cut(2, widest(corners))?;
+        Some(self)
+    }
+
+    /// Leaves of one joint's range what is between two bounds.
+    fn cut(&mut self, joint: usize, (least, most): (f64, f64)) -> Option<()> {
+        let (low, high) = (self.low(joint), self.high(joint));
+        if low < least || high > most {
+            let (low, high) = (low.max(least), high.min(most));
+            if low > high {
+                return None;
+            }
+            self.middle[joint] = 0.5 * (low + high);
+            // By rounding, the ends may be a little farther from the middle.
+            self.half[joint] = 0.5 * (high - low) * (1.0 + 1e-12) + 1e-15;
         }
-        let corners = abduction.iter().flat_map(|&a| [self.low(1), self.high(1)].map(|f| rotation_range(a, f)));
-        let (low, high) = widest(corners);
-        self.high(2) < low || self.low(2) > high
+        Some(())
     }
 
     pub(super) fn halves(&self, joint: usize) -> [Self; 2] {

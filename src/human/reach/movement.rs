@@ -27,7 +27,12 @@ pub(super) struct Movement {
 }
 
 impl Movement {
-    pub(super) fn of(arm: &ArmModel, b: &JointBox) -> Self {
+    /// Within the box `b`, in whose middle the arm is `placed`.
+    ///
+    /// The joints are turned from the middle to any configuration of the box one after the other, the outermost first: when
+    /// its turn comes, what is beyond a joint is still as in the middle, so its lever is the one there. Second derivatives
+    /// are those of any configuration: there a lever is longer by no more than what the joints beyond it move.
+    pub(super) fn of(arm: &ArmModel, b: &JointBox, placed: &Placed) -> Self {
         let (upper, fore) = (arm.upper_arm_m, arm.forearm_m);
         // The wrist is farthest from the shoulder with the elbow as straight as the box allows, and farthest from the
         // upper arm's axis with the elbow as near the right angle as it allows.
@@ -35,26 +40,28 @@ impl Movement {
         let from_shoulder = (upper * upper + fore * fore + 2.0 * upper * fore * libm::cos(straightest)).sqrt();
         let right_angle = std::f64::consts::FRAC_PI_2.clamp(b.low(3), b.high(3));
         let from_axis = fore * libm::sin(right_angle).abs();
+        let anywhere = [from_shoulder, from_shoulder, from_axis, fore];
         // A point at distance r that turns by an angle h moves along an arc, by a chord of 2 r sin(h / 2).
-        let chord = |r: f64, h: f64| 2.0 * r * libm::sin(0.5 * h.min(std::f64::consts::PI));
-        let wrist_by_joint = [
-            chord(from_shoulder, b.half[0]),
-            chord(from_shoulder, b.half[1]),
-            chord(from_axis, b.half[2]),
-            chord(fore, b.half[3]),
-        ];
+        let chords = b.half.map(|h| 2.0 * libm::sin(0.5 * h.min(std::f64::consts::PI)));
+        // A derivative is as long as the distance from the axis; by rounding it may be told too short.
+        let lever = |joint: usize, point: usize| placed.derivatives[joint][point].length() * (1.0 + 1e-12);
+        let middle: [f64; 4] = std::array::from_fn(|joint| lever(joint, 1).min(anywhere[joint]));
+        let wrist_by_joint: [f64; 4] = std::array::from_fn(|joint| middle[joint] * chords[joint]);
+        let beyond = |joint: usize| wrist_by_joint[joint + 1..].iter().sum::<f64>();
+        let levers: [f64; 4] = std::array::from_fn(|joint| (middle[joint] + beyond(joint)).min(anywhere[joint]));
         // Taylor: the second derivative by two joints is at most the lever of the inner one, because the inner joint
         // moves the point and the outer only turns that movement.
-        let lever = [from_shoulder, from_shoulder, from_axis, fore];
         let pairs = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
-        let wrist_rest = 0.5 * pairs.map(|(i, j)| b.half[i] * b.half[j] * lever[i.max(j)]).sum::<f64>();
-        let shoulder = b.half[0] + b.half[1];
+        let wrist_rest = 0.5 * pairs.map(|(i, j)| b.half[i] * b.half[j] * levers[i.max(j)]).sum::<f64>();
+        let abducted = lever(0, 0).min(upper);
+        let most = (abducted + upper * chords[1]).min(upper);
+        let [abduction, flexion, ..] = b.half;
         Self {
-            elbow: chord(upper, b.half[0]) + chord(upper, b.half[1]),
+            elbow: abducted * chords[0] + upper * chords[1],
             wrist: wrist_by_joint.iter().sum(),
             wrist_by_joint,
             half: b.half,
-            elbow_rest: 0.5 * upper * shoulder * shoulder,
+            elbow_rest: 0.5 * (most * abduction * abduction + upper * flexion * (2.0 * abduction + flexion)),
             wrist_rest,
         }
     }
@@ -110,10 +117,13 @@ impl Limb {
     /// it.
     pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> Option<Closest> {
         let ends = self.ends.map(|end| end.at(placed));
-        let near = link.segment_distance(ends[0], ends[1]);
         let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
-        let least = near.distance - self.radius - at_most[0].max(at_most[1]);
-        if least > -depth {
+        let apart = |distance: f64| distance - self.radius - at_most[0].max(at_most[1]) > -depth;
+        if !matches!(link, Solid::Capsule(_)) && apart(link.at_least(ends[0], ends[1])) {
+            return None;
+        }
+        let near = link.segment_distance(ends[0], ends[1]);
+        if apart(near.distance) {
             return None;
         }
         let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return Some(near) };
