@@ -297,7 +297,7 @@ impl World {
     /// person who is at this place and was first seen in the plane `since` samples ago.
     ///
     /// A window matters as long as the hand is not for sure deeper than it reaches. No part of the body, and no hand, is
-    /// farther from the middle of the feet than [`World::reach_m`], and these walk slower than a hand moves, so a window that is
+    /// farther from the middle of the feet than `World::reach_m`, and these walk slower than a hand moves, so a window that is
     /// long enough now would be so later. Who is first seen later than now is no farther behind the plane then, or, at a
     /// two-hand control, where it is let go.
     #[must_use]
