@@ -59,11 +59,12 @@ impl Stop {
 
     /// The search ends now, and everything soon.
     pub fn ask(&self) {
+        // First, so that a time limit that is set just now is cut short by whoever of the two comes last.
+        self.0.asked.store(true, Ordering::SeqCst);
         let now = self.now();
         let grace = u64::try_from(GRACE.as_nanos()).unwrap_or(u64::MAX);
-        self.0.search.fetch_min(now, Ordering::Relaxed);
-        self.0.all.fetch_min(now.saturating_add(grace), Ordering::Relaxed);
-        self.0.asked.store(true, Ordering::Release);
+        self.0.search.fetch_min(now, Ordering::SeqCst);
+        self.0.all.fetch_min(now.saturating_add(grace), Ordering::SeqCst);
     }
 
     /// From now on a search may take so long, with what follows it.
@@ -71,8 +72,8 @@ impl Stop {
         let reserve = (time / SHARE).clamp(RESERVE[0], RESERVE[1]);
         let now = self.now();
         let after = |time: Duration| now.saturating_add(u64::try_from(time.as_nanos()).unwrap_or(u64::MAX));
-        self.0.search.store(after(time.saturating_sub(reserve)), Ordering::Relaxed);
-        self.0.all.store(after(time), Ordering::Relaxed);
+        self.0.search.store(after(time.saturating_sub(reserve)), Ordering::SeqCst);
+        self.0.all.store(after(time), Ordering::SeqCst);
         if self.is_asked() {
             self.ask();
         }
@@ -91,7 +92,7 @@ impl Stop {
     /// Whether somebody asked.
     #[must_use]
     pub fn is_asked(&self) -> bool {
-        self.0.asked.load(Ordering::Acquire)
+        self.0.asked.load(Ordering::SeqCst)
     }
 
     /// Whether the search has to end.

@@ -235,8 +235,8 @@ pub fn remedies(
         {
             let mut trial = Trial::new(&bench, knob);
             let remedy = trial.quick();
-            // What was being tried then says nothing.
-            if prepared.stop().is_due() {
+            // What was being tried then says nothing; once it ends it ends for good, whatever the searches within are at.
+            if prepared.stop().ends_search() {
                 break;
             }
             if held(&remedy) {
@@ -263,7 +263,7 @@ pub fn remedies(
             number += 1;
             tell(Told::Completely(number, of));
             let complete = trial.complete(effort.workers);
-            if prepared.stop().is_due() {
+            if prepared.stop().ends_search() {
                 break;
             }
             *remedy = complete;

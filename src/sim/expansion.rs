@@ -393,7 +393,9 @@ impl<P: Plant> Expander<P> {
         let asked = (asked, questions.len() as u64, self.robots.recall.trail());
         if let Some(block) = self.journal.next(asked) {
             self.coverage.merge(&block.coverage);
-            return Some(self.found_again(&block, questions, situations));
+            let found = self.found_again(&block, questions, situations);
+            // A search that had to end may have missed what is there.
+            return (!self.world.stop().is_due()).then_some(found);
         }
         let (all, coverage) = self.work_out(questions, situations, go_on)?;
         if self.journal.keeps() {
