@@ -11,11 +11,19 @@ mod common;
 
 use std::fmt::Write as _;
 use std::io::{BufRead as _, BufReader};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use common::{examples, fmi_hazard, json, scan_json, write};
+use fmi_hazard::host::isolation::{Guard, Limits};
+use fmi_hazard::scan::prepare::prepare_in;
+use fmi_hazard::scan::run::{Method, Progress};
+use fmi_hazard::scan::{Exhaustive, Hosting, ScanOptions, StateChoice, StrategyName, scan};
+use fmi_hazard::search::exhaustive::Budget;
+use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::stop::Stop;
 use serde_json::Value;
 
 /// A cell with the Universal Robots UR5 and its collision meshes, where the arm of the light-curtain example was; nothing
@@ -149,6 +157,63 @@ fn ctrl_c_is_heard_at_any_moment() {
     println!("{} signals: half within {middle:?}, all within {longest:?}", times.len());
     // A busy machine may be late now and then.
     assert!(middle < Duration::from_secs(2) && times[times.len() * 9 / 10] < Duration::from_secs(5), "{times:?}");
+}
+
+/// Whoever uses the library and does not listen: a search that had to end is not complete, whenever that was.
+#[test]
+fn what_had_to_end_is_never_complete() {
+    let dir = examples();
+    let cell = std::fs::read_to_string(dir.path().join("safety-fence/cell.toml")).unwrap();
+    let from = cell.find("start = { xy_m = ").unwrap();
+    let start = &cell[from..from + cell[from..].find('\n').unwrap()];
+    // On the way to its hazards.
+    let begun = "start = { xy_m = [0.824, -0.834], heading_deg = 135 }\nbegins_s = [0.8]";
+    let cell = cell.replace(start, begun) + "\n[search]\nactions = 3\n";
+    let path = write(&dir.path().join("safety-fence"), "short.toml", &cell);
+    let scanned = |asks: &dyn Fn(u32, bool) -> bool| {
+        let (program, stop) = (env!("CARGO_BIN_EXE_fmi-hazard").into(), Stop::default());
+        let limits = Limits { stop: stop.clone(), ..Limits::default() };
+        let prepared = prepare_in(&path, None, &Hosting::Workers { program, guard: Guard::Sandboxed, limits }).unwrap();
+        let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
+        let how = Exhaustive { budget, merge: Merge::default(), workers: 2 };
+        let method = Method::Auto(StrategyName::Hybrid, how);
+        let options = ScanOptions {
+            method,
+            seed: 1,
+            iterations: 6,
+            stop_at_first: false,
+            posture_sweep: true,
+            state: StateChoice::Auto,
+        };
+        let mut seen = 0;
+        let report = scan(&prepared, options, &mut |progress| {
+            seen += 1;
+            let confirming = matches!(progress, Progress::Confirming { .. });
+            if asks(seen, confirming) && !stop.is_asked() {
+                stop.ask();
+                // Until the time for what follows is over, too.
+                std::thread::sleep(Duration::from_secs(u64::from(confirming)));
+            }
+            ControlFlow::Continue(())
+        });
+        (report.unwrap().report, seen)
+    };
+    let (whole, events) = scanned(&|_, _| false);
+    assert!(whole.certificate.is_some_and(|c| c.complete) && whole.hazards.len() > 1);
+    let mut cut = 0;
+    for event in (1..events).step_by((events / 16).max(1) as usize) {
+        let (report, _) = scanned(&|seen, _| seen == event);
+        let complete = report.certificate.is_some_and(|certificate| certificate.complete);
+        let confirmed = report.hazards.iter().filter(|hazard| hazard.confirmed == Some(true)).count();
+        assert!(!complete || confirmed == whole.hazards.len(), "stopped at event {event} of {events}");
+        assert!(report.hazards.iter().all(|hazard| hazard.confirmed != Some(false)));
+        cut += u32::from(!complete);
+    }
+    assert!(cut > 8, "{cut} of {events}");
+    let (report, _) = scanned(&|_, confirming| confirming);
+    let certificate = report.certificate.unwrap();
+    assert!(report.hazards.iter().any(|hazard| hazard.confirmed.is_none()));
+    assert!(!certificate.complete && certificate.reasons[0].contains("not confirmed any more"), "{certificate:?}");
 }
 
 #[test]

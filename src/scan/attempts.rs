@@ -84,6 +84,11 @@ pub(super) fn attempts(
         hazards.retain(|hazard| sure(hazard) || !only_kept.contains(&hazard.id));
         let refuted = |h: &&Hazard| h.confirmed == Some(false) || h.shortest.confirmed == Some(false);
         let unconfirmed = hazards.iter().filter(refuted).count();
+        let open = hazards.iter().filter(|h| h.confirmed.is_none() || h.shortest.confirmed.is_none()).count();
+        if let Some(certificate) = searched.certificate.as_mut().filter(|_| open > 0) {
+            certificate
+                .refuse(format!("{open} hazards were not confirmed any more: it was stopped, or its time was up"));
+        }
         let unsure = || Doubt { unlike: Unlike::State, shown: Shown::Unconfirmed(unconfirmed) };
         let mut doubt = searched.doubt.take().or_else(|| (unconfirmed > 0).then(unsure));
         let next = match &mut doubt {
