@@ -10,12 +10,11 @@
 mod common;
 
 use std::fmt::Write as _;
-use std::io::{BufRead as _, BufReader};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use common::started::Started;
 use common::{examples, fmi_hazard, json, scan_json, write};
 use fmi_hazard::host::isolation::{Guard, Limits};
 use fmi_hazard::scan::prepare::prepare_in;
@@ -64,29 +63,12 @@ fn ur5(dir: &Path) -> Option<String> {
 /// Runs a command until it has said `word` and for a while after that, and interrupts it. Its exit code, what it printed,
 /// and how long it took to end.
 fn interrupted(dir: &Path, arguments: &[&str], word: &str, after: Duration) -> (Option<i32>, String, Duration) {
-    let mut program = Command::new(env!("CARGO_BIN_EXE_fmi-hazard"))
-        .args(arguments)
-        .current_dir(dir)
-        .stderr(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut told = BufReader::new(program.stderr.take().unwrap()).lines().map(Result::unwrap);
-    let mut printed = String::new();
-    for line in told.by_ref() {
-        printed += &(line.clone() + "\n");
-        if line.contains(word) {
-            break;
-        }
-    }
+    let program = Started::until(dir, arguments, word);
     std::thread::sleep(after);
     let began = Instant::now();
-    // It may have ended by itself.
-    let _ = Command::new("kill").args(["-INT", &program.id().to_string()]).stderr(Stdio::null()).status();
-    told.for_each(|line| printed += &(line + "\n"));
-    let ended = program.wait_with_output().unwrap();
-    let took = began.elapsed();
-    (ended.status.code(), printed + &String::from_utf8_lossy(&ended.stdout), took)
+    program.signal("-INT");
+    let (code, printed) = program.end();
+    (code, printed, began.elapsed())
 }
 
 /// What a scan left is whole: each file can be read, and no hazard is there that a run from the start refuted.

@@ -3,27 +3,16 @@
 
 mod common;
 
-use std::io::{BufRead as _, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
+use common::started::Started;
 use common::{examples, fmi_hazard, json, scan_json};
 
 /// Starts a scan and sends it a signal once it says `word`; its exit code, if it ended by itself.
 fn interrupted(dir: &Path, arguments: &[&str], word: &str, signal: &str) -> Option<i32> {
-    let mut scan = Command::new(env!("CARGO_BIN_EXE_fmi-hazard"))
-        .args(arguments)
-        .current_dir(dir)
-        .stderr(Stdio::piped())
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let mut lines = BufReader::new(scan.stderr.take().unwrap()).lines();
-    let told = lines.by_ref().map(Result::unwrap).any(|line| line.contains(word));
-    assert!(told, "`{word}` was not said");
-    assert!(Command::new("kill").args([signal, &scan.id().to_string()]).status().unwrap().success());
-    lines.for_each(drop);
-    scan.wait().unwrap().code()
+    let scan = Started::until(dir, arguments, word);
+    scan.signal(signal);
+    scan.end().0
 }
 
 #[test]

@@ -129,7 +129,7 @@ impl ValueEnum for Choice {
     fn to_possible_value(&self) -> Option<PossibleValue> {
         match self {
             Self::Auto => Some(PossibleValue::new("auto").help(
-                "First `hybrid`, so that something is there soon; then `exhaustive`, as far as the budget goes",
+                "`exhaustive`, as far as time and budget go, and `hybrid` beside it for a small part of the cost",
             )),
             Self::Exhaustive => Some(PossibleValue::new("exhaustive").help(
                 "Every sequence there is, equal states once: a complete list of hazards, or the proof that there is none \

@@ -49,7 +49,8 @@ pub enum Method {
     Strategy(StrategyName),
     /// All of them, equal states once.
     Exhaustive(Exhaustive),
-    /// First a strategy, so that something is there soon; then all of them, as far as the budget goes.
+    /// All of them, as far as the budget goes, and beside it a strategy for a small part of the cost; where the budget ends
+    /// before all of them were looked at, the strategy's own budget is used up.
     Auto(StrategyName, Exhaustive),
 }
 

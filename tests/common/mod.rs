@@ -14,6 +14,7 @@ pub mod formats;
 pub mod hostile;
 pub mod meshes;
 pub mod scanned;
+pub mod started;
 
 use std::path::{Path, PathBuf};
 
