@@ -16,8 +16,8 @@ use std::time::{Duration, Instant};
 use divan::{Bencher, black_box};
 use fmi_hazard::host::Plant as _;
 use fmi_hazard::host::isolation::{Guard, Limits};
+use fmi_hazard::scan::options::Method;
 use fmi_hazard::scan::prepare::prepare_in;
-use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
 
 fn main() {

@@ -40,7 +40,7 @@
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use fmi_hazard::scan::{ScanOptions, StateChoice, StrategyName, prepare::prepare, run::Method, scan};
+//! use fmi_hazard::scan::{Method, ScanOptions, StateChoice, StrategyName, prepare::prepare, scan};
 //!
 //! # let dir = tempfile::tempdir()?;
 //! fmi_hazard::examples::export(dir.path())?;

@@ -12,8 +12,8 @@ use std::time::Duration;
 
 use common::examples;
 use fmi_hazard::host::isolation::{Guard, Limits};
+use fmi_hazard::scan::options::Method;
 use fmi_hazard::scan::prepare::prepare_in;
-use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
 use fmi_hazard::search::Rng;
 

@@ -8,7 +8,8 @@ use std::path::Path;
 
 use common::{assert_same_hazards, examples, fmi_hazard, meshes, scan_json, write};
 use fmi_hazard::cell::error::Source;
-use fmi_hazard::cell::validate::{Workcell, validate};
+use fmi_hazard::cell::file::validate::validate;
+use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Cuboid, Vec3};
 
 /// The cell with these tables of obstacles.

@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 
 use common::{examples, fmi_hazard, scan_json, write};
 use fmi_hazard::hazard::Groups;
+use fmi_hazard::scan::options::Method;
 use fmi_hazard::scan::residual::Watch;
-use fmi_hazard::scan::run::Method;
 use fmi_hazard::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName, prepare::prepare, scan};
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::exhaustive::Budget;

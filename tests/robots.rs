@@ -8,7 +8,8 @@ use std::path::Path;
 
 use common::{assert_same_hazards, examples, fmi_hazard, meshes, scan_json, write};
 use fmi_hazard::cell::error::Source;
-use fmi_hazard::cell::validate::{Workcell, validate};
+use fmi_hazard::cell::file::validate::validate;
+use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
 
 /// A cell with a robot from `urdf`, its joints named as told.

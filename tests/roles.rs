@@ -7,7 +7,7 @@ mod common;
 use std::collections::BTreeMap;
 
 use common::{examples, fmi_hazard};
-use fmi_hazard::cell::roles::{Guess, Role, guess};
+use fmi_hazard::cell::draft::roles::{Guess, Role, guess};
 use fmi_hazard::fmi::{Fmu, ModelDescription};
 
 /// A description with these variables: causality, type and name, unit.

@@ -3,9 +3,10 @@
 //! It keeps the mode, the clock of communication points and the bookkeeping of saved states. The time of the master is
 //! rounded to whole milliseconds from its absolute value, so any step size works and nothing drifts.
 
+use crate::any_model::{AnyModel, interface_of};
 use crate::bytes::{Reader, Writer};
 use crate::interface::variables::{Causality, Interface, Value, Variant};
-use crate::model::{AnyModel, Outcome, Special, interface_of};
+use crate::model::{Outcome, Special};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 

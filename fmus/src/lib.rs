@@ -6,10 +6,11 @@
 //!
 //! From the outside in: [`fmi2`] and [`fmi3`] are the C interfaces and, with their common `pointers`, the only unsafe
 //! code; `component` keeps the rules of FMI; `types3` adds the types of variables that only FMI 3.0 has; `model` is
-//! what they ask of a cell; `cells` are the models, made from `path` (the robot's programme), `drive` (the
+//! what they ask of a cell, `any_model` which one runs; `cells` are the models, made from `path` (the robot's programme), `drive` (the
 //! safety controller) and `kinematics`; [`interface`] holds the cells as data and the tables of variables. `trig` and
 //! `bytes` serve all. The FMU that does harm on purpose is not here but in `hostile/`, in C.
 
+mod any_model;
 mod bytes;
 mod cells;
 mod component;

@@ -16,9 +16,9 @@ use toml::Spanned;
 
 use super::CellError;
 use super::error::{Problems, Source};
-use super::format::{CellFile, Literal, SensorKind, SensorTable};
-use super::sensors::polarity;
-use super::ssp::Wiring;
+use super::file::format::{CellFile, Literal, SensorKind, SensorTable};
+use super::file::polarity;
+use super::foreign::ssp::Wiring;
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 use crate::host::port::PortKind;
 use crate::host::system::{Connection, SystemSetup, UnitPort};

@@ -1,13 +1,19 @@
-//! A first cell file for an FMU or a system: what its variables seem to be for, written down with how sure that is, and a TODO for each
-//! thing that no FMU says.
+//! A first cell file for an FMU or a system: what its variables seem to be for, written down with how sure that is, and
+//! a TODO for each thing that no FMU says.
+//!
+//! - [`roles`]: what the variables of an FMU seem to be for
+//! - [`interface`]: those of an FMU or a system by the names that cell files use, with their roles
 //!
 //! A line with `# GUESS` is to be checked, one with `# TODO` to be filled in; `fmi-hazard check` lists those that are left.
+
+pub mod interface;
+pub mod roles;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::interface::Interface;
-use super::roles::{Guess, Role, words};
+use self::interface::Interface;
+use self::roles::{Guess, Role, words};
 use crate::fmi::Causality;
 use crate::geometry::kinematics::Motion;
 

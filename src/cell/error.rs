@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use thiserror::Error;
 
-use super::files::sha256;
+use super::hash::sha256;
 
 /// A problem in a cell file, with its place.
 #[derive(Clone, Debug, Error, Diagnostic)]

@@ -7,9 +7,9 @@ use toml::Spanned;
 use super::binding::{BoundUnit, bind};
 use super::draft::TODO;
 use super::error::{OpenError, Problems, Source, display_name};
-use super::format::CellFile;
-use super::ssp::{self, Wiring, is_ssp};
-use super::validate::{check, parse, validate};
+use super::file::format::CellFile;
+use super::file::validate::{check, parse, validate};
+use super::foreign::ssp::{self, Wiring, is_ssp};
 use super::{CellError, EXTRA_FOLDER, Workcell};
 use crate::fmi::Fmu;
 

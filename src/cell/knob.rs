@@ -6,8 +6,8 @@ mod parameter;
 use toml::{Table, Value};
 
 use self::parameter::{Parameter, Quantity, Setting, parameters};
-use super::validate::Workcell;
 use super::{Zone, binding::BoundUnit};
+use crate::cell::workcell::Workcell;
 use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
 

@@ -4,8 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use clap::ValueEnum;
-
+use super::bench_format::Format;
 use super::bench_strategies;
 use super::exit::{Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
@@ -17,15 +16,6 @@ use crate::scan::campaign::{self, CampaignOptions};
 use crate::scan::prepare::{Prepared, prepare, prepare_in};
 use crate::search::Profile;
 use crate::search::mcts_dpw::Parameters;
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    #[default]
-    Table,
-    Json,
-    Csv,
-    Md,
-}
 
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]

@@ -3,7 +3,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::bench::Format;
+use super::bench_format::Format;
 use super::exit::{Failure, NO_HAZARD};
 use super::output::{self, Progress};
 use crate::report::comparison::{Comparison, csv_header, growth_table, table};

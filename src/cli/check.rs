@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
         let count = all.len() + left.len();
         if let Some(error) = problems {
-            Failure::from(error).report();
+            output::failed(&Failure::from(error));
         }
         let line = |p: &Problem| format!("  {file}:{}: {}\n", p.line.unwrap_or_default(), p.message);
         let lines: String = left.iter().map(line).collect();
@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             output::result(&format!("  picture   {}\n", picture.display()));
             if let Some(lies) = lies {
                 let count = lies.each().count();
-                let code = Failure::from(lies).report();
+                let code = output::failed(&Failure::from(lies));
                 output::result(&format!("{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
                 return Ok(code);
             }

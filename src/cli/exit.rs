@@ -2,7 +2,6 @@
 
 use miette::Diagnostic;
 
-use super::output;
 use crate::cell::CellError;
 use crate::cell::error::OpenError;
 use crate::scan::{PrepareError, ScanError};
@@ -61,10 +60,9 @@ impl Failure {
         self.code
     }
 
-    /// Prints the failure to stderr and returns its code.
-    pub(super) fn report(self) -> u8 {
-        output::error(&format!("{:?}", self.report));
-        self.code
+    /// What a terminal shows of it.
+    pub(super) fn text(&self) -> String {
+        format!("{:?}", self.report)
     }
 }
 

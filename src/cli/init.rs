@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
+use crate::cell::draft::interface::Interface;
 use crate::cell::draft::{Described, Facts, TODO, draft};
-use crate::cell::files::plain;
-use crate::cell::interface::Interface;
-use crate::cell::ssp::{self, System};
-use crate::cell::{described, json_schema};
+use crate::cell::file::described;
+use crate::cell::file::files::plain;
+use crate::cell::foreign::ssp::{self, System};
+use crate::cell::json_schema;
 use crate::fmi::Fmu;
 
 #[derive(Debug, clap::Args)]

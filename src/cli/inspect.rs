@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output::{self, Format};
-use crate::cell::ssp;
+use crate::cell::foreign::ssp;
 use crate::fmi::Fmu;
 use crate::report::inspection::{Filter, Inspection, SystemInspection};
 

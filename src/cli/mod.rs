@@ -2,6 +2,7 @@
 
 mod beginnings;
 mod bench;
+mod bench_format;
 mod bench_strategies;
 mod check;
 mod compare;
@@ -120,6 +121,6 @@ pub fn main() -> ExitCode {
     };
     match outcome {
         Ok(code) => ExitCode::from(code),
-        Err(failure) => ExitCode::from(failure.report()),
+        Err(failure) => ExitCode::from(output::failed(&failure)),
     }
 }

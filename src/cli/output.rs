@@ -167,6 +167,12 @@ pub(super) fn error(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "Error: {}", safe(text.trim()));
 }
 
+/// Prints a failure to stderr and returns its exit code.
+pub(super) fn failed(failure: &Failure) -> u8 {
+    error(&failure.text());
+    failure.code()
+}
+
 /// Text as it may reach a terminal. Names come from vendors, and cell files may travel inside FMUs: nothing in them may
 /// steer the terminal or turn text around. Our own line breaks and colours stay.
 fn safe(text: &str) -> String {

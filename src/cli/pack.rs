@@ -13,7 +13,7 @@ use super::exit::{Failure, NO_HAZARD};
 use super::output;
 use crate::cell::EXTRA_FOLDER;
 use crate::cell::find::open;
-use crate::cell::ssp::is_ssp;
+use crate::cell::foreign::ssp::is_ssp;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {

@@ -12,9 +12,9 @@ use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
 use super::selftest::setup;
+use crate::cell::draft::roles::{Role, guess};
 use crate::cell::error::OpenError;
 use crate::cell::find::open;
-use crate::cell::roles::{Role, guess};
 use crate::fmi::Fmu;
 use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
 use crate::host::port::PortKind;
@@ -178,7 +178,7 @@ impl Column {
 }
 
 /// The outputs that tell how fast the robot is: joint speeds, else joint angles or poses, else all.
-fn measured(setup: &SystemSetup, roles: &[crate::cell::roles::Guess]) -> (Vec<Column>, &'static str) {
+fn measured(setup: &SystemSetup, roles: &[crate::cell::draft::roles::Guess]) -> (Vec<Column>, &'static str) {
     let find = |wanted: fn(&Role) -> bool| -> Vec<usize> {
         let names: Vec<&str> = roles.iter().filter(|g| wanted(&g.role)).map(|g| g.variable.as_str()).collect();
         let columns = setup.outputs.iter().enumerate().filter(|(_, output)| names.contains(&output.port.name.as_str()));
@@ -201,7 +201,7 @@ fn measured(setup: &SystemSetup, roles: &[crate::cell::roles::Guess]) -> (Vec<Co
 fn moving<P: Plant>(
     prober: &Prober<'_, P>,
     setup: &SystemSetup,
-    roles: &[crate::cell::roles::Guess],
+    roles: &[crate::cell::draft::roles::Guess],
 ) -> Result<(Vec<f64>, Run, Vec<String>), PlantError> {
     let start = setup.initial_inputs.clone();
     let boolean = |column: &usize| setup.inputs[*column].port.kind == PortKind::Boolean;

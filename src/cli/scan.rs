@@ -14,14 +14,14 @@ use super::resume::{self, Command};
 pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::StopAt;
 use super::{beginnings, earlier, results, stopping};
-use crate::cell::validate::BASELINE;
+use crate::cell::file::validate::BASELINE;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::terminal;
+use crate::scan::options::Method;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
-use crate::scan::run::Method;
 use crate::scan::{self, Prepared, ScanOptions, StateChoice};
 use crate::sim::journal::Journal;
 use crate::stop::Stop;
@@ -154,7 +154,7 @@ impl Run<'_> {
             let (hazards, code) = match self.one(prepared, baseline.as_ref(), &own, journals) {
                 Ok(Ended { report, code }) => (report.hazards, code),
                 // The others are searched all the same.
-                Err(failure) if failure.code() == exit::FMU_FAILED => (Vec::new(), failure.report()),
+                Err(failure) if failure.code() == exit::FMU_FAILED => (Vec::new(), output::failed(&failure)),
                 Err(failure) => return Err(failure),
             };
             if code == exit::INTERRUPTED {

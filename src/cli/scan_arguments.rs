@@ -9,7 +9,7 @@ use clap::builder::PossibleValue;
 
 use super::hosting::HostingArguments;
 use super::output::Format;
-use crate::scan::run::Method;
+use crate::scan::options::Method;
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::expansion::Merge;

@@ -1,28 +1,10 @@
 //! modelDescription.xml as data, in the same terms for FMI 2.0 and FMI 3.0. Reading it is in `read_xml`.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use super::variable::Causality;
 use super::variable::{Dimension, Handle, Scalar, Variable};
-
-/// Version of the standard an FMU is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FmiVersion {
-    /// FMI 2.0.
-    V2,
-    /// FMI 3.0.
-    V3,
-}
-
-impl fmt::Display for FmiVersion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::V2 => "FMI 2.0",
-            Self::V3 => "FMI 3.0",
-        })
-    }
-}
+use super::version::FmiVersion;
 
 /// The content of modelDescription.xml that matters to an importer.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -10,9 +10,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Files;
 use super::abi::Common;
-use super::description::{Capabilities, FmiVersion, ModelDescription};
+use super::description::{Capabilities, ModelDescription};
 use super::error::Error;
 use super::text::printable;
+use super::version::FmiVersion;
 use super::{abi2, abi3};
 use libloading::os::unix::{Library, RTLD_GLOBAL, RTLD_LOCAL, RTLD_NOW};
 use object::read::elf::{ElfFile64, FileHeader as _};

@@ -55,12 +55,13 @@ pub(crate) mod temporary;
 mod text;
 mod values;
 mod variable;
+mod version;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use archive::{Archive, ArchiveLimits};
-pub use description::{Capabilities, CoSimulation, DefaultExperiment, FmiVersion, MOST_VALUES, ModelDescription};
+pub use description::{Capabilities, CoSimulation, DefaultExperiment, MOST_VALUES, ModelDescription};
 pub use error::{CallFailure, Error, Status};
 pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};
 pub use library::Slave;
@@ -70,6 +71,7 @@ pub use read_xml::{DescriptionError, Warning};
 pub use text::{escaped, is_unsafe, printable};
 pub use values::{Number, Values};
 pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
+pub use version::FmiVersion;
 
 /// The unpacked files of an FMU.
 enum Files {

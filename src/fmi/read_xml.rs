@@ -14,9 +14,10 @@ use std::fmt;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-use super::description::{FmiVersion, MOST_VALUES, ModelDescription};
+use super::description::{MOST_VALUES, ModelDescription};
 use super::text::printable;
 use super::variable::{Causality, Variable, VariableType};
+use super::version::FmiVersion;
 use attributes::Attributes;
 
 /// Something odd that does not keep the FMU from being used.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::description::FmiVersion;
+use super::version::FmiVersion;
 
 /// A variable: one value, or an array of them.
 #[derive(Clone, Debug, PartialEq)]

@@ -41,3 +41,9 @@ pub fn rotation_about(axis: Vec3, angle: f64) -> Rotation {
     let (s, c) = libm::sincos(0.5 * angle);
     Rotation::from_xyzw(axis.x * s, axis.y * s, axis.z * s, c)
 }
+
+/// Rotation for roll, pitch, yaw in radians about the fixed x, y and z axes (the URDF convention).
+#[must_use]
+pub fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
+    rotation_about(Vec3::Z, yaw) * rotation_about(Vec3::Y, pitch) * rotation_about(Vec3::X, roll)
+}

@@ -9,6 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::part::{BodyPart, Side};
 use super::placed::{SHOULDER_OUT, SHOULDER_UP, moved, shoulder_line};
 use super::{BendFraction, PlacedBody, Posture};
 use crate::geometry::{Capsule, Pose, Rotation, Vec3, rotation_about};
@@ -26,120 +27,31 @@ const BLOCKING_RADIUS: f64 = 0.14;
 /// Lowest point of that capsule: cables and door sills do not stop a walk.
 const BLOCKING_FROM: f64 = 0.05;
 
-/// Which side of the body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// The human's own left.
-    Left,
-    /// The human's own right.
-    Right,
-}
-
-impl Side {
-    /// Both sides, left first.
-    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// +1 to the left, -1 to the right: the sign along the body's y axis.
-    #[must_use]
-    pub const fn sign(self) -> f64 {
-        match self {
-            Self::Left => 1.0,
-            Self::Right => -1.0,
-        }
-    }
-}
-
-/// A part of the body that has a capsule of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum BodyPart {
-    /// Head, a sphere.
-    Head,
-    /// Neck.
-    Neck,
-    /// Chest at the height of the armpits, with both shoulder caps.
-    UpperChest,
-    /// Chest at the height of the lower ribs.
-    LowerChest,
-    /// Abdomen.
-    Abdomen,
-    /// Pelvis.
-    Pelvis,
-    /// Left thigh and knee.
-    LeftThigh,
-    /// Right thigh and knee.
-    RightThigh,
-    /// Left lower leg and foot.
-    LeftShank,
-    /// Right lower leg and foot.
-    RightShank,
-}
-
-impl BodyPart {
-    /// Every part once, from the head down; the order of [`PlacedBody::parts`].
-    pub const ALL: [Self; 10] = [
-        Self::Head,
-        Self::Neck,
-        Self::UpperChest,
-        Self::LowerChest,
-        Self::Abdomen,
-        Self::Pelvis,
-        Self::LeftThigh,
-        Self::RightThigh,
-        Self::LeftShank,
-        Self::RightShank,
-    ];
-
-    /// Its name, as in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Head => "head",
-            Self::Neck => "neck",
-            Self::UpperChest => "upper_chest",
-            Self::LowerChest => "lower_chest",
-            Self::Abdomen => "abdomen",
-            Self::Pelvis => "pelvis",
-            Self::LeftThigh => "left_thigh",
-            Self::RightThigh => "right_thigh",
-            Self::LeftShank => "left_shank",
-            Self::RightShank => "right_shank",
-        }
-    }
-
-    /// Whether the part moves with the trunk when it bends.
-    #[must_use]
-    pub const fn is_trunk(self) -> bool {
-        matches!(self, Self::Head | Self::Neck | Self::UpperChest | Self::LowerChest | Self::Abdomen)
-    }
-
-    /// Capsule of the median man: in the trunk frame (origin at the hip pivot) for trunk parts, else in the frame of
-    /// the feet (origin on the floor).
-    fn reference_capsule(self) -> Capsule {
-        let upright = |out: f64, low: f64, high: f64, radius: f64| Capsule {
-            a: Vec3::new(0.0, out, low),
-            b: Vec3::new(0.0, out, high),
-            radius,
-        };
-        let level = |half_width: f64, up: f64, radius: f64| Capsule {
-            a: Vec3::new(0.0, half_width, up),
-            b: Vec3::new(0.0, -half_width, up),
-            radius,
-        };
-        match self {
-            Self::Head => level(0.0, HEAD_UP, HEAD_RADIUS),
-            Self::Neck => upright(0.0, 0.52, 0.62, 0.06),
-            Self::UpperChest => level(0.08, 0.40, 0.13),
-            Self::LowerChest => level(0.08, 0.25, 0.14),
-            Self::Abdomen => level(0.0, 0.12, 0.13),
-            Self::Pelvis => level(0.07, 0.95, 0.14),
-            Self::LeftThigh => upright(0.09, 0.49, 0.85, 0.08),
-            Self::RightThigh => upright(-0.09, 0.49, 0.85, 0.08),
-            // Down to the floor: the feet are counted as lower legs.
-            Self::LeftShank => upright(0.09, 0.055, 0.49, 0.055),
-            Self::RightShank => upright(-0.09, 0.055, 0.49, 0.055),
-        }
+/// Capsule of the median man: in the trunk frame (origin at the hip pivot) for trunk parts, else in the frame of
+/// the feet (origin on the floor).
+fn reference_capsule(part: BodyPart) -> Capsule {
+    let upright = |out: f64, low: f64, high: f64, radius: f64| Capsule {
+        a: Vec3::new(0.0, out, low),
+        b: Vec3::new(0.0, out, high),
+        radius,
+    };
+    let level = |half_width: f64, up: f64, radius: f64| Capsule {
+        a: Vec3::new(0.0, half_width, up),
+        b: Vec3::new(0.0, -half_width, up),
+        radius,
+    };
+    match part {
+        BodyPart::Head => level(0.0, HEAD_UP, HEAD_RADIUS),
+        BodyPart::Neck => upright(0.0, 0.52, 0.62, 0.06),
+        BodyPart::UpperChest => level(0.08, 0.40, 0.13),
+        BodyPart::LowerChest => level(0.08, 0.25, 0.14),
+        BodyPart::Abdomen => level(0.0, 0.12, 0.13),
+        BodyPart::Pelvis => level(0.07, 0.95, 0.14),
+        BodyPart::LeftThigh => upright(0.09, 0.49, 0.85, 0.08),
+        BodyPart::RightThigh => upright(-0.09, 0.49, 0.85, 0.08),
+        // Down to the floor: the feet are counted as lower legs.
+        BodyPart::LeftShank => upright(0.09, 0.055, 0.49, 0.055),
+        BodyPart::RightShank => upright(-0.09, 0.055, 0.49, 0.055),
     }
 }
 
@@ -261,7 +173,7 @@ impl Body {
         let stature_m = measures(sex, percentile).stature_m;
         let scale = stature_m / REFERENCE_STATURE_M;
         let mut capsules = BodyPart::ALL.map(|part| {
-            let capsule = part.reference_capsule();
+            let capsule = reference_capsule(part);
             Capsule { a: scale * capsule.a, b: scale * capsule.b, radius: scale * capsule.radius }
         });
         for (part, capsule) in BodyPart::ALL.into_iter().zip(&mut capsules) {

@@ -12,6 +12,7 @@ pub mod action;
 pub mod arm;
 pub mod body;
 mod obstacles;
+pub mod part;
 pub mod place;
 pub mod placed;
 pub mod posture;
@@ -20,7 +21,8 @@ pub mod shoulder;
 pub mod walk;
 
 pub use action::{Action, Posture, Walk};
-pub use body::{Anthropometry, Body, BodyPart, Radii, Side};
+pub use body::{Anthropometry, Body, Radii};
+pub use part::{BodyPart, Side};
 pub use place::{Place, Start};
 pub use placed::PlacedBody;
 pub use posture::BendFraction;

@@ -1,6 +1,6 @@
 //! A body in one pose in the world: its capsules, its shoulders, and which body region a contact point belongs to.
 
-use super::body::{BodyPart, Side};
+use super::part::{BodyPart, Side};
 use crate::geometry::{Capsule, Pose, Vec3};
 use crate::standards::BodyRegion;
 

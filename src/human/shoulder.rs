@@ -1,8 +1,8 @@
 //! Which arms may be searched for a contact.
 
 use super::PlacedBody;
-use super::body::Side;
 use super::obstacles::capsule_hits;
+use super::part::Side;
 use crate::geometry::Cuboid;
 
 /// Whether the arm on this side is on the human's side of every obstacle.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::explanation::wrapped;
+use super::paragraph::wrapped;
 use super::terminal::grouped;
 use crate::human::Action;
 use crate::standards::BodyRegion;

@@ -7,9 +7,11 @@ use serde::Serialize;
 
 use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
+use super::paragraph::{wrapped, wrapped_under};
 use crate::human::{Action, Posture, Walk};
 use crate::standards::iso_ts_15066 as limits;
-use crate::standards::provenance::{Table, tables};
+use crate::standards::provenance::Table;
+use crate::standards::tables::tables;
 
 /// Everything that is told about a hazard.
 #[derive(Clone, Debug, Serialize)]
@@ -251,19 +253,4 @@ const fn stands(posture: Posture) -> &'static str {
         Posture::ForwardLeft => "bent forward and to the left",
         Posture::ForwardRight => "bent forward and to the right",
     }
-}
-
-/// Width of a line.
-const WIDTH: usize = 100;
-
-pub(super) fn wrapped(text: &str, indent: &str) -> String {
-    let options = textwrap::Options::new(WIDTH).initial_indent(indent).subsequent_indent(indent);
-    textwrap::fill(text, options) + "\n"
-}
-
-/// Text after a head, further lines below its own beginning.
-fn wrapped_under(head: &str, text: &str) -> String {
-    let under = " ".repeat(head.len());
-    let options = textwrap::Options::new(WIDTH).initial_indent(head).subsequent_indent(&under);
-    textwrap::fill(text, options) + "\n"
 }

@@ -7,8 +7,8 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::cell::EXTRA_FOLDER;
-use crate::cell::roles::{Guess, Role, guess};
-use crate::cell::ssp::{Link, System};
+use crate::cell::draft::roles::{Guess, Role, guess};
+use crate::cell::foreign::ssp::{Link, System};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType, printable};
 
 /// What an FMU is.

@@ -38,6 +38,7 @@ pub mod mcap;
 pub mod model;
 pub mod page;
 pub mod paper;
+mod paragraph;
 pub mod recorded;
 pub mod sarif;
 pub mod speeds;

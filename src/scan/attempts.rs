@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::exhaustive::census;
 use super::footing::{Doubt, Footing, Shown};
+use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::quick::{Quick, search};
-use super::run::{AUTO, Method, Progress, ScanError, ScanOptions, Searched};
+use super::searched::{AUTO, Searched};
 use crate::hazard::{Finding, Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;

@@ -1,7 +1,7 @@
 //! Many seeds of several strategies, each until its first hazard, on all cores; the result does not depend on how many.
 
+use super::options::{ScanError, StrategyName};
 use super::prepare::Prepared;
-use super::run::{ScanError, StrategyName};
 use super::seeds::{self, SeedRuns};
 use crate::host::Hosted;
 use crate::report::campaign::Campaign;

@@ -7,10 +7,12 @@ use std::ops::ControlFlow;
 use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
 
-use super::exhaustive::{Exhaustive, census};
+use super::exhaustive::census;
 use super::footing::{Footing, not_repeatable};
-use super::prepare::{Prepared, StateChoice};
-use super::run::{ScanError, StrategyName};
+use super::hosting::StateChoice;
+use super::options::Exhaustive;
+use super::options::{ScanError, StrategyName};
+use super::prepare::Prepared;
 use super::seeds::{self, SeedRuns};
 use crate::hazard::{Group, Groups};
 use crate::host::Hosted;

@@ -8,17 +8,17 @@ use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
 
 use super::footing::{Doubt, Footing};
+use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
-use super::run::{Progress, ScanError};
 use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
-use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Stopped, Told, exhaust};
+use crate::search::exhaustive::{Account, ExpandedBy, Expansion, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
 use crate::sim::Coverage;
-use crate::sim::expansion::{Expander, Merge, State};
+use crate::sim::expansion::{Expander, State};
 use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
 
@@ -27,17 +27,6 @@ const RANDOM_ITERATIONS: u32 = 320;
 
 /// Different faults kept with their sequences; further ones are only counted.
 const FAULTS_KEPT: usize = 20;
-
-/// How to search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Exhaustive {
-    /// Limits.
-    pub budget: Budget,
-    /// How equal states of the FMU are told.
-    pub merge: Merge,
-    /// Threads.
-    pub workers: usize,
-}
 
 /// What came out, besides the groups.
 pub(super) struct Census {

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::picture;
-use super::prepare::{Prepared, StateChoice};
+use super::hosting::StateChoice;
+use super::outline;
+use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -92,7 +93,7 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
         Zone::TwoHand { .. } => ("post", [0.0, FLOOR_M]),
         Zone::Reported => return None,
     };
-    Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: picture::zone(zone)?, z_m })
+    Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: outline::zone(zone)?, z_m })
 }
 
 /// Runs the sequence of `hazard` and keeps everything that there is to see. Where it takes an arm through a light curtain,
@@ -154,7 +155,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         })
         .collect();
     let curve = |of: usize| Floats(curves.iter().map(|values| values[of]).collect());
-    let sensor = |(number, sensor): (usize, &crate::cell::validate::Sensor)| Strip {
+    let sensor = |(number, sensor): (usize, &crate::cell::workcell::Sensor)| Strip {
         name: sensor.name.clone(),
         detected: instants.iter().map(|instant| if instant.readings[number] { '1' } else { '0' }).collect(),
     };

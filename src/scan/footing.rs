@@ -1,7 +1,8 @@
 //! What a search stands on: how states are brought back, how equal ones are told, and what counts as a plain run. When one
 //! of these is found to be wrong, the search is made again on the next rung.
 
-use super::prepare::{Prepared, StateChoice};
+use super::hosting::StateChoice;
+use super::prepare::Prepared;
 use crate::host::audit::Difference;
 use crate::host::selftest::{Agreement, Rung};
 use crate::host::{Hosted, PlantError, Policy, Unlike};

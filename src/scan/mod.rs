@@ -1,12 +1,15 @@
 //! A whole scan: open, bind, self-test, search, confirm. What the commands call, and what a library user calls.
 //!
 //! - [`prepare`]: from a path to a cell that can be simulated
+//! - `hosting`: where FMUs run; `prepare_error`: why a cell cannot be simulated
 //! - `trial`: FMUs loaded and self-tested, for that
 //! - [`probe`](mod@probe): what inputs do to the robots
+//! - [`options`]: how to search, and what is told meanwhile
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
 //! - `quick`: sequences chosen by a strategy
 //! - `attempts`: a search, and the same again on the next rung
+//! - `searched`: what a search gives besides its groups
 //! - `footing`: how states are brought back, and what comes next when that is found to be wrong
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
@@ -15,6 +18,7 @@
 //! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
 //! - [`film`]: its replay, and what its FMU gets
+//! - `outline`: parts of a cell from above, for both
 //! - [`verify`]: known hazards tried again
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
@@ -26,18 +30,25 @@ pub mod exhaustive;
 pub mod explain;
 pub mod film;
 mod footing;
+mod hosting;
 pub mod minimise;
+pub mod options;
+mod outline;
 pub mod picture;
 pub mod prepare;
+mod prepare_error;
 pub mod probe;
 mod quick;
 pub mod remedy;
 pub mod residual;
 pub mod run;
+mod searched;
 mod seeds;
 mod trial;
 pub mod verify;
 
-pub use exhaustive::Exhaustive;
-pub use prepare::{Hosting, PrepareError, Prepared, StateChoice};
-pub use run::{Progress, ScanError, ScanOptions, Scanned, StrategyName, scan, scan_with};
+pub use hosting::{Hosting, StateChoice};
+pub use options::{Exhaustive, Method, Progress, ScanError, ScanOptions, StrategyName};
+pub use prepare::Prepared;
+pub use prepare_error::PrepareError;
+pub use run::{Scanned, scan, scan_with};

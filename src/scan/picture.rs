@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::film;
+use super::outline::{flat, outline, top, zone};
 use super::prepare::Prepared;
 use super::probe::Probe;
-use crate::cell::Zone;
 use crate::geometry::polygon::convex_outline;
-use crate::geometry::{Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Pose, Solid, Vec3};
 use crate::human::action::Walk;
 use crate::human::{Action, Place, Posture};
 use crate::report::model::Hazard;
@@ -16,10 +16,6 @@ use crate::report::topview::{Part, Point, Scene};
 use crate::sim::World;
 use crate::sim::robot::RobotFrame;
 use crate::sim::simulation::Watched;
-
-const fn flat(v: Vec3) -> Point {
-    [v.x, v.y]
-}
 
 /// The scene of `hazard`, whose sequence was watched.
 #[must_use]
@@ -49,15 +45,6 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
         body: until[contact].body.iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
-    }
-}
-
-/// Where a sensor sees, from above; the plane of a light curtain as a thin strip.
-pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
-    match zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } => Some(polygon.clone()),
-        Zone::Curtain(plane) | Zone::Door(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
-        Zone::Reported => None,
     }
 }
 
@@ -124,21 +111,4 @@ fn places(world: &World) -> Vec<Point> {
         last = next.into_iter().filter(|place| known.insert(*place)).collect();
     }
     known.iter().map(|place| flat(world.position(place))).collect()
-}
-
-fn corners(c: &Cuboid) -> impl Iterator<Item = Vec3> + '_ {
-    [-1.0, 1.0].into_iter().flat_map(move |z| {
-        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-            .into_iter()
-            .map(move |(x, y)| c.centre + c.rotation * (c.half * Vec3::new(x, y, z)))
-    })
-}
-
-/// Footprint: the lower face, exact for boxes that stand upright.
-fn outline(c: &Cuboid) -> Vec<Point> {
-    corners(c).take(4).map(flat).collect()
-}
-
-fn top(c: &Cuboid) -> f64 {
-    corners(c).map(|p| p.z).fold(f64::MIN, f64::max)
 }

@@ -1,23 +1,21 @@
 //! From a path to a cell that can be simulated: open, bind, load, self-test.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use thiserror::Error;
-
+use super::hosting::{Hosting, Source, StateChoice};
+use super::prepare_error::PrepareError;
 use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
-use crate::cell::error::OpenError;
 use crate::cell::error::Source as CellSource;
+use crate::cell::file::validate::validate;
 use crate::cell::find::{OpenedCell, open};
-use crate::cell::ssp::Wiring;
-use crate::cell::validate::validate;
-use crate::cell::{Binding, CellError, Workcell, binding};
-use crate::fmi::{Fmu, Slave};
-use crate::host::isolation::{Guard, Isolated, Keeping, Launcher, Limits};
+use crate::cell::foreign::ssp::Wiring;
+use crate::cell::{Binding, Workcell, binding};
+use crate::fmi::Fmu;
+use crate::host::isolation::{Isolated, Keeping};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
-use crate::host::system::AlgebraicLoop;
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
@@ -32,114 +30,6 @@ const COPY_PAYS: Duration = Duration::from_micros(150);
 
 /// Most processes that are kept as states.
 const MOST_COPIES: usize = 1000;
-
-/// How FMU states are to be brought back.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum StateChoice {
-    /// What the self-test recommends.
-    #[default]
-    Auto,
-    /// Saved FMU states.
-    Fmu,
-    /// A copy of the FMU's process for every state.
-    Fork,
-    /// A fresh instance and all inputs again, for every sequence.
-    Replay,
-    /// A fresh process and all inputs again.
-    Process,
-}
-
-/// Where FMUs run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Hosting {
-    /// In this process: a crash of theirs is one of ours.
-    InProcess,
-    /// In worker processes.
-    Workers {
-        /// The program that serves as a worker, see [`Launcher::new`].
-        program: PathBuf,
-        /// How the FMUs are guarded.
-        guard: Guard,
-        /// How much they may take.
-        limits: Limits,
-    },
-}
-
-/// Why a cell cannot be simulated.
-#[derive(Debug, Error, miette::Diagnostic)]
-#[non_exhaustive]
-pub enum PrepareError {
-    /// The files are wrong.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Open(#[from] OpenError),
-    /// The cell and the FMU do not fit.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Bind(#[from] Box<CellError>),
-    /// The FMUs cannot be stepped one after the other.
-    #[error(transparent)]
-    #[diagnostic(help("give one of its connections delay_steps = 1: its value then counts from the next step on"))]
-    Coupling(#[from] AlgebraicLoop),
-    /// The cell has changed.
-    #[error("the cell has no beginning {what} any more")]
-    #[diagnostic(help(
-        "what was found from there cannot be tried: put it back into human.other_starts and human.begins_s"
-    ))]
-    BeginningGone {
-        /// Where and when it was.
-        what: String,
-    },
-    /// A beginning that the cell has not.
-    #[error("the cell has no beginning {number}")]
-    #[diagnostic(help("it has {count}: each of human.start and human.other_starts at each of human.begins_s"))]
-    NoBeginning {
-        /// From 1.
-        number: usize,
-        /// How many there are.
-        count: usize,
-    },
-    /// The FMU could not be loaded.
-    #[error(transparent)]
-    Load(#[from] crate::fmi::Error),
-    /// The FMU could not be loaded into a worker.
-    #[error("{0}")]
-    NotLoaded(String),
-    /// The FMU failed when it was first run.
-    #[error("the FMU failed in its first run: {0}")]
-    #[diagnostic(help("no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell"))]
-    FirstRun(PlantError),
-    /// The FMU does not repeat itself.
-    #[error("two fresh instances of the FMU gave different outputs for the same inputs ({0})")]
-    #[diagnostic(help(
-        "its results depend on something outside its inputs (a clock, a random generator, another instance), so \
-         findings could not be replayed. Ask its maker for a deterministic export"
-    ))]
-    NotDeterministic(String),
-    /// The FMU runs once and not again.
-    #[error("the FMU ran once and could not be run again: {0}")]
-    #[diagnostic(help(
-        "a search runs it many times. For FMUs that allow one instance in a process leave out --in-process: each run then \
-         has a process of its own"
-    ))]
-    RunsOnce(String),
-}
-
-impl PrepareError {
-    pub(super) fn first_run(error: PlantError) -> Self {
-        if error.not_loaded { Self::NotLoaded(error.message) } else { Self::FirstRun(error) }
-    }
-
-    /// Whether the FMU failed while running, as opposed to a file that is wrong.
-    #[must_use]
-    pub fn while_running(&self) -> bool {
-        match self {
-            Self::FirstRun(_) | Self::NotDeterministic(_) | Self::RunsOnce(_) => true,
-            Self::Load(e) => e.while_running(),
-            _ => false,
-        }
-    }
-}
 
 /// A cell that can be simulated, any number of times.
 pub struct Prepared {
@@ -170,12 +60,6 @@ pub struct Prepared {
     suspicions: Vec<String>,
     /// An output that the cell does not bind and that the FMU does not repeat.
     unsteady: Option<String>,
-}
-
-/// What plants are made of.
-pub(super) enum Source {
-    Here { slaves: Vec<Slave>, setup: SystemSetup },
-    Apart(Launcher),
 }
 
 /// Opens, binds, loads (into this process) and self-tests what `path` names: a cell file, or an FMU with its cell (`cell` if it is elsewhere).
@@ -269,16 +153,6 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         suspicions: Vec::new(),
         unsteady,
     })
-}
-
-impl Source {
-    /// The same FMUs with another setup.
-    fn with_setup(&self, setup: SystemSetup) -> Self {
-        match self {
-            Self::Here { slaves, .. } => Self::Here { slaves: slaves.clone(), setup },
-            Self::Apart(launcher) => Self::Apart(launcher.clone().with_setup(setup)),
-        }
-    }
 }
 
 /// The files that the cell's robots come from, and the system that its FMUs come in.

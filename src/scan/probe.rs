@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::prepare::{Prepared, StateChoice};
+use super::hosting::StateChoice;
+use super::prepare::Prepared;
 use crate::cell::binding::SensorBinding;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::footing::{Doubt, Footing};
 use super::minimise::minimise;
+use super::options::{Progress, ScanError, ScanOptions, StrategyName};
 use super::prepare::Prepared;
 use super::residual::Watch;
-use super::run::{Progress, ScanError, ScanOptions, Searched, StrategyName};
+use super::searched::Searched;
 use crate::hazard::{Groups, Identity};
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError};

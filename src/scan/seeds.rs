@@ -3,8 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use super::prepare::{Prepared, StateChoice};
-use super::run::{ScanError, StrategyName};
+use super::hosting::StateChoice;
+use super::options::{ScanError, StrategyName};
+use super::prepare::Prepared;
 use crate::host::Hosted;
 use crate::sim::Simulation;
 

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use super::prepare::{Hosting, PrepareError, Source};
+use super::hosting::{Hosting, Source};
+use super::prepare_error::PrepareError;
 use crate::fmi::{Causality, Fmu};
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Launcher, Unpacked, examine};

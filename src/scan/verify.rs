@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::prepare::{Prepared, StateChoice};
+use super::hosting::StateChoice;
+use super::prepare::Prepared;
 use crate::hazard::Finding;
 use crate::host::PlantError;
 use crate::human::Action;

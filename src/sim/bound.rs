@@ -6,7 +6,7 @@
 //! gives their poses, nothing bounds them, and nothing is dropped.
 
 use crate::cell::Workcell;
-use crate::cell::validate::{Link, Robot};
+use crate::cell::workcell::{Link, Robot};
 use crate::geometry::Vec3;
 use crate::geometry::kinematics::Motion;
 use crate::human::action::ACTION_S;

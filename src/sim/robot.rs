@@ -1,7 +1,7 @@
 //! The robots at one instant: placed link shapes, their velocities, and how hard they would strike.
 
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
-use crate::cell::validate::{Link, Robot};
+use crate::cell::workcell::{Link, Robot};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::kinematics::{Neighbourhood, Twist};
 use crate::geometry::{Pose, Solid, Vec3};

@@ -6,7 +6,7 @@
 //! depend on the walk alone.
 
 use crate::cell::binding::SensorBinding;
-use crate::cell::format::PoseQuantity;
+use crate::cell::file::format::PoseQuantity;
 use crate::cell::{Binding, Sensor, Zone};
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::segment_cuboid;

@@ -66,7 +66,7 @@ const OUTCOMES_KEPT: usize = 300_000;
 pub struct Instant {
     /// Where the person stands, floor plan, m.
     pub position: Vec3,
-    /// The body's parts, world, m, in the order of [`BodyPart::ALL`](crate::human::body::BodyPart::ALL).
+    /// The body's parts, world, m, in the order of [`BodyPart::ALL`](crate::human::BodyPart::ALL).
     pub body: Vec<Capsule>,
     /// Whether each sensor reports the person.
     pub readings: Vec<bool>,

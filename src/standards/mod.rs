@@ -2,7 +2,7 @@
 //! (ISO/TS 15066), approach speeds (ISO 13855), arm lengths (ISO 13857) and body measures (ANSUR II).
 //!
 //! Data and formulas, no state; knows nothing of the floors above. One file a standard. No purchased standard text was
-//! available when the tables were compiled, so every one of them is registered as unverified in [`provenance`], and
+//! available when the tables were compiled, so every one of them is registered as unverified in [`tables`], and
 //! reports print that.
 
 pub mod anthropometry;
@@ -11,5 +11,6 @@ pub mod iso_13855;
 pub mod iso_13857;
 pub mod iso_ts_15066;
 pub mod provenance;
+pub mod tables;
 
 pub use body_region::BodyRegion;

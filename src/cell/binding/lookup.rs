@@ -6,7 +6,7 @@ use super::reading::Column;
 use super::{Binder, BoundUnit, Reader, named};
 use crate::cell::CellError;
 use crate::cell::error::nearest;
-use crate::cell::format::{Literal, VariableTable};
+use crate::cell::file::format::{Literal, VariableTable};
 use crate::fmi::{Causality, Variable, VariableType};
 use crate::host::port::{Port, PortKind};
 use crate::host::system::UnitPort;

@@ -5,7 +5,7 @@ use toml::Spanned;
 use super::lookup::Quantity;
 use super::{Binder, Derived, FrameBinding, MotionBinding, Orientation, Reader, RobotBinding};
 use crate::cell::CellError;
-use crate::cell::format::{FrameTable, JointTable, RobotTable};
+use crate::cell::file::format::{FrameTable, JointTable, RobotTable};
 
 impl Binder<'_> {
     pub(super) fn robot(&mut self, table: &Spanned<RobotTable>) -> Option<RobotBinding> {

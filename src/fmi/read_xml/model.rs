@@ -1,6 +1,7 @@
 //! What modelDescription.xml says of the model as a whole: its identity and its co-simulation interface.
 
-use super::super::description::{Capabilities, CoSimulation, FmiVersion};
+use super::super::description::{Capabilities, CoSimulation};
+use super::super::version::FmiVersion;
 use super::attributes::Attributes;
 use super::{Parser, Problem};
 

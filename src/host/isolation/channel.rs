@@ -24,6 +24,14 @@ const SIZE: usize = HEAD + 2 * AREA;
 /// Most processes that can be parked as saved states.
 pub(super) const SLOTS: usize = 8192;
 
+/// What a parked process is to do: nothing yet, or begin to live; anything else: go.
+pub(super) const PARKED: u32 = 0;
+pub(super) const LIVE: u32 = 1;
+/// What a parked process is told that nobody needs any more.
+pub(super) const GO: u32 = 2;
+/// What it answers to that, as the last thing it does: until then its place is its own.
+pub(super) const GONE: u32 = 3;
+
 /// What both sides read and write at any time.
 #[repr(C)]
 pub(super) struct Head {

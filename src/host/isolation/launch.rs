@@ -11,7 +11,7 @@ use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::channel::Channel;
+use super::channel::{Channel, GO, GONE};
 use super::message::{Answer, Load, Question, Unpacked};
 use super::near::{Near, Stay};
 use super::process::{self, Ended};
@@ -289,13 +289,13 @@ impl Worker {
 
     /// Tells a parked process that nobody needs it any more.
     pub(super) fn forget_parked(&self, slot: u32) {
-        self.channel.head().tell(slot, super::worker::GO);
+        self.channel.head().tell(slot, GO);
     }
 
     /// Whether the parked process that was told so has gone. Before that, another one in its place could be taken for it.
     pub(super) fn has_gone(&self, slot: u32) -> bool {
         let slot = self.channel.head().slot(slot);
-        slot.is_none_or(|slot| slot.load(Ordering::Acquire) == super::worker::GONE)
+        slot.is_none_or(|slot| slot.load(Ordering::Acquire) == GONE)
     }
 
     /// The live process; nothing if there is none. Its number stands in memory that the FMU could write to, so it counts

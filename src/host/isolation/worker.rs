@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rustix::thread::futex;
 
-use super::channel::Channel;
+use super::channel::{Channel, GONE, LIVE, PARKED};
 use super::habits::Before;
 use super::message::{Answer, Load, Question, Saving, Taken, Then};
 use super::process::{self, Ended, Fork};
@@ -19,14 +19,6 @@ use crate::host::activity::{Activity, Call};
 use crate::host::plant::{Plant, PlantError};
 use crate::host::selftest::{self, Stage, moving};
 use crate::host::system::{self, System};
-
-/// What a parked process is to do: nothing yet, or begin to live; anything else: go.
-const PARKED: u32 = 0;
-const LIVE: u32 = 1;
-/// What a parked process is told that nobody needs any more.
-pub(super) const GO: u32 = 2;
-/// What it answers to that, as the last thing it does: until then its place is its own.
-pub(super) const GONE: u32 = 3;
 
 /// Stands for the live process before there is one.
 const NOBODY_YET: u32 = u32::MAX;

@@ -1,7 +1,7 @@
 //! What moves in a cell, and what is told of its speed.
 
 use crate::cell::binding::{Derived, MotionBinding, Orientation, Reader};
-use crate::cell::validate::Driven;
+use crate::cell::workcell::Driven;
 use crate::cell::{Binding, Workcell};
 use crate::geometry::kinematics::Motion as JointMotion;
 

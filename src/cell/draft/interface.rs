@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::roles::{Guess, Role, guess};
-use super::ssp::System;
+use crate::cell::foreign::ssp::System;
 use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
 
 /// The variables of an FMU or a system.

@@ -10,8 +10,8 @@ mod structure;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::EXTRA_FOLDER;
-use super::error::{OpenError, Source, display_name};
+use crate::cell::EXTRA_FOLDER;
+use crate::cell::error::{OpenError, Source, display_name};
 use crate::fmi::{Archive, Fmu};
 
 pub use parameters::Parameter;
@@ -103,7 +103,7 @@ pub fn open(path: &Path) -> Result<System, OpenError> {
 
 /// A path inside a system, if it stays there.
 fn inside(path: &str) -> Option<PathBuf> {
-    let plain = super::files::plain(Path::new(path));
+    let plain = crate::cell::file::files::plain(Path::new(path));
     let stays = !plain.is_absolute() && !plain.starts_with("..") && !path.contains("://");
     stays.then_some(plain)
 }

@@ -2,16 +2,17 @@
 
 use toml::Spanned;
 
-use super::CellError;
+use super::checker::Checker;
 use super::format::{CellFile, SensorKind, SensorTable, ZoneTable};
-use super::validate::{Checker, Sensor, Zone};
+use crate::cell::CellError;
+use crate::cell::workcell::{Sensor, Zone};
 use crate::geometry::{Cuboid, Vec3, rotation_about};
 
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
 
 /// Value while a person is detected: as said, or as the name promises, because signals of safety devices are false on demand.
-pub(super) fn polarity(s: &SensorTable) -> Option<bool> {
+pub(in crate::cell) fn polarity(s: &SensorTable) -> Option<bool> {
     let variable = s.variable.get_ref();
     let last = variable.rsplit(['.', ':', '/']).next().unwrap_or(variable);
     s.active.or_else(|| (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false))

@@ -1,6 +1,6 @@
 //! The cell file as it is written: TOML tables, one struct each. Units stand in the key names (`_m`, `_deg`, `_kg`).
 //!
-//! Nothing is interpreted here; [`super::validate`] turns this into a [`super::Workcell`].
+//! Nothing is interpreted here; [`super::validate`] turns this into a [`crate::cell::Workcell`].
 
 use std::collections::BTreeMap;
 

@@ -2,8 +2,8 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::CellError;
-use super::error::Source;
+use crate::cell::CellError;
+use crate::cell::error::Source;
 
 /// What a check of an XML file gives.
 pub(super) type Result<T> = std::result::Result<T, Box<CellError>>;

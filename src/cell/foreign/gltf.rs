@@ -53,7 +53,7 @@ impl Place {
 ///
 /// # Errors
 /// Why it cannot be read.
-pub(super) fn read(
+pub(in crate::cell) fn read(
     bytes: &[u8],
     beside: &dyn Fn(&str) -> Result<Vec<u8>, String>,
 ) -> Result<Vec<(String, Mesh)>, String> {

@@ -6,8 +6,8 @@ use roxmltree::Node;
 
 use super::inside;
 use crate::cell::error::Source;
-use crate::cell::format::Literal;
-use crate::cell::xml::{Result, Xml, child, children};
+use crate::cell::file::format::Literal;
+use crate::cell::foreign::xml::{Result, Xml, child, children};
 
 /// A parameter of a component's FMU.
 #[derive(Clone, Debug)]

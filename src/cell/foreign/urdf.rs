@@ -8,15 +8,15 @@ use std::ops::Range;
 
 use roxmltree::Node;
 
-use super::error::{Source, nearest};
-use super::validate::roll_pitch_yaw;
 use super::xml::{Result, Xml, child, children};
+use crate::cell::error::{Source, nearest};
 use crate::geometry::kinematics::Motion;
+use crate::geometry::roll_pitch_yaw;
 use crate::geometry::{Pose, Vec3};
 
 /// A robot description.
 #[derive(Debug)]
-pub(super) struct Urdf {
+pub(in crate::cell) struct Urdf {
     pub links: Vec<Link>,
     /// Joints, each after the one that carries its parent link.
     pub joints: Vec<Joint>,
@@ -24,7 +24,7 @@ pub(super) struct Urdf {
 
 /// A link.
 #[derive(Debug)]
-pub(super) struct Link {
+pub(in crate::cell) struct Link {
     pub name: String,
     /// Mass, kg; nothing if it has no inertial.
     pub mass_kg: Option<f64>,
@@ -36,7 +36,7 @@ pub(super) struct Link {
 
 /// A collision shape.
 #[derive(Debug)]
-pub(super) enum Shape {
+pub(in crate::cell) enum Shape {
     /// Edge lengths.
     Box([f64; 3]),
     /// Around z, centred.
@@ -51,7 +51,7 @@ pub(super) enum Shape {
 
 /// A joint.
 #[derive(Debug)]
-pub(super) struct Joint {
+pub(in crate::cell) struct Joint {
     pub name: String,
     /// Nothing for one that is fixed.
     pub motion: Option<Motion>,
@@ -74,7 +74,7 @@ pub(super) struct Joint {
 ///
 /// # Errors
 /// What is no XML, misses what is needed, or is no tree, with its line.
-pub(super) fn read(source: &Source) -> Result<Urdf> {
+pub(in crate::cell) fn read(source: &Source) -> Result<Urdf> {
     let reader = Xml { source };
     let document = reader.parse("a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`")?;
     let root = document.root_element();

@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
-use super::CellError;
-use super::error::{Source, nearest};
+use super::checker::{Checker, pose};
 use super::format::{JointTable, RobotTable, UpAxis};
-use super::mesh::{self, Mesh};
-use super::urdf::{self, Shape, Urdf};
-use super::validate::{Checker, Driven, Kinematics, pose};
+use crate::cell::CellError;
+use crate::cell::error::{Source, nearest};
+use crate::cell::foreign::mesh::{self, Mesh};
+use crate::cell::foreign::urdf::{self, Shape, Urdf};
+use crate::cell::workcell::{Driven, Kinematics};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
 

@@ -6,12 +6,13 @@ use std::sync::Arc;
 
 use toml::Spanned;
 
-use super::CellError;
+use super::checker::{Checker, pose};
 use super::described::{Described, upright};
-use super::error::nearest;
 use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
-use super::validate::{Checker, Driven, Kinematics, Link, Robot, pose};
+use crate::cell::CellError;
+use crate::cell::error::nearest;
+use crate::cell::workcell::{Driven, Kinematics, Link, Robot};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::surface::{Flaw, Triangles};
 use crate::geometry::{Capsule, Hull, Mesh, Pose, Solid, Surface, Vec3};

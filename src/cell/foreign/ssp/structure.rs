@@ -8,7 +8,7 @@ use roxmltree::Node;
 use super::inside;
 use super::parameters::{self, Named, Parameter};
 use crate::cell::error::{Source, nearest};
-use crate::cell::xml::{Result, Xml, child, children};
+use crate::cell::foreign::xml::{Result, Xml, child, children};
 
 /// A system.
 #[derive(Clone, Debug, Default)]

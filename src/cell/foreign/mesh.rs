@@ -11,7 +11,7 @@ use crate::geometry::Vec3;
 
 /// A mesh in its file's own unit and axes.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Mesh {
+pub(in crate::cell) struct Mesh {
     /// Corners; the same place may be there several times.
     pub points: Vec<Vec3>,
     /// Indices of three corners each.
@@ -19,7 +19,7 @@ pub(super) struct Mesh {
 }
 
 /// The ending of a file's name, in lower case.
-pub(super) fn ending(path: &Path) -> String {
+pub(in crate::cell) fn ending(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }
 
@@ -27,7 +27,7 @@ pub(super) fn ending(path: &Path) -> String {
 ///
 /// # Errors
 /// Why it cannot be read.
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Mesh, String> {
+pub(in crate::cell) fn read(path: &Path, bytes: &[u8]) -> Result<Mesh, String> {
     let loader = Loader::default();
     let scene = match ending(path).as_str() {
         "stl" => loader.load_stl_from_slice(bytes, path),

@@ -4,9 +4,8 @@ use std::cell::RefCell;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use sha2::{Digest as _, Sha256};
-
-use super::validate::GeometryFile;
+use crate::cell::hash::sha256;
+use crate::cell::workcell::GeometryFile;
 
 /// Files that were read, in that order.
 #[derive(Debug, Default)]
@@ -29,11 +28,6 @@ impl Files {
     pub(super) fn take(&self) -> Vec<GeometryFile> {
         self.0.take().into_iter().map(|(file, _)| file).collect()
     }
-}
-
-/// SHA-256, lower-case hex.
-pub(super) fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// `path` without `.` and without detours by `..`.

@@ -5,14 +5,15 @@
 
 use std::path::Path;
 
-use super::CellError;
+use super::checker::{Checker, pose};
 use super::described::upright;
 use super::files::plain;
 use super::format::{CellFile, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
-use super::mesh::{Mesh, ending};
-use super::validate::{Checker, pose, roll_pitch_yaw};
-use super::{gltf, mesh};
+use crate::cell::CellError;
+use crate::cell::foreign::mesh::{Mesh, ending};
+use crate::cell::foreign::{gltf, mesh};
 use crate::geometry::boxes::{self, TooMany};
+use crate::geometry::roll_pitch_yaw;
 use crate::geometry::surface::{Flaw, Surface, Triangles};
 use crate::geometry::{Cuboid, Vec3};
 

@@ -1,0 +1,18 @@
+//! The cell file: as written, and from there to a [`Workcell`](super::Workcell).
+//!
+//! - [`mod@format`]: the TOML file as written
+//! - [`validate`]: its text to tables, and these to a checked cell, every mistake with its line
+//! - `checker`: what those share that check a part; `robots`, `sensors`, `obstacles`: the parts
+//! - [`described`]: robots from a URDF
+//! - [`files`]: what a cell file names, read once and hashed
+
+mod checker;
+pub mod described;
+pub mod files;
+pub mod format;
+mod obstacles;
+mod robots;
+mod sensors;
+pub mod validate;
+
+pub(super) use sensors::polarity;

@@ -1,0 +1,230 @@
+//! A cell as it is understood: SI units and radians, checked. `file::validate` makes it from the cell file.
+
+use std::path::PathBuf;
+
+use toml::Spanned;
+
+use super::file::format::{CellFile, PoseQuantity, SearchTable};
+use crate::geometry::kinematics::KinematicTree;
+use crate::geometry::{Cuboid, Pose, Solid};
+use crate::human::{Body, Start};
+
+/// A validated cell in SI units and radians.
+#[derive(Debug)]
+pub struct Workcell {
+    /// Name of the cell.
+    pub name: String,
+    /// SHA-256 of the cell file's text, lower-case hex.
+    pub sha256: String,
+    /// The FMUs as written, relative to the cell file: one without a name, or several with names; none if the file
+    /// travels inside its FMU.
+    pub fmus: Vec<UnitFile>,
+    /// Communication step and contact-check interval, s.
+    pub step_s: f64,
+    /// Communication steps in one action.
+    pub steps_per_action: usize,
+    /// Robots.
+    pub robots: Vec<Robot>,
+    /// Files beside the cell file that robots, shapes and obstacles come from, in the order in which they were first read.
+    pub files: Vec<GeometryFile>,
+    /// What the user should know of those.
+    pub warnings: Vec<String>,
+    /// Robot collision shapes, robot after robot.
+    pub links: Vec<Link>,
+    /// Static boxes by name.
+    pub obstacles: Vec<(String, Cuboid)>,
+    /// For each of them the obstacle of the cell file that says it; none for boxes in a mesh.
+    pub obstacle_tables: Vec<Option<usize>>,
+    /// Sensors.
+    pub sensors: Vec<Sensor>,
+    /// What of the person's pose goes to the FMU.
+    pub pose: Vec<PoseQuantity>,
+    /// Where and when the person may begin; each is searched by itself.
+    pub beginnings: Vec<Beginning>,
+    /// Which of them this is about, from 0.
+    pub beginning: usize,
+    /// The person's start.
+    pub start: Start,
+    /// The person's body.
+    pub body: Body,
+    /// Budget.
+    pub search: SearchTable,
+    /// The scan whose hazards are known and do not make another scan fail, relative to the cell file; none if every
+    /// hazard does.
+    pub baseline: Option<String>,
+    /// The file itself, for binding variables.
+    pub(super) file: CellFile,
+}
+
+/// Where and when the person begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beginning {
+    /// Where the person stands and looks.
+    pub start: Start,
+    /// Communication steps from the FMU's own start until the person begins.
+    pub lead_in_steps: usize,
+}
+
+impl Beginning {
+    /// Time from the FMU's own start until the person begins, s.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
+    pub fn begins_s(&self, step_s: f64) -> f64 {
+        self.lead_in_steps as f64 * step_s
+    }
+}
+
+/// An FMU of the cell.
+#[derive(Clone, Debug)]
+pub struct UnitFile {
+    /// Name in front of its variables; empty for the only FMU.
+    pub name: String,
+    /// Path relative to the cell file.
+    pub path: Spanned<String>,
+}
+
+/// A robot.
+#[derive(Clone, Debug)]
+pub struct Robot {
+    /// Name.
+    pub name: String,
+    /// `world_from_base`.
+    pub world_from_base: Pose,
+    /// Kinematics, unless the FMU gives the poses of its parts.
+    pub kinematics: Option<Kinematics>,
+    /// Mass of the moving parts `M`, kg.
+    pub moving_mass_kg: f64,
+    /// Line of the cell file that says so, or names the URDF that does, from 1.
+    pub mass_line: usize,
+}
+
+/// What a robot's joints are, and what moves them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kinematics {
+    /// The joints.
+    pub tree: KinematicTree,
+    /// For each joint, its position from those that the cell file names.
+    pub driven: Vec<Driven>,
+    /// For each joint the fastest that it may move by its URDF, rad/s or m/s, where that is told.
+    pub fastest: Vec<Option<f64>>,
+}
+
+/// A joint's position: `factor * named + offset`. Other than 1 and 0 for joints that mimic others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven {
+    /// Index among the `joint`s of the cell file.
+    pub named: usize,
+    /// Factor.
+    pub factor: f64,
+    /// Offset, rad or m.
+    pub offset: f64,
+}
+
+impl Kinematics {
+    /// Positions and speeds of all joints from those of the named ones.
+    #[must_use]
+    pub fn all(&self, positions: &[f64], speeds: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let position = |d: &Driven| d.factor * positions[d.named] + d.offset;
+        let speed = |d: &Driven| d.factor * speeds[d.named];
+        (self.driven.iter().map(position).collect(), self.driven.iter().map(speed).collect())
+    }
+}
+
+/// A file beside the cell file that says part of what the cell is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GeometryFile {
+    /// As the cell file, or the URDF, names it; relative to the cell file.
+    pub path: PathBuf,
+    /// SHA-256, lower-case hex.
+    pub sha256: String,
+}
+
+/// A collision shape of a robot.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Name used in results; with several robots, the robot's name stands in front.
+    pub name: String,
+    /// Index of the robot.
+    pub robot: usize,
+    /// Index of the joint whose moving side carries it, or of the frame.
+    pub joint: usize,
+    /// Shape in the joint frame.
+    pub shape: Solid,
+    /// Line of the cell file that names its joint, from 1.
+    pub line: usize,
+}
+
+/// A sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// Name used in results.
+    pub name: String,
+    /// Where it sees.
+    pub zone: Zone,
+    /// Value of the FMU variable while a person is detected.
+    pub active: bool,
+    /// Response time in whole steps.
+    pub delay_steps: usize,
+}
+
+/// Where a sensor sees.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Zone {
+    /// A polygon on the floor, m, that feet stand on.
+    Mat(Vec<[f64; 2]>),
+    /// A polygon on the floor, m, above which legs stand.
+    Field(Vec<[f64; 2]>),
+    /// The upright plane of a light curtain, as a box without thickness.
+    Curtain(Cuboid),
+    /// The upright plane of a guard door, likewise.
+    Door(Cuboid),
+    /// A two-hand control.
+    TwoHand {
+        /// Polygon on the floor, m, in which its operator's feet are.
+        post: Vec<[f64; 2]>,
+        /// The upright plane through the buttons, which no hand passes that holds them.
+        plane: Cuboid,
+    },
+    /// Inside the FMU.
+    Reported,
+}
+
+impl Zone {
+    /// The plane that arms do not pass unseen, and for a two-hand control, where its operator stands.
+    #[must_use]
+    pub fn plane(&self) -> Option<(&Cuboid, Option<&[[f64; 2]]>)> {
+        match self {
+            Self::Curtain(plane) | Self::Door(plane) => Some((plane, None)),
+            Self::TwoHand { post, plane } => Some((plane, Some(post))),
+            Self::Mat(_) | Self::Field(_) | Self::Reported => None,
+        }
+    }
+}
+
+impl Workcell {
+    /// The file's tables, for binding variables.
+    #[must_use]
+    pub const fn file(&self) -> &CellFile {
+        &self.file
+    }
+
+    /// Communication steps from the FMU's own start until the person begins.
+    #[must_use]
+    pub fn lead_in_steps(&self) -> usize {
+        self.beginnings[self.beginning].lead_in_steps
+    }
+
+    /// Time from the FMU's own start until the person begins, s.
+    #[must_use]
+    pub fn begins_s(&self) -> f64 {
+        self.beginnings[self.beginning].begins_s(self.step_s)
+    }
+
+    /// The same with another of its beginnings, which there must be.
+    #[must_use]
+    pub fn beginning_at(mut self, number: usize) -> Self {
+        self.beginning = number;
+        self.start = self.beginnings[number].start;
+        self
+    }
+}

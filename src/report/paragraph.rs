@@ -1,0 +1,16 @@
+//! Paragraphs of a terminal.
+
+/// Width of a line.
+const WIDTH: usize = 100;
+
+pub(super) fn wrapped(text: &str, indent: &str) -> String {
+    let options = textwrap::Options::new(WIDTH).initial_indent(indent).subsequent_indent(indent);
+    textwrap::fill(text, options) + "\n"
+}
+
+/// Text after a head, further lines below its own beginning.
+pub(super) fn wrapped_under(head: &str, text: &str) -> String {
+    let under = " ".repeat(head.len());
+    let options = textwrap::Options::new(WIDTH).initial_indent(head).subsequent_indent(&under);
+    textwrap::fill(text, options) + "\n"
+}

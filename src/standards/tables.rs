@@ -1,0 +1,36 @@
+//! Every table of this floor with its origin.
+
+use super::provenance::Table;
+use super::{anthropometry, iso_13855, iso_13857, iso_ts_15066};
+
+/// Every table of this floor.
+pub fn tables() -> impl Iterator<Item = Table> {
+    iso_ts_15066::TABLES.into_iter().chain(iso_13855::TABLES).chain(iso_13857::TABLES).chain(anthropometry::TABLES)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// As long as no purchased text was compared, no table may claim so.
+    #[test]
+    fn every_table_admits_that_it_is_unverified() {
+        assert!(tables().all(|table| !table.verified));
+    }
+
+    #[test]
+    fn tables_are_told_apart_and_complete() {
+        let ids: BTreeSet<_> = tables().map(|table| table.id).collect();
+        assert_eq!(ids.len(), tables().count());
+        for standard in ["iso_ts_15066", "iso_13855", "iso_13857", "ansur_ii"] {
+            assert!(ids.iter().any(|id| id.starts_with(standard)), "{standard}");
+        }
+        for table in tables() {
+            for text in [table.title, table.source, table.confidence] {
+                assert!(!text.is_empty() && !text.contains("  "), "{}: {text}", table.id);
+            }
+        }
+    }
+}
