@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -108,7 +110,8 @@ impl<'a> Enumeration<'a> {
             let steps = self.world.cell.steps_per_action;
             let Advanced::To(to) = self.recall.advance(node, steps, &sensed.inputs).unwrap() else { panic!("a fault") };
             let rows = self.recall.outputs(to).chunks(self.world.binding.outputs.len());
-            let frames: Frames = rows.map(|r| RobotFrame::new(&self.world.cell, &self.world.binding, r)).collect();
+            let frame = |r| Arc::new(RobotFrame::new(&self.world.cell, &self.world.binding, r));
+            let frames: Frames = rows.map(frame).collect();
             let mut coverage = Coverage::new(self.world.cell.sensors.len());
             let met = (0..steps).find_map(|i| {
                 let stance = self.world.stance(&walked, i, action.posture(), &sensed);

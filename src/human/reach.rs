@@ -112,7 +112,8 @@ pub struct ArmContact {
 pub struct Reach {
     /// The worst contact found, within 5 % of the worst there is.
     pub best: Option<ArmContact>,
-    /// Whether the guarantee holds; false when the work limit or a [`Stop`] ended the search.
+    /// Whether the guarantee holds; false when the work limit or a [`Stop`] ended the search, or there are more than 65,535
+    /// pieces of links in reach.
     pub complete: bool,
     /// Boxes looked at.
     pub boxes: u32,
@@ -174,6 +175,9 @@ pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
     let mut search = Search::new(query);
     if search.pieces.is_empty() {
         return Reach { best: None, complete: true, boxes: 0 };
+    }
+    if search.pieces.len() > usize::from(u16::MAX) {
+        return Reach { best: None, complete: false, boxes: 0 };
     }
     let (complete, boxes) = search.run();
     Reach { best: search.best, complete, boxes }

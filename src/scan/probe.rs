@@ -311,8 +311,8 @@ fn probed(prepared: &Prepared, run_s: f64, thoroughly: bool) -> Result<Probe, Pl
     let speeds = |rows: &[f64]| -> Vec<f64> {
         let (first, rest) = rows.split_at(width);
         let derived = binding.first_rows(rest, Some(first), cell.step_s, comparison.unsettled());
-        let frames: Vec<RobotFrame> =
-            derived.chunks(binding.columns()).map(|row| RobotFrame::new(cell, binding, row)).collect();
+        let frame = |row| Arc::new(RobotFrame::new(cell, binding, row));
+        let frames: Vec<Arc<RobotFrame>> = derived.chunks(binding.columns()).map(frame).collect();
         let mut motion = motion.borrow_mut();
         comparison.look(rows, 0, 0, &mut motion);
         motion.look_at_links(&frames, 1);

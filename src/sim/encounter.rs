@@ -38,7 +38,8 @@ const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_0
 /// The same for the reward of an episode that found nothing, which only steers the search.
 const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
-/// The same for many instants together: when that takes long, they are looked at in smaller groups.
+/// The same for many instants together, with so many boxes for each: when that takes longer, they are looked at in smaller
+/// groups.
 const NO_HAZARD: Aim = Aim { work_limit: 10_000, ..ANY_HAZARD };
 
 /// The person at one instant.
@@ -81,6 +82,20 @@ struct Pair {
     link: usize,
     on_body: Vec3,
     on_robot: Vec3,
+}
+
+/// What one search says of the arms at many instants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtMany {
+    /// No contact above the limit is possible at any of them.
+    Harmless,
+    /// There is one at this of them; of the others nothing is said.
+    Harm {
+        /// Its number.
+        instant: usize,
+    },
+    /// The search did not come to an end.
+    Unfinished,
 }
 
 /// What an arm may touch.
@@ -205,22 +220,22 @@ impl Encounter {
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
     }
 
-    /// Whether no arm contact above the limit is possible at any of several instants, shown by one search; the robots
-    /// have the same links at all of them. `false` says nothing.
+    /// Whether an arm contact above the limit is possible at any of several instants, asked of all by one search; the robots
+    /// have the same links at all of them.
     #[must_use]
-    pub fn no_arm_harmed(
+    pub fn arms_at_many(
         &self,
         person: &Person,
         frames: &[&RobotFrame],
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
-    ) -> bool {
+    ) -> AtMany {
         if frames.is_empty() {
-            return true;
+            return AtMany::Harmless;
         }
         let links: Vec<Solid> = frames.iter().flat_map(|f| f.links.iter().cloned()).collect();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
-        person.arms.iter().all(|&side| {
+        for &side in &person.arms {
             coverage.arm_checks += 1;
             let outcome = reach(&ReachQuery {
                 arm: &self.arm,
@@ -232,12 +247,18 @@ impl Encounter {
                 threshold: NO_HAZARD.threshold,
                 tolerance_m: self.reach_tolerance_m,
                 enough: NO_HAZARD.enough,
-                work_limit: NO_HAZARD.work_limit,
+                work_limit: NO_HAZARD.work_limit.saturating_mul(u32::try_from(frames.len()).unwrap_or(u32::MAX)),
                 stop: Some(&self.stop),
             });
             coverage.arm_boxes += u64::from(outcome.boxes);
-            outcome.complete && outcome.best.is_none()
-        })
+            if let Some(found) = outcome.best {
+                return AtMany::Harm { instant: found.link / frames[0].links.len().max(1) };
+            }
+            if !outcome.complete {
+                return AtMany::Unfinished;
+            }
+        }
+        AtMany::Harmless
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.

@@ -15,15 +15,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 
 use super::Coverage;
 use super::bound::RobotBounds;
+use super::encounter::Person;
+use super::harmless::{Harmless, settle};
 use super::journal::{Block, Journal};
 use super::motion::Motion;
 use super::robots::{Instead, Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Asked, Earlier, Frames, HadTold, Hit, Sensed, Sight, Stance, Window, World};
+use super::threads::shared_out;
+use super::world::{Asked, Earlier, Frames, HadTold, Hit, Instant, Sensed, Sight, Stance, Window, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -61,6 +64,7 @@ pub struct Expander<P: Plant> {
     /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
     /// the body was first seen in it, and how many such states there are.
     bundles: BTreeMap<(Vec<usize>, Vec<Shadow>), NodeId>,
+    harmless: Harmless,
     coverage: Coverage,
     journal: Journal,
     questions: u64,
@@ -112,8 +116,10 @@ impl Ahead {
     fn new(world: &World, place: Place) -> Self {
         let walk = |w| world.walk(place, Action::new(w, Posture::Upright));
         let walks: Vec<WalkTrace> = Walk::ALL.into_iter().map(walk).collect();
-        let told_apart = if world.posture_is_unseen() { &Posture::ALL[..1] } else { &Posture::ALL };
-        let sights = |walked: &WalkTrace| told_apart.iter().map(|&bent| world.sights(walked, bent)).collect();
+        let sights = |walked: &WalkTrace| {
+            let told_apart = if world.posture_is_unseen_on(walked) { &Posture::ALL[..1] } else { &Posture::ALL };
+            told_apart.iter().map(|&bent| world.sights(walked, bent)).collect()
+        };
         Self { sights: walks.iter().map(sights).collect(), walks }
     }
 }
@@ -155,11 +161,8 @@ impl Rows {
 /// Numbers of the next state and of the transition, or why there is none.
 type Reached = Result<(usize, usize), String>;
 
-/// What a thread has answered, by the number of the stance, and what it saw.
-type Answered = (Vec<(usize, Vec<Option<Hit>>)>, Coverage);
-
-/// Questions taken by a thread at a time.
-const BLOCK: usize = 16;
+/// A stance, and the numbers of the situations that it is asked about.
+type Question = (Stance, Vec<usize>);
 
 impl<P: Plant> Expander<P> {
     /// Starts the plant; contacts are looked for by `workers` threads, which does not change the results.
@@ -184,6 +187,7 @@ impl<P: Plant> Expander<P> {
             workers: workers.max(1),
             by_bytes,
             bundles: BTreeMap::new(),
+            harmless: Harmless::default(),
             coverage: Coverage::new(world.cell.sensors.len()),
             questions: 0,
             journal: Journal::default(),
@@ -381,10 +385,160 @@ impl<P: Plant> Expander<P> {
         Ok(number)
     }
 
+    /// Where the actions from each of these states lead, worked out on all threads; nothing if told to stop.
+    fn look_ahead(&self, states: &[&State], go_on: &mut dyn FnMut() -> bool) -> Option<BTreeMap<Place, Ahead>> {
+        let places: BTreeSet<Place> = states.iter().map(|state| state.place).collect();
+        let places: Vec<Place> = places.into_iter().collect();
+        let world = &self.world;
+        let looked = shared_out(self.workers, places.len(), go_on, |numbers, _| {
+            numbers.map(|number| Ahead::new(world, places[number])).collect::<Vec<_>>()
+        })?;
+        Some(places.iter().copied().zip(looked.into_iter().flatten()).collect())
+    }
+
+    /// Finds out of all poses of the pending actions at once where arms are harmless, on all threads; `false` if told to stop.
+    ///
+    /// Who stands or turns is in the same pose at every instant of an action, and many actions lead through the same poses.
+    /// At planes it matters when they were passed: there each instant is asked about by itself.
+    fn settle_arms<'a>(
+        &mut self,
+        pending: &[Pending],
+        transitions: &[Vec<Transition>],
+        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> bool {
+        if !self.world.curtains.is_empty() {
+            return true;
+        }
+        let of = |p: &'_ Pending| {
+            let (frames, walked, posture) = (&transitions[p.state][p.transition].frames, walked(p), p.action.posture());
+            frames.iter().zip(&walked.places).map(move |(frame, place)| ((*place, posture), frame))
+        };
+        let harmful = pending.iter().flat_map(of).filter(|(_, frame)| frame.may_harm);
+        let unsettled = self.harmless.unsettled(harmful);
+        // These count as no questions: whoever asks them later gets the answer.
+        let instants = unsettled.iter().map(|(_, frames)| frames.len() as u64).sum::<u64>();
+        let asked = (0, instants, self.robots.recall.trail());
+        let (settled, coverage) = match self.journal.next(asked) {
+            Some(Block { found, coverage, .. }) => (found, coverage),
+            None => {
+                let (world, sensors) = (&self.world, self.world.cell.sensors.len());
+                let settled = shared_out(self.workers, unsettled.len(), go_on, |numbers, stopped| {
+                    let mut coverage = Coverage::new(sensors);
+                    let mut settled = Vec::new();
+                    for number in numbers {
+                        let narrow = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+                        let harmless = settle(world, &unsettled[number], &mut coverage);
+                        settled.extend(harmless.into_iter().map(|n| (narrow(number), narrow(n))));
+                        // What was under way then says nothing.
+                        if world.stop().is_due() {
+                            stopped.store(true, Ordering::Relaxed);
+                            break;
+                        }
+                    }
+                    (settled, coverage)
+                });
+                let Some(settled) = settled else { return false };
+                let (mut found, mut total) = (Vec::new(), Coverage::new(sensors));
+                for (settled, coverage) in settled {
+                    total.merge(&coverage);
+                    found.extend(settled);
+                }
+                if self.journal.keeps() {
+                    self.journal.add(&Block { asked, found: found.clone(), coverage: total.clone() });
+                }
+                (found, total)
+            }
+        };
+        self.coverage.merge(&coverage);
+        let mut of_pose: Vec<Vec<usize>> = vec![Vec::new(); unsettled.len()];
+        for (number, n) in settled {
+            if let Some(harmless) = of_pose.get_mut(number as usize) {
+                harmless.push(n as usize);
+            }
+        }
+        for (pose, harmless) in unsettled.into_iter().zip(of_pose) {
+            self.harmless.learn(pose, &harmless);
+        }
+        true
+    }
+
+    /// For each pending action the situation after step `i`, where anything could harm in it.
+    fn asked<'a>(
+        &mut self,
+        i: usize,
+        pending: &[Pending],
+        transitions: &[Vec<Transition>],
+        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
+        situations: &mut Situations,
+    ) -> Result<Vec<Option<usize>>, PlantError> {
+        // Postures of a walk mostly share the transition: then the situation is the same.
+        let mut last = None;
+        let mut asked = Vec::with_capacity(pending.len());
+        for p in pending {
+            let situation = match last {
+                Some((state, transition, known)) if (state, transition) == (p.state, p.transition) => known,
+                _ => {
+                    let transition = &transitions[p.state][p.transition];
+                    // Without light curtains nothing but the present matters.
+                    let harmless = self.world.curtains.is_empty() && !transition.frames[i].may_harm;
+                    let situation = match harmless {
+                        true => None,
+                        false => Some(self.situation(transition, i, &walked(p).places[i], situations)?),
+                    };
+                    situation.filter(|s| situations.all[*s].may_harm)
+                }
+            };
+            last = Some((p.state, p.transition, situation));
+            self.coverage.contact_checks += u64::from(situation.is_none());
+            asked.push(situation);
+        }
+        Ok(asked)
+    }
+
+    /// The same as questions, each once: stances, and the situations that each is asked about. And for each pending action
+    /// where its answer will be: the number of the stance, and of the situation among those of it.
+    fn to_ask<'a>(
+        &self,
+        i: usize,
+        asked: Vec<Option<usize>>,
+        pending: &[Pending],
+        transitions: &[Vec<Transition>],
+        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
+    ) -> (Vec<Question>, Vec<Option<(usize, usize)>>) {
+        let mut numbers: BTreeMap<&[usize], usize> = BTreeMap::new();
+        let mut all: Vec<_> = Vec::new();
+        for ((number, p), situation) in pending.iter().enumerate().zip(asked) {
+            let Some(situation) = situation else { continue };
+            let sensed = &transitions[p.state][p.transition].sensed;
+            let next = numbers.len();
+            let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
+            let (walked, posture) = (walked(p), p.action.posture());
+            all.push(((walked.places[i], posture, World::has_walked(walked, i), broken), situation, number));
+        }
+        all.sort_unstable();
+        let mut questions: Vec<Question> = Vec::new();
+        let mut places = vec![None; pending.len()];
+        for alike in all.chunk_by(|a, b| a.0 == b.0) {
+            let p = &pending[alike[0].2];
+            let stance =
+                self.world.stance(walked(p), i, p.action.posture(), &transitions[p.state][p.transition].sensed);
+            let mut situations: Vec<usize> = Vec::new();
+            for (_, situation, number) in alike {
+                if situations.last() != Some(situation) {
+                    situations.push(*situation);
+                }
+                places[*number] = Some((questions.len(), situations.len() - 1));
+            }
+            questions.push((stance, situations));
+        }
+        (questions, places)
+    }
+
     /// Answers all questions: each stance with the situations it is asked about.
     fn answer(
         &mut self,
-        questions: &[(Stance, Vec<usize>)],
+        questions: &[Question],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Vec<Vec<Option<Hit>>>> {
@@ -412,12 +566,7 @@ impl<P: Plant> Expander<P> {
     }
 
     /// The answers to questions of which is known where something is to be found.
-    fn found_again(
-        &self,
-        block: &Block,
-        questions: &[(Stance, Vec<usize>)],
-        situations: &[Situation],
-    ) -> Vec<Vec<Option<Hit>>> {
+    fn found_again(&self, block: &Block, questions: &[Question], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
         let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
         let mut counted = Coverage::new(self.world.cell.sensors.len());
         for together in block.found.chunk_by(|a, b| a.0 == b.0) {
@@ -425,9 +574,8 @@ impl<P: Plant> Expander<P> {
                 continue;
             };
             // All of the stance, as before: what is found for one may follow from what was found for another.
-            let instant = |s: &usize| (&situations[*s].frames, situations[*s].i, &situations[*s]);
-            let mut instants: Vec<_> = asked.iter().map(instant).collect();
-            let Ok(hits) = self.world.contacts(stance, &mut instants, &mut counted);
+            let mut instants = instants_of(&self.harmless, stance, asked, situations);
+            let Ok(hits) = self.world.contacts(stance, &mut None, &mut instants, &mut counted);
             all[together[0].0 as usize] = hits;
         }
         all
@@ -436,52 +584,51 @@ impl<P: Plant> Expander<P> {
     /// Looks for contacts, on all threads.
     fn work_out(
         &self,
-        questions: &[(Stance, Vec<usize>)],
+        questions: &[Question],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
-        let next = AtomicUsize::new(0);
-        let (world, sensors) = (&self.world, self.world.cell.sensors.len());
-        let stopped = AtomicBool::new(false);
-        let work = |go_on: &mut dyn FnMut() -> bool| {
+        let (world, harmless, sensors) = (&self.world, &self.harmless, self.world.cell.sensors.len());
+        let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
             let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
-            loop {
-                let from = next.fetch_add(BLOCK, Ordering::Relaxed);
-                if !go_on() || world.stop().is_due() {
+            let mut last: Option<(&Stance, Option<Person>)> = None;
+            for (stance, asked) in &questions[numbers] {
+                let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
+                let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
+                let mut instants = instants_of(harmless, stance, asked, situations);
+                let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
+                last = Some((stance, posed));
+                // What was under way then says nothing.
+                if world.stop().is_due() {
                     stopped.store(true, Ordering::Relaxed);
+                    break;
                 }
-                if from >= questions.len() || stopped.load(Ordering::Relaxed) {
-                    return (answers, coverage);
-                }
-                for (number, (stance, asked)) in questions.iter().enumerate().skip(from).take(BLOCK) {
-                    let instant = |s: &usize| (&situations[*s].frames, situations[*s].i, &situations[*s]);
-                    let mut instants: Vec<_> = asked.iter().map(instant).collect();
-                    let Ok(hits) = world.contacts(stance, &mut instants, &mut coverage);
-                    // What was under way then says nothing.
-                    if world.stop().is_due() {
-                        stopped.store(true, Ordering::Relaxed);
-                        return (answers, coverage);
-                    }
-                    answers.push((number, hits));
-                }
+                answers.push(hits);
             }
-        };
-        let found: Vec<Answered> = std::thread::scope(|scope| {
-            let threads: Vec<_> = (1..self.workers).map(|_| scope.spawn(|| work(&mut || true))).collect();
-            let own = work(go_on);
-            let joined = threads.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
-            std::iter::once(own).chain(joined).collect()
-        });
-        let mut all = vec![Vec::new(); questions.len()];
-        let mut total = Coverage::new(sensors);
+            (answers, coverage)
+        })?;
+        let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(sensors));
         for (answers, coverage) in found {
             total.merge(&coverage);
-            for (number, hits) in answers {
-                all[number] = hits;
-            }
+            all.extend(answers);
         }
-        (!stopped.into_inner()).then_some((all, total))
+        Some((all, total))
     }
+}
+
+/// What a stance is asked about, without the arms where they are known to be harmless.
+fn instants_of<'a>(
+    harmless: &Harmless,
+    stance: &Stance,
+    asked: &[usize],
+    situations: &'a [Situation],
+) -> Vec<Instant<'a, &'a Situation>> {
+    let instant = |s: &usize| {
+        let situation = &situations[*s];
+        let arms = !harmless.knows(&(stance.place, stance.posture), &situation.frames[situation.i]);
+        Instant { frames: &situation.frames, i: situation.i, earlier: situation, arms }
+    };
+    asked.iter().map(instant).collect()
 }
 
 impl<P: Plant> Expansion for Expander<P> {
@@ -518,56 +665,33 @@ impl<P: Plant> Expansion for Expander<P> {
         states: &[&State],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let mut ahead: BTreeMap<Place, Ahead> = BTreeMap::new();
+        let Some(ahead) = self.look_ahead(states, go_on) else { return Ok(None) };
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
             if !go_on() {
                 return Ok(None);
             }
-            let world = &self.world;
-            let ahead = ahead.entry(state.place).or_insert_with(|| Ahead::new(world, state.place));
-            let (one, own) = self.advance(index, depth, state, ahead, &mut pending)?;
+            let (one, own) = self.advance(index, depth, state, &ahead[&state.place], &mut pending)?;
             expanded.push(one);
             transitions.push(own);
         }
+        let walked = |p: &Pending| &ahead[&states[p.state].place].walks[p.walk];
+        if !self.settle_arms(&pending, &transitions, &walked, go_on) {
+            return Ok(None);
+        }
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
-            let mut asked: BTreeMap<Stance, BTreeSet<usize>> = BTreeMap::new();
-            let mut questions = Vec::with_capacity(pending.len());
-            for p in &pending {
-                let transition = &transitions[p.state][p.transition];
-                let walked = &ahead[&states[p.state].place].walks[p.walk];
-                // Without light curtains nothing but the present matters.
-                let harmless = self.world.curtains.is_empty() && !transition.frames[i].may_harm;
-                let situation = match harmless {
-                    true => None,
-                    false => Some(self.situation(transition, i, &walked.places[i], &mut situations)?),
-                };
-                let Some(situation) = situation.filter(|s| situations.all[*s].may_harm) else {
-                    self.coverage.contact_checks += 1;
-                    questions.push(None);
-                    continue;
-                };
-                let stance = self.world.stance(walked, i, p.action.posture(), &transition.sensed);
-                asked.entry(stance.clone()).or_default().insert(situation);
-                questions.push(Some((stance, situation)));
-            }
-            let asked: Vec<(Stance, Vec<usize>)> =
-                asked.into_iter().map(|(stance, situations)| (stance, situations.into_iter().collect())).collect();
-            let Some(answers) = self.answer(&asked, &situations.all, go_on) else { return Ok(None) };
-            let find = |(stance, situation): &(Stance, usize)| -> Option<&Hit> {
-                let q = asked.binary_search_by(|(s, _)| s.cmp(stance)).ok()?;
-                let s = asked[q].1.binary_search(situation).ok()?;
-                answers[q][s].as_ref()
-            };
-            let mut questions = questions.iter();
+            let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
+            let (questions, places) = self.to_ask(i, asked, &pending, &transitions, &walked);
+            let Some(answers) = self.answer(&questions, &situations.all, go_on) else { return Ok(None) };
+            let mut places = places.iter();
             pending.retain(|p| {
-                let asked = questions.next().and_then(Option::as_ref);
-                let Some((question, hit)) = asked.and_then(|q| Some((q, find(q)?))) else { return true };
+                let Some(&(q, s)) = places.next().and_then(Option::as_ref) else { return true };
+                let Some(hit) = &answers[q][s] else { return true };
                 let transition = &transitions[p.state][p.transition];
                 let readings = &transition.sensed.readings[i];
                 let frame = &transition.frames[i];
-                let finding = self.world.finding(hit, &question.0, readings, frame, (depth + 1, i));
+                let finding = self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
                 let Some(finding) = finding else { return true };
                 let finding = Finding { actions: vec![p.action], ..finding };
                 expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);
@@ -588,9 +712,8 @@ impl<P: Plant> Expansion for Expander<P> {
         self.robots.release(depth, |node| keep.contains(&node));
     }
 
-    /// Reaching through a light curtain costs many searches for each action.
     fn together(&self) -> usize {
-        if self.world.curtains.is_empty() { 1024 } else { 64 }
+        std::env::var("TOG").ok().and_then(|v| v.parse().ok()).unwrap_or(1024)
     }
 
     /// Boxes of joint angles looked at.

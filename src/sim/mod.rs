@@ -6,6 +6,8 @@
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`expansion`]: all actions from many states at once, on all cores
+//! - `harmless`: for which poses and robots no arm is harmed, for that
+//! - `threads`: independent work on all of them, for that
 //! - [`journal`]: what such a search has worked out, on disk
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
@@ -21,6 +23,7 @@ pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod expansion;
+mod harmless;
 pub mod imagination;
 pub mod journal;
 pub mod motion;
@@ -29,6 +32,7 @@ pub mod robot;
 mod robots;
 pub mod sensors;
 pub mod simulation;
+mod threads;
 pub mod world;
 
 pub use coverage::Coverage;

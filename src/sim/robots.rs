@@ -10,9 +10,10 @@ use crate::cell::binding::SensorBinding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::human::Place;
 
-/// Most FMU states whose robot frames are remembered at a time, some hundred MB; beyond that all are forgotten and worked
-/// out again when they are needed.
-const FRAMES_KEPT: usize = 6_000;
+/// Most FMU states whose robot frames are remembered at a time, and most frames that differ, some hundred MB each; beyond
+/// that all are forgotten and worked out again when they are needed.
+const FRAMES_KEPT: usize = 400_000;
+const DIFFERENT_KEPT: usize = 50_000;
 
 /// A plane that tells of an arm: the steps, counted from the start of an action, in which its input is active besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,6 +50,8 @@ pub(super) struct Robots<P: Plant> {
     pub(super) recall: Recall<P>,
     /// Robot frames of each FMU state's last action.
     frames: BTreeMap<NodeId, Frames>,
+    /// Those that differ, by the bits of what they follow from: much of what robots do is the same in many states.
+    different: BTreeMap<Box<[u64]>, Arc<RobotFrame>>,
     /// The states that stand in for others had a plane told of an arm, where they are known: by state, sensor, and when it
     /// ended; then by how much earlier it began.
     shadows: BTreeMap<(NodeId, u16, i16), Vec<Option<Shadow>>>,
@@ -70,6 +73,7 @@ impl<P: Plant> Robots<P> {
             world,
             recall,
             frames: BTreeMap::new(),
+            different: BTreeMap::new(),
             shadows: BTreeMap::new(),
             of_several: BTreeMap::new(),
             unfinished: None,
@@ -103,15 +107,21 @@ impl<P: Plant> Robots<P> {
         if let Some(frames) = self.frames.get(&node) {
             return Arc::clone(frames);
         }
-        if self.frames.len() >= FRAMES_KEPT {
+        if self.frames.len() >= FRAMES_KEPT || self.different.len() >= DIFFERENT_KEPT {
             self.frames.clear();
+            self.different.clear();
         }
         let before = (node != NodeId::ROOT).then(|| &**self.recall.outputs(self.recall.parent(node)));
         let (binding, step_s) = (&self.world.binding, self.world.cell.step_s);
         let unsettled = if self.recall.depth(node) > 1 { 0 } else { self.comparison.unsettled() };
         let rows = binding.first_rows(self.recall.outputs(node), before, step_s, unsettled);
-        let frame = |row: &[f64]| RobotFrame::new(&self.world.cell, &self.world.binding, row);
-        let frames: Frames = rows.chunks(self.world.binding.columns()).map(frame).collect();
+        let (world, different) = (&self.world, &mut self.different);
+        let frame = |row: &[f64]| {
+            let bits = row.iter().map(|value| value.to_bits()).collect();
+            let new = || Arc::new(RobotFrame::new(&world.cell, &world.binding, row));
+            Arc::clone(different.entry(bits).or_insert_with(new))
+        };
+        let frames: Frames = rows.chunks(world.binding.columns()).map(frame).collect();
         self.compare_speeds(node, &frames);
         self.frames.insert(node, Arc::clone(&frames));
         frames
@@ -244,6 +254,7 @@ impl<P: Plant> Robots<P> {
     pub(super) fn release(&mut self, depth: usize, keep: impl Fn(NodeId) -> bool) {
         self.shadows.retain(|(node, ..), _| keep(*node));
         self.frames.clear();
+        self.different.clear();
         self.reached.clear();
         self.recall.release_before(depth);
     }

@@ -272,7 +272,7 @@ impl<P: Plant> Simulation<P> {
                     position: world.position(&walked.places[i]),
                     body: world.body_of(&world.stance(&walked, i, action.posture(), &sensed)),
                     readings: world.readings(&sensed.readings[i], frame),
-                    frame: frame.clone(),
+                    frame: RobotFrame::clone(frame),
                 });
             }
             watched.outputs.extend_from_slice(self.robots.recall.outputs(node));

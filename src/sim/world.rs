@@ -10,11 +10,12 @@ use std::sync::Arc;
 
 use super::Coverage;
 use super::curtain::Curtain;
-use super::encounter::{ArmSpace, Encounter, Person};
+use super::encounter::{ArmSpace, AtMany, Encounter, Person};
 use super::robot::RobotFrame;
 use super::sensors::{DelayLine, Seen, input_row, sees};
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
+use crate::geometry::segment_cuboid::point_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
@@ -28,6 +29,7 @@ use crate::stop::Stop;
 const COMPARED_WITHIN_M: f64 = 1.0;
 
 pub use self::through_plane::Asked;
+use self::through_plane::Runs;
 
 /// What there is to see at the start of a step, whatever was seen before.
 #[derive(Clone, Debug)]
@@ -96,7 +98,7 @@ impl Hit {
 }
 
 /// The robots after each step of an action.
-pub type Frames = Arc<[RobotFrame]>;
+pub type Frames = Arc<[Arc<RobotFrame>]>;
 
 /// The samples, counted back from an instant, in which a plane told of an arm: from the `from`th last sample on, until the
 /// `until`th last, which is not one of them any more. None if the two are equal.
@@ -145,6 +147,23 @@ pub trait Earlier {
     fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Self::Error>;
 }
 
+/// The robots after step `i` of an action, and what there is to know of them.
+pub(super) struct Instant<'a, E> {
+    /// After each step of the action.
+    pub(super) frames: &'a Frames,
+    pub(super) i: usize,
+    /// As they would be had planes told of an arm.
+    pub(super) earlier: E,
+    /// Whether arms are to be looked at: not where they are known to be harmless.
+    pub(super) arms: bool,
+}
+
+impl<E> Instant<'_, E> {
+    fn frame(&self) -> &RobotFrame {
+        &self.frames[self.i]
+    }
+}
+
 /// See the module's text.
 #[derive(Debug)]
 pub struct World {
@@ -158,6 +177,8 @@ pub struct World {
     pub(super) curtains: Vec<Curtain>,
     /// Those of which an arm may pass two at once.
     pub(super) neighbours: Vec<(usize, usize)>,
+    /// No part of the body but the arms is farther from the point 1 m above the place where it stands, m.
+    body_reach_m: f64,
 }
 
 impl World {
@@ -172,7 +193,9 @@ impl World {
             worst: true,
             stop: Stop::default(),
         };
-        let mut world = Self { cell, binding, encounter, boxes, curtains: Vec::new(), neighbours: Vec::new() };
+        let body_reach_m = cell.body.reach_from_one_metre(0.0);
+        let (curtains, neighbours) = (Vec::new(), Vec::new());
+        let mut world = Self { cell, binding, encounter, boxes, curtains, neighbours, body_reach_m };
         world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
         let (curtains, reach) = (&world.curtains, world.encounter.arm.reach());
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
@@ -259,6 +282,19 @@ impl World {
         self.curtains.is_empty()
     }
 
+    /// The same of this walk: no plane that would tell of the body is near.
+    #[must_use]
+    pub fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
+        std::iter::once(&walked.start).chain(&walked.places).all(|place| !self.may_be_in_a_plane(place))
+    }
+
+    /// Whether some part of the body, in some posture, could be in a plane that tells of it.
+    fn may_be_in_a_plane(&self, place: &Place) -> bool {
+        let middle = self.position(place) + Vec3::Z;
+        let near = |c: &Curtain| !c.hands_only && point_cuboid(middle, &c.plane).distance <= self.body_reach_m;
+        self.curtains.iter().any(near)
+    }
+
     /// Where an action leads.
     #[must_use]
     pub fn walk(&self, from: Place, action: Action) -> WalkTrace {
@@ -269,7 +305,8 @@ impl World {
     fn seen(&self, place: &Place, bent: Posture) -> Seen {
         let position = self.position(place);
         let heading_rad = place.heading_rad(&self.cell.start);
-        let body = (!self.curtains.is_empty())
+        let body = self
+            .may_be_in_a_plane(place)
             .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
         Seen { feet: self.body().feet(position, heading_rad), body, position, heading_rad }
     }
@@ -345,9 +382,15 @@ impl World {
     /// The person after step `i` of an action.
     #[must_use]
     pub fn stance(&self, walked: &WalkTrace, i: usize, posture: Posture, sensed: &Sensed) -> Stance {
+        let (place, broken) = (walked.places[i], sensed.broken[i].clone());
+        Stance { place, posture, walked: Self::has_walked(walked, i), broken }
+    }
+
+    /// Whether the person walked during step `i` of an action.
+    #[must_use]
+    pub fn has_walked(walked: &WalkTrace, i: usize) -> bool {
         let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
-        let place = walked.places[i];
-        Stance { place, posture, walked: *before != place, broken: sensed.broken[i].clone() }
+        *before != walked.places[i]
     }
 
     /// The unsafe contact of a person with the robots after step `i` of an action, if there is one.
@@ -370,40 +413,86 @@ impl World {
     }
 
     /// The same for one stance and several instants, each with its own robots. One search often settles many of them.
+    /// `posed` keeps the person for the next stance of the same place and posture.
     ///
     /// # Errors
     /// What `earlier` reports; it is asked only where there are light curtains.
-    pub fn contacts<E: Earlier>(
+    pub(super) fn contacts<E: Earlier>(
         &self,
         stance: &Stance,
-        instants: &mut [(&Frames, usize, E)],
+        posed: &mut Option<Person>,
+        instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
     ) -> Result<Vec<Option<Hit>>, E::Error> {
         let mut hits = vec![None; instants.len()];
-        let near = |i: &usize| self.near(&stance.place, &instants[*i].0[instants[*i].1]);
+        let near = |n: &usize| self.near(&stance.place, instants[*n].frame());
         let near: Vec<usize> = (0..instants.len()).filter(near).collect();
         coverage.contact_checks += instants.len() as u64;
         if near.is_empty() {
             return Ok(hits);
         }
-        let person = self.person(stance);
-        // Where there are light curtains, each instant has walls of its own.
-        let together = if self.curtains.is_empty() { near.len() } else { 1 };
-        let mut groups: Vec<&[usize]> = near.chunks(together).rev().collect();
-        while let Some(group) = groups.pop() {
-            let frames: Vec<&RobotFrame> = group.iter().map(|&n| &instants[n].0[instants[n].1]).collect();
-            let harmless = group.len() > 1 && self.encounter.no_arm_harmed(&person, &frames, &ArmSpace::OPEN, coverage);
-            if group.len() > 1 && !harmless {
-                let (first, second) = group.split_at(group.len() / 2);
-                groups.extend([second, first]);
-                continue;
-            }
-            for &n in group {
-                let (frames, i, earlier) = &mut instants[n];
-                hits[n] = self.contact_near(&person, stance, (frames, *i), !harmless, earlier, coverage)?;
-            }
+        let mut person = posed.take().unwrap_or_else(|| self.person(stance));
+        person.velocity = self.velocity(stance);
+        let person = &*posed.insert(person);
+        if !self.curtains.is_empty() {
+            self.contacts_at_planes(person, stance, instants, &mut hits, coverage)?;
+            return Ok(hits);
+        }
+        for n in near {
+            let Instant { frames, i, earlier, arms } = &mut instants[n];
+            hits[n] = self.contact_near(person, stance, (frames, *i), *arms, earlier, coverage)?;
         }
         Ok(hits)
+    }
+
+    /// Whether an arm contact above the limit is possible with the robots of any of several instants.
+    pub(super) fn arms_at_many(&self, person: &Person, frames: &[&RobotFrame], coverage: &mut Coverage) -> AtMany {
+        self.encounter.arms_at_many(person, frames, &ArmSpace::OPEN, coverage)
+    }
+
+    /// The same at planes: what arms can do there follows from the stance, so one search asks for the robots of many
+    /// instants, each with those that there would be had a plane told of an arm.
+    fn contacts_at_planes<E: Earlier>(
+        &self,
+        person: &Person,
+        stance: &Stance,
+        instants: &mut [Instant<'_, E>],
+        hits: &mut [Option<Hit>],
+        coverage: &mut Coverage,
+    ) -> Result<(), E::Error> {
+        let at = self.at_planes(person, stance);
+        let mut open: Vec<(usize, Runs)> = Vec::new();
+        for (n, instant) in instants.iter_mut().enumerate() {
+            hits[n] = self.body_hit(person, stance, instant.frame(), coverage);
+            if hits[n].is_none() {
+                open.push((n, Runs::all(&at, (instant.frames, instant.i), &mut instant.earlier)?));
+            }
+        }
+        let mut groups: Vec<&mut [(usize, Runs)]> = vec![&mut open];
+        while let Some(group) = groups.pop() {
+            match group {
+                [] => {}
+                [(n, runs)] => {
+                    let Instant { frames, i, earlier, .. } = &mut instants[*n];
+                    hits[*n] = self.reach_past_planes(&at, (frames, *i), runs, earlier, coverage)?;
+                }
+                _ => {
+                    let runs: Vec<&Runs> = group.iter().map(|(_, runs)| runs).collect();
+                    if !self.none_reaches_past_planes(&at, &runs, coverage) {
+                        let (first, second) = group.split_at_mut(group.len() / 2);
+                        groups.extend([second, first]);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The unsafe contact of trunk, head or legs, if there is one.
+    fn body_hit(&self, person: &Person, stance: &Stance, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Hit> {
+        let counts = |on_robot| self.in_time(on_robot, person, stance);
+        let contact = self.encounter.unsafe_body_contact(person, frame, counts, coverage)?;
+        Some(Hit::new((contact, None), frame))
     }
 
     fn contact_near<E: Earlier>(
@@ -416,18 +505,16 @@ impl World {
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
         let frame = &frames[i];
-        let counts = |on_robot| self.in_time(on_robot, person, stance);
-        if let Some(contact) = self.encounter.unsafe_body_contact(person, frame, counts, coverage) {
-            return Ok(Some(Hit::new((contact, None), frame)));
-        }
-        if !arms {
-            return Ok(None);
+        let hit = self.body_hit(person, stance, frame, coverage);
+        if hit.is_some() || !arms {
+            return Ok(hit);
         }
         if self.curtains.is_empty() {
             let found = self.encounter.unsafe_arm_contact(person, frame, &ArmSpace::OPEN, coverage);
             return Ok(found.map(|found| Hit::new(found, frame)));
         }
-        self.reach_past_planes(person, stance, frames, i, earlier, coverage)
+        let at = self.at_planes(person, stance);
+        self.reach_past_planes(&at, (frames, i), &mut Runs::new(&at), earlier, coverage)
     }
 
     /// What is recorded of a hit after step `i` of the last of `taken` actions.
@@ -475,7 +562,7 @@ impl World {
     }
 
     /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
-    fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
+    pub(super) fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
         // A robot that a light curtain would have stopped may be elsewhere.
         if !self.curtains.is_empty() {
             return true;
@@ -503,13 +590,22 @@ impl World {
 
     /// The body and its arms.
     pub(super) fn person(&self, stance: &Stance) -> Person {
-        let place = &stance.place;
-        let at = self.position(place);
-        let heading = place.heading_rad(&self.cell.start);
-        let body = self.body().placed(at, heading, stance.posture, self.bend(place, stance.posture));
+        Person { velocity: self.velocity(stance), ..self.posed(&stance.place, stance.posture) }
+    }
+
+    /// The same, standing still.
+    pub(super) fn posed(&self, place: &Place, posture: Posture) -> Person {
+        let (at, heading) = (self.position(place), place.heading_rad(&self.cell.start));
+        let body = self.body().placed(at, heading, posture, self.bend(place, posture));
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
+        Person { body, arms, velocity: Vec3::ZERO }
+    }
+
+    /// How the person walks, m/s.
+    fn velocity(&self, stance: &Stance) -> Vec3 {
+        let place = &stance.place;
         let before = if stance.walked { place.stepped_back() } else { *place };
-        Person { body, arms, velocity: (at - self.position(&before)) / self.cell.step_s }
+        (self.position(place) - self.position(&before)) / self.cell.step_s
     }
 
     /// Walls that arms do not pass because that would break a light curtain, by curtain.

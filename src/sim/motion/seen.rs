@@ -2,6 +2,7 @@
 //! step is looked at, nor in which order.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use super::super::robot::RobotFrame;
 use super::IMPLAUSIBLE_M_S;
@@ -55,7 +56,7 @@ pub struct Motion {
 
 impl Motion {
     /// Looks at the robots after the steps from number `from` on for links faster than any robot's.
-    pub fn look_at_links(&mut self, frames: &[RobotFrame], from: usize) {
+    pub fn look_at_links(&mut self, frames: &[Arc<RobotFrame>], from: usize) {
         for (i, frame) in frames.iter().enumerate().filter(|(_, frame)| frame.fastest > IMPLAUSIBLE_M_S) {
             for link in 0..frame.links.len() {
                 let (speed, step) = (frame.certain_speed(link), from + i);

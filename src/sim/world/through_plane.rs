@@ -6,8 +6,10 @@
 //! each way the robots are those of a run in which the plane told of the arm in a [`Window`] of samples. The geometry is in
 //! [`curtain`](super::super::curtain); how the robots would move, [`Earlier`] tells.
 
+use std::sync::Arc;
+
 use super::super::curtain::{Curtain, depth_m};
-use super::super::encounter::{ArmSpace, Encountered, Person};
+use super::super::encounter::{ArmSpace, AtMany, Encountered, Person};
 use super::super::robot::RobotFrame;
 use super::super::sensors::{DelayLine, breaks};
 use super::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
@@ -63,24 +65,90 @@ impl Way {
     }
 }
 
-/// The robots, had planes told of an arm on these ways, one past each of some planes.
+/// The robots, had planes told of an arm on these ways, one past each of some planes; as they are, on no way.
 struct Run {
     ways: Vec<Way>,
     frames: Frames,
+    i: usize,
 }
 
-impl World {
-    /// An unsafe arm contact after step `i` of an action: untold by planes, or with the robots as they are when one plane,
-    /// or two, told of the arm as long before as the hand needs.
-    pub(super) fn reach_past_planes<E: Earlier>(
-        &self,
-        person: &Person,
-        stance: &Stance,
-        frames: &Frames,
-        i: usize,
+impl Run {
+    fn frame(&self) -> &RobotFrame {
+        &self.frames[self.i]
+    }
+
+    /// Which of its ways come from behind.
+    fn backs(&self) -> impl Iterator<Item = bool> {
+        self.ways.iter().map(|way| way.back)
+    }
+}
+
+/// Planes that an arm may pass while they tell of it, and the walls of all others, which it passes untold; no plane at all
+/// for an arm that none tells of.
+struct Passage {
+    planes: Vec<usize>,
+    walls: Vec<Cuboid>,
+}
+
+/// Arms of a person whose shoulders are on the same sides of all planes.
+struct Arms {
+    person: Person,
+    sides: Vec<ArmSide>,
+    ways: Vec<Ways>,
+    passages: Vec<Passage>,
+    shoulders: Vec<Vec3>,
+}
+
+/// A person at planes: arms by the ways that they have. Where the robots are has no part in it.
+pub(super) struct AtPlanes(Vec<Arms>);
+
+/// The runs that decide what arms meet at an instant, by arms and passage, as far as they were asked for; with the number
+/// of those that the FMU could not finish.
+pub(super) struct Runs(Vec<Vec<Option<(Vec<Run>, u64)>>>);
+
+impl Runs {
+    /// None asked for yet.
+    pub(super) fn new(at: &AtPlanes) -> Self {
+        Self(at.0.iter().map(|arms| arms.passages.iter().map(|_| None).collect()).collect())
+    }
+
+    /// All of them, for robots as they are after step `i` of an action.
+    pub(super) fn all<E: Earlier>(at: &AtPlanes, instant: (&Frames, usize), earlier: &mut E) -> Result<Self, E::Error> {
+        let mut all = Self::new(at);
+        for (a, arms) in at.0.iter().enumerate() {
+            for (p, passage) in arms.passages.iter().enumerate() {
+                all.of((a, arms), (p, passage), instant, earlier)?;
+            }
+        }
+        Ok(all)
+    }
+
+    fn of<E: Earlier>(
+        &mut self,
+        (a, arms): (usize, &Arms),
+        (p, passage): (usize, &Passage),
+        (frames, i): (&Frames, usize),
         earlier: &mut E,
-        coverage: &mut Coverage,
-    ) -> Result<Option<Hit>, E::Error> {
+    ) -> Result<&(Vec<Run>, u64), E::Error> {
+        let place = &mut self.0[a][p];
+        let found = match place.take() {
+            Some(known) => known,
+            None if passage.planes.is_empty() => (vec![Run { ways: Vec::new(), frames: Arc::clone(frames), i }], 0),
+            None => {
+                let told: Vec<&[Way]> = passage.planes.iter().map(|&c| arms.ways[c].told.as_slice()).collect();
+                runs(&told, i, earlier)?
+            }
+        };
+        Ok(place.insert(found))
+    }
+}
+
+/// Most instants' robots that one search is asked about.
+const MOST_TOGETHER: usize = 48;
+
+impl World {
+    /// What arms of a person can do at the planes.
+    pub(super) fn at_planes(&self, person: &Person, stance: &Stance) -> AtPlanes {
         // Arms whose shoulders are on different sides of a plane go different ways.
         let sides = |side: Side| -> Vec<ArmSide> {
             let shoulder = person.body.shoulder(side).translation;
@@ -94,113 +162,160 @@ impl World {
                 None => groups.push((sides, vec![arm])),
             }
         }
-        for (sides, arms) in groups {
+        let arms = |(sides, arms): (Vec<ArmSide>, Vec<Side>)| {
             let person = Person { arms, ..person.clone() };
             let ways: Vec<Ways> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
-            let found = self.reach_by(&person, &sides, &ways, (frames, i), earlier, coverage)?;
-            if found.is_some() {
-                return Ok(found);
+            let shoulders = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
+            Arms { passages: self.passages(&ways), person, sides, ways, shoulders }
+        };
+        AtPlanes(groups.into_iter().map(arms).collect())
+    }
+
+    /// Which planes arms with these ways may pass at once: none, one, or two neighbours.
+    fn passages(&self, ways: &[Ways]) -> Vec<Passage> {
+        let one = (0..ways.len()).map(|c| vec![c]);
+        let two = self.neighbours.iter().map(|&(c, d)| vec![c, d]);
+        let passage = |planes: Vec<usize>| {
+            let others = (0..ways.len()).filter(|c| !planes.contains(c));
+            let walls = others.map(|c| ways[c].untold.as_deref()).collect::<Option<Vec<_>>>()?.concat();
+            Some(Passage { planes, walls })
+        };
+        std::iter::once(Vec::new()).chain(one).chain(two).filter_map(passage).collect()
+    }
+
+    /// An unsafe arm contact after step `i` of an action: untold by planes, or with the robots as they are when one plane, or
+    /// two, told of the arm as long before as the hand needs.
+    pub(super) fn reach_past_planes<E: Earlier>(
+        &self,
+        at: &AtPlanes,
+        instant: (&Frames, usize),
+        runs: &mut Runs,
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        for (a, arms) in at.0.iter().enumerate() {
+            for (p, passage) in arms.passages.iter().enumerate() {
+                let (runs, unfinished) = runs.of((a, arms), (p, passage), instant, earlier)?;
+                coverage.arm_runs_not_evaluated += *unfinished;
+                let runs: Vec<&Run> = runs.iter().collect();
+                if let Some((run, found)) = self.first_of(arms, passage, &runs, coverage) {
+                    let windows = run.ways.iter().map(|way| way.window).collect();
+                    return Ok(Some(Hit { windows, ..Hit::new(found, run.frame()) }));
+                }
             }
         }
         Ok(None)
     }
 
-    fn reach_by<E: Earlier>(
-        &self,
-        person: &Person,
-        sides: &[ArmSide],
-        ways: &[Ways],
-        (frames, i): (&Frames, usize),
-        earlier: &mut E,
-        coverage: &mut Coverage,
-    ) -> Result<Option<Hit>, E::Error> {
-        let count = ways.len();
-        // Walls of all planes but these, if arms can pass the others untold.
-        let untold = |but: &[usize]| -> Option<Vec<Cuboid>> {
-            let others = (0..count).filter(|c| !but.contains(c));
-            others.map(|c| ways[c].untold.clone()).collect::<Option<Vec<_>>>().map(|walls| walls.concat())
-        };
-        let shoulders: Vec<Vec3> = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
+    /// Whether no arm contact above the limit is possible in the runs, all of them asked for, of any of several instants, shown for many of them
+    /// at once. `false` says nothing.
+    pub(super) fn none_reaches_past_planes(&self, at: &AtPlanes, instants: &[&Runs], coverage: &mut Coverage) -> bool {
+        let none = at.0.iter().enumerate().all(|(a, arms)| {
+            arms.passages.iter().enumerate().all(|(p, passage)| {
+                let mut runs: Vec<&Run> =
+                    instants.iter().flat_map(|runs| runs.0[a][p].iter().flat_map(|(runs, _)| runs)).collect();
+                // Ways from in front and from behind have different walls.
+                runs.sort_by_key(|run| run.backs().collect::<Vec<_>>());
+                let alike = |a: &&Run, b: &&Run| a.backs().eq(b.backs());
+                runs.chunk_by(alike).all(|runs| self.nobody_reaches(arms, passage, runs, coverage))
+            })
+        });
+        if none {
+            let unfinished = instants.iter().flat_map(|runs| runs.0.iter().flatten().flatten()).map(|(_, n)| n);
+            coverage.arm_runs_not_evaluated += unfinished.sum::<u64>();
+        }
+        none
+    }
+
+    /// The same for runs whose ways lead to the same sides.
+    fn nobody_reaches(&self, arms: &Arms, passage: &Passage, runs: &[&Run], coverage: &mut Coverage) -> bool {
+        let Some(first) = runs.first() else { return true };
+        // The space open to the widest ways holds that of all: nothing there is nothing for any.
+        let widest = |n: usize| runs.iter().map(|run| run.ways[n]).reduce(Way::wider);
+        let widest: Vec<Way> = (0..first.ways.len()).filter_map(widest).collect();
+        let walls = self.walls_past(passage, &widest);
+        // Of runs in which the robots are the same, one stands for all.
+        let mut frames: Vec<&RobotFrame> = Vec::new();
+        let mut links: Vec<bool> = Vec::new();
+        for run in runs {
+            let within = self.links_within(arms, passage, run);
+            if within.iter().all(|within| !within) {
+                continue;
+            }
+            match frames.iter().position(|known| known.same_outputs(run.frame())) {
+                Some(known) => {
+                    let all = &mut links[known * within.len()..][..within.len()];
+                    all.iter_mut().zip(within).for_each(|(any, within)| *any |= within);
+                }
+                None => {
+                    frames.push(run.frame());
+                    links.extend(within);
+                }
+            }
+        }
+        let per_frame = first.frame().links.len();
+        let mut groups = frames.chunks(MOST_TOGETHER).zip(links.chunks(MOST_TOGETHER * per_frame.max(1)));
+        groups.all(|(frames, links)| {
+            let space = ArmSpace { walls: &walls, links: Some(links) };
+            self.encounter.arms_at_many(&arms.person, frames, &space, coverage) == AtMany::Harmless
+        })
+    }
+
+    /// For each link of a run whether an arm can get hold of it past these planes.
+    fn links_within(&self, arms: &Arms, passage: &Passage, run: &Run) -> Vec<bool> {
+        let others: Vec<usize> = (0..arms.sides.len()).filter(|c| !passage.planes.contains(c)).collect();
         let reach = self.encounter.arm.reach();
-        let reachable_untold = |c: usize, link: &Solid| match sides[c] {
+        let within = |link: &Solid| {
+            let (centre, radius) = link.bounding_sphere();
+            arms.shoulders.iter().any(|shoulder| (centre - *shoulder).length() - radius <= reach)
+                && run.ways.iter().all(|way| self.in_reach(way, link))
+                && others.iter().all(|&c| self.reachable_untold(arms, c, link))
+        };
+        run.frame().links.iter().map(within).collect()
+    }
+
+    /// Whether some part of a link may be touched without plane `c` telling of it.
+    fn reachable_untold(&self, arms: &Arms, c: usize, link: &Solid) -> bool {
+        let curtain = &self.curtains[c];
+        match arms.sides[c] {
             ArmSide::Front => {
-                let curtain = &self.curtains[c];
-                curtain.within(0.0, link) || shoulders.iter().any(|s| !curtain.closed.out_of_reach(*s, reach, link))
+                let reach = self.encounter.arm.reach();
+                curtain.within(0.0, link)
+                    || arms.shoulders.iter().any(|s| !curtain.closed.out_of_reach(*s, reach, link))
             }
-            _ => self.curtains[c].within(ways[c].untold_limit_m - self.encounter.reach_tolerance_m, link),
-        };
-        let mask = |frame: &RobotFrame, but: &[usize]| -> Vec<bool> {
-            let others: Vec<usize> = (0..count).filter(|c| !but.contains(c)).collect();
-            frame.links.iter().map(|link| others.iter().all(|&c| reachable_untold(c, link))).collect()
-        };
-        if let Some(walls) = untold(&[]) {
-            let links = mask(&frames[i], &[]);
-            let space = ArmSpace { walls: &walls, links: Some(&links) };
-            if let Some(found) = self.encounter.unsafe_arm_contact(person, &frames[i], &space, coverage) {
-                return Ok(Some(Hit::new(found, &frames[i])));
-            }
+            _ => curtain.within(arms.ways[c].untold_limit_m - self.encounter.reach_tolerance_m, link),
         }
-        let one = (0..count).map(|c| vec![c]);
-        let two = self.neighbours.iter().map(|&(c, d)| vec![c, d]);
-        for planes in one.chain(two) {
-            let Some(walls) = untold(&planes) else { continue };
-            let told: Vec<&[Way]> = planes.iter().map(|&c| ways[c].told.as_slice()).collect();
-            let runs = runs(&told, i, earlier, coverage)?;
-            let mask = |frame: &RobotFrame| mask(frame, &planes);
-            if let Some((run, found)) = self.first_of(person, &runs, &walls, &mask, i, coverage) {
-                let windows = run.ways.iter().map(|way| way.window).collect();
-                return Ok(Some(Hit { windows, ..Hit::new(found, &run.frames[i]) }));
-            }
-        }
-        Ok(None)
     }
 
     /// The first of `runs` in which an arm can get hold of a robot in time, and the contact.
     fn first_of<'a>(
         &self,
-        person: &Person,
-        runs: &'a [Run],
-        walls: &[Cuboid],
-        mask: &dyn Fn(&RobotFrame) -> Vec<bool>,
-        i: usize,
+        arms: &Arms,
+        passage: &Passage,
+        runs: &[&'a Run],
         coverage: &mut Coverage,
     ) -> Option<(&'a Run, Encountered)> {
-        let within = |run: &Run| -> Vec<bool> {
-            let links = run.frames[i].links.iter().zip(mask(&run.frames[i]));
-            links.map(|(link, near)| near && run.ways.iter().all(|way| self.in_reach(way, link))).collect()
-        };
-        let with = |ways: &[Way]| -> Vec<Cuboid> {
-            walls.iter().copied().chain(ways.iter().flat_map(|way| self.walls_of(way))).collect()
-        };
-        // Ways from in front and from behind have different walls.
-        let alike = |a: &Run, b: &Run| a.ways.iter().zip(&b.ways).all(|(a, b)| a.back == b.back);
-        let mut groups: Vec<&[Run]> = runs.chunk_by(alike).rev().collect();
+        let alike = |a: &&Run, b: &&Run| a.backs().eq(b.backs());
+        let mut groups: Vec<&[&Run]> = runs.chunk_by(alike).rev().collect();
         while let Some(group) = groups.pop() {
-            match group {
-                [] => {}
-                [run] => {
-                    let (walls, links) = (with(&run.ways), within(run));
-                    let space = ArmSpace { walls: &walls, links: Some(&links) };
-                    if let Some(found) = self.encounter.unsafe_arm_contact(person, &run.frames[i], &space, coverage) {
-                        return Some((run, found));
-                    }
+            if let [run] = group {
+                let (walls, links) = (self.walls_past(passage, &run.ways), self.links_within(arms, passage, run));
+                let space = ArmSpace { walls: &walls, links: Some(&links) };
+                let found = self.encounter.unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
+                if let Some(found) = found {
+                    return Some((run, found));
                 }
-                [first, ..] => {
-                    // The space open to the widest ways holds that of all: nothing there is nothing for any.
-                    let widest = |n: usize| group.iter().map(|run| run.ways[n]).reduce(Way::wider);
-                    let widest: Vec<Way> = (0..first.ways.len()).filter_map(widest).collect();
-                    let walls = with(&widest);
-                    let links: Vec<bool> = group.iter().flat_map(within).collect();
-                    let space = ArmSpace { walls: &walls, links: Some(&links) };
-                    let frames: Vec<&RobotFrame> = group.iter().map(|run| &run.frames[i]).collect();
-                    if !self.encounter.no_arm_harmed(person, &frames, &space, coverage) {
-                        let (first, second) = group.split_at(group.len() / 2);
-                        groups.extend([second, first]);
-                    }
-                }
+            } else if !self.nobody_reaches(arms, passage, group, coverage) {
+                let (first, second) = group.split_at(group.len() / 2);
+                groups.extend([second, first]);
             }
         }
         None
+    }
+
+    /// What an arm does not pass on these ways past the planes of a passage.
+    fn walls_past(&self, passage: &Passage, ways: &[Way]) -> Vec<Cuboid> {
+        passage.walls.iter().copied().chain(ways.iter().flat_map(|way| self.walls_of(way))).collect()
     }
 
     /// What an arm does not pass on a way past a plane: what is out of the hand's reach, and a plane that is clear.
@@ -359,10 +474,10 @@ impl Asked {
 }
 
 /// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
-/// time. Those that the FMU could not finish are counted and left out.
-fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E, coverage: &mut Coverage) -> Result<Vec<Run>, E::Error> {
-    let mut runs: Vec<Run> = Vec::new();
-    let Some((last, before)) = told.split_last() else { return Ok(runs) };
+/// time. Those that the FMU could not finish are left out; the second number counts them.
+fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<(Vec<Run>, u64), E::Error> {
+    let (mut runs, mut unfinished): (Vec<Run>, u64) = (Vec::new(), 0);
+    let Some((last, before)) = told.split_last() else { return Ok((runs, unfinished)) };
     let before: Vec<Vec<Way>> = match before {
         [ways] => ways.iter().map(|way| vec![*way]).collect(),
         _ => vec![Vec::new()],
@@ -377,7 +492,7 @@ fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E, coverage: &mut C
                     HadTold::Is(frames) => frames,
                     HadTold::BeforeTime => break,
                     HadTold::Unfinished => {
-                        coverage.arm_runs_not_evaluated += 1;
+                        unfinished += 1;
                         continue;
                     }
                 };
@@ -385,9 +500,9 @@ fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E, coverage: &mut C
                 if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
                     runs.pop();
                 }
-                runs.push(Run { ways, frames });
+                runs.push(Run { ways, frames, i });
             }
         }
     }
-    Ok(runs)
+    Ok((runs, unfinished))
 }

@@ -1,0 +1,39 @@
+//! Independent work on all threads, with results that do not tell which thread did what.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// What a thread takes at a time.
+const BLOCK: usize = 16;
+
+/// What `work` gives for the numbers from 0 to `count`, some of them at a time, on so many threads; in order, whichever
+/// thread did it. Nothing if `go_on`, asked now and then, says no, or `work` raises its flag.
+pub(super) fn shared_out<T: Send>(
+    threads: usize,
+    count: usize,
+    go_on: &mut dyn FnMut() -> bool,
+    work: impl Fn(Range<usize>, &AtomicBool) -> T + Sync,
+) -> Option<Vec<T>> {
+    let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let take = |go_on: &mut dyn FnMut() -> bool| {
+        let mut done = Vec::new();
+        loop {
+            let from = next.fetch_add(BLOCK, Ordering::Relaxed);
+            if !go_on() {
+                stopped.store(true, Ordering::Relaxed);
+            }
+            if from >= count || stopped.load(Ordering::Relaxed) {
+                return done;
+            }
+            done.push((from, work(from..count.min(from + BLOCK), &stopped)));
+        }
+    };
+    let mut all: Vec<(usize, T)> = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(|| take(&mut || true))).collect();
+        let own = take(go_on);
+        let joined = others.into_iter().map(|t| t.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        std::iter::once(own).chain(joined).flatten().collect()
+    });
+    all.sort_unstable_by_key(|(from, _)| *from);
+    (!stopped.into_inner()).then(|| all.into_iter().map(|(_, done)| done).collect())
+}
