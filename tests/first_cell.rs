@@ -363,12 +363,11 @@ fn packages_elsewhere_are_named_once_and_stay_in_the_cell_file() {
     assert!(squeezed.contains(&dir.path().display().to_string()), "{said}");
     let src = dir.path().join("far/workspace/src");
     let path = format!("/nowhere:{}", src.display());
-    let ways: [(&[&str], &[(&str, &str)]); 2] =
-        [(&["--package", "arm=../far/workspace/src/of/arm"], &[]), (&[], &[("ROS_PACKAGE_PATH", &path)])];
-    for (more, variables) in ways {
-        let (code, text, said) = init(more, variables);
+    let by_option = init(&["--package", "arm=../far/workspace/src/of/arm"], &[]);
+    for (code, text, said) in [by_option, init(&[], &[("ROS_PACKAGE_PATH", &path)])] {
         assert!(code == Some(0) && !text.contains("urdf_shapes"), "{said} {text}");
         assert!(text.contains("packages = { \"arm\" = \"../far/workspace/src/of/arm\" }"), "{text}");
+        write(&work, "c.toml", &text);
         filled(&work, "c.toml");
         let (code, out, said) = run(&work, &["check", "c.toml"]);
         assert!(code == 0 && out.contains("1 shapes, 20.0 kg"), "{out} {said}");

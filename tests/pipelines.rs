@@ -218,6 +218,15 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
     assert_eq!(json(&moved.join("results/a/again/scan.json"))["hazards"], result["hazards"]);
     let (code, _, text) = ran(dir, &["compare", "elsewhere/results/a", "elsewhere/results/a/again"]);
     assert_eq!(code, Some(0), "{text}");
+    // A scan that was interrupted before goes on there.
+    let rest = serde_json::json!({
+        "arguments": ["cells/cell.toml", "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"],
+        "folder": "../..",
+    });
+    fs::write(moved.join("results/a/resume.json"), rest.to_string()).unwrap();
+    let (code, _, text) = ran(&mail, &["scan", "--resume", "../elsewhere/results/a"]);
+    assert_eq!(code, Some(1), "{text}");
+    assert!(json(&moved.join("results/a/scan.json")) == result, "it is the same again");
     // The results alone.
     fs::rename(moved.join("results/a"), mail.join("a")).unwrap();
     for command in [&["replay", "a", id][..], &["explain", "a", id]] {

@@ -214,7 +214,11 @@ fn robots(out: &mut Out, roles: &[Guess], facts: &Facts<'_>) {
     if robots.is_empty() && frames.is_empty() {
         robot_head(out, "robot", 0);
         out.line(&format!("{TODO} no output looks like a joint angle or the pose of a link: say what moves the robot"));
-        out.line("# [[robot.joint]]\n# name = \"joint_1\"\n# axis = [0, 0, 1]\n# angle = { variable = \"...\" }");
+        match &facts.urdf {
+            Some(urdf) => joints(out, &Robot::default(), Some(urdf)),
+            None => out
+                .line("# [[robot.joint]]\n# name = \"joint_1\"\n# axis = [0, 0, 1]\n# angle = { variable = \"...\" }"),
+        }
     }
 }
 
@@ -436,6 +440,15 @@ mod tests {
         let names = text.lines().filter_map(|line| after(line, "name = ")).skip(2);
         let angles = text.lines().filter_map(|line| after(line, "angle = { variable = "));
         names.zip(angles).collect()
+    }
+
+    #[test]
+    fn a_robot_description_is_used_where_no_output_looks_like_an_angle() {
+        let joints = vec![("table".to_owned(), Motion::Revolute)];
+        let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true, packages: &[] };
+        let facts = Facts { name: "x", fmu: "x.fmu", urdf: Some(urdf), ..Facts::default() };
+        let text = draft(&Interface::default(), &facts);
+        assert!(text.contains("urdf = \"r.urdf\"") && text.contains("name = \"table\"\nheld_deg = 0 # TODO"), "{text}");
     }
 
     #[test]
