@@ -380,5 +380,5 @@ fn a_hundred_thousand_variables() {
         x.replace("</ModelVariables>", &format!("{more}</ModelVariables>"))
     });
     let stdout = inspected(&fmu, &[]);
-    assert!(stdout.contains("variables    100007 (2 inputs, 2 outputs, 2 parameters)"), "{stdout}");
+    assert!(stdout.contains("variables    100007 (2 inputs, 2 outputs, 2 parameters, 100000 locals)"), "{stdout}");
 }

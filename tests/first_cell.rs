@@ -292,3 +292,112 @@ fn a_packed_fmu_is_scanned_alone_and_is_otherwise_the_same() {
     let (code, _, said) = run(&folder, &["pack", "out.toml", "--force"]);
     assert!(code == 2 && said.contains("outside the folder of the cell file"), "{said}");
 }
+
+/// A robot with one joint and one link, whose shape is in a mesh of package `arm`.
+const ARM: &str = "<robot name=\"r\"><link name=\"base\"/><link name=\"bar\"><inertial><mass value=\"20\"/></inertial>\
+    <collision><geometry><mesh filename=\"package://arm/meshes/bar.stl\"/></geometry></collision></link>\
+    <joint name=\"table\" type=\"revolute\"><parent link=\"base\"/><child link=\"bar\"/><axis xyz=\"0 0 1\"/></joint></robot>";
+
+/// A folder with a turning FMU, and a robot and its mesh at these places.
+fn with_package(urdf: &str, mesh: &str) -> tempfile::TempDir {
+    let dir = tempfile::TempDir::new().unwrap();
+    let (points, triangles) = common::meshes::cuboid([0.0, -0.05, 0.8], [0.8, 0.05, 0.9]);
+    for (name, text) in [(urdf, ARM.to_owned()), (mesh, common::meshes::stl(&points, &triangles))] {
+        std::fs::create_dir_all(dir.path().join(name).parent().unwrap()).unwrap();
+        write(dir.path(), name, &text);
+    }
+    std::fs::create_dir(dir.path().join("work")).unwrap();
+    std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.path().join("work/x.fmu")).unwrap();
+    dir
+}
+
+/// A cell that `init` wrote with everything filled in.
+fn filled(dir: &Path, name: &str) {
+    let text = std::fs::read_to_string(dir.join(name)).unwrap();
+    // What the stop is for cannot be known; the robot turns without it.
+    let tables = text.split("\n\n").filter(|table| !table.starts_with("[[sensor]]")).collect::<Vec<_>>().join("\n\n");
+    let lines: Vec<&str> = tables.lines().map(|line| line.split(" # TODO").next().unwrap()).collect();
+    write(dir, name, &lines.join("\n"));
+}
+
+#[test]
+fn init_and_check_find_packages_of_robots_in_the_same_places() {
+    for (urdf, mesh) in [
+        ("arm/urdf/x.urdf", "arm/meshes/bar.stl"),
+        ("arm/robots/x.urdf", "arm/meshes/bar.stl"),
+        ("x.urdf", "arm/meshes/bar.stl"),
+        ("opt/share/other/urdf/x.urdf", "opt/share/arm/meshes/bar.stl"),
+    ] {
+        let dir = with_package(urdf, mesh);
+        let work = dir.path().join("work");
+        let named = format!("../{urdf}");
+        let (code, _, said) = run(&work, &["init", "x.fmu", "--urdf", &named, "--out", "c.toml"]);
+        assert!(code == 0 && !said.contains("kinematics only"), "{urdf}: {said}");
+        let text = std::fs::read_to_string(work.join("c.toml")).unwrap();
+        assert!(!text.contains("urdf_shapes") && !text.contains("packages"), "{urdf}: {text}");
+        filled(&work, "c.toml");
+        let (code, out, said) = run(&work, &["check", "c.toml"]);
+        assert!(code == 0 && out.contains("1 shapes, 20.0 kg"), "{urdf}: {out} {said}");
+    }
+}
+
+#[test]
+fn packages_elsewhere_are_named_once_and_stay_in_the_cell_file() {
+    let dir = with_package("robot/x.urdf", "far/workspace/src/of/arm/meshes/bar.stl");
+    let work = dir.path().join("work");
+    let init = |more: &[&str], variables: &[(&str, &str)]| {
+        let arguments = ["init", "x.fmu", "--urdf", "../robot/x.urdf", "--out", "c.toml", "--force"];
+        let mut command = fmi_hazard(&work);
+        command.args(arguments).args(more).env_remove("ROS_PACKAGE_PATH").env_remove("AMENT_PREFIX_PATH");
+        let output = command.envs(variables.iter().copied()).output().unwrap();
+        let text = std::fs::read_to_string(work.join("c.toml")).unwrap_or_default();
+        (output.status.code(), text, common::archives::flat(&String::from_utf8_lossy(&output.stderr)))
+    };
+    // Nowhere: every place is named, and the way out.
+    let (code, text, said) = init(&[], &[]);
+    assert!(code == Some(0) && text.contains("urdf_shapes = false"), "{text}");
+    let squeezed = said.split_whitespace().collect::<String>();
+    for words in ["robot,", "share/arm", "/work/arm", "ROS_PACKAGE_PATHisnotset", "--packagearm=FOLDER"] {
+        assert!(squeezed.contains(words), "{words}: {said}");
+    }
+    assert!(squeezed.contains(&dir.path().display().to_string()), "{said}");
+    let src = dir.path().join("far/workspace/src");
+    let path = format!("/nowhere:{}", src.display());
+    let by_option = init(&["--package", "arm=../far/workspace/src/of/arm"], &[]);
+    for (code, text, said) in [by_option, init(&[], &[("ROS_PACKAGE_PATH", &path)])] {
+        assert!(code == Some(0) && !text.contains("urdf_shapes"), "{said} {text}");
+        assert!(text.contains("packages = { \"arm\" = \"../far/workspace/src/of/arm\" }"), "{text}");
+        write(&work, "c.toml", &text);
+        filled(&work, "c.toml");
+        let (code, out, said) = run(&work, &["check", "c.toml"]);
+        assert!(code == 0 && out.contains("1 shapes, 20.0 kg"), "{out} {said}");
+    }
+    let (code, _, said) = init(&["--package", "arm=nowhere"], &[]);
+    assert!(code == Some(2) && said.contains("no folder nowhere"), "{said}");
+}
+
+#[test]
+fn probe_tells_each_input_that_it_tried_also_with_a_cell() {
+    let dir = examples();
+    let (code, out, said) = run(dir.path(), &["probe", "safety-fence/safety-fence.fmu"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(out.contains("input     plc.guard_closed = false: stops it, at rest after"), "{out}");
+    assert!(out.contains("input     plc.reset = true: changes nothing"), "{out}");
+    // A sensor by its own name, an input of the cell file by its variable.
+    let (_, out, _) = run(dir.path(), &["probe", "sensor-mat/cell.toml"]);
+    assert!(
+        out.contains("input     mat = false: at ")
+            && out.contains("stops it")
+            && out.contains("input     plc.reset = true: "),
+        "{out}"
+    );
+    // One that the cell file leaves alone is tried as well; one that is a number is named.
+    std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.path().join("x.fmu")).unwrap();
+    let cell = common::faulty_cell("x.fmu", 0, 0);
+    let (before, after) = cell.split_once("[[sensor]]").unwrap();
+    let (_, after) = after.split_once("[parameters]").unwrap();
+    write(dir.path(), "x.toml", &format!("{before}[parameters]{after}"));
+    let (code, out, said) = run(dir.path(), &["probe", "x.toml"]);
+    assert!(code == 0 && out.contains("input     stop = true: stops it"), "{out} {said}");
+    assert!(out.contains("not tried push: only inputs that are true or false are"), "{out}");
+}

@@ -132,7 +132,7 @@ fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
 }
 
 #[test]
-fn the_command_in_the_report_gives_the_same_result() {
+fn the_command_in_the_report_gives_the_same_result_in_its_folder() {
     let dir = examples();
     let dir = dir.path();
     let cell = dir.join("it's a cell.toml");
@@ -146,14 +146,101 @@ fn the_command_in_the_report_gives_the_same_result() {
     ] {
         let output = fmi_hazard(dir).args(scan).args(more).output().unwrap();
         assert!(output.status.code().is_some_and(|code| code < 2), "{}", said(&output));
-        let page = fs::read_to_string(dir.join("first/report.html")).unwrap();
-        let data = page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap();
-        let data: serde_json::Value = serde_json::from_str(data).unwrap();
-        let command = data["reproduce"].as_str().unwrap();
-        let again = shell(dir, command);
+        let command = reproduce(&dir.join("first"));
+        let again = shell(&dir.join("first"), &command);
         assert_eq!(again.status.code(), output.status.code(), "{command}: {}", said(&again));
-        let read = |out: &str| fs::read(dir.join(out).join("scan.json")).unwrap();
-        assert!(read("first") == read("out/head-collision"), "{command}");
-        fs::remove_dir_all(dir.join("out")).unwrap();
+        // The same but for where it is seen from.
+        let read = |out: &str| {
+            let mut scan = json(&dir.join(out).join("scan.json"));
+            for key in ["path", "cell_file", "cell_found"] {
+                let _ = scan["subject"][key].take();
+            }
+            scan
+        };
+        assert!(read("first") == read("first/out/head-collision"), "{command}");
+        fs::remove_dir_all(dir.join("first/out")).unwrap();
+    }
+}
+
+/// The command in the report of a scan.
+fn reproduce(out: &Path) -> String {
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let data = page.split("id=\"data\">").nth(1).unwrap().split("</script>").next().unwrap();
+    let data: serde_json::Value = serde_json::from_str(data).unwrap();
+    data["reproduce"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn results_are_moved_with_their_cell_and_mailed_without_it() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let dir = dir.path();
+    let (first, mail) = (dir.join("first"), dir.join("mail"));
+    [first.join("cells"), mail.clone()].iter().for_each(|folder| fs::create_dir_all(folder).unwrap());
+    fs::copy(common::test_fmus().join("faulty.fmu"), first.join("cells/faulty.fmu")).unwrap();
+    fs::write(first.join("cells/cell.toml"), common::nearer(&common::faulty_cell("faulty.fmu", 0, 0))).unwrap();
+    let ran = |dir: &Path, arguments: &[&str]| {
+        let output = fmi_hazard(dir).args(arguments).output().unwrap();
+        let text = common::archives::flat(&String::from_utf8_lossy(&output.stderr));
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), text)
+    };
+    // However the cell is named.
+    let cell = first.join("cells/cell.toml").display().to_string();
+    let scan = ["scan", &cell, "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"];
+    let (code, _, text) = ran(&first, &scan);
+    assert_eq!(code, Some(1), "{text}");
+    let result = json(&first.join("results/a/scan.json"));
+    let id = result["hazards"][0]["id"].as_str().unwrap();
+    assert_eq!(result["subject"]["path"], "../../cells/cell.toml");
+    for file in fs::read_dir(first.join("results/a")).unwrap().map(|entry| entry.unwrap().path()) {
+        let bytes = fs::read(&file).unwrap();
+        let own = dir.display().to_string();
+        // Findings are shown where the scan was told that the cell is.
+        let names = bytes.windows(own.len()).any(|part| part == own.as_bytes());
+        assert!(!names || file.ends_with("hazards.sarif") || file.ends_with("fmu.log"), "{}", file.display());
+    }
+    // All of it elsewhere.
+    let moved = dir.join("elsewhere");
+    fs::rename(&first, &moved).unwrap();
+    let known = |dir: &Path, results: &str, cell: &str, more: &[&str]| {
+        for command in [&["replay", results, id][..], &["explain", results, id, "--no-changes"]] {
+            let (code, out, text) = ran(dir, &[command, more].concat());
+            assert!(code < Some(2) && out.contains(id) && !text.contains("changed"), "{command:?}: {text}");
+        }
+        let (code, out, text) = ran(dir, &["verify", results, cell]);
+        assert!(code == Some(1) && out.contains(id), "{out} {text}");
+    };
+    known(&moved, "results/a", "cells/cell.toml", &[]);
+    known(&moved.join("results"), "a/scan.json", "../cells/cell.toml", &[]);
+    known(dir, "elsewhere/results/a", "elsewhere/cells/cell.toml", &[]);
+    let command = reproduce(&moved.join("results/a"));
+    let again = shell(&moved.join("results/a"), &format!("{command} --out again"));
+    assert_eq!(again.status.code(), Some(1), "{command}: {}", said(&again));
+    assert_eq!(json(&moved.join("results/a/again/scan.json"))["hazards"], result["hazards"]);
+    let (code, _, text) = ran(dir, &["compare", "elsewhere/results/a", "elsewhere/results/a/again"]);
+    assert_eq!(code, Some(0), "{text}");
+    // A scan that was interrupted before goes on there.
+    let rest = serde_json::json!({
+        "arguments": ["cells/cell.toml", "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"],
+        "folder": "../..",
+    });
+    fs::write(moved.join("results/a/resume.json"), rest.to_string()).unwrap();
+    let (code, _, text) = ran(&mail, &["scan", "--resume", "../elsewhere/results/a"]);
+    assert_eq!(code, Some(1), "{text}");
+    assert!(json(&moved.join("results/a/scan.json")) == result, "it is the same again");
+    // The results alone.
+    fs::rename(moved.join("results/a"), mail.join("a")).unwrap();
+    for command in [&["replay", "a", id][..], &["explain", "a", id]] {
+        let (code, _, text) = ran(&mail, command);
+        assert!(code == Some(2) && text.contains("does not exist") && text.contains("--cell FILE"), "{text}");
+    }
+    known(&mail, "a", "../elsewhere/cells/cell.toml", &["--cell", "../elsewhere/cells/cell.toml"]);
+    // And the cell file without its FMU.
+    fs::rename(moved.join("cells/cell.toml"), mail.join("cell.toml")).unwrap();
+    for command in [&["replay", "a", id][..], &["explain", "a", id]] {
+        let (code, _, text) = ran(&mail, &[command, &["--cell", "cell.toml"]].concat());
+        assert!(code == Some(2) && text.contains("faulty.fmu does not exist") && text.contains("--fmu FILE"), "{text}");
+        let more = ["--cell", "cell.toml", "--fmu", "../elsewhere/cells/faulty.fmu"];
+        let (code, out, text) = ran(&mail, &[command, &more].concat());
+        assert!(code < Some(2) && out.contains(id) && !text.contains("changed"), "{text}");
     }
 }

@@ -6,7 +6,8 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use common::{examples, fmi_hazard};
+use common::archives::{run, with_xml};
+use common::{examples, faulty_cell, fmi_hazard, write};
 use fmi_hazard::cell::draft::roles::{Guess, Role, guess};
 use fmi_hazard::fmi::{Fmu, ModelDescription};
 
@@ -155,6 +156,102 @@ fn joints_of_urdf_names_belong_together() {
         let role = roles.get(&name["Real ".len()..]);
         assert_eq!(role, Some(&Role::JointAngle { robot: "ur".to_owned(), number }), "{name}");
     }
+}
+
+/// Roles of these variables, in short form.
+fn roles_of(variables: &[(&str, &str, &str)]) -> Vec<(String, String)> {
+    let guesses = guess(&description(variables)).into_iter();
+    guesses.map(|guess| (guess.variable, short(Some(&guess.role)))).collect()
+}
+
+#[test]
+fn limits_and_valves_are_no_joints() {
+    for name in ["valve_q_max_#", "q_limits[#]", "q_lim#", "q_min[#]", "valve#_angle_limit", "valve[#].phi"] {
+        let names: Vec<String> = (1..=6).map(|n| format!("Real {}", name.replace('#', &n.to_string()))).collect();
+        let variables: Vec<(&str, &str, &str)> = names.iter().map(|name| ("output", name.as_str(), "rad")).collect();
+        assert_eq!(roles_of(&variables), [], "{name}");
+    }
+    let alone = [("output", "Real q_limit", "rad"), ("output", "Real qd_limit", "rad/s")];
+    assert_eq!(roles_of(&alone), []);
+    assert_eq!(roles_of(&[("output", "Real valve_q_max", "rad"), ("output", "Real valve_qd_max", "rad/s")]), []);
+}
+
+#[test]
+fn an_angle_and_its_speed_are_a_joint_without_a_number() {
+    let joints = |names: &[(&str, &str)]| -> Vec<(String, String)> {
+        let variables: Vec<(String, &str)> = names.iter().map(|(name, unit)| (format!("Real {name}"), *unit)).collect();
+        roles_of(&variables.iter().map(|(name, unit)| ("output", name.as_str(), *unit)).collect::<Vec<_>>())
+    };
+    for (angle, speed, unit) in [
+        ("q", "qd", "rad"),
+        ("table.phi", "table.w", "rad"),
+        ("joint_angle", "joint_speed", "deg"),
+        ("turntable/position", "turntable/velocity", "rad"),
+    ] {
+        let expected = [(angle, "angle 1"), (speed, "speed 1")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+        assert_eq!(joints(&[(angle, unit), (speed, &format!("{unit}/s"))]), expected);
+    }
+    // Which joint a speed belongs to has to be told, and an angle alone may be anything.
+    assert_eq!(joints(&[("q", "rad"), ("phi", "rad"), ("w", "rad/s")]), []);
+    assert_eq!(joints(&[("q", "rad"), ("tool.w", "rad/s")]), []);
+    assert_eq!(joints(&[("q", "rad"), ("qd", "deg/s")]), []);
+    // Where joints are counted, another angle is none.
+    let numbered = joints(&[("q1", "rad"), ("q2", "rad"), ("door.phi", "rad"), ("door.w", "rad/s")]);
+    assert_eq!(numbered.len(), 2, "{numbered:?}");
+}
+
+#[test]
+fn locals_are_for_what_no_output_is_for() {
+    let inner = [("local", "Real arm.q[#]", "rad"), ("local", "Real arm.qd[#]", "rad/s")];
+    let outer = [("output", "Real out.q[#]", "rad")];
+    let all = |of: &[(&'static str, &'static str, &'static str)]| {
+        let names: Vec<(&str, String, &str)> = of
+            .iter()
+            .flat_map(|(causality, name, unit)| {
+                (1..=6).map(move |n: u8| (*causality, name.replace('#', &n.to_string()), *unit))
+            })
+            .collect();
+        let variables: Vec<(&str, &str, &str)> = names.iter().map(|(c, n, u)| (*c, n.as_str(), *u)).collect();
+        guess(&description(&variables))
+    };
+    let found = all(&inner);
+    assert_eq!(found.len(), 12);
+    assert!(found.iter().all(|guess| guess.local && guess.confidence < 0.95), "{found:?}");
+    // The joints are told outside, their speeds only inside.
+    let found = all(&[&outer[..], &inner].concat());
+    let angles: Vec<&Guess> = found.iter().filter(|g| matches!(g.role, Role::JointAngle { .. })).collect();
+    assert!(angles.len() == 6 && angles.iter().all(|guess| !guess.local), "{angles:?}");
+    assert_eq!(found.iter().filter(|guess| guess.local).count(), 6);
+}
+
+#[test]
+fn locals_are_counted_listed_on_demand_and_bound() {
+    let inside = |x: &str| {
+        let (before, rest) = x.split_once("<Outputs>").unwrap();
+        let (_, after) = rest.split_once("</InitialUnknowns>").unwrap();
+        format!("{before}{after}").replace("causality=\"output\"", "causality=\"local\"")
+    };
+    let dir = common::archives::folder_with(&with_xml(inside));
+    let inspect = |more: &[&str]| {
+        let (code, out, said) = run(dir.path(), &[&["inspect", "x.fmu"], more].concat());
+        assert_eq!(code, 0, "{said}");
+        out
+    };
+    let text = inspect(&[]);
+    assert!(text.contains("2 locals)") && text.contains("listed with --locals"), "{text}");
+    assert!(text.contains("joint angles, local") && !text.contains("Angle of the joint"), "{text}");
+    let text = inspect(&["--locals"]);
+    assert!(text.contains("Angle of the joint") && !text.contains("fault.kind"), "{text}");
+    let (code, ..) = run(dir.path(), &["init", "x.fmu", "--out", "first.toml"]);
+    let first = std::fs::read_to_string(dir.path().join("first.toml")).unwrap();
+    assert!(code == 0 && first.contains("angle = { variable = \"q\" } # GUESS"), "{first}");
+    write(dir.path(), "cell.toml", &faulty_cell("x.fmu", 0, 0));
+    let (code, out, said) = run(dir.path(), &["check", "cell.toml"]);
+    assert!(code == 0 && out.contains("moves     up to 0."), "{out} {said}");
+    // Who gets a name wrong is told where they stand.
+    write(dir.path(), "wrong.toml", &faulty_cell("x.fmu", 0, 0).replace("\"q\"", "\"stop\""));
+    let (_, _, said) = run(dir.path(), &["check", "wrong.toml", "--no-run"]);
+    assert!(said.contains("--locals"), "{said}");
 }
 
 #[test]

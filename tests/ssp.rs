@@ -437,6 +437,39 @@ fn inspect_tells_what_a_system_is() {
 }
 
 #[test]
+fn a_system_is_probed_and_tested_as_an_fmu_is() {
+    let dir = examples();
+    let folder = dir.path().join("sensor-mat");
+    system(&folder, &description(|text| text), "", &[]);
+    let said = |arguments: &[&str]| {
+        let output = fmi_hazard(&folder).args(arguments).output().unwrap();
+        (
+            output.status.code().unwrap(),
+            String::from_utf8(output.stdout).unwrap()
+                + &common::archives::flat(&String::from_utf8_lossy(&output.stderr)),
+        )
+    };
+    let (code, text) = said(&["selftest", "mat.ssp"]);
+    assert!(code == 0 && text.contains("cell: 80 steps of 0.02 s with 2 moving inputs"), "{text}");
+    let arguments = ["selftest", "mat.ssp", "--json", "--in-process"];
+    let output = fmi_hazard(&folder).args(arguments).assert().code(0).get_output().clone();
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(json["deterministic"]["result"], "exact", "{json}");
+    let (code, text) = said(&["probe", "mat.ssp"]);
+    assert!(code == 0 && text.contains("moves     5.236 in the unit of its joint speeds"), "{text}");
+    assert!(
+        text.contains("input     mat_clear = false: stops it") && text.contains("input     reset = true"),
+        "{text}"
+    );
+    // What is wrong in the system is told with its line.
+    system(&folder, &description(|text| text.replace("startConnector=\"stop\"", "startConnector=\"stopp\"")), "", &[]);
+    for command in ["selftest", "probe"] {
+        let (code, text) = said(&[command, "mat.ssp"]);
+        assert!(code == 2 && text.contains("there is no variable `plc.stopp`"), "{text}");
+    }
+}
+
+#[test]
 fn a_first_cell_file_of_a_system_names_its_variables_as_the_cell_does() {
     let dir = examples();
     let folder = dir.path().join("sensor-mat");

@@ -2,8 +2,9 @@
 //! the simulation needs becomes a [`Reader`] over the FMU's bound outputs.
 //!
 //! `lookup` finds variables and converts their units, `robot` binds what moves a robot, `system` the connections between FMUs;
-//! `reading` is what is left of all that in a scan.
+//! `reading` is what is left of all that in a scan. [`alone`] is for FMUs without a cell.
 
+pub mod alone;
 mod lookup;
 mod reading;
 mod robot;
@@ -151,18 +152,7 @@ pub fn bind(
     wiring: Option<&Wiring>,
 ) -> Result<Binding, Box<CellError>> {
     let problems = &Problems::default();
-    let mut b = Binder {
-        source,
-        wiring,
-        mirrors: Vec::new(),
-        problems,
-        units,
-        outputs: Vec::new(),
-        derived: Vec::new(),
-        unitless: BTreeMap::new(),
-        differentiated: Vec::new(),
-        warnings: Vec::new(),
-    };
+    let mut b = Binder::new(source, units, wiring, problems);
     let robots: Vec<RobotBinding> = file.robots.iter().filter_map(|robot| b.robot(robot)).collect();
     let mut inputs: Vec<UnitPort> = Vec::new();
     let mut sensors: Vec<Option<SensorBinding>> = Vec::new();
@@ -344,6 +334,26 @@ impl Binding {
 }
 
 impl<'a> Binder<'a> {
+    const fn new(
+        source: &'a Source,
+        units: &'a [BoundUnit<'a>],
+        wiring: Option<&'a Wiring>,
+        problems: &'a Problems,
+    ) -> Self {
+        Self {
+            source,
+            wiring,
+            mirrors: Vec::new(),
+            problems,
+            units,
+            outputs: Vec::new(),
+            derived: Vec::new(),
+            unitless: BTreeMap::new(),
+            differentiated: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
     /// The type of a variable as its FMU calls it.
     fn type_name(&self, unit: usize, variable: &Variable) -> String {
         variable.type_name(self.units[unit].description.version().unwrap_or(FmiVersion::V2))

@@ -51,6 +51,8 @@ pub struct Described<'a> {
     pub has_masses: bool,
     /// Whether its collision shapes can be read.
     pub has_shapes: bool,
+    /// Packages that the cell file has to name, and their folders.
+    pub packages: &'a [(String, String)],
 }
 
 /// One robot of the draft.
@@ -212,13 +214,21 @@ fn robots(out: &mut Out, roles: &[Guess], facts: &Facts<'_>) {
     if robots.is_empty() && frames.is_empty() {
         robot_head(out, "robot", 0);
         out.line(&format!("{TODO} no output looks like a joint angle or the pose of a link: say what moves the robot"));
-        out.line("# [[robot.joint]]\n# name = \"joint_1\"\n# axis = [0, 0, 1]\n# angle = { variable = \"...\" }");
+        match &facts.urdf {
+            Some(urdf) => joints(out, &Robot::default(), Some(urdf)),
+            None => out
+                .line("# [[robot.joint]]\n# name = \"joint_1\"\n# axis = [0, 0, 1]\n# angle = { variable = \"...\" }"),
+        }
     }
 }
 
 fn joints(out: &mut Out, robot: &Robot<'_>, urdf: Option<&Described<'_>>) {
     if let Some(urdf) = urdf {
         out.line(&format!("urdf = {}", quoted(urdf.path)));
+        if !urdf.packages.is_empty() {
+            let folders = urdf.packages.iter().map(|(name, folder)| format!("{} = {}", quoted(name), quoted(folder)));
+            out.line(&format!("packages = {{ {} }}", folders.collect::<Vec<_>>().join(", ")));
+        }
         if !urdf.has_shapes {
             out.line("urdf_shapes = false # they cannot be used (init says why): give shapes below");
         }
@@ -417,18 +427,28 @@ mod tests {
     fn pairs(variables: &[&str], joints: &[&str]) -> Vec<(String, String)> {
         let role = |(number, variable): (usize, &&str)| Guess {
             variable: (*variable).to_owned(),
+            local: false,
             role: Role::JointAngle { robot: "r".to_owned(), number: number + 1 },
             confidence: 0.97,
         };
         let roles: Vec<Guess> = variables.iter().enumerate().map(role).collect();
         let joints = joints.iter().map(|name| ((*name).to_owned(), Motion::Revolute)).collect();
-        let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true };
+        let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true, packages: &[] };
         let facts = Facts { name: "x", fmu: "x.fmu", urdf: Some(urdf), ..Facts::default() };
         let text = draft(&Interface { roles, ..Interface::default() }, &facts);
         let after = |line: &str, key: &str| line.strip_prefix(key).map(str::to_owned);
         let names = text.lines().filter_map(|line| after(line, "name = ")).skip(2);
         let angles = text.lines().filter_map(|line| after(line, "angle = { variable = "));
         names.zip(angles).collect()
+    }
+
+    #[test]
+    fn a_robot_description_is_used_where_no_output_looks_like_an_angle() {
+        let joints = vec![("table".to_owned(), Motion::Revolute)];
+        let urdf = Described { path: "r.urdf", joints, has_masses: true, has_shapes: true, packages: &[] };
+        let facts = Facts { name: "x", fmu: "x.fmu", urdf: Some(urdf), ..Facts::default() };
+        let text = draft(&Interface::default(), &facts);
+        assert!(text.contains("urdf = \"r.urdf\"") && text.contains("name = \"table\"\nheld_deg = 0 # TODO"), "{text}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The cell: what surrounds the FMU. Robot geometry, obstacles, sensors, the person's start, and which FMU variable is
 //! which.
 //!
-//! - [`file`]: the cell file, from its text to a [`Workcell`]
+//! - [`file`](mod@file): the cell file, from its text to a [`Workcell`]
 //! - [`workcell`]: the cell as it is understood, in SI units
 //! - [`foreign`]: robots, shapes and systems in the formats of others: URDF, meshes, SSP
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked

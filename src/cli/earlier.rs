@@ -1,12 +1,12 @@
 //! Earlier scans that an argument names: reading them, finding a hazard in one, and preparing what they scanned again.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::{beginnings, output};
 use crate::cell::error::{Source, nearest};
 use crate::host::selftest::Rung;
-use crate::report::model::{FmuSubject, Hazard};
+use crate::report::model::{FileSubject, FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
 use crate::scan::prepare::prepare_in;
 use crate::scan::{Hosting, Prepared};
@@ -35,27 +35,61 @@ pub(super) fn hazard<'a>(scan: &'a Recorded, id: &str, path: &Path) -> Result<&'
 
 /// The cell file of a scan, if it is still where it was and as it was.
 pub(super) fn cell_text(scan: &Recorded) -> Option<String> {
-    let file = scan.subject.cell_file.as_ref().unwrap_or(&scan.subject.path);
+    let file = scan.cell_file().unwrap_or_else(|| scan.subject_path());
     let text = std::fs::read_to_string(file).ok()?;
     (Source::new("", &text).sha256() == scan.subject.cell_sha256).then_some(text)
 }
 
-/// What was scanned, again: from where it was, or from `cell`, a cell file or an FMU, if it is elsewhere now. Warns of what
-/// is not as it was.
-pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, Failure> {
-    let is_cell = |path: &Path| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"));
+/// Where what was scanned is now, if it is elsewhere.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub(super) struct Elsewhere {
+    /// The cell file, or an FMU with its cell, when it is no longer where the result says
+    #[arg(long)]
+    cell: Option<PathBuf>,
+    /// The FMU, when it is no longer where the result or the cell file says
+    #[arg(long)]
+    fmu: Option<PathBuf>,
+}
+
+/// What was scanned, again: from where it was, or from where it is now. Warns of what is not as it was.
+pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting) -> Result<Prepared, Failure> {
     let own = &scan.subject;
-    let prepared = match cell {
+    let (path, cell_file) = (scan.subject_path(), scan.cell_file());
+    let (path, cell_file) = match (elsewhere.cell.clone(), elsewhere.fmu.clone()) {
+        (Some(cell), Some(fmu)) => (fmu, Some(cell)),
         // The FMU was named, and a cell file that need not name it.
-        Some(cell) if is_cell(cell) && !is_cell(&own.path) => prepare_in(&own.path, Some(cell), hosting)?,
-        Some(other) => prepare_in(other, None, hosting)?,
-        None => prepare_in(&own.path, own.cell_file.as_deref(), hosting)?,
+        (Some(cell), None) if is_cell(&cell) && !is_cell(&path) && path.exists() => (path, Some(cell)),
+        (Some(cell), None) => (cell, None),
+        (None, Some(fmu)) if is_cell(&path) => (fmu, Some(path)),
+        (None, Some(fmu)) => (fmu, cell_file),
+        (None, None) => (path, cell_file),
     };
+    let is_there = |file: &Path, option: &str| {
+        if file.exists() {
+            return Ok(());
+        }
+        let message = format!("what was scanned is not there: {} does not exist", file.display());
+        Err(Failure::unusable_with_help(message, format!("say where it is now, with {option}")))
+    };
+    match &cell_file {
+        Some(cell) => {
+            is_there(cell, "--cell FILE")?;
+            is_there(&path, "--fmu FILE")?;
+        }
+        None if is_cell(&path) => {
+            is_there(&path, "--cell FILE")?;
+            fmu_is_there(&path)?;
+        }
+        None => is_there(&path, "--fmu FILE, or --cell FILE with a cell file that names it")?,
+    }
+    let prepared = prepare_in(&path, cell_file.as_deref(), hosting)?;
     let prepared = prepared.beginning_of(own.beginning.as_ref())?;
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");
     }
-    if own.files != prepared.subject.files {
+    // By what they hold: what lies elsewhere now is the same for that.
+    let contents = |files: &[FileSubject]| files.iter().map(|file| file.sha256.clone()).collect::<Vec<_>>();
+    if contents(&own.files) != contents(&prepared.subject.files) {
         output::warning("a robot description, a mesh or the system of FMUs has changed since the scan");
     }
     let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
@@ -63,6 +97,31 @@ pub(super) fn prepare(scan: &Recorded, cell: Option<&Path>, hosting: &Hosting) -
         output::warning("the FMU has changed since the scan");
     }
     Ok(prepared)
+}
+
+fn is_cell(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// Whether the FMU is there that a cell file names, if it names one; other mistakes are told when it is read.
+fn fmu_is_there(cell: &Path) -> Result<(), Failure> {
+    let table = std::fs::read_to_string(cell).ok().and_then(|text| text.parse::<toml::Table>().ok());
+    let named = table.as_ref().and_then(|table| table.get("fmu")?.as_str());
+    let (message, what) = match (named, &table) {
+        (Some(named), _) if cell.with_file_name(named).exists() => return Ok(()),
+        (Some(named), _) => {
+            let fmu = cell.with_file_name(named);
+            (
+                format!("the FMU is not there that {} names: {} does not exist", cell.display(), fmu.display()),
+                "it is now",
+            )
+        }
+        (None, Some(table)) if !table.contains_key("unit") => {
+            (format!("{} does not say which FMU it describes", cell.display()), "that is")
+        }
+        _ => return Ok(()),
+    };
+    Err(Failure::unusable_with_help(message, format!("say where {what}, with --fmu FILE")))
 }
 
 /// The same, with states brought back as plainly as the scan in `path` did: it may have found out that the FMU needs that.

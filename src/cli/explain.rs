@@ -23,9 +23,8 @@ pub(super) struct Arguments {
     scan: PathBuf,
     /// Id of a hazard in it
     id: String,
-    /// The cell file or FMU, when it is no longer where it was
-    #[arg(long)]
-    cell: Option<PathBuf>,
+    #[command(flatten)]
+    elsewhere: earlier::Elsewhere,
     /// Do not look for changes of the cell
     #[arg(long)]
     no_changes: bool,
@@ -60,7 +59,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let stop = Stop::default();
     let hosting = arguments.hosting.heeding(&stop)?;
     output::phase("running the hazard's sequences again");
-    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &hosting)?;
+    let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &hosting)?;
     let prepared = earlier::as_plainly(prepared, &arguments.scan);
     stopping::by_signals(&stop);
     match verify(&prepared, hazard).outcome {

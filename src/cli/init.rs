@@ -8,13 +8,11 @@ use std::path::{Path, PathBuf};
 
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
-use crate::cell::draft::interface::Interface;
+use super::subject::Subject;
 use crate::cell::draft::{Described, Facts, TODO, draft};
 use crate::cell::file::described;
-use crate::cell::file::files::plain;
-use crate::cell::foreign::ssp::{self, System};
+use crate::cell::file::files::named_from;
 use crate::cell::json_schema;
-use crate::fmi::Fmu;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -23,6 +21,10 @@ pub(super) struct Arguments {
     /// A robot description: its kinematics, masses and collision shapes are used
     #[arg(long)]
     urdf: Option<PathBuf>,
+    /// Where a package is that the robot description names (package://NAME/...); may be given several times. Without it,
+    /// folders above and beside the description are searched, ROS_PACKAGE_PATH and AMENT_PREFIX_PATH
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package, requires = "urdf")]
+    packages: Vec<(String, PathBuf)>,
     /// Where to write the cell file (default: <FMU>.cell.toml beside it)
     #[arg(long, short)]
     out: Option<PathBuf>,
@@ -32,6 +34,18 @@ pub(super) struct Arguments {
     /// Ask nothing
     #[arg(long, short)]
     yes: bool,
+}
+
+/// A package and its folder.
+fn package(text: &str) -> Result<(String, PathBuf), String> {
+    let (name, folder) = text
+        .split_once('=')
+        .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
+        .ok_or("give it as NAME=DIR")?;
+    if !Path::new(folder).is_dir() {
+        return Err(format!("there is no folder {folder}"));
+    }
+    Ok((name.to_owned(), folder.into()))
 }
 
 /// Name of the schema beside the cell file.
@@ -45,10 +59,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         return Err(Failure::unusable_with_help(format!("{} is there already", path.display()), help));
     }
     let folder = path.parent().unwrap_or(Path::new(""));
-    let fmu_path = relative(&arguments.fmu, folder);
-    let urdf_path = arguments.urdf.as_ref().map(|urdf| relative(urdf, folder));
+    let fmu_path = named_from(&arguments.fmu, folder);
+    let urdf_path = arguments.urdf.as_ref().map(|urdf| named_from(urdf, folder));
     let summary = match &arguments.urdf {
-        Some(urdf) => Some(described::summary(urdf)?),
+        Some(urdf) => Some(described::summary(urdf, folder, &arguments.packages)?),
         None => None,
     };
     let urdf = urdf_path.as_deref().zip(summary.as_ref()).map(|(path, summary)| Described {
@@ -56,6 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         joints: summary.joints.clone(),
         has_masses: summary.moving_mass_kg.is_some(),
         has_shapes: summary.unreadable.is_none(),
+        packages: &summary.packages,
     });
     let name = arguments.fmu.file_stem().map_or_else(|| "cell".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let mut facts = Facts { name: &name, fmu: &fmu_path, urdf, ..Facts::default() };
@@ -70,8 +85,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         let json = output::pretty(&json_schema())?;
         output::write_file(&schema, &json)?;
     }
-    if let Some(reason) = summary.and_then(|summary| summary.unreadable) {
-        output::warning(&format!("{reason}; the cell file takes the kinematics only"));
+    if let Some((reason, help)) = summary.and_then(|summary| summary.unreadable) {
+        let help = help.map_or_else(String::new, |help| format!(" ({help})"));
+        output::warning(&format!("{reason}; the cell file takes the kinematics only{help}"));
     }
     let count = |of: &str| text.lines().filter(|line| line.contains(of)).count();
     let (guesses, todos) = (count("# GUESS"), count(TODO));
@@ -82,45 +98,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         path.display()
     ));
     Ok(NO_HAZARD)
-}
-
-/// What the cell is to be around.
-enum Subject {
-    Fmu(Box<Fmu>),
-    System(Box<System>),
-}
-
-impl Subject {
-    fn open(path: &Path) -> Result<Self, Failure> {
-        Ok(if ssp::is_ssp(path) {
-            Self::System(Box::new(ssp::open(path)?))
-        } else {
-            Self::Fmu(Box::new(Fmu::open(path)?))
-        })
-    }
-
-    fn interface(&self) -> Interface<'_> {
-        match self {
-            Self::Fmu(fmu) => Interface::of_fmu(fmu.description()),
-            Self::System(system) => Interface::of_system(system),
-        }
-    }
-}
-
-/// `path` as a file in `folder` names it: without the folder if it is inside, else absolute.
-fn relative(path: &Path, folder: &Path) -> String {
-    let absolute = |path: &Path| {
-        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-        plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
-    };
-    let (path, folder) = (absolute(path), absolute(folder));
-    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
-    if shared <= 1 {
-        return path.display().to_string();
-    }
-    let up = folder.components().skip(shared).map(|_| "..");
-    let down = path.components().skip(shared).map(|c| c.as_os_str().to_string_lossy().into_owned());
-    up.map(str::to_owned).chain(down).collect::<Vec<_>>().join("/")
 }
 
 /// Asks what no FMU says. An empty answer leaves a TODO.

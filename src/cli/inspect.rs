@@ -15,6 +15,9 @@ pub(super) struct Arguments {
     /// List local variables and parameters too
     #[arg(long)]
     all: bool,
+    /// List local variables too: a cell may bind them like outputs
+    #[arg(long)]
+    locals: bool,
     /// List only variables whose name or description holds this text
     #[arg(long, value_name = "TEXT")]
     find: Option<String>,
@@ -24,7 +27,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let filter = Filter { all: arguments.all, containing: arguments.find.clone() };
+    let filter = Filter { all: arguments.all, locals: arguments.locals, containing: arguments.find.clone() };
     if ssp::is_ssp(&arguments.fmu) {
         return system(arguments, &filter);
     }

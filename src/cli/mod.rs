@@ -28,6 +28,7 @@ mod scan_arguments;
 mod schema;
 mod selftest;
 mod stopping;
+mod subject;
 mod verify;
 
 use std::process::ExitCode;

@@ -11,19 +11,21 @@ use serde::Serialize;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
-use super::selftest::setup;
-use crate::cell::draft::roles::{Role, guess};
+use super::subject::Subject;
+use crate::cell::binding::alone::Alone;
+use crate::cell::draft::interface::Interface;
+use crate::cell::draft::roles::{Guess, Role};
 use crate::cell::error::OpenError;
 use crate::cell::find::open;
-use crate::fmi::Fmu;
 use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
 use crate::report::speeds::Speeds;
 use crate::scan::Hosting;
+use crate::scan::PrepareError;
 use crate::scan::prepare::prepare_in;
-use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe};
+use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe_inputs};
 
 /// What may help an FMU that fails from the start.
 const TRUST: &str = "`fmi-hazard selftest` tries it in parts; an FMU that needs files or a tool of this machine (Python, \
@@ -31,7 +33,7 @@ const TRUST: &str = "`fmi-hazard selftest` tries it in parts; an FMU that needs 
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// An FMU, or a cell file (.toml)
+    /// An FMU, a system of FMUs (.ssp, .ssd), or a cell file (.toml)
     path: PathBuf,
     /// The cell file of an FMU that has none of its own
     #[arg(long)]
@@ -58,6 +60,8 @@ struct Told {
     /// Inputs that had to be set for anything to move.
     set: Vec<String>,
     reactions: Vec<Reaction>,
+    /// Inputs that were left as they are: only those that are true or false are tried.
+    not_tried: Vec<String>,
     /// What all sensors together do.
     #[serde(skip_serializing_if = "Option::is_none")]
     together: Option<Reaction>,
@@ -87,14 +91,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), hosting)?;
-    let found = probe(&prepared, RUN_S).map_err(failed)?;
+    let found = probe_inputs(&prepared, RUN_S).map_err(failed)?;
     let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion).sentences();
     Ok(Told {
         with_cell: true,
         unit: "m/s",
         fastest: found.fastest_m_s,
         set: Vec::new(),
-        reactions: found.reactions,
+        reactions: found.reactions.into_iter().chain(found.others).collect(),
+        not_tried: found.not_tried,
         together: found.together,
         reported: found.reported,
         warnings: found.warnings.into_iter().chain(found.idle_sensors).chain(speeds).collect(),
@@ -117,12 +122,16 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
             "leave out --in-process",
         ));
     };
-    let fmu = Fmu::open(path)?;
-    let setup = setup(fmu.description(), None)?;
-    let launcher = Launcher::new(program.clone(), vec![Unpacked::of(&fmu)], setup.clone(), *guard, limits.clone());
+    let subject = Subject::open(path)?;
+    let Interface { roles, .. } = subject.interface();
+    let mut alone = subject.alone(None)?;
+    subject.add_locals(&mut alone, &roles);
+    let Alone { setup, inputs: names, outputs } = alone;
+    let _ = setup.order().map_err(PrepareError::from)?;
+    let unpacked = subject.fmus().into_iter().map(Unpacked::of).collect();
+    let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, limits.clone());
     let Examination { result, launcher, .. } = examine(&launcher, 80, &[Stage::Serialize]).map_err(failed)?;
-    let roles = guess(fmu.description());
-    let (columns, unit) = measured(&setup, &roles);
+    let (columns, unit) = measured(&setup, &outputs, &roles);
     let (width, step_s) = (setup.outputs.len(), setup.step_s);
     let speeds = |rows: &[f64]| -> Vec<f64> {
         let rows: Vec<&[f64]> = rows.chunks(width).collect();
@@ -135,11 +144,14 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         Isolated::new(launcher.clone().with_setup(setup), Keeping::Processes)
     };
     let prober = Prober::new(&plant, step_s, RUN_S, &speeds);
-    let (inputs, idle, set) = moving(&prober, &setup, &roles).map_err(failed)?;
+    let (inputs, idle, set) = moving(&prober, &setup, &names, &roles).map_err(failed)?;
+    let mut not_tried = Vec::new();
     let mut reactions = Vec::new();
     for (column, input) in setup.inputs.iter().enumerate() {
         if input.port.kind == PortKind::Boolean {
-            reactions.push(prober.reaction(&input.port.name, &inputs, column, &idle).map_err(failed)?);
+            reactions.push(prober.reaction(&names[column], &inputs, column, &idle).map_err(failed)?);
+        } else {
+            not_tried.push(names[column].clone());
         }
     }
     let mut warnings = Vec::new();
@@ -153,6 +165,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         fastest: idle.fastest(),
         set,
         reactions,
+        not_tried,
         together: None,
         reported: Vec::new(),
         warnings,
@@ -178,11 +191,10 @@ impl Column {
 }
 
 /// The outputs that tell how fast the robot is: joint speeds, else joint angles or poses, else all.
-fn measured(setup: &SystemSetup, roles: &[crate::cell::draft::roles::Guess]) -> (Vec<Column>, &'static str) {
+fn measured(setup: &SystemSetup, names: &[String], roles: &[Guess]) -> (Vec<Column>, &'static str) {
     let find = |wanted: fn(&Role) -> bool| -> Vec<usize> {
-        let names: Vec<&str> = roles.iter().filter(|g| wanted(&g.role)).map(|g| g.variable.as_str()).collect();
-        let columns = setup.outputs.iter().enumerate().filter(|(_, output)| names.contains(&output.port.name.as_str()));
-        columns.map(|(column, _)| column).collect()
+        let found: Vec<&str> = roles.iter().filter(|g| wanted(&g.role)).map(|g| g.variable.as_str()).collect();
+        (0..names.len()).filter(|&column| found.contains(&names[column].as_str())).collect()
     };
     let speeds = find(|role| matches!(role, Role::JointSpeed { .. }));
     if !speeds.is_empty() {
@@ -201,7 +213,8 @@ fn measured(setup: &SystemSetup, roles: &[crate::cell::draft::roles::Guess]) -> 
 fn moving<P: Plant>(
     prober: &Prober<'_, P>,
     setup: &SystemSetup,
-    roles: &[crate::cell::draft::roles::Guess],
+    names: &[String],
+    roles: &[Guess],
 ) -> Result<(Vec<f64>, Run, Vec<String>), PlantError> {
     let start = setup.initial_inputs.clone();
     let boolean = |column: &usize| setup.inputs[*column].port.kind == PortKind::Boolean;
@@ -212,7 +225,7 @@ fn moving<P: Plant>(
         row
     };
     let promised = |column: usize| {
-        let guess = roles.iter().find(|guess| guess.variable == setup.inputs[column].port.name);
+        let guess = roles.iter().find(|guess| guess.variable == names[column]);
         match guess.map(|guess| &guess.role) {
             Some(Role::SensorInput { active: Some(active) }) => f64::from(u8::from(!active)),
             Some(Role::Constant) => 0.0,
@@ -228,7 +241,7 @@ fn moving<P: Plant>(
         let run = prober.run(&row, None)?;
         if run.moves() {
             let changed = columns.iter().filter(|&&column| row[column].to_bits() != start[column].to_bits());
-            let set = changed.map(|&c| format!("{} = {}", setup.inputs[c].port.name, row[c] != 0.0)).collect();
+            let set = changed.map(|&c| format!("{} = {}", names[c], row[c] != 0.0)).collect();
             return Ok((row, run, set));
         }
         first.get_or_insert((row, run));
@@ -240,6 +253,9 @@ fn moving<P: Plant>(
     Ok((row, run, Vec::new()))
 }
 
+/// Most inputs that are named because they were not tried.
+const NAMED: usize = 12;
+
 fn render(told: &Told) -> String {
     let mut lines = vec![format!("  moves     {:.3} {} at most in {RUN_S} s", told.fastest, told.unit)];
     if !told.set.is_empty() {
@@ -250,6 +266,12 @@ fn render(told: &Told) -> String {
         if let (Some(active), false) = (reaction.active(), told.with_cell) {
             lines.push(format!("            so active = {active} would mean a person, if it is a sensor"));
         }
+    }
+    if !told.not_tried.is_empty() {
+        let (few, count) = (told.not_tried.iter().take(NAMED), told.not_tried.len());
+        let more = if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
+        let few: Vec<&str> = few.map(String::as_str).collect();
+        lines.push(format!("  not tried {}{more}: only inputs that are true or false are", few.join(", ")));
     }
     lines.extend(told.together.iter().map(|all| format!("  inputs    all together: {}", words(all, ""))));
     lines.extend(told.reported.iter().map(reported_words));

@@ -16,9 +16,8 @@ pub(super) struct Arguments {
     scan: PathBuf,
     /// Id of a hazard in it, or `all`
     id: String,
-    /// The cell file or FMU, when it is no longer where it was
-    #[arg(long)]
-    cell: Option<PathBuf>,
+    #[command(flatten)]
+    elsewhere: earlier::Elsewhere,
     /// Write the hazard as a recording for Foxglove and PlotJuggler (builds with the feature mcap)
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
@@ -36,7 +35,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if let Some(file) = &arguments.mcap {
         recording::possible(wanted.len(), file)?;
     }
-    let prepared = earlier::prepare(&recorded, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &arguments.hosting.hosting()?)?;
     let mut still_there = false;
     for hazard in wanted {
         let cell = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));

@@ -11,6 +11,7 @@ use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::model::ScanReport;
+use crate::report::moved;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
@@ -30,7 +31,7 @@ pub(super) struct Context<'a> {
     pub rung: Rung,
     /// What was scanned, as given: the cell file, or an FMU.
     pub path: &'a Path,
-    /// The command that gives the same result.
+    /// The command that gives the same result, in the folder of the results.
     pub reproduce: &'a str,
     /// Hazards that are known already.
     pub baseline: Option<&'a Baseline>,
@@ -50,6 +51,7 @@ pub(super) fn assessments(path: &Path) -> Result<Assessments, Failure> {
 
 /// Writes everything that is derived from the report. Returns what stands in `scan.json`.
 pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<String, Failure> {
+    let report = &moved::relative(report, out);
     let json = output::pretty(report)?;
     output::write_file(&out.join("scan.json"), &json)?;
     // The log of the search is written again with what confirmation added, in the order of scan.json.
@@ -152,6 +154,7 @@ pub(super) fn write_run(
 const ESCAPED: &AsciiSet =
     &CONTROLS.add(b' ').add(b'"').add(b'#').add(b'%').add(b'<').add(b'>').add(b'?').add(b'`').add(b'{').add(b'}');
 
+/// Where findings are shown: seen from the folder of the scan, which is that of the repository where pipelines read it.
 fn cell_file(context: &Context<'_>) -> CellFile {
     let path = utf8_percent_encode(&context.path.to_string_lossy(), ESCAPED).to_string();
     let uri = if context.path.is_absolute() { format!("file://{path}") } else { path };

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::Failure;
 use super::output;
+use crate::report::moved::{found, seen_from};
 use crate::scan::Prepared;
 use crate::sim::journal::Journal;
 
@@ -14,7 +15,7 @@ use crate::sim::journal::Journal;
 pub(super) struct Command {
     /// What stood after `fmi-hazard scan`.
     pub arguments: Vec<String>,
-    /// The working folder.
+    /// The working folder; in the file relative to the results, so that both may be moved.
     pub folder: PathBuf,
 }
 
@@ -39,15 +40,17 @@ impl Command {
                 "give the folder of the results of a scan that was interrupted; one that has ended needs no more",
             )
         })?;
-        serde_json::from_str(&text).map_err(|e| {
+        let command: Self = serde_json::from_str(&text).map_err(|e| {
             Failure::unusable_with_help(format!("{} is damaged: {e}", path.display()), "scan again from the beginning")
-        })
+        })?;
+        let folder = found(&command.folder, &std::path::absolute(out).unwrap_or_else(|_| out.to_owned()));
+        Ok(Self { folder, ..command })
     }
 
     /// Writes it into the folder of the results.
     pub(super) fn write(&self, out: &Path) -> Result<(), Failure> {
-        let text = output::pretty(self)?;
-        output::write_file(&out.join(COMMAND), &text)
+        let command = Self { folder: seen_from(&self.folder, out).into(), ..self.clone() };
+        output::write_file(&out.join(COMMAND), &output::pretty(&command)?)
     }
 }
 

@@ -18,7 +18,7 @@ use crate::cell::file::validate::BASELINE;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
-use crate::report::terminal;
+use crate::report::{moved, terminal};
 use crate::scan::options::Method;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
@@ -279,7 +279,8 @@ impl Run<'_> {
             return Ok(Ended { report, code: exit::INTERRUPTED });
         }
         let several = prepared.cell.beginnings.len() > 1;
-        let reproduce = &arguments.reproduce(path, several.then_some(prepared.cell.beginning + 1), &options);
+        let beginning = several.then_some(prepared.cell.beginning + 1);
+        let reproduce = &arguments.reproduce(path, out, beginning, &options);
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), out)?;
@@ -301,7 +302,8 @@ impl Run<'_> {
         if arguments.write_baseline {
             let path = self.baseline_path(prepared).unwrap_or_else(|| cell_path.with_file_name(BASELINE));
             if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
-                output::write_file(&path, &json)?;
+                let beside = path.parent().unwrap_or(Path::new(""));
+                output::write_file(&path, &output::pretty(&moved::relative(&report, beside))?)?;
                 output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
             } else {
                 output::warning(&format!(

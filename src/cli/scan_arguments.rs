@@ -9,6 +9,7 @@ use clap::builder::PossibleValue;
 
 use super::hosting::HostingArguments;
 use super::output::Format;
+use crate::report::moved::seen_from;
 use crate::scan::options::Method;
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
@@ -187,16 +188,16 @@ impl Arguments {
         self.time.or_else(|| (self.strategy == Choice::Auto).then_some(AUTO_TIME))
     }
 
-    /// The command that gives the result of `options` again. What only says how to come by it (threads, saved states,
+    /// The command that gives the result of `options` again, in the folder `out` of the results. What only says how to come by it (threads, saved states,
     /// folders) is left out. `beginning` is that of a cell with several.
-    pub(super) fn reproduce(&self, path: &Path, beginning: Option<usize>, options: &ScanOptions) -> String {
-        let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), path.display().to_string()];
+    pub(super) fn reproduce(&self, path: &Path, out: &Path, beginning: Option<usize>, options: &ScanOptions) -> String {
+        let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), seen_from(path, out)];
         let mut add = |option: &str, value: Option<String>| {
             words.push(option.to_owned());
             words.extend(value);
         };
         if let Some(cell) = &self.cell {
-            add("--cell", Some(cell.display().to_string()));
+            add("--cell", Some(seen_from(cell, out)));
         }
         if let Some(number) = beginning {
             add("--begin", Some(number.to_string()));

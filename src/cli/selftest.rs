@@ -1,4 +1,4 @@
-//! `fmi-hazard selftest`: what an FMU's promises about its state are worth, for any FMU.
+//! `fmi-hazard selftest`: what an FMU's promises about its state are worth, for any FMU or system of FMUs.
 //!
 //! The FMU runs in workers, one for each stage: when it crashes or hangs in one of them, or damages its memory, that is a
 //! finding about this stage.
@@ -9,17 +9,17 @@ use std::path::PathBuf;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output;
-use crate::fmi::{Causality, Fmu, ModelDescription};
+use super::subject::Subject;
+use crate::fmi::Fmu;
+use crate::host::PlantError;
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
-use crate::host::port::{Port, changing, ports};
 use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
-use crate::host::{PlantError, SystemSetup, UnitPort};
-use crate::scan::Hosting;
+use crate::scan::{Hosting, PrepareError};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The FMU
+    /// The FMU, or the system of FMUs (.ssp, .ssd)
     fmu: PathBuf,
     /// Communication step, s (default: the FMU's own, else 0.02)
     #[arg(long, value_parser = positive)]
@@ -42,8 +42,9 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let fmu = Fmu::open(&arguments.fmu)?;
-    let setup = setup(fmu.description(), arguments.step)?;
+    let subject = Subject::open(&arguments.fmu)?;
+    let setup = subject.alone(arguments.step)?.setup;
+    let _ = setup.order().map_err(PrepareError::from)?;
     let steps = usize::try_from(arguments.steps).unwrap_or(80);
     let failed = |e: PlantError| match e.not_loaded {
         true => Failure::unusable(e.message),
@@ -51,11 +52,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     };
     let (result, habits) = match arguments.hosting.hosting()? {
         Hosting::InProcess => {
-            let slave = fmu.load()?;
-            (selftest(&[slave], &setup, steps, &[], Activity::unseen()).map_err(failed)?, Vec::new())
+            let slaves = subject.fmus().into_iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
+            (selftest(&slaves, &setup, steps, &[], Activity::unseen()).map_err(failed)?, Vec::new())
         }
         Hosting::Workers { program, guard, limits } => {
-            let launcher = Launcher::new(program, vec![Unpacked::of(&fmu)], setup, guard, limits);
+            let launcher =
+                Launcher::new(program, subject.fmus().into_iter().map(Unpacked::of).collect(), setup, guard, limits);
             let Examination { result, launcher, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
             for missing in missing {
                 output::warning(&format!("protection against the FMU: {missing}"));
@@ -75,7 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             .map_err(Failure::unusable)?;
         output::json(&(text + "\n"));
     } else {
-        output::result(&render(&fmu.description().model_name, &result, &habits));
+        output::result(&render(subject.name(), &result, &habits));
     }
     Ok(if result.repeatable() { NO_HAZARD } else { FMU_FAILED })
 }
@@ -88,28 +90,6 @@ struct Told<'a> {
     habits: &'a [Habit],
     /// How a scan brings states back; nothing if it cannot.
     states_by: Option<Rung>,
-}
-
-/// All its inputs are moved, all its outputs compared.
-pub(super) fn setup(description: &ModelDescription, step_s: Option<f64>) -> Result<SystemSetup, Failure> {
-    let default_step = description.default_experiment.step_size.filter(|h| h.is_finite() && *h > 0.0);
-    let (inputs, initial_inputs) = inputs(description);
-    let outputs = outputs(description);
-    if outputs.is_empty() {
-        return Err(Failure::unusable_with_help(
-            "this FMU has no numeric output or local variable to compare",
-            "a self-test needs at least one",
-        ));
-    }
-    let alone = |ports: Vec<Port>| ports.into_iter().map(|port| UnitPort { unit: 0, port }).collect();
-    Ok(SystemSetup {
-        names: vec![String::new()],
-        inputs: alone(inputs),
-        initial_inputs,
-        outputs: alone(outputs),
-        step_s: step_s.or(default_step).unwrap_or(0.02),
-        ..SystemSetup::default()
-    })
 }
 
 fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
@@ -154,16 +134,4 @@ fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
     };
     let _ = writeln!(text, "{conclusion}");
     text
-}
-
-/// Inputs that can be moved, with their start values.
-fn inputs(description: &ModelDescription) -> (Vec<Port>, Vec<f64>) {
-    let inputs = description.variables.iter().filter(|v| v.causality == Causality::Input);
-    inputs.flat_map(|v| ports(description, v)).unzip()
-}
-
-/// Outputs; for an FMU without any, its changing local variables.
-fn outputs(description: &ModelDescription) -> Vec<Port> {
-    let outputs = changing(description, Causality::Output);
-    if outputs.is_empty() { changing(description, Causality::Local) } else { outputs }
 }

@@ -64,13 +64,19 @@ pub struct Shown {
 pub struct Filter {
     /// Local variables and parameters too.
     pub all: bool,
+    /// Local variables too: a cell may bind them like outputs.
+    pub locals: bool,
     /// Only those whose name or description holds this, whatever the case.
     pub containing: Option<String>,
 }
 
 impl Filter {
     fn shows(&self, variable: &Variable) -> bool {
-        let wanted = self.all || matches!(variable.causality, Causality::Input | Causality::Output);
+        let wanted = match variable.causality {
+            Causality::Input | Causality::Output => true,
+            Causality::Local => self.all || self.locals,
+            _ => self.all,
+        };
         let found = self.containing.as_ref().is_none_or(|part| {
             let part = part.to_lowercase();
             [&variable.name, &variable.description].iter().any(|text| text.to_lowercase().contains(&part))
@@ -126,12 +132,16 @@ impl Inspection {
         let count = |of: &str| self.counts.get(of).copied().unwrap_or(0);
         let _ = writeln!(
             text,
-            "  variables    {} ({} inputs, {} outputs, {} parameters)",
+            "  variables    {} ({} inputs, {} outputs, {} parameters, {} locals)",
             self.counts.values().sum::<usize>(),
             count("input"),
             count("output"),
-            count("parameter")
+            count("parameter"),
+            count("local")
         );
+        if count("local") > 0 && !self.variables.iter().any(|v| v.causality == Causality::Local.to_string()) {
+            let _ = writeln!(text, "               locals are listed with --locals; a cell may bind them like outputs");
+        }
         for v in &self.variables {
             let unit = v.unit.as_ref().map_or_else(String::new, |unit| format!(" {unit}"));
             // What comes from the vendor may be of any length; its control characters are escaped where it is printed.
@@ -151,7 +161,8 @@ impl Inspection {
     fn roles_for_people(&self, text: &mut String) {
         let mut lines: BTreeMap<String, (Vec<&str>, f64)> = BTreeMap::new();
         for guess in &self.roles {
-            let (names, confidence) = lines.entry(kind(&guess.role)).or_insert_with(|| (Vec::new(), 1.0));
+            let what = kind(&guess.role) + if guess.local { ", local" } else { "" };
+            let (names, confidence) = lines.entry(what).or_insert_with(|| (Vec::new(), 1.0));
             names.push(&guess.variable);
             *confidence = confidence.min(guess.confidence);
         }
@@ -279,7 +290,8 @@ fn missing(roles: &[Guess], own_cell: bool) -> Vec<String> {
     let any = |of: fn(&Role) -> bool| roles.iter().any(|guess| of(&guess.role));
     let mut missing = Vec::new();
     if !any(|role| matches!(role, Role::JointAngle { .. } | Role::LinkPose { .. })) {
-        missing.push("how the robot moves: no joint angles and no poses of links among the outputs".to_owned());
+        missing
+            .push("how the robot moves: no joint angles and no poses of links among the outputs and locals".to_owned());
     }
     if !any(|role| matches!(role, Role::SensorInput { .. } | Role::SensorOutput { .. } | Role::Human { .. })) {
         missing.push("what the cell is told of a person: no safety signal and no person among the inputs".to_owned());

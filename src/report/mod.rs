@@ -2,6 +2,7 @@
 //!
 //! - [`model`]: the result of a scan as it stands in `scan.json`
 //! - [`recorded`]: the same, read back
+//! - [`moved`]: its paths, so that it can be moved
 //! - [`difference`]: two scans side by side
 //! - [`baseline`]: hazards that are known already
 //! - [`assessment`]: what people decided about hazards
@@ -36,6 +37,7 @@ pub mod junit;
 #[cfg(feature = "mcap")]
 pub mod mcap;
 pub mod model;
+pub mod moved;
 pub mod page;
 pub mod paper;
 mod paragraph;

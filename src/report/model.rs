@@ -86,16 +86,16 @@ pub enum Verdict {
 pub struct Subject {
     /// Name of the cell.
     pub cell: String,
-    /// Where the cell was found.
+    /// Where the cell was found, as `path`; inside an archive behind a `!`.
     pub cell_found: String,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
     /// Other files that say what was scanned: the system of FMUs, robot descriptions, meshes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub files: Vec<FileSubject>,
-    /// Path that was scanned, as given.
+    /// Path that was scanned: in a file, relative to its folder where that is possible.
     pub path: String,
-    /// The cell file, if one was named beside the path.
+    /// The cell file, if one was named beside the path; as `path`.
     pub cell_file: Option<String>,
     /// The FMUs, in the order in which they are stepped.
     pub fmus: Vec<FmuSubject>,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
+use super::moved::found;
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +24,9 @@ pub struct Recorded {
     pub certificate: Option<RecordedCertificate>,
     /// Edition of the limits.
     pub standard_edition: String,
+    /// The folder that it was read from.
+    #[serde(skip)]
+    pub folder: PathBuf,
 }
 
 /// What was scanned.
@@ -30,9 +34,9 @@ pub struct Recorded {
 pub struct RecordedSubject {
     /// Name of the cell.
     pub cell: String,
-    /// Path that was scanned, as given.
+    /// Path that was scanned, seen from the folder of the result.
     pub path: PathBuf,
-    /// The cell file, if one was named beside the path.
+    /// The cell file, if one was named beside the path; seen from there, too.
     pub cell_file: Option<PathBuf>,
     /// SHA-256 of the cell file.
     pub cell_sha256: String,
@@ -110,7 +114,20 @@ impl Recorded {
         if let Some(version) = value["schema_version"].as_u64().filter(|&v| v != u64::from(SCHEMA_VERSION)) {
             return Err(RecordedError::Version { path, version });
         }
-        serde_json::from_value(value).map_err(not_a_scan)
+        let recorded: Self = serde_json::from_value(value).map_err(not_a_scan)?;
+        Ok(Self { folder: path.parent().unwrap_or(Path::new("")).to_owned(), ..recorded })
+    }
+
+    /// Where what was scanned is, if it is still beside the result as it was.
+    #[must_use]
+    pub fn subject_path(&self) -> PathBuf {
+        found(&self.subject.path, &self.folder)
+    }
+
+    /// The same of the cell file, if one was named beside it.
+    #[must_use]
+    pub fn cell_file(&self) -> Option<PathBuf> {
+        self.subject.cell_file.as_ref().map(|file| found(file, &self.folder))
     }
 
     /// Whether every sequence was accounted for.

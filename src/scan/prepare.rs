@@ -337,7 +337,7 @@ impl Prepared {
     }
 
     #[expect(clippy::expect_used, reason = "the order was worked out when preparing")]
-    fn plant_of(&self, choice: StateChoice, setup_of: impl Fn(&SystemSetup) -> SystemSetup) -> Hosted {
+    pub(super) fn plant_of(&self, choice: StateChoice, setup_of: impl Fn(&SystemSetup) -> SystemSetup) -> Hosted {
         match &self.source {
             Source::Here { slaves, setup } => {
                 Hosted::Here(System::new(slaves, setup_of(setup)).expect("the connections form no loop"))

@@ -3,6 +3,7 @@
 //! A run with all inputs idle is compared with runs in which one input changes, or all that sensors drive, at several moments
 //! while the robots move. The person plays a part for sensors inside the FMU only (`probe/places.rs`).
 
+mod others;
 mod places;
 
 use std::cell::RefCell;
@@ -259,6 +260,12 @@ pub struct Probe {
     pub fastest_m_s: f64,
     /// What each sensor does that the cell drives.
     pub reactions: Vec<Reaction>,
+    /// What each other input does that is true or false, and that no sensor drives; where it was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<Reaction>,
+    /// Inputs that were not tried, because they are neither true nor false.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_tried: Vec<String>,
     /// What all of them together do, if there are several.
     pub together: Option<Reaction>,
     /// What sensors inside the FMU report.
@@ -280,7 +287,7 @@ pub struct Probe {
 #[must_use]
 pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
     let horizon_s = f64::from(prepared.cell.search.actions) * ACTION_S;
-    probed(prepared, horizon_s, false).map_or_else(|_| Vec::new(), |found| found.warnings)
+    probed(prepared, horizon_s, Depth::Sensors).map_or_else(|_| Vec::new(), |found| found.warnings)
 }
 
 /// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor and all of them reporting a person
@@ -289,10 +296,30 @@ pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
 /// # Errors
 /// When the FMU fails.
 pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
-    probed(prepared, run_s, true)
+    probed(prepared, run_s, Depth::Moments)
 }
 
-fn probed(prepared: &Prepared, run_s: f64, thoroughly: bool) -> Result<Probe, PlantError> {
+/// The same, and what each other input does.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn probe_inputs(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
+    probed(prepared, run_s, Depth::Inputs)
+}
+
+/// How much is tried.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Depth {
+    /// Each sensor at one moment.
+    Sensors,
+    /// Each sensor at several, all together, and persons at many places.
+    Moments,
+    /// And the inputs that no sensor drives.
+    Inputs,
+}
+
+fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantError> {
+    let thoroughly = depth != Depth::Sensors;
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let world = World::new(Arc::clone(cell), Arc::clone(binding));
     let mut inputs = world.initial_inputs();
@@ -324,6 +351,8 @@ fn probed(prepared: &Prepared, run_s: f64, thoroughly: bool) -> Result<Probe, Pl
     let mut found = Probe {
         fastest_m_s: idle.fastest(),
         reactions: Vec::new(),
+        others: Vec::new(),
+        not_tried: Vec::new(),
         together: None,
         reported: Vec::new(),
         warnings: places::starts_seen(prepared, &idle.rows),
@@ -356,6 +385,9 @@ fn probed(prepared: &Prepared, run_s: f64, thoroughly: bool) -> Result<Probe, Pl
         }
         found.reported = places::reported(prepared, &idle.rows)?;
         let active = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).is_some_and(|s| s.active);
+        if depth == Depth::Inputs {
+            (found.others, found.not_tried) = others::tried(prepared, &inputs, run_s, &speeds)?;
+        }
         found.warnings.extend(found.reported.iter().filter_map(|one| one.warning(active(&one.sensor))));
     }
     found.motion = motion.into_inner();

@@ -39,7 +39,7 @@ export function facts(hazard) {
       "shortest and calmest",
       same ? "the same sequence" : [`${words.ratio(hazard.shortest.ratio)}, ${words.force(hazard.shortest.force_n)} at ${words.time(hazard.shortest.time_s)}; confirmed: ${words.confirmed(hazard.shortest.confirmed)}`, sequence(hazard.shortest.actions)],
     ],
-    ["reproduce", command(`fmi-hazard replay scan.json ${hazard.id}`)],
+    ["reproduce", [command(`fmi-hazard replay scan.json ${hazard.id}`), " in the folder with this report"]],
   ]);
   list.setAttribute("data-test", "facts");
   return list;

@@ -91,6 +91,7 @@ export function provenance({ scan, assumptions, reproduce }) {
     h("h3", {}, "Assumptions"),
     h("ul", { class: "assumptions", "data-test": "assumptions" }, assumptions.map((text) => h("li", {}, text))),
     h("h3", {}, "Reproduce"),
+    h("p", { class: "note" }, "In the folder with this report:"),
     command(reproduce),
     h(
       "p",

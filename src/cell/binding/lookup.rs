@@ -99,7 +99,7 @@ impl<'a> Binder<'a> {
         }
         let all = description.variables.iter().map(|v| v.name.as_str());
         let help = nearest(wanted, all).and_then(|n| description.variable(n)).map_or_else(
-            || "`fmi-hazard inspect` lists the FMU's variables".to_owned(),
+            || "`fmi-hazard inspect --locals` lists the FMU's variables".to_owned(),
             |v| format!("did you mean `{}`? ({}, {})", v.name, v.causality, self.type_name(unit, v)),
         );
         Err(self.source.error(
@@ -205,7 +205,7 @@ impl<'a> Binder<'a> {
             name.span(),
             "named here",
             message,
-            Some("`fmi-hazard inspect` lists the outputs".to_owned()),
+            Some("`fmi-hazard inspect --locals` lists outputs and locals".to_owned()),
         ))
     }
 

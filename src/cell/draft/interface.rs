@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::roles::{Guess, Role, guess};
+use super::roles::{Guess, Role, guess, without_locals_beside};
 use crate::cell::foreign::ssp::System;
 use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
 
@@ -75,6 +75,7 @@ impl<'a> Interface<'a> {
             let shorter = [all.step_size, description.default_experiment.step_size];
             all.step_size = shorter.into_iter().flatten().reduce(f64::min);
         }
+        without_locals_beside(&mut all.roles);
         all
     }
 

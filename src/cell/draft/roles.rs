@@ -3,13 +3,15 @@
 //!
 //! There is no standard for such names. The words are those of robot controllers (KUKA, ABB, Fanuc, UR's RTDE), PLCopen
 //! safety blocks, OPC UA Robotics, URDF, and FMUs that people have published. A guess is a start for a cell file that a
-//! person then checks, never more: its confidence says how much speaks for it.
+//! person then checks, never more: its confidence says how much speaks for it. `joints` has what tells a joint.
+
+mod joints;
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
+use crate::fmi::{Causality, ModelDescription, Variability, Variable, VariableType};
 
 /// What a variable is for.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -69,35 +71,98 @@ pub struct Guess {
     pub role: Role,
     /// How much speaks for it, 0 to 1.
     pub confidence: f64,
+    /// Whether it is a local variable, which a cell may bind like an output.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub local: bool,
 }
 
-/// Guesses for all variables that seem to have a role, in the order of the file.
+/// Guesses for all variables that seem to have a role, in the order of the file: inputs and outputs, and locals for what no
+/// output is for.
 #[must_use]
 pub fn guess(description: &ModelDescription) -> Vec<Guess> {
-    let candidates: Vec<Candidate<'_>> = description.variables.iter().flat_map(|v| elements(description, v)).collect();
+    let of = |wanted: &dyn Fn(&Variable) -> bool| {
+        let variables = description.variables.iter().enumerate().filter(|(_, variable)| wanted(variable));
+        let (places, candidates): (Vec<usize>, Vec<Candidate<'_>>) =
+            variables.flat_map(|(at, v)| elements(description, v).into_iter().map(move |c| (at, c))).unzip();
+        among(&candidates).into_iter().map(move |(number, guess)| (places[number], guess)).collect::<Vec<_>>()
+    };
+    let mut all = of(&|v| v.causality != Causality::Local);
+    let changes = |v: &Variable| !matches!(v.variability, Variability::Constant | Variability::Fixed);
+    let inner = of(&|v| v.causality == Causality::Local && changes(v));
+    let new = missing_among(&all, inner);
+    all.extend(new);
+    all.sort_by_key(|(at, _)| *at);
+    all.into_iter().map(|(_, guess)| guess).collect()
+}
+
+/// What a robot's guesses are told apart by: joints and poses of links both say how it moves.
+const fn kind(role: &Role) -> u8 {
+    match role {
+        Role::JointAngle { .. } | Role::LinkPose { .. } => 0,
+        Role::JointSpeed { .. } => 1,
+        Role::Payload => 2,
+        Role::Phase => 3,
+        Role::SensorOutput { .. } => 4,
+        Role::SensorInput { .. } | Role::Human { .. } | Role::Constant => 5,
+    }
+}
+
+/// Leaves out locals for what an output of another FMU is for.
+pub(super) fn without_locals_beside(guesses: &mut Vec<Guess>) {
+    let told: Vec<u8> = guesses.iter().filter(|guess| !guess.local).map(|guess| kind(&guess.role)).collect();
+    guesses.retain(|guess| !guess.local || !told.contains(&kind(&guess.role)));
+}
+
+/// Those of the locals that say what no output says. Inside an FMU there is much that looks alike: of joints the likeliest
+/// robot's are taken.
+fn missing_among(known: &[(usize, Guess)], inner: Vec<(usize, Guess)>) -> Vec<(usize, Guess)> {
+    let told = |of: u8| known.iter().any(|(_, guess)| kind(&guess.role) == of);
+    let best = |of: u8| {
+        let robots = inner.iter().filter_map(|(_, guess)| match &guess.role {
+            Role::JointAngle { robot, .. } | Role::JointSpeed { robot, .. } if kind(&guess.role) == of => {
+                Some((guess.confidence, robot.clone()))
+            }
+            _ => None,
+        });
+        robots.reduce(|best, other| if other.0 > best.0 { other } else { best }).map(|(_, robot)| robot)
+    };
+    let robots = [best(0), best(1)];
+    let wanted = |guess: &Guess| {
+        !told(kind(&guess.role))
+            && match &guess.role {
+                Role::JointAngle { robot, .. } => robots[0].as_ref() == Some(robot),
+                Role::JointSpeed { robot, .. } => robots[1].as_ref() == Some(robot),
+                Role::LinkPose { .. } => robots[0].is_none() && guess.confidence > 0.8,
+                // Every model has masses, modes and steps inside.
+                Role::Payload => {
+                    words(&guess.variable).iter().any(|word| ["payload", "flangeload"].contains(&word.as_str()))
+                }
+                Role::Phase => guess.confidence > 0.7,
+                // What the cell drives is reported inside, too.
+                Role::SensorOutput { .. } => !known.iter().any(|(_, g)| matches!(g.role, Role::SensorInput { .. })),
+                _ => true,
+            }
+    };
+    let inner: Vec<(usize, Guess)> = inner.into_iter().filter(|(_, guess)| wanted(guess)).collect();
+    inner
+        .into_iter()
+        .map(|(at, guess)| (at, Guess { local: true, confidence: INSIDE * guess.confidence, ..guess }))
+        .collect()
+}
+
+/// How much less speaks for a local than for an output of the same name.
+const INSIDE: f64 = 0.8;
+
+/// Guesses among these candidates, with the number of each.
+fn among(candidates: &[Candidate<'_>]) -> BTreeMap<usize, Guess> {
     let mut guesses: BTreeMap<usize, Guess> = BTreeMap::new();
     for (number, candidate) in candidates.iter().enumerate() {
         if let Some((role, confidence)) = alone(candidate) {
-            guesses.insert(number, Guess { variable: candidate.name.clone(), role, confidence });
+            guesses.insert(number, Guess { variable: candidate.name.clone(), role, confidence, local: false });
         }
     }
-    for (quantity, joints) in [(Motion::Angle, true), (Motion::Speed, false)] {
-        for series in series(&candidates, quantity) {
-            let count = series.members.len();
-            for (place, &member) in series.members.iter().enumerate() {
-                let (robot, number) = (series.robot.clone(), place + 1);
-                let role = if joints { Role::JointAngle { robot, number } } else { Role::JointSpeed { robot, number } };
-                // Robots have six axes or seven; two to five are had by other machines.
-                let confidence = if (6..=7).contains(&count) { series.confidence } else { 0.8 * series.confidence };
-                let better = guesses.get(&member).is_none_or(|guess| guess.confidence < confidence);
-                if better {
-                    let variable = candidates[member].name.clone();
-                    guesses.insert(member, Guess { variable, role, confidence });
-                }
-            }
-        }
-    }
-    guesses.into_values().collect()
+    joints::add(candidates, &mut guesses);
+    guesses
 }
 
 /// A variable, or one element of an array.
@@ -124,8 +189,9 @@ impl Candidate<'_> {
         matches!(self.variable.kind, VariableType::Real { .. })
     }
 
+    /// Whether it is what the FMU gives: an output, or a local.
     fn is_output(&self) -> bool {
-        self.variable.causality == Causality::Output
+        matches!(self.variable.causality, Causality::Output | Causality::Local)
     }
 
     /// The last word that is no number.
@@ -235,14 +301,14 @@ fn alone(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
         Causality::Input if candidate.is_real() => human(candidate),
         Causality::Input if boolean => Some(safety_input(candidate)),
         Causality::Input if whole => Some((Role::Constant, 0.3)),
-        Causality::Output if boolean && candidate.has(&SENSORS) && candidate.has(&DETECTED) => {
+        Causality::Output | Causality::Local if boolean && candidate.has(&SENSORS) && candidate.has(&DETECTED) => {
             Some((Role::SensorOutput { active: polarity(candidate) }, 0.8))
         }
-        Causality::Output if (boolean || whole) && candidate.has(&PHASES) => {
+        Causality::Output | Causality::Local if (boolean || whole) && candidate.has(&PHASES) => {
             let leg = candidate.has(&["leg", "phase", "segment", "waypoint"]);
             Some((Role::Phase, if leg { 0.8 } else { 0.5 }))
         }
-        Causality::Output if candidate.is_real() => output(candidate),
+        Causality::Output | Causality::Local if candidate.is_real() => output(candidate),
         _ => None,
     }
 }
@@ -340,126 +406,4 @@ fn link_pose(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
         _ => return None,
     };
     Some((Role::LinkPose { link, part: (*part).to_owned() }, confidence))
-}
-
-/// What moves a joint.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Motion {
-    Angle,
-    Speed,
-}
-
-/// Joints that belong together.
-struct Series {
-    robot: String,
-    members: Vec<usize>,
-    confidence: f64,
-}
-
-/// Words for angles of numbered joints, and those that are nearly sure.
-const ANGLES: [&str; 16] = [
-    "q", "joint", "joints", "axis", "a", "j", "rax", "theta", "phi", "angle", "position", "pos", "jpos", "ax",
-    "actual", "act",
-];
-/// The same for speeds.
-const SPEEDS: [&str; 12] =
-    ["qd", "dq", "qdot", "speed", "velocity", "vel", "omega", "jvel", "w", "der", "rate", "dtheta"];
-/// Names of robot joints without numbers (URDF).
-const BODY: [&str; 8] = ["shoulder", "elbow", "wrist", "base", "pan", "lift", "upper", "fore"];
-/// What is measured or wanted of a robot and no angle of it.
-const OTHERS: [&str; 14] = [
-    "torque",
-    "current",
-    "temperature",
-    "tau",
-    "effort",
-    "force",
-    "acc",
-    "acceleration",
-    "limit",
-    "error",
-    "target",
-    "desired",
-    "cmd",
-    "command",
-];
-
-/// The series of joints among the outputs.
-fn series(candidates: &[Candidate<'_>], motion: Motion) -> Vec<Series> {
-    let mut stems: BTreeMap<Vec<String>, Vec<(u32, usize)>> = BTreeMap::new();
-    let mut named: BTreeMap<Vec<String>, Vec<usize>> = BTreeMap::new();
-    for (place, candidate) in candidates.iter().enumerate() {
-        if !candidate.is_output() || !candidate.is_real() || candidate.has(&OTHERS) {
-            continue;
-        }
-        let link = link_pose(candidate).is_some_and(|(_, confidence)| confidence > 0.8);
-        if link || of_motion(candidate, motion) == 0.0 {
-            continue;
-        }
-        // The last number counts the joints, but for those whose names say what they are.
-        let number = candidate.words.iter().rposition(|word| is_number(word));
-        if candidate.has(&["joint"]) && candidate.has(&BODY) {
-            let before = candidate.words.iter().position(|word| BODY.contains(&word.as_str())).unwrap_or(0);
-            named.entry(candidate.words[..before].to_vec()).or_default().push(place);
-        } else if let Some(at) = number {
-            let mut stem = candidate.words.clone();
-            if let Ok(count) = stem[at].parse() {
-                stem[at] = "#".to_owned();
-                stems.entry(stem).or_default().push((count, place));
-            }
-        }
-    }
-    let mut all = Vec::new();
-    for mut numbered in stems.into_values() {
-        numbered.sort_unstable();
-        let first = numbered[0].0;
-        let consecutive = numbered.iter().zip(first..).all(|((number, _), expected)| *number == expected);
-        if first <= 1 && consecutive && (2..=9).contains(&numbered.len()) {
-            all.push(numbered.into_iter().map(|(_, place)| place).collect());
-        }
-    }
-    all.extend(named.into_values().filter(|members| members.len() >= 2));
-    all.into_iter()
-        .map(|members: Vec<usize>| {
-            let confidence = members.iter().map(|&m| of_motion(&candidates[m], motion)).fold(1.0, f64::min);
-            Series { robot: robot(&candidates[members[0]].name), members, confidence }
-        })
-        .collect()
-}
-
-/// How much speaks for a motion of a joint.
-fn of_motion(candidate: &Candidate<'_>, motion: Motion) -> f64 {
-    let speed = candidate.has(&SPEEDS) || candidate.is_about(&["speed", "velocity"]);
-    let angle = candidate.has(&ANGLES) || candidate.has(&BODY);
-    match (motion, candidate.unit) {
-        (Motion::Angle, "rad" | "deg") => {
-            if angle && !speed {
-                0.97
-            } else {
-                0.7
-            }
-        }
-        (Motion::Speed, "rad/s" | "deg/s") => {
-            if speed {
-                0.97
-            } else {
-                0.75
-            }
-        }
-        // Without a unit it takes a word.
-        (Motion::Angle, "") if angle && !speed => {
-            if candidate.has(&["q", "joint", "axis", "rax", "j"]) {
-                0.7
-            } else {
-                0.5
-            }
-        }
-        (Motion::Speed, "") if speed => 0.6,
-        _ => 0.0,
-    }
-}
-
-/// What stands in front of the joints' own name: the robot's.
-fn robot(name: &str) -> String {
-    name.rsplit_once(['.', '/']).map_or_else(String::new, |(before, _)| before.to_owned())
 }

@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 
 use super::checker::{Checker, pose};
+use super::files::{named_from, plain};
 use super::format::{JointTable, RobotTable, UpAxis};
 use crate::cell::CellError;
 use crate::cell::error::{Source, nearest};
 use crate::cell::foreign::mesh::{self, Mesh};
+use crate::cell::foreign::packages::Packages;
 use crate::cell::foreign::urdf::{self, Shape, Urdf};
 use crate::cell::workcell::{Driven, Kinematics};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
@@ -36,29 +38,34 @@ pub struct Summary {
     pub joints: Vec<(String, Motion)>,
     /// Masses of all links that move, kg; nothing if none is told.
     pub moving_mass_kg: Option<f64>,
-    /// Why the collision shapes cannot be used, if so.
-    pub unreadable: Option<String>,
+    /// Why the collision shapes cannot be used, if so, and what would help.
+    pub unreadable: Option<(String, Option<String>)>,
+    /// Packages that the cell file has to name, by name, relative to it: found by options or the environment of now.
+    pub packages: Vec<(String, String)>,
 }
 
-/// Reads what the URDF at `path` says.
+/// Reads what the URDF at `path` says, exactly as a cell file in `folder` would that names it; `packages` are folders that the
+/// user named, by package.
 ///
 /// # Errors
 /// When it is no robot description, with the line.
-pub fn summary(path: &Path) -> Result<Summary> {
-    // As a cell file beside it would name it.
-    let beside = Source::new("", "").in_folder(path.parent().unwrap_or(Path::new("")));
-    let check = Checker::new(&beside);
-    let named = Spanned::new(0..0, path.file_name().unwrap_or_default().to_string_lossy().into_owned());
-    let file = check.urdf(&named)?;
+pub fn summary(path: &Path, folder: &Path, packages: &[(String, PathBuf)]) -> Result<Summary> {
+    let source = Source::new("", "").in_folder(folder);
+    let check = Checker::new(&source);
+    let named = Spanned::new(0..0, named_from(path, folder));
+    let own = packages.iter().map(|(name, package)| (name.clone(), PathBuf::from(named_from(package, folder))));
+    let file = check.urdf(&named, Packages::new(own.collect()))?;
     let tree = Tree::of(&file.urdf, Pose::IDENTITY);
     let moving = tree.moving.iter().filter(|joint| joint.mimic.is_none());
     let joints = moving.filter_map(|joint| Some((joint.name.clone(), joint.motion?))).collect();
     let unreadable = match check.shapes(&file, &tree, |_| true) {
-        Ok(shapes) if shapes.is_empty() => Some("no moving link has a collision shape".to_owned()),
+        Ok(shapes) if shapes.is_empty() => Some(("no moving link has a collision shape".to_owned(), None)),
         Ok(_) => None,
-        Err(error) => Some(error.message),
+        Err(error) => Some((error.message, error.help)),
     };
-    Ok(Summary { joints, moving_mass_kg: masses(&file.urdf, &tree).ok(), unreadable })
+    let packages =
+        file.packages.elsewhere().into_iter().map(|(name, package)| (name, named_from(&folder.join(package), folder)));
+    Ok(Summary { joints, moving_mass_kg: masses(&file.urdf, &tree).ok(), unreadable, packages: packages.collect() })
 }
 
 /// A URDF file.
@@ -67,6 +74,8 @@ struct UrdfFile {
     path: PathBuf,
     source: Source,
     urdf: Urdf,
+    /// Where its meshes may be.
+    packages: Packages,
 }
 
 /// Its moving joints as a tree.
@@ -123,22 +132,23 @@ const PRISM_EDGES: u16 = 24;
 
 impl Checker<'_> {
     /// Reads the URDF that is named.
-    fn urdf(&self, named: &Spanned<String>) -> Result<UrdfFile> {
+    fn urdf(&self, named: &Spanned<String>, packages: Packages) -> Result<UrdfFile> {
         let path = PathBuf::from(named.get_ref());
         let bytes = self.files.read(self.source.folder(), &path).map_err(|error| {
             let message = format!("cannot read {}: {error}", path.display());
             let help = "the path is relative to the cell file".to_owned();
             self.source.error(named.span(), "named here", message, Some(help))
         })?;
-        let shown = self.source.folder().join(&path).display().to_string();
+        let shown = plain(&self.source.folder().join(&path)).display().to_string();
         let source = Source::new(&shown, &String::from_utf8_lossy(&bytes));
         let urdf = urdf::read(&source)?;
-        Ok(UrdfFile { path, source, urdf })
+        Ok(UrdfFile { path, source, urdf, packages })
     }
 
     /// The robot that the URDF of `robot` describes.
     pub(super) fn described(&self, robot: &RobotTable, named: &Spanned<String>) -> Result<Described> {
-        let file = self.urdf(named)?;
+        let packages = robot.packages.iter().map(|(name, folder)| (name.clone(), PathBuf::from(folder.get_ref())));
+        let file = self.urdf(named, Packages::new(packages.collect()))?;
         self.mentioned(robot, &file.urdf)?;
         let tree = Tree::of(&file.urdf, pose(&robot.base));
         let driven = self.driven(robot, named, &tree)?;
@@ -177,7 +187,7 @@ impl Checker<'_> {
                 self.warnings.borrow_mut().push(format!("{}: link `{}` {text}", file.path.display(), link.name));
             }
             for (link_from_shape, shape) in &link.shapes {
-                let solid = self.solid(shape, &file.path, &file.source)?;
+                let solid = self.solid(shape, file)?;
                 shapes.push((link.name.clone(), joint, solid.placed(joint_from_link * *link_from_shape)));
             }
         }
@@ -253,7 +263,8 @@ impl Checker<'_> {
         })
     }
 
-    fn solid(&self, shape: &Shape, urdf: &Path, source: &Source) -> Result<Solid> {
+    fn solid(&self, shape: &Shape, urdf: &UrdfFile) -> Result<Solid> {
+        let source = &urdf.source;
         match shape {
             Shape::Box(size) => {
                 let [x, y, z] = size.map(|edge| 0.5 * edge);
@@ -288,34 +299,38 @@ impl Checker<'_> {
         Ok(Solid::Hull(hull))
     }
 
-    /// Corners of a mesh that a URDF names: `package://` is looked for beside the cell file and upwards of the URDF.
-    fn mesh_of(&self, named: &str, urdf: &Path) -> std::result::Result<Vec<Vec3>, (String, String)> {
-        let beside = urdf.parent().unwrap_or(Path::new(""));
-        let candidates: Vec<PathBuf> = match named.split_once("://") {
-            None => vec![beside.join(named)],
-            Some(("file", path)) => vec![PathBuf::from(path)],
+    /// Corners of a mesh that a URDF names.
+    fn mesh_of(&self, named: &str, urdf: &UrdfFile) -> std::result::Result<Vec<Vec3>, (String, String)> {
+        let folder = self.source.folder();
+        let kinematics =
+            "or take the kinematics only, with urdf_shapes = false, and give shapes in [[robot.link]] tables";
+        let missing = |help: String| (format!("the mesh {named} is not there"), help);
+        let path = match named.split_once("://") {
             Some(("package" | "model", path)) => {
                 let (package, rest) = path.split_once('/').unwrap_or((path, ""));
-                let up = urdf.ancestors().skip(1);
-                let own = up.clone().filter(|a| a.file_name().is_some_and(|n| n == package)).map(|a| a.join(rest));
-                own.chain(up.map(|a| a.join(path))).chain([PathBuf::from(path)]).collect()
+                urdf.packages.find(package, rest, folder, &urdf.path).map_err(|not_found| {
+                    missing(format!(
+                        "looked at: {}. Say where the package is: packages = {{ {package} = \"folder\" }} in the [[robot]] \
+                         table, which `init --package {package}=FOLDER` writes; {kinematics}",
+                        not_found.looked
+                    ))
+                })?
             }
-            Some((scheme, _)) => {
+            Some((scheme, _)) if scheme != "file" => {
                 let help = "a path, file:// or package://".to_owned();
                 return Err((format!("`{scheme}://` is not known"), help));
             }
+            other => {
+                let beside = urdf.path.parent().unwrap_or(Path::new(""));
+                let path = other.map_or_else(|| beside.join(named), |(_, path)| PathBuf::from(path));
+                if !folder.join(&path).is_file() {
+                    let looked = folder.join(&path).display().to_string();
+                    return Err(missing(format!("put it where it is looked for ({looked}), {kinematics}")));
+                }
+                path
+            }
         };
-        let folder = self.source.folder();
-        let Some(path) = candidates.iter().find(|path| folder.join(path).is_file()) else {
-            let looked: Vec<String> = candidates.iter().map(|path| folder.join(path).display().to_string()).collect();
-            let help = format!(
-                "put it where it is looked for ({}), or take the kinematics only, with urdf_shapes = false, and give shapes \
-                 in [[robot.link]] tables",
-                looked.join(", ")
-            );
-            return Err((format!("the mesh {named} is not there"), help));
-        };
-        let mesh = self.mesh_file(path);
+        let mesh = self.mesh_file(&path);
         mesh.map(|mesh| mesh.points)
             .map_err(|message| (message, "convex hulls are made of STL and OBJ files".to_owned()))
     }

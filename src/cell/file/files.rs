@@ -46,6 +46,29 @@ pub fn plain(path: &Path) -> PathBuf {
     plain
 }
 
+/// `path` as a file in `folder` names it, by way of what both are in; nothing if that is the root alone.
+#[must_use]
+pub fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
+    let absolute = |path: &Path| {
+        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+        plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
+    };
+    let (path, folder) = (absolute(path), absolute(folder));
+    let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+    if shared <= 1 {
+        return None;
+    }
+    let up = folder.components().skip(shared).map(|_| Component::ParentDir);
+    Some(up.chain(path.components().skip(shared)).collect())
+}
+
+/// The same as text; absolute where it cannot be told from there.
+#[must_use]
+pub fn named_from(path: &Path, folder: &Path) -> String {
+    let absolute = || plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+    relative(path, folder).unwrap_or_else(absolute).display().to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

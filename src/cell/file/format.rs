@@ -166,6 +166,11 @@ pub struct RobotTable {
     /// its meshes are not there.
     #[serde(default = "yes")]
     pub urdf_shapes: bool,
+    /// Where the packages are that the URDF names (`package://NAME/...`), by name; folders relative to this file. Those
+    /// that are found without, above the URDF or beside it, need not be named.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, String>")]
+    pub packages: BTreeMap<String, Spanned<String>>,
     /// Links of the URDF whose shapes are left out.
     #[serde(default)]
     #[schemars(with = "Vec<String>")]
