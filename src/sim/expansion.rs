@@ -12,21 +12,23 @@
 //! well, because what an arm meets depends on them (see [`super::curtain`]). With two planes that an arm may pass at once the
 //! inputs have to be the same.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::convert::Infallible;
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
+mod ahead;
+mod questions;
+mod situations;
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use self::ahead::Ahead;
+use self::situations::Situations;
 use super::Coverage;
 use super::bound::RobotBounds;
-use super::encounter::Person;
-use super::harmless::{Harmless, settle};
-use super::journal::{Block, Journal};
+use super::harmless::Harmless;
+use super::journal::Journal;
 use super::motion::Motion;
-use super::robots::{Instead, Robots, Shadow};
+use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
-use super::threads::shared_out;
-use super::world::{Asked, Earlier, Frames, HadTold, Hit, Instant, Sensed, Sight, Stance, Window, World};
+use super::world::{Earlier, Frames, Sensed, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -77,14 +79,6 @@ struct Transition {
     sensed: Sensed,
 }
 
-/// Where the actions from a place lead, and what there is for the sensors to see on the way.
-struct Ahead {
-    /// By walk.
-    walks: Vec<WalkTrace>,
-    /// By walk and posture; one posture only where the sensors see all alike.
-    sights: Vec<Vec<Vec<Sight>>>,
-}
-
 /// What is not known yet of an action from a state.
 struct Pending {
     /// Index of the state, of the walk, of the transition among those of the state.
@@ -94,75 +88,8 @@ struct Pending {
     action: Action,
 }
 
-/// The robots at an instant, and as they would be had planes told of an arm.
-struct Situation {
-    /// Whether any of them is fast enough to harm, or not known.
-    may_harm: bool,
-    frames: Frames,
-    i: usize,
-    /// By the windows in which they told.
-    earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
-}
-
-impl Earlier for &Situation {
-    type Error = Infallible;
-
-    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Infallible> {
-        Ok(self.earlier.get(windows).cloned().unwrap_or(HadTold::BeforeTime))
-    }
-}
-
-impl Ahead {
-    fn new(world: &World, place: Place) -> Self {
-        let walk = |w| world.walk(place, Action::new(w, Posture::Upright));
-        let walks: Vec<WalkTrace> = Walk::ALL.into_iter().map(walk).collect();
-        let sights = |walked: &WalkTrace| {
-            let told_apart = if world.posture_is_unseen_on(walked) { &Posture::ALL[..1] } else { &Posture::ALL };
-            told_apart.iter().map(|&bent| world.sights(walked, bent)).collect()
-        };
-        Self { sights: walks.iter().map(sights).collect(), walks }
-    }
-}
-
-/// Numbers the rows of robot frames that differ.
-#[derive(Default)]
-struct Rows {
-    numbers: BTreeMap<Vec<u64>, u32>,
-    of_node: BTreeMap<NodeId, Arc<[u32]>>,
-}
-
-/// Situations that differ.
-#[derive(Default)]
-struct Situations {
-    rows: Rows,
-    /// By the numbers of their rows, and the windows that these belong to.
-    numbers: BTreeMap<(Vec<u32>, Vec<Asked>), usize>,
-    /// By node, step and the windows of planes.
-    known: BTreeMap<(NodeId, usize, Vec<Asked>), usize>,
-    all: Vec<Situation>,
-}
-
-impl Rows {
-    fn of(&mut self, node: NodeId, frames: &Frames) -> Arc<[u32]> {
-        if let Some(known) = self.of_node.get(&node) {
-            return Arc::clone(known);
-        }
-        let numbers = &mut self.numbers;
-        let number = |outputs: &[f64]| {
-            let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
-            *numbers.entry(outputs.iter().map(|v| v.to_bits()).collect()).or_insert(next)
-        };
-        let rows: Arc<[u32]> = frames.iter().map(|f| f.outputs()).map(number).collect();
-        self.of_node.insert(node, Arc::clone(&rows));
-        rows
-    }
-}
-
 /// Numbers of the next state and of the transition, or why there is none.
 type Reached = Result<(usize, usize), String>;
-
-/// A stance, and the numbers of the situations that it is asked about.
-type Question = (Stance, Vec<usize>);
 
 impl<P: Plant> Expander<P> {
     /// Starts the plant; contacts are looked for by `workers` threads, which does not change the results.
@@ -343,292 +270,6 @@ impl<P: Plant> Expander<P> {
             *fired += u64::from(any);
         }
     }
-
-    /// The number of the situation after step `i` of a transition, for a person at this place.
-    fn situation(
-        &mut self,
-        transition: &Transition,
-        i: usize,
-        place: &Place,
-        situations: &mut Situations,
-    ) -> Result<usize, PlantError> {
-        let asked = self.world.windows_that_may_matter(place, &transition.sensed.broken[i]);
-        let question = (transition.node, i, asked);
-        if let Some(number) = situations.known.get(&question) {
-            return Ok(*number);
-        }
-        let mut rows = vec![situations.rows.of(transition.node, &transition.frames)[i]];
-        let mut earlier = BTreeMap::new();
-        for windows in Asked::windows(&question.2, &self.world.neighbours) {
-            let shadow = Instead::new(&mut self.robots, transition.node, i).node_for(&windows)?;
-            let frames = shadow.clone().map(|node| self.robots.frames(node));
-            rows.push(match (&shadow, &frames) {
-                (Shadow::Is(node), HadTold::Is(frames)) => situations.rows.of(*node, frames)[i],
-                (Shadow::Unfinished, _) => u32::MAX - 1,
-                _ => u32::MAX,
-            });
-            earlier.insert(windows, frames);
-        }
-        let key = (rows, question.2.clone());
-        let all = &mut situations.all;
-        let number = *situations.numbers.entry(key).or_insert_with(|| {
-            let told_may_harm = |told: &HadTold<Frames>| match told {
-                HadTold::Is(frames) => frames[i].may_harm,
-                HadTold::BeforeTime => false,
-                HadTold::Unfinished => true,
-            };
-            let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
-            all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
-            all.len() - 1
-        });
-        situations.known.insert(question, number);
-        Ok(number)
-    }
-
-    /// Where the actions from each of these states lead, worked out on all threads; nothing if told to stop.
-    fn look_ahead(&self, states: &[&State], go_on: &mut dyn FnMut() -> bool) -> Option<BTreeMap<Place, Ahead>> {
-        let places: BTreeSet<Place> = states.iter().map(|state| state.place).collect();
-        let places: Vec<Place> = places.into_iter().collect();
-        let world = &self.world;
-        let looked = shared_out(self.workers, places.len(), go_on, |numbers, _| {
-            numbers.map(|number| Ahead::new(world, places[number])).collect::<Vec<_>>()
-        })?;
-        Some(places.iter().copied().zip(looked.into_iter().flatten()).collect())
-    }
-
-    /// Finds out of all poses of the pending actions at once where arms are harmless, on all threads; `false` if told to stop.
-    ///
-    /// Who stands or turns is in the same pose at every instant of an action, and many actions lead through the same poses.
-    /// At planes it matters when they were passed: there each instant is asked about by itself.
-    fn settle_arms<'a>(
-        &mut self,
-        pending: &[Pending],
-        transitions: &[Vec<Transition>],
-        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> bool {
-        if !self.world.curtains.is_empty() {
-            return true;
-        }
-        let of = |p: &'_ Pending| {
-            let (frames, walked, posture) = (&transitions[p.state][p.transition].frames, walked(p), p.action.posture());
-            frames.iter().zip(&walked.places).map(move |(frame, place)| ((*place, posture), frame))
-        };
-        let harmful = pending.iter().flat_map(of).filter(|(_, frame)| frame.may_harm);
-        let unsettled = self.harmless.unsettled(harmful);
-        // These count as no questions: whoever asks them later gets the answer.
-        let instants = unsettled.iter().map(|(_, frames)| frames.len() as u64).sum::<u64>();
-        let asked = (0, instants, self.robots.recall.trail());
-        let (settled, coverage) = match self.journal.next(asked) {
-            Some(Block { found, coverage, .. }) => (found, coverage),
-            None => {
-                let (world, sensors) = (&self.world, self.world.cell.sensors.len());
-                let settled = shared_out(self.workers, unsettled.len(), go_on, |numbers, stopped| {
-                    let mut coverage = Coverage::new(sensors);
-                    let mut settled = Vec::new();
-                    for number in numbers {
-                        let narrow = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-                        let harmless = settle(world, &unsettled[number], &mut coverage);
-                        settled.extend(harmless.into_iter().map(|n| (narrow(number), narrow(n))));
-                        // What was under way then says nothing.
-                        if world.stop().is_due() {
-                            stopped.store(true, Ordering::Relaxed);
-                            break;
-                        }
-                    }
-                    (settled, coverage)
-                });
-                let Some(settled) = settled else { return false };
-                let (mut found, mut total) = (Vec::new(), Coverage::new(sensors));
-                for (settled, coverage) in settled {
-                    total.merge(&coverage);
-                    found.extend(settled);
-                }
-                if self.journal.keeps() {
-                    self.journal.add(&Block { asked, found: found.clone(), coverage: total.clone() });
-                }
-                (found, total)
-            }
-        };
-        self.coverage.merge(&coverage);
-        let mut of_pose: Vec<Vec<usize>> = vec![Vec::new(); unsettled.len()];
-        for (number, n) in settled {
-            if let Some(harmless) = of_pose.get_mut(number as usize) {
-                harmless.push(n as usize);
-            }
-        }
-        for (pose, harmless) in unsettled.into_iter().zip(of_pose) {
-            self.harmless.learn(pose, &harmless);
-        }
-        true
-    }
-
-    /// For each pending action the situation after step `i`, where anything could harm in it.
-    fn asked<'a>(
-        &mut self,
-        i: usize,
-        pending: &[Pending],
-        transitions: &[Vec<Transition>],
-        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
-        situations: &mut Situations,
-    ) -> Result<Vec<Option<usize>>, PlantError> {
-        // Postures of a walk mostly share the transition: then the situation is the same.
-        let mut last = None;
-        let mut asked = Vec::with_capacity(pending.len());
-        for p in pending {
-            let situation = match last {
-                Some((state, transition, known)) if (state, transition) == (p.state, p.transition) => known,
-                _ => {
-                    let transition = &transitions[p.state][p.transition];
-                    // Without light curtains nothing but the present matters.
-                    let harmless = self.world.curtains.is_empty() && !transition.frames[i].may_harm;
-                    let situation = match harmless {
-                        true => None,
-                        false => Some(self.situation(transition, i, &walked(p).places[i], situations)?),
-                    };
-                    situation.filter(|s| situations.all[*s].may_harm)
-                }
-            };
-            last = Some((p.state, p.transition, situation));
-            self.coverage.contact_checks += u64::from(situation.is_none());
-            asked.push(situation);
-        }
-        Ok(asked)
-    }
-
-    /// The same as questions, each once: stances, and the situations that each is asked about. And for each pending action
-    /// where its answer will be: the number of the stance, and of the situation among those of it.
-    fn to_ask<'a>(
-        &self,
-        i: usize,
-        asked: Vec<Option<usize>>,
-        pending: &[Pending],
-        transitions: &[Vec<Transition>],
-        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
-    ) -> (Vec<Question>, Vec<Option<(usize, usize)>>) {
-        let mut numbers: BTreeMap<&[usize], usize> = BTreeMap::new();
-        let mut all: Vec<_> = Vec::new();
-        for ((number, p), situation) in pending.iter().enumerate().zip(asked) {
-            let Some(situation) = situation else { continue };
-            let sensed = &transitions[p.state][p.transition].sensed;
-            let next = numbers.len();
-            let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
-            let (walked, posture) = (walked(p), p.action.posture());
-            all.push(((walked.places[i], posture, World::has_walked(walked, i), broken), situation, number));
-        }
-        all.sort_unstable();
-        let mut questions: Vec<Question> = Vec::new();
-        let mut places = vec![None; pending.len()];
-        for alike in all.chunk_by(|a, b| a.0 == b.0) {
-            let p = &pending[alike[0].2];
-            let stance =
-                self.world.stance(walked(p), i, p.action.posture(), &transitions[p.state][p.transition].sensed);
-            let mut situations: Vec<usize> = Vec::new();
-            for (_, situation, number) in alike {
-                if situations.last() != Some(situation) {
-                    situations.push(*situation);
-                }
-                places[*number] = Some((questions.len(), situations.len() - 1));
-            }
-            questions.push((stance, situations));
-        }
-        (questions, places)
-    }
-
-    /// Answers all questions: each stance with the situations it is asked about.
-    fn answer(
-        &mut self,
-        questions: &[Question],
-        situations: &[Situation],
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Option<Vec<Vec<Option<Hit>>>> {
-        let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
-        self.questions += asked;
-        let asked = (asked, questions.len() as u64, self.robots.recall.trail());
-        if let Some(block) = self.journal.next(asked) {
-            self.coverage.merge(&block.coverage);
-            let found = self.found_again(&block, questions, situations);
-            // A search that had to end may have missed what is there.
-            return (!self.world.stop().is_due()).then_some(found);
-        }
-        let (all, coverage) = self.work_out(questions, situations, go_on)?;
-        if self.journal.keeps() {
-            let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
-            let of = |(q, hits): (usize, &Vec<Option<Hit>>)| {
-                let found = hits.iter().enumerate().filter(|(_, hit)| hit.is_some());
-                found.map(|(s, _)| (number(q), number(s))).collect::<Vec<_>>()
-            };
-            let found = all.iter().enumerate().flat_map(of).collect();
-            self.journal.add(&Block { asked, found, coverage: coverage.clone() });
-        }
-        self.coverage.merge(&coverage);
-        Some(all)
-    }
-
-    /// The answers to questions of which is known where something is to be found.
-    fn found_again(&self, block: &Block, questions: &[Question], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
-        let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
-        let mut counted = Coverage::new(self.world.cell.sensors.len());
-        for together in block.found.chunk_by(|a, b| a.0 == b.0) {
-            let Some((stance, asked)) = together.first().and_then(|(q, _)| questions.get(*q as usize)) else {
-                continue;
-            };
-            // All of the stance, as before: what is found for one may follow from what was found for another.
-            let mut instants = instants_of(&self.harmless, stance, asked, situations);
-            let Ok(hits) = self.world.contacts(stance, &mut None, &mut instants, &mut counted);
-            all[together[0].0 as usize] = hits;
-        }
-        all
-    }
-
-    /// Looks for contacts, on all threads.
-    fn work_out(
-        &self,
-        questions: &[Question],
-        situations: &[Situation],
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
-        let (world, harmless, sensors) = (&self.world, &self.harmless, self.world.cell.sensors.len());
-        let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
-            let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
-            let mut last: Option<(&Stance, Option<Person>)> = None;
-            for (stance, asked) in &questions[numbers] {
-                let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
-                let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
-                let mut instants = instants_of(harmless, stance, asked, situations);
-                let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
-                last = Some((stance, posed));
-                // What was under way then says nothing.
-                if world.stop().is_due() {
-                    stopped.store(true, Ordering::Relaxed);
-                    break;
-                }
-                answers.push(hits);
-            }
-            (answers, coverage)
-        })?;
-        let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(sensors));
-        for (answers, coverage) in found {
-            total.merge(&coverage);
-            all.extend(answers);
-        }
-        Some((all, total))
-    }
-}
-
-/// What a stance is asked about, without the arms where they are known to be harmless.
-fn instants_of<'a>(
-    harmless: &Harmless,
-    stance: &Stance,
-    asked: &[usize],
-    situations: &'a [Situation],
-) -> Vec<Instant<'a, &'a Situation>> {
-    let instant = |s: &usize| {
-        let situation = &situations[*s];
-        let arms = !harmless.knows(&(stance.place, stance.posture), &situation.frames[situation.i]);
-        Instant { frames: &situation.frames, i: situation.i, earlier: situation, arms }
-    };
-    asked.iter().map(instant).collect()
 }
 
 impl<P: Plant> Expansion for Expander<P> {
@@ -712,8 +353,9 @@ impl<P: Plant> Expansion for Expander<P> {
         self.robots.release(depth, |node| keep.contains(&node));
     }
 
+    /// What is behind planes takes the most memory.
     fn together(&self) -> usize {
-        std::env::var("TOG").ok().and_then(|v| v.parse().ok()).unwrap_or(1024)
+        if self.world.curtains.is_empty() { 1024 } else { 512 }
     }
 
     /// Boxes of joint angles looked at.

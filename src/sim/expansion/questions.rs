@@ -1,0 +1,222 @@
+//! Whether the person, so placed, can touch the robots, so placed: each question once, the answers worked out on all
+//! threads.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
+
+use super::situations::Situation;
+use super::{Expander, Pending, Transition};
+use crate::host::Plant;
+use crate::human::walk::WalkTrace;
+use crate::sim::Coverage;
+use crate::sim::encounter::Person;
+use crate::sim::harmless::{Harmless, settle};
+use crate::sim::journal::Block;
+use crate::sim::threads::shared_out;
+use crate::sim::world::{Hit, Instant, Stance, World};
+
+/// A stance, and the numbers of the situations that it is asked about.
+pub(super) type Question = (Stance, Vec<usize>);
+
+impl<P: Plant> Expander<P> {
+    /// Finds out of all poses of the pending actions at once where arms are harmless, on all threads; `false` if told to stop.
+    ///
+    /// Who stands or turns is in the same pose at every instant of an action, and many actions lead through the same poses.
+    /// At planes it matters when they were passed: there each instant is asked about by itself.
+    pub(super) fn settle_arms<'a>(
+        &mut self,
+        pending: &[Pending],
+        transitions: &[Vec<Transition>],
+        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> bool {
+        if !self.world.curtains.is_empty() {
+            return true;
+        }
+        let of = |p: &'_ Pending| {
+            let (frames, walked, posture) = (&transitions[p.state][p.transition].frames, walked(p), p.action.posture());
+            frames.iter().zip(&walked.places).map(move |(frame, place)| ((*place, posture), frame))
+        };
+        let harmful = pending.iter().flat_map(of).filter(|(_, frame)| frame.may_harm);
+        let unsettled = self.harmless.unsettled(harmful);
+        // These count as no questions: whoever asks them later gets the answer.
+        let instants = unsettled.iter().map(|(_, frames)| frames.len() as u64).sum::<u64>();
+        let asked = (0, instants, self.robots.recall.trail());
+        let (settled, coverage) = match self.journal.next(asked) {
+            Some(Block { found, coverage, .. }) => (found, coverage),
+            None => {
+                let (world, sensors) = (&self.world, self.world.cell.sensors.len());
+                let settled = shared_out(self.workers, unsettled.len(), go_on, |numbers, stopped| {
+                    let mut coverage = Coverage::new(sensors);
+                    let mut settled = Vec::new();
+                    for number in numbers {
+                        let narrow = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+                        let harmless = settle(world, &unsettled[number], &mut coverage);
+                        settled.extend(harmless.into_iter().map(|n| (narrow(number), narrow(n))));
+                        // What was under way then says nothing.
+                        if world.stop().is_due() {
+                            stopped.store(true, Ordering::Relaxed);
+                            break;
+                        }
+                    }
+                    (settled, coverage)
+                });
+                let Some(settled) = settled else { return false };
+                let (mut found, mut total) = (Vec::new(), Coverage::new(sensors));
+                for (settled, coverage) in settled {
+                    total.merge(&coverage);
+                    found.extend(settled);
+                }
+                if self.journal.keeps() {
+                    self.journal.add(&Block { asked, found: found.clone(), coverage: total.clone() });
+                }
+                (found, total)
+            }
+        };
+        self.coverage.merge(&coverage);
+        let mut of_pose: Vec<Vec<usize>> = vec![Vec::new(); unsettled.len()];
+        for (number, n) in settled {
+            if let Some(harmless) = of_pose.get_mut(number as usize) {
+                harmless.push(n as usize);
+            }
+        }
+        for (pose, harmless) in unsettled.into_iter().zip(of_pose) {
+            self.harmless.learn(pose, &harmless);
+        }
+        true
+    }
+
+    /// The same as questions, each once: stances, and the situations that each is asked about. And for each pending action
+    /// where its answer will be: the number of the stance, and of the situation among those of it.
+    pub(super) fn to_ask<'a>(
+        &self,
+        i: usize,
+        asked: Vec<Option<usize>>,
+        pending: &[Pending],
+        transitions: &[Vec<Transition>],
+        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
+    ) -> (Vec<Question>, Vec<Option<(usize, usize)>>) {
+        let mut numbers: BTreeMap<&[usize], usize> = BTreeMap::new();
+        let mut all: Vec<_> = Vec::new();
+        for ((number, p), situation) in pending.iter().enumerate().zip(asked) {
+            let Some(situation) = situation else { continue };
+            let sensed = &transitions[p.state][p.transition].sensed;
+            let next = numbers.len();
+            let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
+            let (walked, posture) = (walked(p), p.action.posture());
+            all.push(((walked.places[i], posture, World::has_walked(walked, i), broken), situation, number));
+        }
+        all.sort_unstable();
+        let mut questions: Vec<Question> = Vec::new();
+        let mut places = vec![None; pending.len()];
+        for alike in all.chunk_by(|a, b| a.0 == b.0) {
+            let p = &pending[alike[0].2];
+            let stance =
+                self.world.stance(walked(p), i, p.action.posture(), &transitions[p.state][p.transition].sensed);
+            let mut situations: Vec<usize> = Vec::new();
+            for (_, situation, number) in alike {
+                if situations.last() != Some(situation) {
+                    situations.push(*situation);
+                }
+                places[*number] = Some((questions.len(), situations.len() - 1));
+            }
+            questions.push((stance, situations));
+        }
+        (questions, places)
+    }
+
+    /// Answers all questions: each stance with the situations it is asked about.
+    pub(super) fn answer(
+        &mut self,
+        questions: &[Question],
+        situations: &[Situation],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Vec<Vec<Option<Hit>>>> {
+        let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
+        self.questions += asked;
+        let asked = (asked, questions.len() as u64, self.robots.recall.trail());
+        if let Some(block) = self.journal.next(asked) {
+            self.coverage.merge(&block.coverage);
+            let found = self.found_again(&block, questions, situations);
+            // A search that had to end may have missed what is there.
+            return (!self.world.stop().is_due()).then_some(found);
+        }
+        let (all, coverage) = self.work_out(questions, situations, go_on)?;
+        if self.journal.keeps() {
+            let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
+            let of = |(q, hits): (usize, &Vec<Option<Hit>>)| {
+                let found = hits.iter().enumerate().filter(|(_, hit)| hit.is_some());
+                found.map(|(s, _)| (number(q), number(s))).collect::<Vec<_>>()
+            };
+            let found = all.iter().enumerate().flat_map(of).collect();
+            self.journal.add(&Block { asked, found, coverage: coverage.clone() });
+        }
+        self.coverage.merge(&coverage);
+        Some(all)
+    }
+
+    /// The answers to questions of which is known where something is to be found.
+    fn found_again(&self, block: &Block, questions: &[Question], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
+        let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
+        let mut counted = Coverage::new(self.world.cell.sensors.len());
+        for together in block.found.chunk_by(|a, b| a.0 == b.0) {
+            let Some((stance, asked)) = together.first().and_then(|(q, _)| questions.get(*q as usize)) else {
+                continue;
+            };
+            // All of the stance, as before: what is found for one may follow from what was found for another.
+            let mut instants = instants_of(&self.harmless, stance, asked, situations);
+            let Ok(hits) = self.world.contacts(stance, &mut None, &mut instants, &mut counted);
+            all[together[0].0 as usize] = hits;
+        }
+        all
+    }
+
+    /// Looks for contacts, on all threads.
+    fn work_out(
+        &self,
+        questions: &[Question],
+        situations: &[Situation],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
+        let (world, harmless, sensors) = (&self.world, &self.harmless, self.world.cell.sensors.len());
+        let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
+            let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
+            let mut last: Option<(&Stance, Option<Person>)> = None;
+            for (stance, asked) in &questions[numbers] {
+                let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
+                let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
+                let mut instants = instants_of(harmless, stance, asked, situations);
+                let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
+                last = Some((stance, posed));
+                // What was under way then says nothing.
+                if world.stop().is_due() {
+                    stopped.store(true, Ordering::Relaxed);
+                    break;
+                }
+                answers.push(hits);
+            }
+            (answers, coverage)
+        })?;
+        let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(sensors));
+        for (answers, coverage) in found {
+            total.merge(&coverage);
+            all.extend(answers);
+        }
+        Some((all, total))
+    }
+}
+
+/// What a stance is asked about, without the arms where they are known to be harmless.
+fn instants_of<'a>(
+    harmless: &Harmless,
+    stance: &Stance,
+    asked: &[usize],
+    situations: &'a [Situation],
+) -> Vec<Instant<'a, &'a Situation>> {
+    let instant = |s: &usize| {
+        let situation = &situations[*s];
+        let arms = !harmless.knows(&(stance.place, stance.posture), &situation.frames[situation.i]);
+        Instant { frames: &situation.frames, i: situation.i, earlier: situation, arms }
+    };
+    asked.iter().map(instant).collect()
+}
