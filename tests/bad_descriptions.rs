@@ -291,7 +291,7 @@ fn experiments_that_make_no_sense() {
         ("stopTime=\"NaN\"", "stopTime is NaN, which is no time"),
         ("startTime=\"-INF\"", "startTime is -inf, which is no time"),
         ("stepSize=\"0\"", "stepSize 0 is not greater than zero"),
-        ("stepSize=\"-0.1\"", "stepSize -0.1 is not greater than zero"),
+        ("stepSize=\"-1e-300\"", "stepSize -1e-300 is not greater than zero"),
         ("stepSize=\"1e999\"", "stepSize is inf, which is no time"),
         ("stopTime=\"2\" stepSize=\"1e9\"", "stepSize 1000000000 is longer than the experiment"),
     ] {
@@ -307,6 +307,37 @@ fn experiments_that_make_no_sense() {
         &with("stepSize=\"quick\""),
         "line 27, column 3: in <DefaultExperiment>: `stepSize` is \"quick\", which is no such number",
     );
+}
+
+#[test]
+fn a_unit_that_nothing_can_be_converted_with_is_not_computed_with() {
+    for (attributes, told) in [
+        ("factor=\"0\"", "the factor 0 and the offset 0"),
+        ("factor=\"NaN\"", "the factor NaN and the offset 0"),
+        ("factor=\"1e999\"", "the factor inf and the offset 0"),
+        ("factor=\"ten\"", "the factor NaN and the offset 0"),
+        ("factor=\"1e-300\" offset=\"NaN\"", "the factor 1e-300 and the offset NaN"),
+    ] {
+        let unit = "<Unit name=\"rad\"><BaseUnit";
+        let fmu = changed(unit, &format!("{unit} {attributes}"));
+        let dir = folder_with(&fmu);
+        let (_, _, stderr) = run(dir.path(), &["inspect", "x.fmu"]);
+        let warning = format!("unit `rad` has {told}: nothing can be converted with it");
+        assert!(stderr.contains(&warning), "{attributes}: {stderr}");
+        let cell = faulty_cell("x.fmu", 0, 0);
+        write(dir.path(), "cell.toml", &cell.replace(", unit = \"rad\" }", " }"));
+        let (code, _, stderr) = run(dir.path(), &["check", "cell.toml", "--no-run"]);
+        let words = "`q` is in `rad`, which modelDescription.xml defines with the factor";
+        assert!(code == 2 && stderr.contains(words) && stderr.contains("unit = \"rad\""), "{attributes}: {stderr}");
+        // Who says what is meant can use it.
+        write(dir.path(), "cell.toml", &cell);
+        assert_eq!(run(dir.path(), &["check", "cell.toml", "--no-run"]).0, 0, "{attributes}");
+    }
+    // As every FMU has it.
+    let fmu = changed("<Unit name=\"rad\"><BaseUnit", "<Unit name=\"rad\"><BaseUnit factor=\"1\" offset=\"0\"");
+    let dir = folder_with(&fmu);
+    write(dir.path(), "cell.toml", &faulty_cell("x.fmu", 0, 0).replace(", unit = \"rad\" }", " }"));
+    assert_eq!(run(dir.path(), &["check", "cell.toml", "--no-run"]).0, 0);
 }
 
 #[test]

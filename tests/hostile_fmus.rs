@@ -173,8 +173,8 @@ fn functions_that_are_missing_in_the_fmu() {
     let library = compiled(&source_with_step("return 0;").replace("fmi2SetBoolean", "another"), &[]);
     let dir = folder_with(&with_binary(|_| library.clone()));
     let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
-    let text =
-        "Error: × the FMU failed in its first plain run: the FMU does not have fmi2SetBoolean, which is needed here";
+    let text = "Error: × the FMU failed in its first plain run: setting `stop` (value reference 3): the FMU does not have \
+         fmi2SetBoolean, which is needed here";
     same(&stderr, text);
     assert_eq!(code, 3);
 }
@@ -292,8 +292,8 @@ fn fmus_that_allow_one_instance_or_need_their_tool_say_why_they_refuse() {
 fn variables_that_the_binary_does_not_know_are_named() {
     let fmu = with_xml(|x| x.replace("name=\"qd\" valueReference=\"6\"", "name=\"qd\" valueReference=\"999\""));
     let (code, _, stderr) = run(folder_with(&fmu).path(), &["selftest", "x.fmu"]);
-    let text = "Error: × the FMU failed in its first plain run: reading `q` (value reference 5), `qd` (value reference \
-                999): the FMU returned Error from fmi2GetReal its last log lines: [logStatusError] ";
+    let text = "Error: × the FMU failed in its first plain run: reading `qd` (value reference 999): the FMU returned \
+                Error from fmi2GetReal its last log lines: [logStatusError] ";
     assert!(stderr.starts_with(text) && stderr.contains("999"), "{stderr}");
     assert_eq!(code, 3);
     // The wrong type: the binary knows `stop` as a Boolean.
@@ -303,6 +303,14 @@ fn variables_that_the_binary_does_not_know_are_named() {
                 reference 4): the FMU returned Error from fmi2SetReal its last log lines: [logStatusError] ";
     assert!(stderr.starts_with(text), "{stderr}");
     assert_eq!(code, 3);
+}
+
+#[test]
+fn what_is_no_number_before_the_first_step_is_not_put_down_to_its_size() {
+    let library = compiled(&source_with_step("return 0;").replace("x[n] = 1", "x[n] = 0.0 / 0.0"), &[]);
+    let (code, _, stderr) = run(folder_with(&with_binary(|_| library.clone())).path(), &["selftest", "x.fmu"]);
+    let text = "is NaN (not a number) at t = 0.000 s; before its first step: look at the start values";
+    assert!(code == 3 && stderr.contains(text) && !stderr.contains("too long"), "{stderr}");
 }
 
 #[test]

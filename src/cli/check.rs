@@ -130,7 +130,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 return Ok(code);
             }
             if found.is_ok() {
-                output::result(&format!("{file}: nothing wrong\n"));
+                let read = match warnings.len() {
+                    0 => String::new(),
+                    1 => " that keeps it from being scanned; 1 warning to read".to_owned(),
+                    count => format!(" that keeps it from being scanned; {count} warnings to read"),
+                };
+                output::result(&format!("{file}: nothing wrong{read}\n"));
             }
         }
     }

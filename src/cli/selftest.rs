@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output;
-use crate::fmi::{Causality, Fmu, ModelDescription};
+use crate::fmi::{Causality, Fmu, ModelDescription, number};
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
 use crate::host::port::{Port, changing, ports};
@@ -117,7 +117,10 @@ fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
     let _ = writeln!(
         text,
         "{name}: {} steps of {} s with {} moving inputs, {} outputs compared bit by bit",
-        r.steps, r.step_s, r.inputs, r.outputs
+        r.steps,
+        number(r.step_s),
+        r.inputs,
+        r.outputs
     );
     for (what, result, otherwise) in [
         ("two fresh instances agree", &r.deterministic, "each run needs a fresh process"),

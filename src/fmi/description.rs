@@ -25,6 +25,8 @@ pub struct ModelDescription {
     pub variables: Vec<Variable>,
     /// Suggested experiment.
     pub default_experiment: DefaultExperiment,
+    /// Units that the file defines, with the factor of each to its base units: not always one that can be computed with.
+    pub units: BTreeMap<String, f64>,
     pub(super) by_name: BTreeMap<String, usize>,
     /// Start values of structural parameters by value reference.
     pub(super) sizes: BTreeMap<u32, usize>,

@@ -68,7 +68,7 @@ pub use library::Slave;
 pub use plan::Plan;
 pub use raw::State;
 pub use read_xml::{DescriptionError, Warning};
-pub use text::{escaped, is_unsafe, printable};
+pub use text::{escaped, is_unsafe, number, printable};
 pub use values::{Number, Values};
 pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
 pub use version::FmiVersion;

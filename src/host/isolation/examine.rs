@@ -7,7 +7,7 @@ use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
 use crate::host::plant::{Plant as _, PlantError, insist};
-use crate::host::selftest::{Agreement, Found, SelfTest, Stage, agreement, moving, restore_test};
+use crate::host::selftest::{Agreement, Columns, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
 pub struct Examination {
@@ -24,7 +24,7 @@ pub struct Examination {
 /// Runs in fresh processes, and copies of processes as states. Returns what a step took.
 fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Duration {
     let setup = launcher.setup();
-    let (width, names) = (setup.inputs.len(), setup.column_names());
+    let (width, columns) = (setup.inputs.len(), Columns::of(setup));
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
     let mut step_time = Duration::ZERO;
     let mut run = || -> Result<Vec<f64>, PlantError> {
@@ -39,17 +39,17 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let reference: Vec<f64> = match run() {
         Ok(reference) => reference,
         Err(error) => {
-            result.fresh_process = Agreement::Failed { reason: error.message };
+            result.fresh_process = Agreement::failed(error);
             return step_time;
         }
     };
-    result.fresh_process = agreement(&reference, run(), &names);
+    result.fresh_process = agreement(&reference, run(), &columns);
     let mut plant = Isolated::new(launcher.clone(), Keeping::ByFork);
     let tried = plant.restart().and_then(|_| plant.advance(1, &main[..width]));
     result.fork = match (tried, plant.reason_against_copies()) {
-        (Err(error), _) => Agreement::Failed { reason: error.message },
+        (Err(error), _) => Agreement::failed(error),
         (Ok(_), Some(reason)) => Agreement::Failed { reason },
-        (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &names),
+        (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &columns),
     };
     step_time
 }
@@ -131,9 +131,9 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
         let found = match in_a_process(&launcher, steps, stage, &reference) {
             Ok((Answer::Tested(found), _)) => serde_json::from_str(&found)
                 .map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))?,
-            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::failed(error)),
             Ok((answer, _)) => return Err(unexpected(answer)),
-            Err(error) if error.lost => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Err(error) if error.lost => Found::Agreement(Agreement::failed(error)),
             Err(error) => return Err(error),
         };
         result.note(stage, found);
