@@ -283,7 +283,7 @@ fn start_values_and_limits() {
 
 #[test]
 fn experiments_that_make_no_sense() {
-    let good = "startTime=\"0\" stopTime=\"2\" stepSize=\"0.02\"";
+    let good = "startTime=\"0\" stopTime=\"60\" stepSize=\"0.02\"";
     let with = |attributes: &str| changed(good, attributes);
     for (attributes, warning) in [
         ("startTime=\"3\" stopTime=\"2\"", "stopTime 2 is before startTime 3"),
@@ -307,6 +307,35 @@ fn experiments_that_make_no_sense() {
         &with("stepSize=\"quick\""),
         "line 27, column 3: in <DefaultExperiment>: `stepSize` is \"quick\", which is no such number",
     );
+}
+
+#[test]
+fn a_stop_time_is_kept_where_an_fmu_is_tried_out_and_told_where_a_scan_goes_beyond_it() {
+    for hostile in Hostile::both() {
+        // It ends with its stopTime, as some do.
+        let dir = tempfile::TempDir::new().unwrap();
+        hostile.clone().what("status-error").at("step", 50).stop_time("1").write(dir.path());
+        let (code, stdout, stderr) = run(dir.path(), &["selftest", FMU]);
+        let told = stdout.contains(": 50 steps of 0.02 s") && stdout.contains("50 steps instead of 80: the FMU gives");
+        assert!(code == 0 && told && stdout.contains("stopTime of 1 s"), "{stdout} {stderr}");
+        let (code, _, stderr) = run(dir.path(), &["selftest", FMU, "--steps", "60"]);
+        assert!(code == 3 && stderr.contains("60 steps of 0.02 s go beyond the stopTime of 1 s"), "{stderr}");
+        let (code, stdout, stderr) = run(dir.path(), &["probe", FMU, "--fmu-only"]);
+        let told = stdout.contains(" in 1 s\n") && stdout.contains("of 1 s instead of 10 s");
+        assert!(code == 0 && told, "{stdout} {stderr}");
+        // A scan needs 1.6 s of it.
+        let (code, _, stderr) = run(dir.path(), &["check", CELL]);
+        assert!(code == 3 && stderr.contains("It was run beyond its stopTime of 1 s"), "{stderr}");
+        hostile.clone().what("status-error").at("step", 80).stop_time("1.6").write(dir.path());
+        let (code, stdout, stderr) = run(dir.path(), &["check", CELL]);
+        assert!(code == 0 && stdout.contains(" in 1.6 s while nobody"), "{stdout} {stderr}");
+        assert!(!stderr.contains("stopTime"), "{stderr}");
+        // It goes on: so does a scan, and says so.
+        hostile.clone().stop_time("1").write(dir.path());
+        let (code, _, stderr) = run(dir.path(), &["check", CELL]);
+        let warning = "sequences go on to 1.60 s (8 actions of 0.2 s), beyond the stopTime of 1 s that x.fmu gives";
+        assert!(code == 0 && stderr.contains(warning) && stderr.contains("search.actions"), "{stderr}");
+    }
 }
 
 #[test]

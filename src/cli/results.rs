@@ -7,6 +7,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::exit::Failure;
 use super::output;
 use crate::host::Effort;
+use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
@@ -121,6 +122,9 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     Ok(replays)
 }
 
+/// Failures whose last lines are shown; run.json has more.
+const MOST_FAILURES: usize = 3;
+
 /// How the scan went, which is no result: run.json, and what the FMU printed.
 pub(super) fn write_run(
     prepared: &Prepared,
@@ -129,15 +133,23 @@ pub(super) fn write_run(
     out: &Path,
 ) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
+    let failures = prepared.before_failures();
     let run = serde_json::json!({
         "states_by": rung,
         "fmu": effort,
         "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,
         "fmu_printed_bytes": bytes,
+        "printed_before_failures": failures,
     });
     let text = output::pretty(&run)?;
     output::write_file(&out.join("run.json"), &text)?;
+    for LastWords { failure, printed } in failures.iter().take(MOST_FAILURES) {
+        output::note(&format!(
+            "   Note    {failure}. The last lines that it printed:\n             {}",
+            printed.join("\n             ")
+        ));
+    }
     if bytes > 0 {
         output::write_file(&out.join("fmu.log"), &printed)?;
         output::note(&format!(

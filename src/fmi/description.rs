@@ -171,3 +171,19 @@ pub struct DefaultExperiment {
     /// Step, s.
     pub step_size: Option<f64>,
 }
+
+impl DefaultExperiment {
+    /// The stop time, s, of an experiment that takes any time at all.
+    #[must_use]
+    pub fn ends_s(&self) -> Option<f64> {
+        self.stop_time.filter(|stop| *stop > self.start_time.unwrap_or(0.0).max(0.0))
+    }
+
+    /// How many of `wanted` steps of `step_s` seconds from time 0 end before the stop time or at it; one at least.
+    #[must_use]
+    pub fn steps(&self, wanted: usize, step_s: f64) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; neither is negative")]
+        let within = |stop: f64| (stop / step_s + 1e-6).floor() as usize;
+        self.ends_s().map_or(wanted, |stop| wanted.min(within(stop)).max(1))
+    }
+}

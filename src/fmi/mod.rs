@@ -65,6 +65,7 @@ pub use description::{Capabilities, CoSimulation, DefaultExperiment, MOST_VALUES
 pub use error::{CallFailure, Error, Status};
 pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};
 pub use library::Slave;
+pub use log::on_log;
 pub use plan::Plan;
 pub use raw::State;
 pub use read_xml::{DescriptionError, Warning};

@@ -94,9 +94,11 @@ impl InProcess {
         written.map_err(|e| failure_of("setting", ports, &e, 0.0))?;
         let written = self.inputs.write(&mut instance, &self.setup.initial_inputs);
         written.map_err(|e| failure_of("setting", &self.setup.inputs, &e, 0.0))?;
+        // No stop time is set: beyond one that is, an FMU has to return an error (FMI 2.0.4, section 2.1.6; FMI 3.0,
+        // fmi3EnterInitializationMode). The one of the default experiment is a suggestion, often the length of a demonstration.
         let initializing: Instance<Initializing> =
-            instance.enter_initialization(0.0, None).map_err(|e| failure(&e, 0.0))?;
-        initializing.exit_initialization().map_err(|e| failure(&e, 0.0))
+            instance.enter_initialization(0.0, None).map_err(|e| no_beginning(&e))?;
+        initializing.exit_initialization().map_err(|e| no_beginning(&e))
     }
 
     fn read_row(&mut self) -> Result<Vec<f64>, PlantError> {
@@ -174,6 +176,16 @@ fn not_started() -> PlantError {
 
 fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
     PlantError { fatal: error.is_fatal(), ..PlantError::of(error.to_string()).at(time_s) }
+}
+
+/// The failure of an FMU that does not begin.
+fn no_beginning(error: &fmi::Error) -> PlantError {
+    let silent = match error {
+        fmi::Error::Call(call) => call.log.is_empty(),
+        fmi::Error::Instantiation(text) => text == fmi::Error::REFUSED,
+        _ => false,
+    };
+    PlantError { no_beginning: silent, ..failure(error, 0.0) }
 }
 
 /// An output that is no number, or none that can be computed with.
@@ -274,7 +286,7 @@ impl Plant for InProcess {
         self.instance = None;
         self.step = 0;
         self.activity.begin(Call::Instantiate, 0);
-        let instance = self.slave.instantiate("cell").map_err(|e| failure(&e, 0.0))?;
+        let instance = self.slave.instantiate("cell").map_err(|e| no_beginning(&e))?;
         self.instance = Some(self.initialise(instance)?);
         self.read_row()
     }

@@ -272,7 +272,7 @@ pub(super) fn stage(
 ) -> Found {
     let built = System::new(slaves, setup.clone());
     if let Err(e) = built {
-        return Found::Agreement(Agreement::Failed { reason: e.to_string() });
+        return Found::Agreement(Agreement::failed(PlantError::of(e.to_string())));
     }
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
     let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);

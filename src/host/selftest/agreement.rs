@@ -31,6 +31,9 @@ pub enum Agreement {
     Failed {
         /// What it said.
         reason: String,
+        /// The last lines that it printed, for people: see [`PlantError::printed`].
+        #[serde(skip)]
+        printed: Vec<String>,
     },
     /// The FMU does not offer this.
     NotOffered,
@@ -39,7 +42,7 @@ pub enum Agreement {
 impl Agreement {
     /// Nothing to compare.
     pub(in crate::host) fn failed(error: PlantError) -> Self {
-        Self::Failed { reason: error.message }
+        Self::Failed { reason: error.message, printed: error.printed }
     }
 }
 
@@ -90,7 +93,10 @@ impl fmt::Display for Agreement {
                 }
                 Ok(())
             }
-            Self::Failed { reason } => write!(f, "FAILED: {reason}"),
+            Self::Failed { reason, printed } => {
+                let error = PlantError { printed: printed.clone(), ..PlantError::of(reason.as_str()) };
+                write!(f, "FAILED: {error}")
+            }
             Self::NotOffered => f.write_str("not offered"),
         }
     }
@@ -127,7 +133,7 @@ impl Columns {
 pub(in crate::host) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>, columns: &Columns) -> Agreement {
     match run {
         Err(error) => Agreement::failed(error),
-        Ok(run) if run.len() != reference.len() => Agreement::Failed { reason: "runs of different length".to_owned() },
+        Ok(run) if run.len() != reference.len() => Agreement::failed(PlantError::of("runs of different length")),
         Ok(run) => {
             let pairs = run.iter().zip(reference).enumerate();
             let different = pairs.filter(|(_, (a, b))| a.to_bits() != b.to_bits());
