@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use common::archives::{
     BINARY, XML, entries, entries_of, folder_with, inspected, pack, refused, run, same, with, with_xml,
 };
+use common::hostile::{CELL, FMU, Hostile};
 use common::{faulty_cell, write};
 
 /// With one piece of the description replaced.

@@ -122,8 +122,8 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     Ok(replays)
 }
 
-/// Failures whose last lines are shown; run.json has more.
-const MOST_FAILURES: usize = 3;
+/// Failures whose last lines are shown: the others are most often the same one elsewhere, and stand in run.json.
+const MOST_FAILURES: usize = 1;
 
 /// How the scan went, which is no result: run.json, and what the FMU printed.
 pub(super) fn write_run(
