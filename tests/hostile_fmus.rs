@@ -426,3 +426,62 @@ fn an_fmu_that_fails_on_the_way_leaves_valid_results_and_unevaluated_sequences()
     let expected = if scan["hazards"].as_array().unwrap().is_empty() { 3 } else { 1 };
     assert_eq!(output.status.code(), Some(expected), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+#[test]
+fn an_fmu_that_ends_a_scan_leaves_what_was_found_until_then() {
+    let dir = tempfile::tempdir().unwrap();
+    let dir = dir.path();
+    let [count, most] = ["count", "most"].map(|name| dir.join(name));
+    // A turning robot, and a licence for so many instances.
+    let source = source_with_step("t += 0.02; return 0;")
+        .replace("x[n] = 1", "x[n] = n ? 1 : t")
+        .replace(
+            "void *fmi2Instantiate(void) { return malloc(1); }",
+            &format!(
+                "static double t; void *fmi2Instantiate(void) {{ long most = 0; t = 0; FILE *f = fopen(\"{}\", \"a\"); fputc('x', \
+                 f); long k = ftell(f); fclose(f); f = fopen(\"{}\", \"r\"); fscanf(f, \"%ld\", &most); fclose(f); return k > \
+                 most ? 0 : malloc(1); }}",
+                count.display(),
+                most.display()
+            ),
+        );
+    let library = compiled(&format!("#include <stdio.h>\n{source}"), &[]);
+    std::fs::write(dir.join("x.fmu"), with_binary(|_| library.clone())).unwrap();
+    let cell = common::faulty_cell("x.fmu", 0, 0).replace("[parameters]\n\"fault.kind\" = 0\n\"fault.step\" = 0\n", "");
+    let cell = common::nearer(&cell).replace("iterations = 30", "iterations = 6\nactions = 3");
+    common::write(dir, "cell.toml", &cell);
+    for strategy in ["random", "exhaustive", "auto"] {
+        let scan = |licence: u64| {
+            let _ = std::fs::remove_file(&count);
+            let _ = std::fs::remove_dir_all(dir.join("o"));
+            std::fs::write(&most, licence.to_string()).unwrap();
+            let (code, stdout, stderr) =
+                run(dir, &["scan", "cell.toml", "--trust-fmu", "--strategy", strategy, "--out", "o"]);
+            (code, stdout, stderr, std::fs::metadata(&count).unwrap().len())
+        };
+        let (code, _, stderr, needed) = scan(u64::MAX / 2);
+        assert_eq!(code, 1, "{stderr}");
+        let whole = common::scan_json(&dir.join("o"))["hazards"].as_array().unwrap().len();
+        let mut ended = 0;
+        for licence in [needed - 1, needed - needed / 8, needed - needed / 4, needed / 2] {
+            let (code, stdout, stderr, _) = scan(licence);
+            let found = std::fs::read_to_string(dir.join("o/hazards.jsonl")).unwrap_or_default();
+            if code == 3 {
+                assert!(found.is_empty(), "{strategy} {licence} of {needed}: {stderr}");
+                continue;
+            }
+            ended += 1;
+            assert!(code == 1 && stdout.contains("possible hazard"), "{strategy} {licence}: {stdout} {stderr}");
+            let scan = common::scan_json(&dir.join("o"));
+            let hazards = scan["hazards"].as_array().unwrap();
+            assert!(!hazards.is_empty() && hazards.len() <= whole, "{strategy} {licence} of {needed}");
+            let unconfirmed = hazards.iter().any(|hazard| hazard["confirmed"].is_null());
+            assert!(!unconfirmed || scan["certificate"]["complete"] != true, "{strategy} {licence}");
+            assert!(
+                hazards.iter().all(|hazard| hazard["confirmed"] != false),
+                "{strategy} {licence}: none was refuted"
+            );
+        }
+        assert!(ended > 0, "{strategy}");
+    }
+}

@@ -15,7 +15,7 @@ use crate::report::model::ScanReport;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
-use crate::scan::{Prepared, ScanError, StateChoice, film, picture};
+use crate::scan::{Prepared, StateChoice, film, picture};
 
 /// Most hazards for which a picture is drawn and a trace is written.
 const PICTURES: usize = 10;
@@ -77,7 +77,6 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     if report.hazards.is_empty() {
         return Ok(replays);
     }
-    let failed = |cause| Failure::from(ScanError { cause });
     // As a hazard is confirmed: no saved state is relied on here.
     let plainly = if context.rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
     let untold = |from: usize| {
@@ -89,7 +88,12 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
             untold(0);
             return Ok(replays);
         }
-        started => started.map_err(failed)?,
+        Ok(started) => started,
+        // What was found is told all the same.
+        Err(error) => {
+            output::warning(&format!("no hazard has a picture and a replay: {error}"));
+            return Ok(replays);
+        }
     };
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
         let watched = match film::watch(&mut simulation, prepared, hazard) {
@@ -108,8 +112,13 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
             let traced = match film::trace(prepared, &watched) {
-                Err(error) if error.stopped => None,
-                traced => traced.map_err(failed)?,
+                Ok(trace) => trace,
+                Err(error) => {
+                    if !error.stopped {
+                        output::warning(&format!("{} has no trace: {error}", hazard.id));
+                    }
+                    None
+                }
             };
             if let Some(trace) = traced {
                 let (inputs, outputs) = (trace.input_table(), trace.output_table());

@@ -186,9 +186,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// What is said of an FMU that refuses to be instantiated and gives no reason.
-    pub const REFUSED: &str = "the FMU refused to be instantiated";
-
     /// The same, saying which file is meant.
     pub(super) fn of(self, path: &Path) -> Self {
         let named = |text: String| format!("{}: {text}", path.display());

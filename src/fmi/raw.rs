@@ -118,7 +118,7 @@ impl Raw {
             } else {
                 ""
             };
-            return Err(Error::Instantiation(format!("{}{hint}{}", Error::REFUSED, Log(&lines))));
+            return Err(Error::Instantiation(format!("the FMU refused to be instantiated{hint}{}", Log(&lines))));
         }
         Ok(Self {
             slave: slave.clone(),

@@ -180,12 +180,7 @@ fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
 
 /// The failure of an FMU that does not begin.
 fn no_beginning(error: &fmi::Error) -> PlantError {
-    let silent = match error {
-        fmi::Error::Call(call) => call.log.is_empty(),
-        fmi::Error::Instantiation(text) => text == fmi::Error::REFUSED,
-        _ => false,
-    };
-    PlantError { no_beginning: silent, ..failure(error, 0.0) }
+    PlantError { not_started: true, ..failure(error, 0.0) }
 }
 
 /// An output that is no number, or none that can be computed with.

@@ -196,8 +196,8 @@ pub struct PlantError {
     pub settled: bool,
     /// It was ended because all work has to end, see [`Stop`]: this says nothing about the FMU.
     pub stopped: bool,
-    /// The FMU refused to be instantiated or initialised, and gave no reason.
-    pub no_beginning: bool,
+    /// The FMU refused to be instantiated or initialised: it made no step.
+    pub not_started: bool,
     /// The FMU could not be loaded: nothing of it has run.
     pub not_loaded: bool,
     /// The FMU did not do again what it did before: what this shows to be wrong.
@@ -230,6 +230,12 @@ impl PlantError {
             Self { ended_by_us: true, .. } => 2,
             _ => 5,
         }
+    }
+
+    /// Whether the FMU could not even begin: nothing was tried.
+    #[must_use]
+    pub const fn tried_nothing(&self) -> bool {
+        self.stopped || self.not_started || self.not_loaded || (self.fatal && self.time_s.is_none())
     }
 
     /// Work was ended, see [`Stop`].

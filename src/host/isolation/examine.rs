@@ -65,7 +65,9 @@ fn maybe_denied(error: PlantError) -> PlantError {
         return error;
     }
     let said = format!("{}\n{}", error.message, error.printed.join("\n")).to_lowercase();
-    let begins = error.no_beginning || error.lost && !error.ended_by_us && error.time_s == Some(0.0);
+    // A refusal without a reason, or an end before the first step.
+    let silent = error.printed.is_empty() && !error.message.contains('\n') && !error.message.contains("instantiated: ");
+    let begins = error.not_started && silent || error.lost && !error.ended_by_us && error.time_s == Some(0.0);
     let hint = match () {
         () if DENIED.iter().any(|word| said.contains(word)) => "It was denied something, maybe by the sandbox",
         () if begins => "If it fails here only, the sandbox may be why",
