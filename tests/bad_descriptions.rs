@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use common::archives::{
     BINARY, XML, entries, entries_of, folder_with, inspected, pack, refused, run, same, with, with_xml,
 };
+use common::hostile::{CELL, FMU, Hostile};
 use common::{faulty_cell, write};
 
 /// With one piece of the description replaced.
@@ -283,7 +284,7 @@ fn start_values_and_limits() {
 
 #[test]
 fn experiments_that_make_no_sense() {
-    let good = "startTime=\"0\" stopTime=\"2\" stepSize=\"0.02\"";
+    let good = "startTime=\"0\" stopTime=\"60\" stepSize=\"0.02\"";
     let with = |attributes: &str| changed(good, attributes);
     for (attributes, warning) in [
         ("startTime=\"3\" stopTime=\"2\"", "stopTime 2 is before startTime 3"),
@@ -291,7 +292,7 @@ fn experiments_that_make_no_sense() {
         ("stopTime=\"NaN\"", "stopTime is NaN, which is no time"),
         ("startTime=\"-INF\"", "startTime is -inf, which is no time"),
         ("stepSize=\"0\"", "stepSize 0 is not greater than zero"),
-        ("stepSize=\"-0.1\"", "stepSize -0.1 is not greater than zero"),
+        ("stepSize=\"-1e-300\"", "stepSize -1e-300 is not greater than zero"),
         ("stepSize=\"1e999\"", "stepSize is inf, which is no time"),
         ("stopTime=\"2\" stepSize=\"1e9\"", "stepSize 1000000000 is longer than the experiment"),
     ] {
@@ -307,6 +308,66 @@ fn experiments_that_make_no_sense() {
         &with("stepSize=\"quick\""),
         "line 27, column 3: in <DefaultExperiment>: `stepSize` is \"quick\", which is no such number",
     );
+}
+
+#[test]
+fn a_stop_time_is_kept_where_an_fmu_is_tried_out_and_told_where_a_scan_goes_beyond_it() {
+    for hostile in Hostile::both() {
+        // It ends with its stopTime, as some do.
+        let dir = tempfile::TempDir::new().unwrap();
+        hostile.clone().what("status-error").at("step", 50).stop_time("1").write(dir.path());
+        let (code, stdout, stderr) = run(dir.path(), &["selftest", FMU]);
+        let told = stdout.contains(": 50 steps of 0.02 s") && stdout.contains("50 steps instead of 80: the FMU gives");
+        assert!(code == 0 && told && stdout.contains("stopTime of 1 s"), "{stdout} {stderr}");
+        let (code, _, stderr) = run(dir.path(), &["selftest", FMU, "--steps", "60"]);
+        assert!(code == 3 && stderr.contains("60 steps of 0.02 s go beyond the stopTime of 1 s"), "{stderr}");
+        let (code, stdout, stderr) = run(dir.path(), &["probe", FMU, "--fmu-only"]);
+        let told = stdout.contains(" in 1 s\n") && stdout.contains("of 1 s instead of 10 s");
+        assert!(code == 0 && told, "{stdout} {stderr}");
+        // A scan needs 1.6 s of it.
+        let (code, _, stderr) = run(dir.path(), &["check", CELL]);
+        assert!(code == 3 && stderr.contains("It was run beyond its stopTime of 1 s"), "{stderr}");
+        hostile.clone().what("status-error").at("step", 80).stop_time("1.6").write(dir.path());
+        let (code, stdout, stderr) = run(dir.path(), &["check", CELL]);
+        assert!(code == 0 && stdout.contains(" in 1.6 s while nobody"), "{stdout} {stderr}");
+        assert!(!stderr.contains("stopTime"), "{stderr}");
+        // It goes on: so does a scan, and says so.
+        hostile.clone().stop_time("1").write(dir.path());
+        let (code, _, stderr) = run(dir.path(), &["check", CELL]);
+        let warning = "sequences go on to 1.60 s (8 actions of 0.2 s), beyond the stopTime of 1 s that x.fmu gives";
+        assert!(code == 0 && stderr.contains(warning) && stderr.contains("search.actions"), "{stderr}");
+    }
+}
+
+#[test]
+fn a_unit_that_nothing_can_be_converted_with_is_not_computed_with() {
+    for (attributes, told) in [
+        ("factor=\"0\"", "the factor 0 and the offset 0"),
+        ("factor=\"NaN\"", "the factor NaN and the offset 0"),
+        ("factor=\"1e999\"", "the factor inf and the offset 0"),
+        ("factor=\"ten\"", "the factor NaN and the offset 0"),
+        ("factor=\"1e-300\" offset=\"NaN\"", "the factor 1e-300 and the offset NaN"),
+    ] {
+        let unit = "<Unit name=\"rad\"><BaseUnit";
+        let fmu = changed(unit, &format!("{unit} {attributes}"));
+        let dir = folder_with(&fmu);
+        let (_, _, stderr) = run(dir.path(), &["inspect", "x.fmu"]);
+        let warning = format!("unit `rad` has {told}: nothing can be converted with it");
+        assert!(stderr.contains(&warning), "{attributes}: {stderr}");
+        let cell = faulty_cell("x.fmu", 0, 0);
+        write(dir.path(), "cell.toml", &cell.replace(", unit = \"rad\" }", " }"));
+        let (code, _, stderr) = run(dir.path(), &["check", "cell.toml", "--no-run"]);
+        let words = "`q` is in `rad`, which modelDescription.xml defines with the factor";
+        assert!(code == 2 && stderr.contains(words) && stderr.contains("unit = \"rad\""), "{attributes}: {stderr}");
+        // Who says what is meant can use it.
+        write(dir.path(), "cell.toml", &cell);
+        assert_eq!(run(dir.path(), &["check", "cell.toml", "--no-run"]).0, 0, "{attributes}");
+    }
+    // As every FMU has it.
+    let fmu = changed("<Unit name=\"rad\"><BaseUnit", "<Unit name=\"rad\"><BaseUnit factor=\"1\" offset=\"0\"");
+    let dir = folder_with(&fmu);
+    write(dir.path(), "cell.toml", &faulty_cell("x.fmu", 0, 0).replace(", unit = \"rad\" }", " }"));
+    assert_eq!(run(dir.path(), &["check", "cell.toml", "--no-run"]).0, 0);
 }
 
 #[test]

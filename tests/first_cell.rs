@@ -80,6 +80,13 @@ fn init_guesses_every_joint_sensor_and_input_of_the_examples() {
             // What cannot be known is asked for, and a check says so line by line.
             let (code, out, _) = run(dir.path(), &["check", "first.toml"]);
             assert!(code == 2 && out.contains("where the person begins") && out.contains("problems"), "{out}");
+            // Once: what is told as missing, with its place, is no line to be filled in as well.
+            let (_, out, _) = run(dir.path(), &["check", "first.toml", "--format", "json"]);
+            let told: serde_json::Value = serde_json::from_str(&out).unwrap();
+            let problems = told["problems"].as_array().unwrap();
+            let about = |words: &str| problems.iter().filter(|p| p.to_string().contains(words)).count();
+            assert_eq!(about("still to be filled in: #"), 0, "{out}");
+            assert!(about("hull_m") == about("moving_mass_kg") && about("where its base stands") > 0, "{out}");
         }
     }
     assert!(json(&dir.path().join("cell.schema.json"))["properties"]["robot"].is_object());
@@ -153,6 +160,33 @@ fn check_tells_all_problems_at_once_and_draws_what_is_right() {
     for problem in problems {
         assert!(problem["line"].as_u64().is_some() && problem["help"].as_str().is_some(), "{problem}");
     }
+    // A value of another type, or of another length, hides nothing: neither others of them, nor what is wrong otherwise; and
+    // what stands in for it is not complained about.
+    let mut types = text.clone();
+    let mistakes = [
+        ("step_s = 0.02", "step_s = \"fast\"", "string \"fast\""),
+        ("moving_mass_kg = ", "moving_mass_kg = \"heavy\" #", "string \"heavy\""),
+        ("axis = [0, 0, 1]", "axis = [0, 0]", "invalid length 2"),
+        ("name = \"joint_3\"", "name = 3", "integer `3`"),
+        ("kind = \"mat\"", "kind = \"matt\"", "unknown variant `matt`"),
+        ("active = false", "active = \"false\"", "string \"false\""),
+        ("payload =", "payloat =", "unknown field `payloat`"),
+        ("robot.q[4]", "robot.q[7]", "`robot.q[7]` is not in sensor-mat.fmu"),
+        ("joint = \"joint_6\"", "joint = \"joint_66\"", "no joint `joint_66`"),
+        ("joint = \"joint_3\"", "joint = \"3\"", ""),
+    ];
+    for (from, to, _) in &mistakes {
+        assert!(types.contains(from), "{from}");
+        types = types.replacen(from, to, 1);
+    }
+    write(dir.path(), "sensor-mat/types.toml", &types);
+    let (code, out, said) = run(dir.path(), &["check", "sensor-mat/types.toml", "--no-run"]);
+    for (.., words) in &mistakes {
+        assert!(said.contains(words), "`{words}`: {said}");
+    }
+    assert!(code == 2 && out.contains("types.toml: 9 problems"), "{out} {said}");
+    let (code, _, said) = run(dir.path(), &["scan", "sensor-mat/types.toml"]);
+    assert!(code == 2 && said.contains("integer `3`") && said.contains("no joint `joint_66`"), "{said}");
     // Unknown keys do not hide one another.
     let unknown = text.replacen("moving_mass_kg", "moving_mas_kg", 1).replacen("heading_deg", "heding_deg", 1);
     let unknown = unknown.replacen("payload =", "payloat =", 1).replacen("phase =", "phases =", 1);
@@ -217,8 +251,12 @@ fn a_wrong_polarity_is_told_before_a_scan() {
         );
         let warnings = scan_json(&folder.join("o"))["warnings"].to_string();
         assert!(warnings.contains("wrong polarity"), "{warnings}");
-        let (_, _, said) = run(&folder, &["check", "wrong.toml"]);
+        let (_, out, said) = run(&folder, &["check", "wrong.toml"]);
         assert!(said.contains("wrong polarity"), "{said}");
+        assert!(
+            out.contains("nothing wrong that keeps it from being scanned; ") && out.ends_with("to read\n"),
+            "{out}"
+        );
         // And not where it is right.
         let right = ["scan", "cell.toml", "--out", "r", "--iterations", "5", "--strategy", "random"];
         assert!(!run(&folder, &right).2.contains("wrong polarity"));

@@ -144,6 +144,7 @@ fn statuses_and_values_that_end_a_run_are_told_with_their_time() {
         for hostile in Hostile::both() {
             let text = no_first_run(&hostile.what(what).at("step", 12));
             assert!(text.contains(words) && text.contains("at t = 0.260 s"), "{what}: {text}");
+            assert!(text.contains("steps of 0.02 s may be too long") && text.contains("time.step_s"), "{text}");
         }
     }
 }

@@ -97,7 +97,7 @@ fn statuses() {
         let call = if third { "fmi3DoStep" } else { "fmi2DoStep" };
         let when = |what: &str| hostile.clone().what(what).when_stopped(8);
         for (what, words) in [
-            ("status-discard", "Discard (the step was refused)"),
+            ("status-discard", "Discard (the call was refused)"),
             ("status-error", "Error"),
             ("status-fatal", "Fatal (it must not be called any more)"),
             (

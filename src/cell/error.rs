@@ -50,6 +50,16 @@ impl CellError {
         std::iter::once(self).chain(&self.others)
     }
 
+    /// The same without what is said of these places; nothing if nothing is left.
+    pub(super) fn apart_from(&self, places: &[Range<usize>]) -> Option<Box<Self>> {
+        let touches = |problem: &Self, place: &Range<usize>| {
+            problem.span.is_some_and(|span| span.offset() < place.end && place.start < span.offset() + span.len())
+        };
+        let elsewhere = self.each().filter(|problem| !places.iter().any(|place| touches(problem, place)));
+        let mut elsewhere = elsewhere.map(|problem| Self { others: Vec::new(), ..problem.clone() });
+        elsewhere.next().map(|first| first.and(elsewhere))
+    }
+
     /// Line of the problem, counted from 1, when it has one.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
@@ -243,6 +253,9 @@ fn did_you_mean(message: &str) -> Option<String> {
     }
     if message.starts_with("invalid type") {
         return Some("texts stand in quotes, numbers and true or false do not; lists in [ ], tables in { }".to_owned());
+    }
+    if message.starts_with("invalid length") || message.starts_with("invalid value") {
+        return Some("`fmi-hazard schema` tells what it takes".to_owned());
     }
     if message.starts_with("duplicate key") {
         return Some("remove one of the two".to_owned());

@@ -1,7 +1,8 @@
 //! The cell file: as written, and from there to a [`Workcell`](super::Workcell).
 //!
 //! - [`mod@format`]: the TOML file as written
-//! - [`validate`]: its text to tables, and these to a checked cell, every mistake with its line
+//! - [`reading`]: its text to tables, past what does not fit
+//! - [`validate`]: these to a checked cell, every mistake with its line
 //! - `checker`: what those share that check a part; `robots`, `sensors`, `obstacles`: the parts
 //! - [`described`]: robots from a URDF
 //! - [`files`]: what a cell file names, read once and hashed
@@ -11,6 +12,7 @@ pub mod described;
 pub mod files;
 pub mod format;
 mod obstacles;
+pub mod reading;
 mod robots;
 mod sensors;
 pub mod validate;

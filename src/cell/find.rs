@@ -8,7 +8,8 @@ use super::binding::{BoundUnit, bind};
 use super::draft::TODO;
 use super::error::{OpenError, Problems, Source, display_name};
 use super::file::format::CellFile;
-use super::file::validate::{check, parse, validate};
+use super::file::reading::read as read_tables;
+use super::file::validate::{check, validate};
 use super::foreign::ssp::{self, Wiring, is_ssp};
 use super::{CellError, EXTRA_FOLDER, Workcell};
 use crate::fmi::Fmu;
@@ -102,11 +103,12 @@ pub struct Examined {
 /// When a file cannot be read at all.
 pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> {
     let (source, own) = located(path, cell)?;
-    let lines = source.text().lines().enumerate().filter(|(_, line)| line.contains(TODO));
-    let todo = lines.map(|(number, line)| (number + 1, line.trim().to_owned())).collect();
     let problems = Problems::default();
-    let Some(file) = problems.keep(parse(&source)) else {
-        return Ok(Examined { problems: problems.take_or(()).err(), source, todo });
+    let mut tables = read_tables(&source);
+    tables.problems.take().into_iter().for_each(|unread| problems.tell(unread));
+    let Some(file) = tables.file.take() else {
+        let problems = problems.take_or(()).err();
+        return Ok(Examined { todo: left_to_fill_in(&source, problems.as_deref()), problems, source });
     };
     let named = file.units.len() + usize::from(file.fmu.is_some());
     let plants = match own {
@@ -122,15 +124,43 @@ pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> 
     }
     // With an FMU missing, names of its variables cannot be told from mistakes.
     if !plants.fmus.is_empty() && plants.fmus.len() >= named {
-        let _ = problems.keep(bind(
-            &file,
-            &source,
-            &BoundUnit::all(plants.fmus.iter().map(|(name, fmu)| (name, fmu))),
-            plants.wiring.as_ref(),
-        ));
+        let units = BoundUnit::all(plants.fmus.iter().map(|(name, fmu)| (name, fmu)));
+        let _ = problems.keep(tables.counting(bind(&file, &source, &units, plants.wiring.as_ref())));
     }
-    let _ = problems.keep(check(&source, file));
-    Ok(Examined { problems: problems.take_or(()).err(), source, todo })
+    let _ = problems.keep(tables.counting(check(&source, file)));
+    let problems = problems.take_or(()).err();
+    Ok(Examined { todo: left_to_fill_in(&source, problems.as_deref()), problems, source })
+}
+
+/// The lines that are still to be filled in, with what they say, except for those of which a problem tells that something is
+/// missing there: that names the line's key, in the same table.
+fn left_to_fill_in(source: &Source, problems: Option<&CellError>) -> Vec<(usize, String)> {
+    let lines: Vec<&str> = source.text().lines().collect();
+    let is_header = |line: &&str| line.starts_with('[');
+    let mut told = vec![false; lines.len()];
+    for problem in problems.into_iter().flat_map(CellError::each) {
+        let Some(at) = problem.line().map(|line| line - 1).filter(|at| *at < lines.len()) else { continue };
+        let words = format!("{} {}", problem.message, problem.help.as_deref().unwrap_or_default());
+        let own = lines[..=at].iter().rev().find(|line| is_header(line));
+        // Until the next table of its kind.
+        let end = lines[at + 1..].iter().position(|line| is_header(line) && own == Some(line));
+        let end = end.map_or(lines.len(), |end| at + 1 + end);
+        let asks = |line: &usize| lines[*line].contains(TODO) && names(lines[*line], &words) && !told[*line];
+        if let Some(line) = (at..end).find(asks) {
+            told[line] = true;
+        }
+    }
+    let left = lines.iter().zip(told).enumerate().filter(|(_, (line, told))| line.contains(TODO) && !told);
+    left.map(|(number, (line, _))| (number + 1, line.trim().to_owned())).collect()
+}
+
+/// Whether a problem in `words` is about the key that a line has commented out.
+fn names(line: &str, words: &str) -> bool {
+    let Some(comment) = line.trim().strip_prefix('#') else { return false };
+    let key = comment.split_once('=').map_or("", |(key, _)| key.trim());
+    let word = |key: &str| words.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == key);
+    // The shapes of a robot's parts are tables of their own.
+    if key.is_empty() { comment.contains("capsule") && word("capsule") } else { word(key) }
 }
 
 /// The cell file, and the FMUs if it was they that were named.

@@ -10,10 +10,11 @@ use super::output::{self, Format};
 use crate::cell::CellError;
 use crate::cell::error::Source;
 use crate::cell::find::{Examined, examine};
+use crate::fmi::number;
 use crate::report::speeds::{SpeedRecord, Speeds};
 use crate::report::topview;
 use crate::scan::prepare::prepare_in;
-use crate::scan::probe::{Probe, RUN_S, probe};
+use crate::scan::probe::{Probe, probe, run_s};
 use crate::scan::{Prepared, picture};
 
 #[derive(Debug, clap::Args)]
@@ -88,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &hosting)?;
     let others = (1..prepared.cell.beginnings.len()).map(|number| prepared.beginning(number));
     let others = others.collect::<Result<Vec<_>, _>>()?;
-    let found = probe(&prepared, RUN_S);
+    let (found, run_s) = (probe(&prepared), number(run_s(&prepared)));
     // The starts of the first time; those of others are the same.
     let elsewhere = &others[..prepared.cell.file().human.other_starts.len()];
     let drawn = topview::render(&picture::overview(&prepared, elsewhere, found.as_ref().ok()));
@@ -106,7 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         warnings.extend(speeds.warnings);
         if found.fastest_m_s < 1e-3 && !found.motion.moved {
             warnings.push(format!(
-                "no robot moves in {RUN_S} s while nobody is detected: are all [inputs] as they should be?"
+                "no robot moves in {run_s} s while nobody is detected: are all [inputs] as they should be?"
             ));
         }
     }
@@ -130,14 +131,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 return Ok(code);
             }
             if found.is_ok() {
-                output::result(&format!("{file}: nothing wrong\n"));
+                let read = match warnings.len() {
+                    0 => String::new(),
+                    1 => " that keeps it from being scanned; 1 warning to read".to_owned(),
+                    count => format!(" that keeps it from being scanned; {count} warnings to read"),
+                };
+                output::result(&format!("{file}: nothing wrong{read}\n"));
             }
         }
     }
     match found {
         Ok(_) => Ok(NO_HAZARD),
         Err(error) => {
-            output::error(&format!("the FMU failed when it was run for {RUN_S} s: {error}"));
+            output::error(&format!("the FMU failed when it was run for {run_s} s: {error}"));
             Ok(FMU_FAILED)
         }
     }
@@ -203,7 +209,9 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
             found.together.iter().map(|all| format!("  sensors   all together: {}", super::probe::words(all, "m/s"))),
         );
         lines.extend(found.reported.iter().map(super::probe::reported_words));
-        lines.push(format!("  moves     up to {:.2} m/s in {RUN_S} s while nobody is detected", found.fastest_m_s));
+        let run_s = number(found.run_s);
+        lines.push(format!("  moves     up to {:.2} m/s in {run_s} s while nobody is detected", found.fastest_m_s));
+        lines.extend(super::probe::shortened(found.run_s));
     }
     lines.join("\n") + "\n"
 }

@@ -11,12 +11,14 @@ use serde::Serialize;
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
+use super::selftest::STEPS;
 use super::subject::Subject;
 use crate::cell::binding::alone::Alone;
 use crate::cell::draft::interface::Interface;
 use crate::cell::draft::roles::{Guess, Role};
 use crate::cell::error::OpenError;
 use crate::cell::find::open;
+use crate::fmi::number;
 use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
@@ -57,6 +59,8 @@ struct Told {
     unit: &'static str,
     /// The fastest that anything was while nobody was detected.
     fastest: f64,
+    /// How long each run was, s.
+    run_s: f64,
     /// Inputs that had to be set for anything to move.
     set: Vec<String>,
     reactions: Vec<Reaction>,
@@ -91,12 +95,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), hosting)?;
-    let found = probe_inputs(&prepared, RUN_S).map_err(failed)?;
+    let found = probe_inputs(&prepared).map_err(failed)?;
     let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion).sentences();
     Ok(Told {
         with_cell: true,
         unit: "m/s",
         fastest: found.fastest_m_s,
+        run_s: found.run_s,
         set: Vec::new(),
         reactions: found.reactions.into_iter().chain(found.others).collect(),
         not_tried: found.not_tried,
@@ -109,7 +114,7 @@ fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
 
 fn failed(error: PlantError) -> Failure {
     if error.not_loaded {
-        Failure::unusable(error.message)
+        Failure::unusable(error)
     } else {
         Failure::running_with_help(format!("the FMU failed: {error}"), TRUST)
     }
@@ -130,7 +135,8 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     let _ = setup.order().map_err(PrepareError::from)?;
     let unpacked = subject.fmus().into_iter().map(Unpacked::of).collect();
     let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, limits.clone());
-    let Examination { result, launcher, .. } = examine(&launcher, 80, &[Stage::Serialize]).map_err(failed)?;
+    let tested = subject.steps(STEPS, setup.step_s);
+    let Examination { result, launcher, .. } = examine(&launcher, tested, &[Stage::Serialize]).map_err(failed)?;
     let (columns, unit) = measured(&setup, &outputs, &roles);
     let (width, step_s) = (setup.outputs.len(), setup.step_s);
     let speeds = |rows: &[f64]| -> Vec<f64> {
@@ -143,7 +149,8 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         let setup = SystemSetup { initial_inputs: inputs.to_vec(), ..setup.clone() };
         Isolated::new(launcher.clone().with_setup(setup), Keeping::Processes)
     };
-    let prober = Prober::new(&plant, step_s, RUN_S, &speeds);
+    let run_s = subject.ends_s().map_or(RUN_S, |stop| RUN_S.min(stop));
+    let prober = Prober::new(&plant, step_s, run_s, &speeds);
     let (inputs, idle, set) = moving(&prober, &setup, &names, &roles).map_err(failed)?;
     let mut not_tried = Vec::new();
     let mut reactions = Vec::new();
@@ -163,6 +170,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         with_cell: false,
         unit,
         fastest: idle.fastest(),
+        run_s: prober.run_s(),
         set,
         reactions,
         not_tried,
@@ -257,7 +265,8 @@ fn moving<P: Plant>(
 const NAMED: usize = 12;
 
 fn render(told: &Told) -> String {
-    let mut lines = vec![format!("  moves     {:.3} {} at most in {RUN_S} s", told.fastest, told.unit)];
+    let mut lines = vec![format!("  moves     {:.3} {} at most in {} s", told.fastest, told.unit, number(told.run_s))];
+    lines.extend(shortened(told.run_s));
     if !told.set.is_empty() {
         lines.push(format!("  needs     {} to move", told.set.join(", ")));
     }
@@ -278,6 +287,14 @@ fn render(told: &Told) -> String {
     lines.push(format!("  repeats   {}", told.self_test.deterministic));
     lines.push(format!("  states    restored {}", told.self_test.restore));
     lines.join("\n") + "\n"
+}
+
+/// That runs are shorter than usual, and why.
+pub(super) fn shortened(run_s: f64) -> Option<String> {
+    let shorter = run_s < RUN_S - 1e-9;
+    shorter.then(|| {
+        format!("  runs      of {} s instead of {RUN_S} s: none goes beyond the FMU's stopTime or has more than 50,000 steps", number(run_s))
+    })
 }
 
 /// What an input does, in words.

@@ -7,6 +7,7 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::exit::Failure;
 use super::output;
 use crate::host::Effort;
+use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
@@ -15,7 +16,7 @@ use crate::report::moved;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
-use crate::scan::{Prepared, ScanError, StateChoice, film, picture};
+use crate::scan::{Prepared, StateChoice, film, picture};
 
 /// Most hazards for which a picture is drawn and a trace is written.
 const PICTURES: usize = 10;
@@ -78,7 +79,6 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     if report.hazards.is_empty() {
         return Ok(replays);
     }
-    let failed = |cause| Failure::from(ScanError { cause });
     // As a hazard is confirmed: no saved state is relied on here.
     let plainly = if context.rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
     let untold = |from: usize| {
@@ -90,7 +90,12 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
             untold(0);
             return Ok(replays);
         }
-        started => started.map_err(failed)?,
+        Ok(started) => started,
+        // What was found is told all the same.
+        Err(error) => {
+            output::warning(&format!("no hazard has a picture and a replay: {error}"));
+            return Ok(replays);
+        }
     };
     for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
         let watched = match film::watch(&mut simulation, prepared, hazard) {
@@ -109,8 +114,13 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
         if number < PICTURES {
             output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
             let traced = match film::trace(prepared, &watched) {
-                Err(error) if error.stopped => None,
-                traced => traced.map_err(failed)?,
+                Ok(trace) => trace,
+                Err(error) => {
+                    if !error.stopped {
+                        output::warning(&format!("{} has no trace: {error}", hazard.id));
+                    }
+                    None
+                }
             };
             if let Some(trace) = traced {
                 let (inputs, outputs) = (trace.input_table(), trace.output_table());
@@ -123,6 +133,9 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
     Ok(replays)
 }
 
+/// Failures whose last lines are shown: the others are most often the same one elsewhere, and stand in run.json.
+const MOST_FAILURES: usize = 1;
+
 /// How the scan went, which is no result: run.json, and what the FMU printed.
 pub(super) fn write_run(
     prepared: &Prepared,
@@ -131,15 +144,23 @@ pub(super) fn write_run(
     out: &Path,
 ) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
+    let failures = prepared.before_failures();
     let run = serde_json::json!({
         "states_by": rung,
         "fmu": effort,
         "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,
         "fmu_printed_bytes": bytes,
+        "printed_before_failures": failures,
     });
     let text = output::pretty(&run)?;
     output::write_file(&out.join("run.json"), &text)?;
+    for LastWords { failure, printed } in failures.iter().take(MOST_FAILURES) {
+        output::note(&format!(
+            "   Note    {failure}. The last lines that it printed:\n             {}",
+            printed.join("\n             ")
+        ));
+    }
     if bytes > 0 {
         output::write_file(&out.join("fmu.log"), &printed)?;
         output::note(&format!(

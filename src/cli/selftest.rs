@@ -10,12 +10,15 @@ use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output;
 use super::subject::Subject;
-use crate::fmi::Fmu;
+use crate::fmi::{Fmu, number};
 use crate::host::PlantError;
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
 use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
 use crate::scan::{Hosting, PrepareError};
+
+/// Steps of a run unless told otherwise.
+pub(super) const STEPS: usize = 80;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -24,9 +27,9 @@ pub(super) struct Arguments {
     /// Communication step, s (default: the FMU's own, else 0.02)
     #[arg(long, value_parser = positive)]
     step: Option<f64>,
-    /// Number of steps in a run
-    #[arg(long, default_value_t = 80, value_parser = clap::value_parser!(u32).range(8..100_000))]
-    steps: u32,
+    /// Number of steps in a run (default: 80, but none beyond the FMU's stopTime)
+    #[arg(long, value_parser = clap::value_parser!(u32).range(8..100_000))]
+    steps: Option<u32>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -45,9 +48,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let subject = Subject::open(&arguments.fmu)?;
     let setup = subject.alone(arguments.step)?.setup;
     let _ = setup.order().map_err(PrepareError::from)?;
-    let steps = usize::try_from(arguments.steps).unwrap_or(80);
+    let wanted = arguments.steps.and_then(|steps| usize::try_from(steps).ok());
+    let within = subject.steps(wanted.unwrap_or(STEPS), setup.step_s);
+    let steps = wanted.unwrap_or(within);
+    let stop = number(subject.ends_s().unwrap_or_default());
+    if steps > within {
+        output::warning(&format!(
+            "{steps} steps of {} s go beyond the stopTime of {stop} s that the FMU gives: nobody may have looked at what it \
+             does then",
+            number(setup.step_s)
+        ));
+    }
+    let shortened = (steps < STEPS && wanted.is_none())
+        .then(|| format!("{steps} steps instead of {STEPS}: the FMU gives a stopTime of {stop} s"));
     let failed = |e: PlantError| match e.not_loaded {
-        true => Failure::unusable(e.message),
+        true => Failure::unusable(e),
         false => Failure::running(format!("the FMU failed in its first plain run: {e}")),
     };
     let (result, habits) = match arguments.hosting.hosting()? {
@@ -73,11 +88,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     };
     if arguments.json {
         let states_by = result.repeatable().then(|| result.rung(false));
-        let text = serde_json::to_string_pretty(&Told { result: &result, habits: &habits, states_by })
-            .map_err(Failure::unusable)?;
+        let told = Told { result: &result, habits: &habits, states_by, shortened: shortened.as_deref() };
+        let text = serde_json::to_string_pretty(&told).map_err(Failure::unusable)?;
         output::json(&(text + "\n"));
     } else {
-        output::result(&render(subject.name(), &result, &habits));
+        output::result(&render(subject.name(), &result, &habits, shortened.as_deref()));
     }
     Ok(if result.repeatable() { NO_HAZARD } else { FMU_FAILED })
 }
@@ -90,15 +105,24 @@ struct Told<'a> {
     habits: &'a [Habit],
     /// How a scan brings states back; nothing if it cannot.
     states_by: Option<Rung>,
+    /// Why there were fewer steps than usual.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shortened: Option<&'a str>,
 }
 
-fn render(name: &str, r: &SelfTest, habits: &[Habit]) -> String {
+fn render(name: &str, r: &SelfTest, habits: &[Habit], shortened: Option<&str>) -> String {
     let mut text = String::new();
     let _ = writeln!(
         text,
         "{name}: {} steps of {} s with {} moving inputs, {} outputs compared bit by bit",
-        r.steps, r.step_s, r.inputs, r.outputs
+        r.steps,
+        number(r.step_s),
+        r.inputs,
+        r.outputs
     );
+    if let Some(shortened) = shortened {
+        let _ = writeln!(text, "  {shortened}");
+    }
     for (what, result, otherwise) in [
         ("two fresh instances agree", &r.deterministic, "each run needs a fresh process"),
         (

@@ -43,6 +43,17 @@ impl Subject {
         }
     }
 
+    /// So many steps, or as many as none of its FMUs is run beyond its stopTime with.
+    pub(super) fn steps(&self, wanted: usize, step_s: f64) -> usize {
+        let within = |fmu: &Fmu| fmu.description().default_experiment.steps(wanted, step_s);
+        self.fmus().into_iter().map(within).min().unwrap_or(wanted)
+    }
+
+    /// The first stopTime of its FMUs, s.
+    pub(super) fn ends_s(&self) -> Option<f64> {
+        self.fmus().into_iter().filter_map(|fmu| fmu.description().default_experiment.ends_s()).reduce(f64::min)
+    }
+
     /// The model's name, or the system's.
     pub(super) fn name(&self) -> &str {
         match self {

@@ -25,6 +25,8 @@ pub struct ModelDescription {
     pub variables: Vec<Variable>,
     /// Suggested experiment.
     pub default_experiment: DefaultExperiment,
+    /// Units that the file defines, with the factor of each to its base units: not always one that can be computed with.
+    pub units: BTreeMap<String, f64>,
     pub(super) by_name: BTreeMap<String, usize>,
     /// Start values of structural parameters by value reference.
     pub(super) sizes: BTreeMap<u32, usize>,
@@ -168,4 +170,20 @@ pub struct DefaultExperiment {
     pub stop_time: Option<f64>,
     /// Step, s.
     pub step_size: Option<f64>,
+}
+
+impl DefaultExperiment {
+    /// The stop time, s, of an experiment that takes any time at all.
+    #[must_use]
+    pub fn ends_s(&self) -> Option<f64> {
+        self.stop_time.filter(|stop| *stop > self.start_time.unwrap_or(0.0).max(0.0))
+    }
+
+    /// How many of `wanted` steps of `step_s` seconds from time 0 end before the stop time or at it; one at least.
+    #[must_use]
+    pub fn steps(&self, wanted: usize, step_s: f64) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; neither is negative")]
+        let within = |stop: f64| (stop / step_s + 1e-6).floor() as usize;
+        self.ends_s().map_or(wanted, |stop| wanted.min(within(stop)).max(1))
+    }
 }

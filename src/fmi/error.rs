@@ -26,7 +26,7 @@ pub enum Status {
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Discard => f.write_str("Discard (the step was refused)"),
+            Self::Discard => f.write_str("Discard (the call was refused)"),
             Self::Error => f.write_str("Error"),
             Self::Fatal => f.write_str("Fatal (it must not be called any more)"),
             Self::Pending => f.write_str("Pending (asynchronous steps are not supported)"),

@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "callbacks that FMUs call with C pointers")]
 
 use std::ffi::{CStr, c_char, c_int, c_void};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::abi::{self, StatusCode};
 use super::text::escaped;
@@ -34,6 +34,15 @@ impl Environment {
     pub(super) fn take(&self) -> Vec<String> {
         std::mem::take(&mut *lock(&self.lines))
     }
+}
+
+/// Who is told every message, also those that are not kept.
+static LISTENER: OnceLock<fn(&str)> = OnceLock::new();
+
+/// From now on `listener` is told every message of every FMU in this process, in one line each; the first one stays. An FMU
+/// that ends its process takes its last lines with it otherwise.
+pub fn on_log(listener: fn(&str)) {
+    let _ = LISTENER.set(listener);
 }
 
 /// A lock that a panic elsewhere does not close.
@@ -87,14 +96,23 @@ unsafe fn record(environment: *mut c_void, status: StatusCode, category: *const 
         unsafe { CStr::from_ptr(category) }.to_string_lossy().into_owned()
     };
     // Ordinary chatter is dropped; what comes with a status worse than OK, or an error category, is kept.
-    if status == abi::OK && !category.to_lowercase().contains("err") {
+    let kept = status != abi::OK || category.to_lowercase().contains("err");
+    let listener = LISTENER.get();
+    if !kept && listener.is_none() {
         return;
     }
     let text = message.to_string_lossy();
     let text: String = escaped(text.trim_end()).chars().take(LONGEST).collect();
+    let line = if category.is_empty() { text } else { format!("[{}] {text}", escaped(&category)) };
+    if let Some(tell) = listener {
+        tell(&line);
+    }
+    if !kept {
+        return;
+    }
     let mut lines = lock(&environment.lines);
     if lines.len() == LOG_LINES {
         lines.remove(0);
     }
-    lines.push(if category.is_empty() { text } else { format!("[{}] {text}", escaped(&category)) });
+    lines.push(line);
 }

@@ -65,10 +65,11 @@ pub use description::{Capabilities, CoSimulation, DefaultExperiment, MOST_VALUES
 pub use error::{CallFailure, Error, Status};
 pub use instance::{EventMode, Initializing, Instance, Instantiated, Stepping};
 pub use library::Slave;
+pub use log::on_log;
 pub use plan::Plan;
 pub use raw::State;
 pub use read_xml::{DescriptionError, Warning};
-pub use text::{escaped, is_unsafe, printable};
+pub use text::{escaped, is_unsafe, number, printable};
 pub use values::{Number, Values};
 pub use variable::{Causality, Dimension, Handle, Scalar, Variability, Variable, VariableType};
 pub use version::FmiVersion;

@@ -9,6 +9,7 @@ use super::error::Error;
 use super::library::{Slave, Table};
 use super::log::{Environment, log_message};
 use super::raw::{Raw, c_text};
+use super::text::number;
 
 /// Rounds of event iteration before an FMU is taken to have no end.
 const EVENT_ROUNDS: usize = 100;
@@ -72,7 +73,7 @@ impl Raw {
             if !(at - tolerance..=end + tolerance).contains(&part.reached) {
                 let message = format!(
                     "the FMU says it reached t = {} s in a step from t = {at} s that was to end at t = {end} s",
-                    part.reached
+                    number(part.reached)
                 );
                 return Err(self.misbehaved(message));
             }

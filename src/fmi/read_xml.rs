@@ -8,7 +8,7 @@ mod fmi2;
 mod fmi3;
 mod model;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
 
 use quick_xml::Reader;
@@ -102,7 +102,7 @@ fn read(text: &str) -> Result<(ModelDescription, Vec<Warning>), Problem> {
         d: ModelDescription::default(),
         warnings: Vec::new(),
         types: BTreeMap::new(),
-        units: BTreeSet::new(),
+        unit: None,
         references: BTreeMap::new(),
         type_name: None,
         lines: Lines::new(text),
@@ -182,8 +182,8 @@ struct Parser {
     d: ModelDescription,
     warnings: Vec<Warning>,
     types: BTreeMap<String, Inherited>,
-    /// Units that are defined.
-    units: BTreeSet<String>,
+    /// The unit that is being defined.
+    unit: Option<String>,
     /// FMI 3.0: the variable of each value reference, and its line.
     references: BTreeMap<u32, (String, usize)>,
     type_name: Option<String>,
@@ -237,7 +237,11 @@ impl Parser {
                 self.experiment(&mut a)?;
                 self.leftovers(&a);
             }
-            (["fmiModelDescription", "UnitDefinitions"], "Unit") => self.units.extend(a.take("name")),
+            (["fmiModelDescription", "UnitDefinitions"], "Unit") => {
+                self.unit = a.take("name");
+                self.d.units.extend(self.unit.clone().map(|name| (name, 1.0)));
+            }
+            (["fmiModelDescription", "UnitDefinitions", "Unit"], "BaseUnit") => self.base_unit(&mut a),
             (
                 ["fmiModelDescription"],
                 "TypeDefinitions" | "UnitDefinitions" | "LogCategories" | "VendorAnnotations" | "Annotations"

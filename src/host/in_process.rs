@@ -31,8 +31,8 @@ fn plan<'a>(slave: &Slave, ports: impl IntoIterator<Item = &'a Port>) -> Plan {
 
 /// What stands in a row for a watched value that is no number, and for watched values that could not be read: all that is
 /// asked of them is to be the same again.
-const NO_NUMBER: f64 = f64::MAX;
-const REFUSED: f64 = f64::MIN;
+pub(super) const NO_NUMBER: f64 = f64::MAX;
+pub(super) const REFUSED: f64 = f64::MIN;
 
 /// A running FMU in this process.
 pub struct InProcess {
@@ -94,9 +94,11 @@ impl InProcess {
         written.map_err(|e| failure_of("setting", ports, &e, 0.0))?;
         let written = self.inputs.write(&mut instance, &self.setup.initial_inputs);
         written.map_err(|e| failure_of("setting", &self.setup.inputs, &e, 0.0))?;
+        // No stop time is set: beyond one that is, an FMU has to return an error (FMI 2.0.4, section 2.1.6; FMI 3.0,
+        // fmi3EnterInitializationMode). The one of the default experiment is a suggestion, often the length of a demonstration.
         let initializing: Instance<Initializing> =
-            instance.enter_initialization(0.0, None).map_err(|e| failure(&e, 0.0))?;
-        initializing.exit_initialization().map_err(|e| failure(&e, 0.0))
+            instance.enter_initialization(0.0, None).map_err(|e| no_beginning(&e))?;
+        initializing.exit_initialization().map_err(|e| no_beginning(&e))
     }
 
     fn read_row(&mut self) -> Result<Vec<f64>, PlantError> {
@@ -106,11 +108,15 @@ impl InProcess {
         self.activity.begin(Call::Read, self.step.saturating_sub(1));
         let read = self.outputs.read(instance, &mut row);
         rounding::restore();
-        read.map_err(|e| failure_of("reading", &self.setup.outputs, &e, time_s))?;
+        if let Err(error) = read {
+            let outputs = &self.setup.outputs;
+            let refused = if error.is_fatal() { Vec::new() } else { refused(&self.slave, instance, outputs, &error) };
+            rounding::restore();
+            let named: Vec<&Port> = if refused.is_empty() { outputs.iter().collect() } else { refused };
+            return Err(failure_of("reading", named, &error, time_s));
+        }
         if let Some(bad) = row.iter().position(|v| !v.is_finite()) {
-            let what = if row[bad].is_nan() { "NaN (not a number)" } else { "infinite" };
-            let name = &self.setup.outputs[bad].name;
-            return Err(PlantError::of(format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s")).at(time_s));
+            return Err(not_finite(&self.setup, bad, row[bad], self.step).at(time_s));
         }
         if !self.setup.watched.is_empty() {
             let mut further = vec![0.0; self.setup.watched.len()];
@@ -172,6 +178,52 @@ fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
     PlantError { fatal: error.is_fatal(), ..PlantError::of(error.to_string()).at(time_s) }
 }
 
+/// The failure of an FMU that does not begin.
+fn no_beginning(error: &fmi::Error) -> PlantError {
+    PlantError { not_started: true, ..failure(error, 0.0) }
+}
+
+/// An output that is no number, or none that can be computed with.
+fn not_finite(setup: &Setup, column: usize, value: f64, step: u64) -> PlantError {
+    let what = if value.is_nan() { "NaN (not a number)" } else { "infinite" };
+    let (name, step_s) = (&setup.outputs[column].name, setup.step_s);
+    #[expect(clippy::cast_precision_loss, reason = "step counts are far below 2^53")]
+    let time_s = step as f64 * step_s;
+    // Before the first step it cannot be the step's size.
+    let hint = match step {
+        0 => "before its first step: look at the start values of its inputs and parameters".to_owned(),
+        _ => format!(
+            "if it computes well in its own tool, communication steps of {} s may be too long for it: try a smaller \
+             time.step_s in the cell file, or --step of `fmi-hazard selftest`",
+            fmi::number(step_s)
+        ),
+    };
+    PlantError::of(format!("the FMU's output `{name}` is {what} at t = {time_s:.3} s; {hint}"))
+}
+
+/// Which of these outputs the FMU refuses when they are read one by one, after it has refused them together. FMI allows to
+/// read values after an error.
+fn refused<'a>(
+    slave: &Slave,
+    instance: &mut Instance<Stepping>,
+    ports: &'a [Port],
+    error: &fmi::Error,
+) -> Vec<&'a Port> {
+    if !matches!(error, fmi::Error::Call(_) | fmi::Error::MissingFunction(_)) {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    for port in ports {
+        match plan(slave, [port]).read(instance, &mut [0.0]) {
+            Ok(()) => {}
+            // Nothing may be called any more.
+            Err(error) if error.is_fatal() => return vec![port],
+            Err(_) => found.push(port),
+        }
+    }
+    found
+}
+
 /// Names told in a failure.
 const NAMES: usize = 8;
 
@@ -183,8 +235,12 @@ fn failure_of<'a>(
     time_s: f64,
 ) -> PlantError {
     let mut failed = failure(error, time_s);
-    let fmi::Error::Call(call) = error else { return failed };
-    let kind = match call.function {
+    let function = match error {
+        fmi::Error::Call(call) => call.function,
+        fmi::Error::MissingFunction(function) => function,
+        _ => return failed,
+    };
+    let kind = match function {
         name if name.contains("Real") || name.contains("Float") => PortKind::Real,
         name if name.contains("Boolean") => PortKind::Boolean,
         name if name.contains("Int") => PortKind::Integer,
@@ -225,7 +281,7 @@ impl Plant for InProcess {
         self.instance = None;
         self.step = 0;
         self.activity.begin(Call::Instantiate, 0);
-        let instance = self.slave.instantiate("cell").map_err(|e| failure(&e, 0.0))?;
+        let instance = self.slave.instantiate("cell").map_err(|e| no_beginning(&e))?;
         self.instance = Some(self.initialise(instance)?);
         self.read_row()
     }

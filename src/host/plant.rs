@@ -180,6 +180,9 @@ pub struct Fingerprint {
 pub struct PlantError {
     /// What happened, in words, with the FMU's own last log lines.
     pub message: String,
+    /// The last lines that the FMU printed before, if any. They are for people: how many there are depends on what its process
+    /// did before, and they are part of no result.
+    pub printed: Vec<String>,
     /// Simulation time, s, when known.
     pub time_s: Option<f64>,
     /// The FMU must not be called any more: the search has to end.
@@ -193,6 +196,8 @@ pub struct PlantError {
     pub settled: bool,
     /// It was ended because all work has to end, see [`Stop`]: this says nothing about the FMU.
     pub stopped: bool,
+    /// The FMU refused to be instantiated or initialised: it made no step.
+    pub not_started: bool,
     /// The FMU could not be loaded: nothing of it has run.
     pub not_loaded: bool,
     /// The FMU did not do again what it did before: what this shows to be wrong.
@@ -227,6 +232,12 @@ impl PlantError {
         }
     }
 
+    /// Whether the FMU could not even begin: nothing was tried.
+    #[must_use]
+    pub const fn tried_nothing(&self) -> bool {
+        self.stopped || self.not_started || self.not_loaded || (self.fatal && self.time_s.is_none())
+    }
+
     /// Work was ended, see [`Stop`].
     #[must_use]
     pub fn stopped() -> Self {
@@ -254,7 +265,11 @@ impl PlantError {
 
 impl fmt::Display for PlantError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        f.write_str(&self.message)?;
+        if !self.printed.is_empty() {
+            f.write_str("\nthe last lines that it printed:")?;
+        }
+        self.printed.iter().try_for_each(|line| write!(f, "\n  {line}"))
     }
 }
 

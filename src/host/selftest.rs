@@ -10,6 +10,8 @@
 //! a cell does not bind. Each stage can run in a process of its own, so that what one of them does to the memory is not
 //! taken for another one's.
 
+mod agreement;
+
 use std::fmt;
 
 use schemars::JsonSchema;
@@ -20,43 +22,8 @@ use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
 use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
-
-/// How two runs that should agree compare.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", tag = "result")]
-pub enum Agreement {
-    /// Every bit of every output.
-    Exact,
-    /// Different; the largest relative difference `|a - b| / max(1, |a|)`.
-    Differs {
-        /// Largest relative difference.
-        largest: f64,
-        /// The first output that differs.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        output: Option<String>,
-    },
-    /// The FMU returned an error.
-    Failed {
-        /// What it said.
-        reason: String,
-    },
-    /// The FMU does not offer this.
-    NotOffered,
-}
-
-impl fmt::Display for Agreement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Exact => f.write_str("exact"),
-            Self::Differs { largest, output: None } => write!(f, "WRONG, differs by up to {largest:.2e}"),
-            Self::Differs { largest, output: Some(output) } => {
-                write!(f, "WRONG, differs by up to {largest:.2e}, first in `{output}`")
-            }
-            Self::Failed { reason } => write!(f, "FAILED: {reason}"),
-            Self::NotOffered => f.write_str("not offered"),
-        }
-    }
-}
+pub use agreement::{Agreement, Difference};
+pub(super) use agreement::{Columns, agreement};
 
 /// A part of the self-test. Each may crash on an FMU that is badly made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -305,13 +272,13 @@ pub(super) fn stage(
 ) -> Found {
     let built = System::new(slaves, setup.clone());
     if let Err(e) = built {
-        return Found::Agreement(Agreement::Failed { reason: e.to_string() });
+        return Found::Agreement(Agreement::failed(PlantError::of(e.to_string())));
     }
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
     let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
-    let (width, names) = (setup.inputs.len(), setup.column_names());
-    let compare = |run: Result<Vec<f64>, PlantError>| agreement(reference, run, &names);
+    let (width, columns) = (setup.inputs.len(), Columns::of(setup));
+    let compare = |run: Result<Vec<f64>, PlantError>| agreement(reference, run, &columns);
     let offers_states = slaves.iter().all(|slave| slave.capabilities().can_get_and_set_state);
     let serialises = offers_states && slaves.iter().all(|slave| slave.capabilities().can_serialize_state);
     let offered = match stage {
@@ -328,8 +295,8 @@ pub(super) fn stage(
             // The first instance is gone before the second one is made.
             let first = whole(&mut fresh(), steps, &main);
             match first {
-                Ok(first) => agreement(&first, whole(&mut fresh(), steps, &main), &names),
-                Err(error) => Agreement::Failed { reason: error.message },
+                Ok(first) => agreement(&first, whole(&mut fresh(), steps, &main), &columns),
+                Err(error) => Agreement::failed(error),
             }
         }
         Stage::SecondInstance => {
@@ -347,12 +314,12 @@ pub(super) fn stage(
                 Ok(run)
             })())
         }
-        Stage::Restore => restore_test(fresh(), reference, (&main, &other), steps, width, &names),
+        Stage::Restore => restore_test(fresh(), reference, (&main, &other), steps, width, &columns),
         Stage::StateSize => match state_size(fresh()) {
             Ok(bytes) => return Found::Bytes(bytes),
-            Err(error) => Agreement::Failed { reason: error.message },
+            Err(error) => Agreement::failed(error),
         },
-        Stage::Serialize => serialize_test(&fresh, reference, &main, steps, width, &names),
+        Stage::Serialize => serialize_test(&fresh, reference, &main, steps, width, &columns),
         Stage::Reset => compare((|| {
             let mut plant = fresh();
             plant.restart()?;
@@ -415,9 +382,9 @@ pub(super) fn restore_test(
     (main, other): (&[f64], &[f64]),
     steps: usize,
     width: usize,
-    names: &[String],
+    columns: &Columns,
 ) -> Agreement {
-    let rows = names.len();
+    let rows = columns.names.len();
     let after = |n: usize| &reference[(1 + n) * rows..];
     let outcome = (|| {
         let mut run = plant.restart()?;
@@ -429,31 +396,31 @@ pub(super) fn restore_test(
             at = k;
         }
         run.extend(plant.advance(steps - at, &main[at * width..])?);
-        let mut all = vec![agreement(reference, Ok(run), names)];
+        let mut all = vec![agreement(reference, Ok(run), columns)];
         for (k, state) in &held {
             let k = *k;
             plant.restore(state)?;
-            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), names));
+            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), columns));
             plant.restore(state)?;
             plant.advance(steps - k, &other[k * width..])?;
             plant.restore(state)?;
-            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), names));
+            all.push(agreement(after(k), plant.advance(steps - k, &main[k * width..]), columns));
         }
         plant.restore(&at_start)?;
-        all.push(agreement(after(0), plant.advance(steps, main), names));
+        all.push(agreement(after(0), plant.advance(steps, main), columns));
         plant.restore(&at_start)?;
         plant.advance(steps, other)?;
         if let Some((k, state)) = held.first() {
             plant.restore(state)?;
-            all.push(agreement(after(*k), plant.advance(steps - k, &main[k * width..]), names));
+            all.push(agreement(after(*k), plant.advance(steps - k, &main[k * width..]), columns));
         }
         plant.restore(&at_start)?;
-        all.push(agreement(after(0), plant.advance(steps, main), names));
+        all.push(agreement(after(0), plant.advance(steps, main), columns));
         Ok::<_, PlantError>(all)
     })();
     match outcome {
         Ok(all) => all.into_iter().find(|a| *a != Agreement::Exact).unwrap_or(Agreement::Exact),
-        Err(e) => Agreement::Failed { reason: e.message },
+        Err(error) => Agreement::failed(error),
     }
 }
 
@@ -470,7 +437,7 @@ fn serialize_test(
     main: &[f64],
     steps: usize,
     width: usize,
-    names: &[String],
+    columns: &Columns,
 ) -> Agreement {
     let k = steps / 4;
     let outcome = (|| {
@@ -488,22 +455,7 @@ fn serialize_test(
         second.restore(&state)?;
         second.advance(steps - k, &main[k * width..])
     })();
-    agreement(&reference[(1 + k) * names.len()..], outcome, names)
-}
-
-/// How a run compares with the reference; both have a column for each of these names.
-pub(super) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>, names: &[String]) -> Agreement {
-    match run {
-        Err(e) => Agreement::Failed { reason: e.message },
-        Ok(run) if run.len() != reference.len() => Agreement::Failed { reason: "runs of different length".to_owned() },
-        Ok(run) => {
-            let first = run.iter().zip(reference).position(|(a, b)| a.to_bits() != b.to_bits());
-            let Some(first) = first else { return Agreement::Exact };
-            let difference = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
-            let largest = run.iter().zip(reference).map(difference).fold(0.0, f64::max);
-            Agreement::Differs { largest, output: names.get(first % names.len().max(1)).cloned() }
-        }
-    }
+    agreement(&reference[(1 + k) * columns.names.len()..], outcome, columns)
 }
 
 /// Steps for which Real inputs are held, one stretch after the other; then from the first again.
@@ -557,17 +509,5 @@ mod tests {
         for steps in 2..100 {
             assert!(saved_after(steps).iter().all(|k| (1..steps).contains(k)), "{steps}");
         }
-    }
-
-    #[test]
-    fn one_bit_is_a_difference_and_is_named() {
-        let names = ["a".to_owned(), "b".to_owned()];
-        let reference = [1.0, 2.0, 3.0, 4.0];
-        assert_eq!(agreement(&reference, Ok(reference.to_vec()), &names), Agreement::Exact);
-        let run = vec![1.0, 2.0, 3.0, 4.0_f64.next_up()];
-        let Agreement::Differs { largest, output } = agreement(&reference, Ok(run), &names) else { panic!("exact") };
-        assert!(largest > 0.0 && largest < 1e-15 && output.as_deref() == Some("b"));
-        let zero = agreement(&[0.0], Ok(vec![-0.0]), &names[..1]);
-        assert!(matches!(zero, Agreement::Differs { .. }), "its bits differ");
     }
 }

@@ -12,7 +12,7 @@ use super::searched::{AUTO, Searched};
 use crate::hazard::{Finding, Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
-use crate::host::{Effort, Hosted, Plant as _, Unlike};
+use crate::host::{Effort, Hosted, Plant as _, PlantError, Unlike};
 use crate::report::model::Hazard;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
@@ -60,6 +60,11 @@ pub(super) fn attempts(
         let once = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell);
         let mut searched = match once {
             Err(error) if error.cause.stopped => Searched::nothing(options.method, sensors.len()),
+            // What an earlier attempt confirmed is told all the same.
+            Err(error) if !notes.is_empty() => {
+                let broken = Some(error.cause);
+                Searched { broken, interrupted: false, ..Searched::nothing(options.method, sensors.len()) }
+            }
             searched => searched?,
         };
         effort = effort.and(searched.effort);
@@ -69,14 +74,20 @@ pub(super) fn attempts(
         stop.finishing();
         let ranked = groups.ranked();
         let of = ranked.len();
+        // Why a hazard could not be run once more, if not because there was no time.
+        let mut not_run = None;
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
-            hazard.confirmed = confirm(prepared, &mut plain, &group.worst);
+            hazard.confirmed = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.shortest.confirmed = match group.shortest == group.worst {
                 true => hazard.confirmed,
-                false => confirm(prepared, &mut plain, &group.shortest),
+                false => confirm(prepared, &mut plain, &group.shortest, &mut not_run),
             };
+            // A plain run of this scan has confirmed it before.
+            let before = only_kept.contains(&hazard.id).then_some(true);
+            hazard.confirmed = hazard.confirmed.or(before);
+            hazard.shortest.confirmed = hazard.shortest.confirmed.or(before);
             hazard
         };
         let mut hazards: Vec<Hazard> = ranked.into_iter().enumerate().map(confirmed).collect();
@@ -90,6 +101,10 @@ pub(super) fn attempts(
             certificate
                 .refuse(format!("{open} hazards were not confirmed any more: it was stopped, or its time was up"));
         }
+        if let Some(error) = not_run {
+            searched.notes.push(format!("not every hazard could be run once more from the start: {}", error.message));
+            searched.broken.get_or_insert(error);
+        }
         let unsure = || Doubt { unlike: Unlike::State, shown: Shown::Unconfirmed(unconfirmed) };
         let mut doubt = searched.doubt.take().or_else(|| (unconfirmed > 0).then(unsure));
         let next = match &mut doubt {
@@ -100,7 +115,10 @@ pub(super) fn attempts(
                     searched.interrupted = true;
                     None
                 }
-                Err(error) => return Err(error),
+                Err(error) => {
+                    searched.broken.get_or_insert(error.cause);
+                    None
+                }
             },
             _ => None,
         };
@@ -181,7 +199,8 @@ fn once(
                 };
                 match all(how, plain, &mut found, &mut both) {
                     Err(error) if error.cause.stopped => quick.interrupt(),
-                    searched => rest = Some(searched?),
+                    Err(error) => quick.fail(error.cause),
+                    Ok(searched) => rest = Some(searched),
                 }
                 if rest.as_ref().is_some_and(Searched::needs_quick) {
                     let _ = quick.run(|_, _| true, tell);
@@ -191,7 +210,7 @@ fn once(
             if rest.as_ref().is_none_or(Searched::needs_quick) {
                 quick.shorten(|identity| !found.has(identity), tell);
             }
-            let (quick, only_quick) = quick.end(plain, tell)?;
+            let (quick, only_quick) = quick.end(plain, tell);
             *groups = found;
             let only_quick = only_quick.added_to(groups);
             Ok(match rest {
@@ -203,11 +222,21 @@ fn once(
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit; nothing if there was no time to
-/// see.
-fn confirm(prepared: &Prepared, plant: &mut Hosted, finding: &Finding) -> Option<bool> {
+/// see, or the FMU does not begin any more: why is put into `not_run`.
+fn confirm(
+    prepared: &Prepared,
+    plant: &mut Hosted,
+    finding: &Finding,
+    not_run: &mut Option<PlantError>,
+) -> Option<bool> {
     match replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions) {
         Ok(again) => Some(again.as_ref() == Some(finding)),
-        Err(error) if error.stopped => None,
+        Err(error) if error.tried_nothing() => {
+            if !error.stopped {
+                not_run.get_or_insert(error);
+            }
+            None
+        }
         Err(_) => Some(false),
     }
 }

@@ -231,9 +231,18 @@ pub(super) fn census(
         let steps = audit_steps(&expander, footing);
         let scope = Scope { since: 0, runs: usize::MAX, steps, instance: footing.instance() };
         let mut told = |done, of| tell(Progress::RunAgain { done, of }).is_continue();
-        again = audit(plain, expander.recall(), scope, &mut told).map_err(|cause| ScanError { cause })?;
-        doubt = again.difference.take().map(Doubt::of_audit);
-        interrupted |= again.stopped;
+        match audit(plain, expander.recall(), scope, &mut told) {
+            Ok(audited) => {
+                again = audited;
+                doubt = again.difference.take().map(Doubt::of_audit);
+                interrupted |= again.stopped;
+            }
+            // What was found is told all the same, without a certificate.
+            Err(error) => {
+                again.stopped = true;
+                broken = Some(error);
+            }
+        }
     } else {
         again.stopped = true;
     }

@@ -44,6 +44,7 @@ pub mod residual;
 pub mod run;
 mod searched;
 mod seeds;
+mod stop_time;
 mod trial;
 pub mod verify;
 

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use super::hosting::{Hosting, Source, StateChoice};
 use super::prepare_error::PrepareError;
+use super::stop_time;
 use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
@@ -14,7 +15,7 @@ use crate::cell::find::{OpenedCell, open};
 use crate::cell::foreign::ssp::Wiring;
 use crate::cell::{Binding, Workcell, binding};
 use crate::fmi::Fmu;
-use crate::host::isolation::{Isolated, Keeping};
+use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
@@ -110,7 +111,10 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     let rung = self_test.rung(action > COPY_PAYS);
     match self_test.unrepeated() {
         None => {}
-        Some(Agreement::Failed { reason }) => return Err(PrepareError::RunsOnce(reason.clone())),
+        Some(Agreement::Failed { reason, printed }) => {
+            let error = PlantError { printed: printed.clone(), ..PlantError::of(reason.as_str()) };
+            return Err(PrepareError::RunsOnce(error.to_string()));
+        }
         Some(differs) => return Err(PrepareError::NotDeterministic(differs.to_string())),
     }
     let subject_of = |unit: usize| {
@@ -298,7 +302,7 @@ impl Prepared {
     pub fn warnings(&self) -> Vec<String> {
         let system = self.wiring.iter().flat_map(|wiring| &wiring.structure.warnings);
         let cell = self.cell.warnings.iter().chain(&self.binding.warnings);
-        system.chain(cell).chain(&self.suspicions).cloned().collect()
+        system.chain(cell).chain(&self.suspicions).cloned().chain(stop_time::beyond(&self.cell, &self.fmus)).collect()
     }
 
     /// Why nothing can be certified of these FMUs, whatever a search finds: what the self-test calls impossible for their
@@ -436,6 +440,15 @@ impl Prepared {
         match &self.source {
             Source::Here { .. } => (String::new(), 0),
             Source::Apart(launcher) => launcher.printed(),
+        }
+    }
+
+    /// What the FMUs printed before the first few failures; nothing of those in this process.
+    #[must_use]
+    pub fn before_failures(&self) -> Vec<LastWords> {
+        match &self.source {
+            Source::Here { .. } => Vec::new(),
+            Source::Apart(launcher) => launcher.before_failures(),
         }
     }
 

@@ -69,7 +69,7 @@ pub enum PrepareError {
 
 impl PrepareError {
     pub(super) fn first_run(error: PlantError) -> Self {
-        if error.not_loaded { Self::NotLoaded(error.message) } else { Self::FirstRun(error) }
+        if error.not_loaded { Self::NotLoaded(error.to_string()) } else { Self::FirstRun(error) }
     }
 
     /// Whether the FMU failed while running, as opposed to a file that is wrong.

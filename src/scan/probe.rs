@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
+use super::stop_time;
 use crate::cell::binding::SensorBinding;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;
@@ -22,7 +23,7 @@ use crate::sim::robot::RobotFrame;
 
 pub use places::Reported;
 
-/// How long the FMU is run to see what it does, s.
+/// How long an FMU is run to see what it does, unless its stopTime is before, s.
 pub const RUN_S: f64 = 10.0;
 
 /// A robot slower than this stands still: m/s, or the unit of what is measured per second.
@@ -137,6 +138,14 @@ impl<'a, P: Plant> Prober<'a, P> {
         speeds: &'a dyn Fn(&[f64]) -> Vec<f64>,
     ) -> Self {
         Self { plant, step_s, run_s, speeds }
+    }
+
+    /// How long a run really is, s: so many steps at least that something can be told, and no more than can be kept.
+    #[must_use]
+    pub fn run_s(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "limited")]
+        let steps = self.steps() as f64;
+        steps * self.step_s
     }
 
     /// Steps of a run.
@@ -277,6 +286,8 @@ pub struct Probe {
     /// Outputs of the run with nobody detected: at the start and after each step.
     #[serde(skip)]
     pub rows: Vec<f64>,
+    /// How long each run was, s.
+    pub run_s: f64,
     /// What was seen of the robots' motion in all runs.
     #[serde(skip)]
     pub motion: Motion,
@@ -290,21 +301,27 @@ pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
     probed(prepared, horizon_s, Depth::Sensors).map_or_else(|_| Vec::new(), |found| found.warnings)
 }
 
-/// Runs the FMU of a cell for `run_s` seconds with nobody detected, then with each sensor and all of them reporting a person
+/// How long [`probe`] runs the FMU of a cell, s: [`RUN_S`], or as far as its stopTime, but as long as its sequences.
+#[must_use]
+pub fn run_s(prepared: &Prepared) -> f64 {
+    stop_time::run_s(&prepared.cell, &prepared.fmus, RUN_S)
+}
+
+/// Runs the FMU of a cell for some seconds, see [`run_s`], with nobody detected, then with each sensor and all of them reporting a person
 /// at several moments, then with a person at many places for sensors inside the FMU.
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn probe(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
-    probed(prepared, run_s, Depth::Moments)
+pub fn probe(prepared: &Prepared) -> Result<Probe, PlantError> {
+    probed(prepared, run_s(prepared), Depth::Moments)
 }
 
 /// The same, and what each other input does.
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn probe_inputs(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
-    probed(prepared, run_s, Depth::Inputs)
+pub fn probe_inputs(prepared: &Prepared) -> Result<Probe, PlantError> {
+    probed(prepared, run_s(prepared), Depth::Inputs)
 }
 
 /// How much is tried.
@@ -347,6 +364,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
     };
     let plant = |inputs: &[f64]| prepared.plant_from(StateChoice::Replay, inputs);
     let prober = Prober::new(&plant, cell.step_s, run_s, &speeds);
+    let run_s = prober.run_s();
     let idle = prober.run(&inputs, None)?;
     let mut found = Probe {
         fastest_m_s: idle.fastest(),
@@ -358,6 +376,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
         warnings: places::starts_seen(prepared, &idle.rows),
         idle_sensors: Vec::new(),
         rows: idle.rows.clone(),
+        run_s,
         motion: Motion::default(),
     };
     let mut tried = Vec::new();
@@ -383,7 +402,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
         if tried.len() > 1 {
             found.together = Some(prober.reactions("all sensors together", &inputs, &tried, &idle)?);
         }
-        found.reported = places::reported(prepared, &idle.rows)?;
+        found.reported = places::reported(prepared, &idle.rows, run_s)?;
         let active = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).is_some_and(|s| s.active);
         if depth == Depth::Inputs {
             (found.others, found.not_tried) = others::tried(prepared, &inputs, run_s, &speeds)?;

@@ -108,6 +108,11 @@ impl<'a> Quick<'a> {
         self.interrupted = true;
     }
 
+    /// The FMU ended the scan elsewhere.
+    pub fn fail(&mut self, error: PlantError) {
+        self.broken.get_or_insert(error);
+    }
+
     /// Tries sequences as long as `goes_on`, which is told how many there were and what they cost, and the budget lasts.
     pub fn run(
         &mut self,
@@ -175,7 +180,7 @@ impl<'a> Quick<'a> {
         mut self,
         plain: &mut Hosted,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
-    ) -> Result<(Searched, Groups), ScanError> {
+    ) -> (Searched, Groups) {
         // A search that ended because of what it met would give figures about itself.
         let stopped = self.has_ended();
         let simulation = &self.simulation;
@@ -184,9 +189,14 @@ impl<'a> Quick<'a> {
             let (steps, instance) = (self.footing.least_audit(), self.footing.instance());
             let scope = Scope { since: 0, runs: usize::MAX, steps, instance };
             let told = &mut |_, _| tell(Progress::Working).is_continue();
-            let audited = audit(plain, simulation.recall(), scope, told).map_err(|cause| ScanError { cause })?;
-            self.interrupted |= audited.stopped;
-            doubt = audited.difference.map(Doubt::of_audit);
+            match audit(plain, simulation.recall(), scope, told) {
+                Ok(audited) => {
+                    self.interrupted |= audited.stopped;
+                    doubt = audited.difference.map(Doubt::of_audit);
+                }
+                // What was found is told all the same.
+                Err(error) => self.broken = Some(error),
+            }
         }
         let whole = self.done == self.options.iterations;
         let over = self.over.take();
@@ -209,7 +219,7 @@ impl<'a> Quick<'a> {
             remembered: 0,
             notes: Vec::new(),
         };
-        Ok((searched, self.groups))
+        (searched, self.groups)
     }
 }
 
@@ -227,7 +237,7 @@ pub(super) fn search(
     let mut quick = Quick::new(prepared, footing, strategy, options, links)?;
     let _ = quick.run(|_, _| true, tell);
     quick.shorten(|_| true, tell);
-    let (searched, found) = quick.end(plain, tell)?;
+    let (searched, found) = quick.end(plain, tell);
     *groups = found;
     Ok(searched)
 }

@@ -100,7 +100,7 @@ pub fn scan_with(
     }
     let vacuous = coverage.vacuous(motion.moved);
     if let Some(error) = &broken {
-        faults.push(FaultRecord { message: format!("the search ended here: {error}"), actions: Vec::new() });
+        faults.push(FaultRecord { message: format!("the search ended here: {}", error.message), actions: Vec::new() });
     }
     if coverage.arm_checks_incomplete > 0 {
         warnings.push(format!(

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use super::hosting::{Hosting, Source};
 use super::prepare_error::PrepareError;
-use crate::fmi::{Causality, Fmu};
+use super::stop_time::earliest;
+use crate::fmi::{Causality, Fmu, number};
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Launcher, Unpacked, examine};
 use crate::host::port::changing;
@@ -47,7 +48,7 @@ pub(super) fn try_out(
             let slaves = fmus.iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
             let result = selftest(&slaves, setup, steps, &skip, Activity::unseen());
             Ok(Tested {
-                self_test: result.map_err(PrepareError::FirstRun)?,
+                self_test: result.map_err(|error| PrepareError::FirstRun(hinted(error, fmus)))?,
                 missing_protection: Vec::new(),
                 step_time: Duration::ZERO,
                 source: Source::Here { slaves, setup: setup.clone() },
@@ -63,8 +64,20 @@ pub(super) fn try_out(
     }
 }
 
-/// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
+/// What may have made an FMU fail.
 fn hinted(error: PlantError, fmus: &[Fmu]) -> PlantError {
+    let error = with_tool(error, fmus);
+    match (earliest(fmus), error.time_s) {
+        (Some((_, stop)), Some(time)) if time > stop - 1e-9 => {
+            let message = format!("{}. It was run beyond its stopTime of {} s", error.message, number(stop));
+            PlantError { message, ..error }
+        }
+        _ => error,
+    }
+}
+
+/// An FMU that says that it needs a tool of this machine may find it outside the sandbox only.
+fn with_tool(error: PlantError, fmus: &[Fmu]) -> PlantError {
     let needs =
         |fmu: &Fmu| fmu.description().co_simulation.as_ref().is_some_and(|cs| cs.capabilities.needs_execution_tool);
     if !fmus.iter().any(needs) {

@@ -28,7 +28,7 @@ use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, Sensed, World};
+use super::world::{Frames, Sensed, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};

@@ -92,6 +92,12 @@ impl Hostile {
         self.attribute(name, yes)
     }
 
+    /// Says in modelDescription.xml how long it is to be run, s.
+    pub fn stop_time(mut self, seconds: &str) -> Self {
+        self.attributes.push(("stopTime", seconds.to_owned()));
+        self
+    }
+
     /// Says in modelDescription.xml whether there can be one instance in a process only.
     pub fn once_per_process(self, yes: bool) -> Self {
         self.attribute("canBeInstantiatedOnlyOncePerProcess", yes)

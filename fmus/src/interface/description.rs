@@ -17,6 +17,9 @@ pub const UNITS: [(&str, &str); 7] = [
 /// Communication step the importer should take unless told otherwise, s.
 pub const DEFAULT_STEP: f64 = 0.02;
 
+/// How long they are run unless told otherwise, s: some cycles of the slowest. They go on for ever.
+const DEFAULT_STOP: u32 = 60;
+
 /// Renders the whole file; `version` is the version of this project.
 pub fn xml(interface: &Interface, version: &str) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
@@ -75,7 +78,7 @@ pub(super) fn write_log_and_experiment(text: &mut String) {
     }
     let _ = write!(
         text,
-        "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"2\" stepSize=\"{DEFAULT_STEP:?}\"/>\n"
+        "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"{DEFAULT_STOP}\" stepSize=\"{DEFAULT_STEP:?}\"/>\n"
     );
 }
 

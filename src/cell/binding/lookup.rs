@@ -7,7 +7,7 @@ use super::{Binder, BoundUnit, Reader, named};
 use crate::cell::CellError;
 use crate::cell::error::nearest;
 use crate::cell::file::format::{Literal, VariableTable};
-use crate::fmi::{Causality, Variable, VariableType};
+use crate::fmi::{Causality, Variable, VariableType, number};
 use crate::host::port::{Port, PortKind};
 use crate::host::system::UnitPort;
 
@@ -27,6 +27,34 @@ pub(super) enum Quantity {
 pub(super) fn ratio(a: &str, b: &str) -> Option<f64> {
     let factor = |quantity: Quantity, of: &str| quantity.units().iter().find(|(name, _)| *name == of).map(|(_, f)| *f);
     Quantity::ALL.into_iter().find_map(|quantity| Some(factor(quantity, a)? / factor(quantity, b)?))
+}
+
+/// The unit that an FMU gives a variable.
+pub(super) fn declared(variable: &Variable) -> Option<&str> {
+    match &variable.kind {
+        VariableType::Real { unit, .. } => unit.as_deref(),
+        _ => None,
+    }
+}
+
+/// Whether the FMU defines the unit of `variable` as something to compute with. One with a factor of 0, or of no number, may
+/// stand for anything. If not: what is wrong, and what to do.
+pub(super) fn sound(fmu: &BoundUnit<'_>, variable: &Variable) -> Result<(), (String, String)> {
+    let Some(unit) = declared(variable) else { return Ok(()) };
+    let factor = fmu.description.units.get(unit).copied().unwrap_or(1.0);
+    if factor.is_finite() && factor != 0.0 {
+        return Ok(());
+    }
+    let message = format!(
+        "`{}` is in `{unit}`, which modelDescription.xml defines with the factor {}: nothing can be converted with that",
+        variable.name,
+        number(factor)
+    );
+    let help = format!(
+        "have the FMU exported with a right <BaseUnit> of `{unit}`; where the cell file can give a unit, unit = \"{unit}\" \
+         says what is meant"
+    );
+    Err((message, help))
 }
 
 impl Quantity {
@@ -227,7 +255,7 @@ impl<'a> Binder<'a> {
     pub(super) fn reader(&mut self, table: &VariableTable, quantity: Quantity) -> Result<Reader, Box<CellError>> {
         let factor = self.factor(&table.variable, table.unit.as_ref(), quantity)?;
         if table.sign.abs() != 1.0 {
-            let message = format!("sign is {}, it can only be 1 or -1", table.sign);
+            let message = format!("sign is {}, it can only be 1 or -1", number(table.sign));
             let help = Some("a coupled axis with another factor stands under `plus`".to_owned());
             return Err(self.source.error(table.variable.span(), "for this variable", message, help));
         }
@@ -276,11 +304,8 @@ impl<'a> Binder<'a> {
         let units = quantity.units();
         let known = |u: &str| units.iter().find(|(n, _)| *n == u).map(|(_, f)| *f);
         let list = || units.iter().map(|(n, _)| *n).collect::<Vec<_>>().join(", ");
-        let (_, variable) = self.find(name)?;
-        let declared = match &variable.kind {
-            VariableType::Real { unit, .. } => unit.as_deref(),
-            _ => None,
-        };
+        let (unit_number, variable) = self.find(name)?;
+        let declared = declared(variable);
         if let Some(unit) = unit {
             let Some(factor) = known(unit.get_ref()) else {
                 let message = format!("unit `{}` does not fit here", unit.get_ref());
@@ -297,6 +322,8 @@ impl<'a> Binder<'a> {
             }
             return Ok(factor);
         }
+        sound(&self.units[unit_number], variable)
+            .map_err(|(message, help)| self.source.error(name.span(), "named here", message, Some(help)))?;
         match declared {
             Some(declared) => known(declared).ok_or_else(|| {
                 let message = format!("`{}` is in `{declared}`, which does not fit here", variable.name);

@@ -2,13 +2,13 @@
 
 use toml::Spanned;
 
-use super::lookup::ratio;
+use super::lookup::{declared, ratio, sound};
 use super::{Binder, BoundUnit};
 use crate::cell::CellError;
 use crate::cell::file::format::{ConnectionTable, Literal};
 use crate::cell::foreign::ssp::Wiring;
 use crate::cell::foreign::ssp::{Link, Parameter, Structure};
-use crate::fmi::{Causality, Variable, VariableType};
+use crate::fmi::Causality;
 use crate::host::port::PortKind;
 use crate::host::system::{AlgebraicLoop, Connection, SystemSetup, UnitPort};
 
@@ -28,10 +28,7 @@ impl Binder<'_> {
         }
         let unit_of = |p: &UnitPort| {
             let found = self.units[p.unit].description.element(&p.port.name);
-            found.and_then(|(variable, _, _)| match &variable.kind {
-                VariableType::Real { unit, .. } => unit.clone(),
-                _ => None,
-            })
+            found.and_then(|(variable, _, _)| declared(variable))
         };
         if let (Some(a), Some(b)) = (unit_of(&from), unit_of(&to))
             && a != b
@@ -100,16 +97,16 @@ impl Binder<'_> {
         if !plain && from.port.kind != PortKind::Real {
             return Err(("a transformation of what is no Real".to_owned(), "transform Reals only".to_owned()));
         }
-        let declared = |variable: &Variable| match &variable.kind {
-            VariableType::Real { unit, .. } => unit.clone(),
-            _ => None,
-        };
-        let units = [link.units[0].clone().or(declared(source)), link.units[1].clone().or(declared(target))];
-        let converted = match units {
-            [Some(a), Some(b)] if a != b && link.converts => ratio(&a, &b).ok_or_else(|| {
-                let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
-                (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
-            })?,
+        let unit = |number: usize, variable| link.units[number].as_deref().or(declared(variable));
+        let converted = match [unit(0, source), unit(1, target)] {
+            [Some(a), Some(b)] if a != b && link.converts => {
+                sound(&self.units[from.unit], source)?;
+                sound(&self.units[to.unit], target)?;
+                ratio(a, b).ok_or_else(|| {
+                    let help = "describe both in <Units> of the system, or give the connection a LinearTransformation";
+                    (format!("how `{a}` is converted to `{b}` is not known"), help.to_owned())
+                })?
+            }
             _ => 1.0,
         };
         Ok(Connection { from, to, delay_steps: 0, factor: link.factor * converted, offset: link.offset })
@@ -155,19 +152,19 @@ impl Binder<'_> {
     /// A parameter's value in the unit of its variable.
     fn in_unit(&self, parameter: &Parameter) -> Result<Literal, Box<CellError>> {
         let found = self.units[parameter.component].description.element(&parameter.name);
-        let declared = found.and_then(|(variable, _, _)| match &variable.kind {
-            VariableType::Real { unit, .. } => unit.as_deref(),
-            _ => None,
-        });
-        match (&parameter.unit, declared, parameter.value) {
-            (Some(a), Some(b), Literal::Number(value)) if a != b => match ratio(a, b) {
-                Some(factor) => Ok(Literal::Number(value * factor)),
-                None => {
-                    let message = format!("how `{a}` is converted to `{b}` is not known");
-                    let help = format!("give the value in `{b}`");
-                    Err(parameter.source.error(parameter.place.clone(), "here", message, Some(help)))
-                }
-            },
+        let Some((variable, _, _)) = found else { return Ok(parameter.value) };
+        match (&parameter.unit, declared(variable), parameter.value) {
+            (Some(a), Some(b), Literal::Number(value)) if a != b => {
+                let factor = sound(&self.units[parameter.component], variable).and_then(|()| {
+                    let unknown = || {
+                        (format!("how `{a}` is converted to `{b}` is not known"), format!("give the value in `{b}`"))
+                    };
+                    ratio(a, b).ok_or_else(unknown)
+                });
+                let wrong =
+                    |(message, help)| parameter.source.error(parameter.place.clone(), "here", message, Some(help));
+                Ok(Literal::Number(value * factor.map_err(wrong)?))
+            }
             (.., value) => Ok(value),
         }
     }

@@ -8,6 +8,7 @@ use super::files::Files;
 use super::format::PoseTable;
 use crate::cell::CellError;
 use crate::cell::error::{Problems, Source};
+use crate::fmi::number;
 use crate::geometry::{Pose, Vec3, roll_pitch_yaw};
 
 pub(super) fn pose(table: &PoseTable) -> Pose {
@@ -45,7 +46,10 @@ impl Checker<'_> {
 
     pub(super) fn positive(&self, value: f64, span: &Range<usize>, what: &str) -> Result<(), Box<CellError>> {
         self.that(value.is_finite() && value > 0.0, span.clone(), || {
-            (format!("{what} must be greater than zero, not {value}"), "check the number and its unit".to_owned())
+            (
+                format!("{what} must be greater than zero, not {}", number(value)),
+                "check the number and its unit".to_owned(),
+            )
         })
     }
 

@@ -12,6 +12,7 @@ use super::format::{CellFile, ObstacleTable, PoseTable, StaticMeshTable, UpAxis}
 use crate::cell::CellError;
 use crate::cell::foreign::mesh::{Mesh, ending};
 use crate::cell::foreign::{gltf, mesh};
+use crate::fmi;
 use crate::geometry::boxes::{self, TooMany};
 use crate::geometry::roll_pitch_yaw;
 use crate::geometry::surface::{Flaw, Surface, Triangles};
@@ -98,7 +99,10 @@ impl Checker<'_> {
         let resolution = table.resolution_m.as_ref().map_or(RESOLUTION_M, |told| *told.get_ref());
         let place = table.resolution_m.as_ref().map_or(span.clone(), toml::Spanned::span);
         self.that((0.01..=0.2).contains(&resolution), place.clone(), || {
-            (format!("resolution_m of obstacle `{name}` is {resolution}"), "use 0.01 to 0.2 m".to_owned())
+            (
+                format!("resolution_m of obstacle `{name}` is {}", fmi::number(resolution)),
+                "use 0.01 to 0.2 m".to_owned(),
+            )
         })?;
         let PoseTable { xyz_m, rpy_deg } = mesh.at;
         self.finite(&[xyz_m, rpy_deg].concat(), &span, &format!("where obstacle `{name}` is"))?;

@@ -13,6 +13,7 @@ use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, M
 use crate::cell::CellError;
 use crate::cell::error::nearest;
 use crate::cell::workcell::{Driven, Kinematics, Link, Robot};
+use crate::fmi::number;
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::surface::{Flaw, Triangles};
 use crate::geometry::{Capsule, Hull, Mesh, Pose, Solid, Surface, Vec3};
@@ -119,7 +120,7 @@ impl Checker<'_> {
         let Some(payload) = &robot.payload_kg else { return Ok(()) };
         let kg = *payload.get_ref();
         self.that(kg.is_finite() && kg >= 0.0, payload.span(), || {
-            (format!("payload_kg is {kg}"), "use zero or more kilograms".to_owned())
+            (format!("payload_kg is {}", number(kg)), "use zero or more kilograms".to_owned())
         })
     }
 

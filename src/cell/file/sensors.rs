@@ -6,6 +6,7 @@ use super::checker::Checker;
 use super::format::{CellFile, SensorKind, SensorTable, ZoneTable};
 use crate::cell::CellError;
 use crate::cell::workcell::{Sensor, Zone};
+use crate::fmi;
 use crate::geometry::{Cuboid, Vec3, rotation_about};
 
 /// Longest sensor response in steps: the delay line is one 64-bit word.
@@ -30,7 +31,7 @@ impl Checker<'_> {
         let sensors = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)));
         let planes: Vec<&str> = sensors.iter().filter(|s| s.zone.plane().is_some()).map(|s| s.name.as_str()).collect();
         let enough = self.that(planes.is_empty() || step_s >= SHORTEST_S, file.time.step_s.span(), || {
-            let message = format!("time.step_s is {step_s}, too short for {}", planes.join(", "));
+            let message = format!("time.step_s is {}, too short for {}", fmi::number(step_s), planes.join(", "));
             (message, "arms behind planes are followed for 64 steps: use 0.01 or 0.02".to_owned())
         });
         let _ = self.problems.keep(enough);
@@ -65,7 +66,7 @@ impl Checker<'_> {
                 let height_m = zone.get_ref().height_m.unwrap_or(0.2);
                 self.that((0.0..=1.0).contains(&height_m), span.clone(), || {
                     (
-                        format!("the height of sensor `{}` is {height_m} m", s.name),
+                        format!("the height of sensor `{}` is {} m", s.name, fmi::number(height_m)),
                         "ISO 13855 allows 0 to 1 m".to_owned(),
                     )
                 })?;
@@ -91,7 +92,7 @@ impl Checker<'_> {
         #[expect(clippy::cast_precision_loss, reason = "63")]
         self.that(delay_ms >= 0.0 && steps <= MAX_DELAY_STEPS as f64, delay_span, || {
             let most = MAX_DELAY_STEPS as f64 * step_s * 1000.0;
-            (format!("delay_ms of sensor `{}` is {delay_ms}", s.name), format!("use 0 to {most:.0} ms"))
+            (format!("delay_ms of sensor `{}` is {}", s.name, fmi::number(delay_ms)), format!("use 0 to {most:.0} ms"))
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;

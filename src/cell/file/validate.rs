@@ -1,12 +1,12 @@
 //! From the cell file to a [`Workcell`]: SI units, checked values, every mistake with its line and what to do.
 
-use toml::de::{DeTable, DeValue};
-
 use super::checker::Checker;
 use super::format::{CellFile, FailOnTable, HumanTable, SearchTable, Sex, StartTable};
+use super::reading::read;
 use crate::cell::CellError;
-use crate::cell::error::{Problems, Source, meant};
+use crate::cell::error::Source;
 use crate::cell::workcell::{Beginning, UnitFile, Workcell};
+use crate::fmi::number;
 use crate::human::action::ACTION_S;
 use crate::human::body::BodyError;
 use crate::human::{Anthropometry, Body, Radii, Start};
@@ -14,6 +14,9 @@ use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
 
 /// Latest that a person may begin, s.
 const LATEST_S: f64 = 3600.0;
+
+/// Most communication steps of an action: contacts are checked at each of them.
+const MOST_STEPS: f64 = 1000.0;
 
 /// The baseline's file unless the cell names another.
 pub const BASELINE: &str = "baseline.json";
@@ -23,73 +26,14 @@ pub const BASELINE: &str = "baseline.json";
 /// # Errors
 /// All mistakes together, each with its line.
 pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
-    check(source, parse(source)?)
-}
-
-/// Reads a cell file's tables.
-///
-/// # Errors
-/// What is no TOML or of another type, and all unknown keys before it.
-pub fn parse(source: &Source) -> Result<CellFile, Box<CellError>> {
-    let unknown = Problems::default();
-    let mut text = source.text().to_owned();
-    loop {
-        let error = match toml::from_str(&text) {
-            Ok(file) => return unknown.take_or(file),
-            Err(error) => error,
-        };
-        let problem = source.parse_error(&error);
-        match without_unknown_key(&text, &error) {
-            Some(rest) => text = rest,
-            None => return Err(problem.and(unknown.take_or(()).err().map(|others| *others))),
-        }
-        unknown.tell(problem);
-    }
-}
-
-/// `text` with the unknown key that is complained about put right if it is a slip, else blanked out; other places stay
-/// where they are.
-fn without_unknown_key(text: &str, error: &toml::de::Error) -> Option<String> {
-    let span = error.span().filter(|_| error.message().starts_with("unknown field"))?;
-    let (before, after) = (text.get(..span.start)?, text.get(span.end..)?);
-    let room = span.len() + after.len() - after.trim_start_matches(' ').len();
-    if let Some(meant) = meant(error.message()).filter(|meant| meant.len() <= room) {
-        let mended = format!("{before}{meant:<room$}{}", &text[span.start + room..]);
-        if DeTable::parse(&mended).is_ok() {
-            return Some(mended);
-        }
-    }
-    let end = value_of(DeTable::parse(text).ok()?.get_ref(), span.start).filter(|end| *end >= span.end)?;
-    let line = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let (mut from, mut to) = (span.start, end);
-    if !before[line..].trim().is_empty() {
-        // In an inline table, where commas stand between.
-        let rest = &text[end..];
-        match (rest.trim_start().starts_with(','), before.trim_end().ends_with(',')) {
-            (true, _) => to += rest.find(',')? + 1,
-            (false, true) => from = before.rfind(',')?,
-            (false, false) => {}
-        }
-    }
-    let blank = text[from..to].chars().map(|c| if c == '\n' { "\n".to_owned() } else { " ".repeat(c.len_utf8()) });
-    Some(format!("{}{}{}", &text[..from], blank.collect::<String>(), &text[to..]))
-}
-
-/// Where the value ends whose key begins at `key`.
-fn value_of(table: &DeTable<'_>, key: usize) -> Option<usize> {
-    table.iter().find_map(|(name, value)| {
-        if name.span().start == key {
-            return Some(value.span().end);
-        }
-        in_value(value.get_ref(), key)
-    })
-}
-
-fn in_value(value: &DeValue<'_>, key: usize) -> Option<usize> {
-    match value {
-        DeValue::Table(table) => value_of(table, key),
-        DeValue::Array(list) => list.iter().find_map(|item| in_value(item.get_ref(), key)),
-        _ => None,
+    let mut read = read(source);
+    let (file, problems) = (read.file.take(), read.problems.take());
+    let checked = file.map(|file| read.counting(check(source, file))).transpose();
+    match (checked, problems) {
+        (Ok(Some(Some(cell))), None) => Ok(cell),
+        (Err(others), first) => Err(others.and(first.map(|first| *first))),
+        (Ok(_), Some(first)) => Err(first),
+        (Ok(_), None) => Err(source.error(0..0, "in this file", "it cannot be read", None)),
     }
 }
 
@@ -163,7 +107,7 @@ impl Checker<'_> {
         let _ = self.problems.keep(none);
         let times = self.problems.keep_all(times.get_ref().iter().map(|&time| {
             self.that((0.0..=LATEST_S).contains(&time), times.span(), || {
-                (format!("human.begins_s has {time}"), format!("use times from 0 to {LATEST_S} s"))
+                (format!("human.begins_s has {}", number(time)), format!("use times from 0 to {LATEST_S} s"))
             })?;
             #[expect(
                 clippy::cast_possible_truncation,
@@ -194,10 +138,19 @@ impl Checker<'_> {
         let step = *file.time.step_s.get_ref();
         let help = || "use 0.02, 0.01 or 0.005".to_owned();
         self.that(step.is_finite() && step > 0.0 && step <= 0.02 + 1e-12, file.time.step_s.span(), || {
-            (format!("time.step_s is {step}; contacts must be checked at least every 0.02 s"), help())
+            (format!("time.step_s is {}; contacts must be checked at least every 0.02 s", number(step)), help())
         })?;
         let count = (ACTION_S / step).round();
-        self.that((count * step - ACTION_S).abs() < 1e-9 && count <= 1000.0, file.time.step_s.span(), || {
+        self.that(count <= MOST_STEPS, file.time.step_s.span(), || {
+            let least = ACTION_S / MOST_STEPS;
+            (
+                format!("time.step_s is {}; an action of 0.2 s may have {MOST_STEPS} steps at most", number(step)),
+                format!(
+                    "use {least} or more, for instance 0.005: an FMU may take smaller steps of its own within each"
+                ),
+            )
+        })?;
+        self.that((count * step - ACTION_S).abs() < 1e-9, file.time.step_s.span(), || {
             (format!("time.step_s = {step} does not divide one action of 0.2 s"), help())
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: between 10 and 1000")]
@@ -262,7 +215,7 @@ impl Checker<'_> {
             ("[search] needs iterations > 0 and actions from 1 to 64".to_owned(), "the paper uses 320 and 8".to_owned())
         })?;
         self.that((0.001..=0.05).contains(&s.reach_tolerance_m), self.source.table("search"), || {
-            (format!("search.reach_tolerance_m is {}", s.reach_tolerance_m), "use 0.001 to 0.05 m".to_owned())
+            (format!("search.reach_tolerance_m is {}", number(s.reach_tolerance_m)), "use 0.001 to 0.05 m".to_owned())
         })
     }
 }

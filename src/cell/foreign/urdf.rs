@@ -10,6 +10,7 @@ use roxmltree::Node;
 
 use super::xml::{Result, Xml, child, children};
 use crate::cell::error::{Source, nearest};
+use crate::fmi::number;
 use crate::geometry::kinematics::Motion;
 use crate::geometry::roll_pitch_yaw;
 use crate::geometry::{Pose, Vec3};
@@ -120,7 +121,11 @@ impl Xml<'_> {
             let _ = self.text(mass, "value")?;
             let [kg] = self.numbers(mass, "value", [0.0])?;
             if kg < 0.0 {
-                return Err(self.wrong(mass, format!("the mass of link `{name}` is {kg} kg"), "zero or more"));
+                return Err(self.wrong(
+                    mass,
+                    format!("the mass of link `{name}` is {} kg", number(kg)),
+                    "zero or more",
+                ));
             }
             Ok(kg)
         });

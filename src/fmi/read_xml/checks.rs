@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::super::text::number;
 use super::super::variable::{Causality, VariableType};
 use super::attributes::Attributes;
 use super::{Parser, Problem};
@@ -25,22 +26,40 @@ impl Parser {
         let (start, mut stop, mut step) =
             (finite("startTime", start), finite("stopTime", stop), finite("stepSize", step));
         if let Some(end) = stop.filter(|end| *end < start.unwrap_or(0.0)) {
-            ignored(format!("stopTime {end} is before startTime {}", start.unwrap_or(0.0)));
+            ignored(format!("stopTime {} is before startTime {}", number(end), number(start.unwrap_or(0.0))));
             stop = None;
         }
         if let Some(h) = step.filter(|h| *h <= 0.0) {
-            ignored(format!("stepSize {h} is not greater than zero"));
+            ignored(format!("stepSize {} is not greater than zero", number(h)));
             step = None;
         }
         if let (Some(h), Some(end)) = (step, stop)
             && h > end - start.unwrap_or(0.0)
         {
-            ignored(format!("stepSize {h} is longer than the experiment"));
+            ignored(format!("stepSize {} is longer than the experiment", number(h)));
             step = None;
         }
         let experiment = &mut self.d.default_experiment;
         (experiment.start_time, experiment.stop_time, experiment.step_size) = (start, stop, step);
         Ok(())
+    }
+
+    /// What a unit is in its base units. One that makes no sense keeps no FMU from being used whose variables in it nobody
+    /// asks for, so it is kept as what it is.
+    pub(super) fn base_unit(&mut self, a: &mut Attributes) {
+        let Some(unit) = self.unit.take() else { return };
+        let read = |text: Option<String>, or: f64| text.map_or(or, |text| text.trim().parse().unwrap_or(f64::NAN));
+        let (factor, offset) = (read(a.take("factor"), 1.0), read(a.take("offset"), 0.0));
+        let usable = factor.is_finite() && factor != 0.0 && offset.is_finite();
+        if !usable {
+            let message = format!(
+                "unit `{unit}` has the factor {} and the offset {}: nothing can be converted with it",
+                number(factor),
+                number(offset)
+            );
+            self.warn(a.offset, message);
+        }
+        self.d.units.insert(unit, if offset.is_finite() { factor } else { f64::NAN });
     }
 
     /// Start values and limits of one variable.
@@ -57,8 +76,12 @@ impl Parser {
         }
         let (low, high) = (min.unwrap_or(f64::NEG_INFINITY), max.unwrap_or(f64::INFINITY));
         if low.is_nan() || high.is_nan() || low > high {
-            self.warn(offset, format!("the limits of `{name}` make no sense: min {low}, max {high}"));
+            self.warn(
+                offset,
+                format!("the limits of `{name}` make no sense: min {}, max {}", number(low), number(high)),
+            );
         } else if let Some(v) = start.iter().find(|v| **v < low || **v > high) {
+            let [v, low, high] = [*v, low, high].map(number);
             self.warn(offset, format!("the start value {v} of `{name}` is outside its limits, {low} to {high}"));
         }
     }
@@ -74,7 +97,7 @@ impl Parser {
         for v in &self.d.variables {
             let offset = self.lines.start(v.line);
             if let VariableType::Real { unit: Some(unit), .. } = &v.kind
-                && !self.units.contains(unit)
+                && !self.d.units.contains_key(unit)
                 && undefined.insert(unit)
             {
                 found.push((offset, format!("`{}` is in `{unit}`, a unit that the file does not define", v.name)));

@@ -7,7 +7,7 @@ use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
 use crate::host::plant::{Plant as _, PlantError, insist};
-use crate::host::selftest::{Agreement, Found, SelfTest, Stage, agreement, moving, restore_test};
+use crate::host::selftest::{Agreement, Columns, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
 pub struct Examination {
@@ -24,7 +24,7 @@ pub struct Examination {
 /// Runs in fresh processes, and copies of processes as states. Returns what a step took.
 fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Duration {
     let setup = launcher.setup();
-    let (width, names) = (setup.inputs.len(), setup.column_names());
+    let (width, columns) = (setup.inputs.len(), Columns::of(setup));
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
     let mut step_time = Duration::ZERO;
     let mut run = || -> Result<Vec<f64>, PlantError> {
@@ -39,19 +39,46 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let reference: Vec<f64> = match run() {
         Ok(reference) => reference,
         Err(error) => {
-            result.fresh_process = Agreement::Failed { reason: error.message };
+            result.fresh_process = Agreement::failed(error);
             return step_time;
         }
     };
-    result.fresh_process = agreement(&reference, run(), &names);
+    result.fresh_process = agreement(&reference, run(), &columns);
     let mut plant = Isolated::new(launcher.clone(), Keeping::ByFork);
     let tried = plant.restart().and_then(|_| plant.advance(1, &main[..width]));
     result.fork = match (tried, plant.reason_against_copies()) {
-        (Err(error), _) => Agreement::Failed { reason: error.message },
-        (Ok(_), Some(reason)) => Agreement::Failed { reason },
-        (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &names),
+        (Err(error), _) => Agreement::failed(error),
+        (Ok(_), Some(reason)) => Agreement::failed(PlantError::of(reason)),
+        (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &columns),
     };
     step_time
+}
+
+/// What the system says when it denies something, and programs that pass that on.
+const DENIED: [&str; 6] =
+    ["permission denied", "operation not permitted", "access denied", "eacces", "eperm", "cannot open shared object"];
+
+/// The failure of a first run in the sandbox, which may be the reason: an FMU that did not expect to be denied a file or a
+/// connection says so, or ends before its first step, when files are opened.
+fn maybe_denied(error: PlantError) -> PlantError {
+    if error.stopped {
+        return error;
+    }
+    let said = format!("{}\n{}", error.message, error.printed.join("\n")).to_lowercase();
+    // A refusal without a reason, or an end before the first step.
+    let silent = error.printed.is_empty() && !error.message.contains('\n') && !error.message.contains("instantiated: ");
+    let begins = error.not_started && silent || error.lost && !error.ended_by_us && error.time_s == Some(0.0);
+    let hint = match () {
+        () if DENIED.iter().any(|word| said.contains(word)) => "It was denied something, maybe by the sandbox",
+        () if begins => "If it fails here only, the sandbox may be why",
+        () => return error,
+    };
+    let message = format!(
+        "{}. {hint}: there an FMU may read its own files and the system's libraries and write into its working folder, but not \
+         open other files, make temporary ones elsewhere, use the network or start programs. If you trust it: --trust-fmu",
+        error.message
+    );
+    PlantError { message, ..error }
 }
 
 /// A stage in a process of its own: what it answers. When that process is gone this is done again, as often as whatever ended
@@ -60,7 +87,10 @@ fn in_a_process(launcher: &Launcher, steps: usize, stage: Stage, reference: &[f6
     insist(&mut || {
         let mut worker = launcher.start(false)?;
         let question = Question::SelfTest { steps, stage, reference: reference.to_vec() };
-        let answer = worker.ask(&question, &launcher.limits)?;
+        let answer = match worker.ask(&question, &launcher.limits)? {
+            Answer::Failed(error) => Answer::Failed(worker.with_last_words(error)),
+            answer => answer,
+        };
         Ok((answer, std::mem::take(&mut worker.missing)))
     })
 }
@@ -114,10 +144,11 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
     let steps = affordable(launcher, steps);
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;
-    let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[])? {
-        (Answer::FirstRun { rows, event_mode }, missing) => (rows, event_mode, missing),
-        (Answer::Failed(error), _) => return Err(error),
-        (answer, _) => return Err(unexpected(answer)),
+    let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[]) {
+        Ok((Answer::FirstRun { rows, event_mode }, missing)) => (rows, event_mode, missing),
+        Err(error) | Ok((Answer::Failed(error), _)) if launcher.is_sandboxed() => return Err(maybe_denied(error)),
+        Err(error) | Ok((Answer::Failed(error), _)) => return Err(error),
+        Ok((answer, _)) => return Err(unexpected(answer)),
     };
     let launcher = launcher.clone().with_event_mode(event_mode);
     let mut result = SelfTest::begun(launcher.setup(), steps, &reference);
@@ -131,9 +162,9 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
         let found = match in_a_process(&launcher, steps, stage, &reference) {
             Ok((Answer::Tested(found), _)) => serde_json::from_str(&found)
                 .map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))?,
-            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::failed(error)),
             Ok((answer, _)) => return Err(unexpected(answer)),
-            Err(error) if error.lost => Found::Agreement(Agreement::Failed { reason: error.message }),
+            Err(error) if error.lost => Found::Agreement(Agreement::failed(error)),
             Err(error) => return Err(error),
         };
         result.note(stage, found);

@@ -1,19 +1,19 @@
 //! Starting a worker, asking it with a time limit, and ending it with all that it started.
 #![expect(unsafe_code, reason = "lets one file descriptor pass to the worker")]
 
-use std::fs::File;
-use std::io::{self, Read as _};
-use std::os::fd::{AsRawFd as _, BorrowedFd, OwnedFd};
+use std::io;
+use std::os::fd::{AsRawFd as _, BorrowedFd};
 use std::os::unix::process::CommandExt as _;
 use std::path::PathBuf;
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::atomic::Ordering;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::channel::{Channel, GO, GONE};
 use super::message::{Answer, Load, Question, Unpacked};
 use super::near::{Near, Stay};
+use super::printed::{LastWords, Printed, Said, lock};
 use super::process::{self, Ended};
 use super::sandbox::Rules;
 use crate::fmi::temporary::Folder;
@@ -71,16 +71,6 @@ pub struct Launcher {
     said: Arc<Mutex<Said>>,
 }
 
-/// What the FMUs wrote to standard output and standard error, as far as it is kept.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Said {
-    text: Vec<u8>,
-    bytes: u64,
-}
-
-/// Most that is kept of what FMUs print.
-const KEPT: usize = 1 << 20;
-
 impl Launcher {
     /// For these unpacked FMUs. `program` is started as `program worker N` and must then call
     /// [`serve`](super::serve)`(N)` before it does anything else, as `fmi-hazard` does.
@@ -118,11 +108,18 @@ impl Launcher {
     /// What the FMUs printed so far, and how many bytes it was; only the first megabyte is kept.
     #[must_use]
     pub fn printed(&self) -> (String, u64) {
-        let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut text = String::from_utf8_lossy(&said.text).into_owned();
-        // What is no text takes more bytes than it had.
-        text.truncate((0..=KEPT.min(text.len())).rev().find(|end| text.is_char_boundary(*end)).unwrap_or(0));
-        (text, said.bytes)
+        lock(&self.said).beginning()
+    }
+
+    /// What was printed before the first few failures.
+    #[must_use]
+    pub fn before_failures(&self) -> Vec<LastWords> {
+        lock(&self.said).before_failures()
+    }
+
+    /// Whether FMUs may do less than their user may.
+    pub(super) fn is_sandboxed(&self) -> bool {
+        self.guard == Guard::Sandboxed
     }
 
     /// A worker with the FMUs loaded. With `fork` it may copy itself.
@@ -147,7 +144,8 @@ impl Launcher {
                 Ok(worker)
             }
             Answer::NotLoaded { message, running } => {
-                Err(PlantError { message, fatal: true, not_loaded: !running, ..PlantError::default() })
+                let error = PlantError { message, fatal: true, not_loaded: !running, ..PlantError::default() };
+                Err(worker.with_last_words(error).at(0.0))
             }
             other => Err(ours("a worker gave an unexpected answer", &format!("{other:?}"))),
         }
@@ -160,7 +158,8 @@ pub(super) struct Worker {
     keeper: Child,
     /// Closing it kills the worker's process group.
     life: Option<ChildStdin>,
-    printed: Option<std::thread::JoinHandle<()>>,
+    printed: Option<Printed>,
+    said: Arc<Mutex<Said>>,
     /// Working directory of the FMUs, and the only place where they may write.
     folder: Folder,
     /// What of the sandbox this machine lacks.
@@ -200,9 +199,7 @@ impl Worker {
         drop(command);
         drop(file);
         let life = keeper.stdin.take();
-        let said = Arc::clone(&launcher.said);
-        let printed =
-            std::thread::Builder::new().name("fmu-output".to_owned()).spawn(move || collect(output, &said))?;
+        let printed = Printed::collect(output, Arc::clone(&launcher.said))?;
         // A trusted FMU may start programs, which would inherit its place.
         let near = if launcher.guard == Guard::Sandboxed { Near::Unknown } else { Near::Free };
         Ok(Self {
@@ -210,6 +207,7 @@ impl Worker {
             keeper,
             life,
             printed: Some(printed),
+            said: Arc::clone(&launcher.said),
             folder,
             missing: Vec::new(),
             resident_at_start: 0,
@@ -275,12 +273,23 @@ impl Worker {
             Call::Write | Call::Step | Call::Read => format!("{}, number {} of its run", doing.call, doing.step + 1),
             call => call.to_string(),
         };
-        PlantError {
+        let error = PlantError {
             message: format!("the FMU {how} {place}"),
+            // Before its first step.
+            time_s: (doing.step == 0).then_some(0.0),
             lost: true,
             ended_by_us: by_us,
             ..PlantError::default()
-        }
+        };
+        self.with_last_words(error)
+    }
+
+    /// The same with what the FMU printed shortly before, unless the message has it already.
+    pub(super) fn with_last_words(&self, error: PlantError) -> PlantError {
+        let mut printed = self.printed.as_ref().map_or_else(Vec::new, Printed::last_lines);
+        printed.retain(|line| !error.message.contains(line.as_str()));
+        lock(&self.said).keep(&error.message, &printed);
+        PlantError { printed, ..error }
     }
 
     fn doing(&self) -> Doing {
@@ -365,27 +374,9 @@ impl Drop for Worker {
         }
         self.life = None;
         // What a process that got away still prints is not waited for.
-        if let Some(printed) = self.printed.take_if(|_| since.elapsed() < Duration::from_secs(1)) {
-            let until = Instant::now() + Duration::from_millis(100);
-            while !printed.is_finished() && Instant::now() < until {
-                std::thread::sleep(Duration::from_micros(200));
-            }
+        if let Some(mut printed) = self.printed.take_if(|_| since.elapsed() < Duration::from_secs(1)) {
+            printed.finish();
         }
-    }
-}
-
-/// Reads what the worker prints until all of its processes are gone.
-fn collect(output: OwnedFd, said: &Mutex<Said>) {
-    let mut output = File::from(output);
-    let mut part = vec![0; 64 << 10];
-    while let Ok(read) = output.read(&mut part) {
-        if read == 0 {
-            return;
-        }
-        let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
-        said.bytes += read as u64;
-        let room = KEPT.saturating_sub(said.text.len()).min(read);
-        said.text.extend_from_slice(&part[..room]);
     }
 }
 
@@ -406,6 +397,7 @@ mod tests {
             keeper: sleeper(),
             life: None,
             printed: None,
+            said: Arc::default(),
             folder: Folder::new("worker-").unwrap(),
             missing: Vec::new(),
             resident_at_start: 0,

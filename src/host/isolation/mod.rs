@@ -6,6 +6,7 @@
 //! - `sandbox`: what the worker must not do
 //! - `worker`: the worker's side
 //! - `launch`: starting and ending a worker, and asking it
+//! - `printed`: what FMUs print
 //! - `near`: both on one processor
 //! - `isolated`: the program's side, a [`Plant`](super::Plant)
 //! - `examine`: the self-test in a worker
@@ -18,6 +19,7 @@ mod isolated;
 mod launch;
 mod message;
 mod near;
+mod printed;
 mod process;
 mod sandbox;
 mod worker;
@@ -27,4 +29,5 @@ pub use habits::{Habit, habits};
 pub use isolated::{Checkpoint, Isolated, Keeping};
 pub use launch::{Guard, Launcher, Limits};
 pub use message::Unpacked;
+pub use printed::LastWords;
 pub use worker::serve;

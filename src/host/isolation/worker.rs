@@ -1,5 +1,8 @@
 //! The worker's side: a keeper that watches, and the live process in which the FMU runs.
-#![expect(unsafe_code, reason = "takes over a file descriptor that the program left open for it")]
+#![expect(
+    unsafe_code,
+    reason = "takes over a file descriptor that the program left open for it, and the C library's output"
+)]
 
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
@@ -14,7 +17,7 @@ use super::habits::Before;
 use super::message::{Answer, Load, Question, Saving, Taken, Then};
 use super::process::{self, Ended, Fork};
 use super::sandbox;
-use crate::fmi::{Fmu, Slave};
+use crate::fmi::{self, Fmu, Slave};
 use crate::host::activity::{Activity, Call};
 use crate::host::plant::{Plant, PlantError};
 use crate::host::selftest::{self, Stage, moving};
@@ -92,8 +95,26 @@ fn clear_away() {
     }
 }
 
+unsafe extern "C" {
+    /// The C library's standard output.
+    #[link_name = "stdout"]
+    static STDOUT: *mut libc::FILE;
+}
+
+/// What the FMU prints and tells its logger goes out line by line: it may end this process at any time, and everything that
+/// still waits in it would be lost.
+fn speak_at_once() {
+    // SAFETY: the C library's own stream, before anything was printed; the library takes a buffer of its own for NULL.
+    unsafe { libc::setvbuf(STDOUT, std::ptr::null_mut(), libc::_IOLBF, 0) };
+    fmi::on_log(|line| {
+        // By the plain system call: no lock that a copy of this process could find taken.
+        let _ = rustix::io::write(rustix::stdio::stderr(), format!("{line}\n").as_bytes());
+    });
+}
+
 /// The live process: answers questions until it is killed.
 fn live(channel: &'static Channel) -> ! {
+    speak_at_once();
     let before = Before::now();
     let mut server =
         Server { channel, before, activity: Activity::new(&channel.head().activity), hosted: None, last: 0 };

@@ -74,8 +74,8 @@ fn area(cell: &Workcell, binding: &Binding, rows: &[f64]) -> [f64; 4] {
 }
 
 /// Tries the sensors inside the FMU; `idle_rows` tell where the robots are. None are told where the FMU does not know where
-/// the person is.
-pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64]) -> Result<Vec<Reported>, PlantError> {
+/// the person is. No run is longer than `run_s`.
+pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Result<Vec<Reported>, PlantError> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let inside = |sensor: &usize| matches!(binding.sensors[*sensor], SensorBinding::Output(_));
     let inside: Vec<usize> = (0..cell.sensors.len()).filter(inside).collect();
@@ -100,10 +100,14 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64]) -> Result<Vec<Rep
     let inputs: Vec<Vec<f64>> = places.iter().map(row).collect();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds")]
     let stay = (STAY_S / cell.step_s).round().max(1.0) as usize;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "tens")]
+    let in_a_run = (run_s / STAY_S + 1e-6).floor().max(1.0) as usize;
     let mut plant = prepared.plant_from(StateChoice::Replay, &inputs[0]);
-    let _ = plant.restart()?;
     let mut fired: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); inside.len()];
     for (place, inputs) in inputs.iter().enumerate() {
+        if place % in_a_run == 0 {
+            let _ = plant.restart()?;
+        }
         let rows = plant.advance(stay, &inputs.repeat(stay))?;
         // What is told at the end of the stay, so that the place before does not count.
         let last = &rows[rows.len() - binding.outputs.len()..];

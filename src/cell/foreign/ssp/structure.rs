@@ -9,6 +9,7 @@ use super::inside;
 use super::parameters::{self, Named, Parameter};
 use crate::cell::error::{Source, nearest};
 use crate::cell::foreign::xml::{Result, Xml, child, children};
+use crate::fmi::number;
 
 /// A system.
 #[derive(Clone, Debug, Default)]
@@ -276,6 +277,10 @@ fn connect(
             }
             // base = fa * from + oa = fb * to + ob, then the transformation.
             let (factor, offset) = (fa / fb, (oa - ob) / fb);
+            if !factor.is_finite() || !offset.is_finite() {
+                let message = format!("`{a}` to `{b}`: a factor of {} cannot be", number(factor));
+                return Err(xml.wrong(node, message, "correct the factors of both in <Units>"));
+            }
             transformation = [transformation[0] * factor, transformation[0] * offset + transformation[1]];
             units = [None, None];
             converts = false;

@@ -1,0 +1,176 @@
+//! How two runs of an FMU compare that should be the same, to the last bit, and in what they differ.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::host::in_process::{NO_NUMBER, REFUSED};
+use crate::host::plant::PlantError;
+use crate::host::port::PortKind;
+use crate::host::system::SystemSetup;
+
+/// How two runs that should agree compare.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", tag = "result")]
+pub enum Agreement {
+    /// Every bit of every output.
+    Exact,
+    /// Different; the largest relative difference `|a - b| / max(1, |a|)`.
+    Differs {
+        /// Largest relative difference of numbers; 0 where all numbers are the same.
+        largest: f64,
+        /// In what the first one differs.
+        #[serde(default)]
+        first: Difference,
+        /// The first output that differs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        output: Option<String>,
+    },
+    /// The FMU returned an error.
+    Failed {
+        /// What it said.
+        reason: String,
+        /// The last lines that it printed, for people: see [`PlantError::printed`].
+        #[serde(skip)]
+        printed: Vec<String>,
+    },
+    /// The FMU does not offer this.
+    NotOffered,
+}
+
+impl Agreement {
+    /// Nothing to compare.
+    pub(in crate::host) fn failed(error: PlantError) -> Self {
+        Self::Failed { reason: error.message, printed: error.printed }
+    }
+}
+
+/// In what two values differ that should be the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Difference {
+    /// Two numbers.
+    #[default]
+    Number,
+    /// True and false.
+    Truth,
+    /// 0 and -0.
+    SignOfZero,
+    /// A number, and one that is not finite.
+    NotFinite,
+    /// It could be read once, and not again.
+    Unreadable,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Number => "other numbers",
+            Self::Truth => "true in one run and false in the other",
+            Self::SignOfZero => "0 in one run and -0 in the other",
+            Self::NotFinite => "a number in one run and none (NaN or infinite) in the other",
+            Self::Unreadable => "could be read in one run and not in the other",
+        })
+    }
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Exact => f.write_str("exact"),
+            Self::Differs { largest, first, output } => {
+                let numbers = format!("differs by up to {largest:.2e}");
+                match first {
+                    Difference::Number => write!(f, "WRONG, {numbers}")?,
+                    other => write!(f, "WRONG, {other}")?,
+                }
+                if let Some(output) = output {
+                    write!(f, ", first in `{output}`")?;
+                }
+                if *first != Difference::Number && *largest > 0.0 {
+                    write!(f, "; a number {numbers}")?;
+                }
+                Ok(())
+            }
+            Self::Failed { reason, printed } => {
+                let error = PlantError { printed: printed.clone(), ..PlantError::of(reason.as_str()) };
+                write!(f, "FAILED: {error}")
+            }
+            Self::NotOffered => f.write_str("not offered"),
+        }
+    }
+}
+
+/// The columns of a run.
+pub(in crate::host) struct Columns {
+    pub(super) names: Vec<String>,
+    kinds: Vec<PortKind>,
+}
+
+impl Columns {
+    /// Of the outputs, then of what is watched.
+    pub(in crate::host) fn of(setup: &SystemSetup) -> Self {
+        let kinds = setup.outputs.iter().chain(&setup.watched).map(|p| p.port.kind).collect();
+        Self { names: setup.column_names(), kinds }
+    }
+
+    /// In what two different values of this place in a run differ.
+    fn difference(&self, place: usize, a: f64, b: f64) -> Difference {
+        let kind = self.kinds.get(place % self.kinds.len().max(1));
+        let either = |value: f64| a.to_bits() == value.to_bits() || b.to_bits() == value.to_bits();
+        match kind {
+            _ if either(REFUSED) => Difference::Unreadable,
+            Some(PortKind::Boolean) => Difference::Truth,
+            _ if either(NO_NUMBER) => Difference::NotFinite,
+            _ if a == 0.0 && b == 0.0 => Difference::SignOfZero,
+            _ => Difference::Number,
+        }
+    }
+}
+
+/// How a run compares with the reference.
+pub(in crate::host) fn agreement(reference: &[f64], run: Result<Vec<f64>, PlantError>, columns: &Columns) -> Agreement {
+    match run {
+        Err(error) => Agreement::failed(error),
+        Ok(run) if run.len() != reference.len() => Agreement::failed(PlantError::of("runs of different length")),
+        Ok(run) => {
+            let pairs = run.iter().zip(reference).enumerate();
+            let different = pairs.filter(|(_, (a, b))| a.to_bits() != b.to_bits());
+            let kind = |(place, (a, b)): (usize, (&f64, &f64))| columns.difference(place, *a, *b);
+            let Some(first) = different.clone().next() else { return Agreement::Exact };
+            let numbers = different.filter(|pair| kind(*pair) == Difference::Number);
+            let largest = numbers.map(|(_, (a, b))| (a - b).abs() / b.abs().max(1.0)).fold(0.0, f64::max);
+            let output = columns.names.get(first.0 % columns.names.len().max(1)).cloned();
+            Agreement::Differs { largest, first: kind(first), output }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_bit_is_a_difference_and_is_named_with_its_kind() {
+        let columns =
+            Columns { names: ["a", "b"].map(str::to_owned).to_vec(), kinds: vec![PortKind::Real, PortKind::Boolean] };
+        let reference = [1.0, 0.0, 3.0, 1.0];
+        let told = |run: [f64; 4]| agreement(&reference, Ok(run.to_vec()), &columns).to_string();
+        assert_eq!(told(reference), "exact");
+        assert_eq!(told([1.0, 0.0, 3.0_f64.next_up(), 1.0]), "WRONG, differs by up to 1.48e-16, first in `a`");
+        // Its bits differ, its value does not.
+        let zeros = agreement(&[0.0, 1.0], Ok(vec![-0.0, 1.0]), &columns).to_string();
+        assert_eq!(zeros, "WRONG, 0 in one run and -0 in the other, first in `a`");
+        assert_eq!(told([1.0, 1.0, 3.0, 1.0]), "WRONG, true in one run and false in the other, first in `b`");
+        let truth = told([1.0, 1.0, 3.3, 1.0]);
+        let both = "WRONG, true in one run and false in the other, first in `b`; a number differs by up to 1.00e-1";
+        assert_eq!(truth, both);
+        let none = "WRONG, a number in one run and none (NaN or infinite) in the other, first in `a`";
+        assert_eq!(told([1.0, 0.0, NO_NUMBER, 1.0]), none);
+        assert_eq!(
+            told([1.0, 0.0, REFUSED, 1.0]),
+            "WRONG, could be read in one run and not in the other, first in `a`"
+        );
+    }
+}
