@@ -102,9 +102,11 @@ struct Arms {
 /// A person at planes: arms by the ways that they have. Where the robots are has no part in it.
 pub(super) struct AtPlanes(Vec<Arms>);
 
-/// The runs that decide what arms meet at an instant, by arms and passage, as far as they were asked for; with the number
-/// of those that the FMU could not finish.
-pub(super) struct Runs(Vec<Vec<Option<(Vec<Run>, u64)>>>);
+/// The runs of one passage, with the number of those that the FMU could not finish.
+type OfPassage = (Vec<Run>, u64);
+
+/// The runs that decide what arms meet at an instant, by arms and passage, as far as they were asked for.
+pub(super) struct Runs(Vec<Vec<Option<OfPassage>>>);
 
 impl Runs {
     /// None asked for yet.
@@ -129,7 +131,7 @@ impl Runs {
         (p, passage): (usize, &Passage),
         (frames, i): (&Frames, usize),
         earlier: &mut E,
-    ) -> Result<&(Vec<Run>, u64), E::Error> {
+    ) -> Result<&OfPassage, E::Error> {
         let place = &mut self.0[a][p];
         let found = match place.take() {
             Some(known) => known,
@@ -475,8 +477,8 @@ impl Asked {
 
 /// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
 /// time. Those that the FMU could not finish are left out; the second number counts them.
-fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<(Vec<Run>, u64), E::Error> {
-    let (mut runs, mut unfinished): (Vec<Run>, u64) = (Vec::new(), 0);
+fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<OfPassage, E::Error> {
+    let (mut runs, mut unfinished): OfPassage = (Vec::new(), 0);
     let Some((last, before)) = told.split_last() else { return Ok((runs, unfinished)) };
     let before: Vec<Vec<Way>> = match before {
         [ways] => ways.iter().map(|way| vec![*way]).collect(),
