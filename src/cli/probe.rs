@@ -19,7 +19,7 @@ use crate::cell::draft::roles::{Guess, Role};
 use crate::cell::error::OpenError;
 use crate::cell::find::open;
 use crate::fmi::number;
-use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, examine};
+use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, affordable, examine};
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
@@ -135,7 +135,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     let _ = setup.order().map_err(PrepareError::from)?;
     let unpacked = subject.fmus().into_iter().map(Unpacked::of).collect();
     let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, limits.clone());
-    let tested = subject.steps(STEPS, setup.step_s);
+    let tested = affordable(&launcher, subject.steps(STEPS, setup.step_s));
     let Examination { result, launcher, .. } = examine(&launcher, tested, &[Stage::Serialize]).map_err(failed)?;
     let (columns, unit) = measured(&setup, &outputs, &roles);
     let (width, step_s) = (setup.outputs.len(), setup.step_s);

@@ -13,7 +13,7 @@ use super::subject::Subject;
 use crate::fmi::{Fmu, number};
 use crate::host::PlantError;
 use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, examine, habits};
+use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, affordable, examine, habits};
 use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
 use crate::scan::{Hosting, PrepareError};
 
@@ -73,6 +73,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         Hosting::Workers { program, guard, limits } => {
             let launcher =
                 Launcher::new(program, subject.fmus().into_iter().map(Unpacked::of).collect(), setup, guard, limits);
+            // Who names a number means it, however long that takes.
+            let steps = if wanted.is_some() { steps } else { affordable(&launcher, steps) };
             let Examination { result, launcher, missing, .. } = examine(&launcher, steps, &[]).map_err(failed)?;
             for missing in missing {
                 output::warning(&format!("protection against the FMU: {missing}"));

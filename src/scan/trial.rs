@@ -7,7 +7,7 @@ use super::prepare_error::PrepareError;
 use super::stop_time::earliest;
 use crate::fmi::{Causality, Fmu, number};
 use crate::host::activity::Activity;
-use crate::host::isolation::{Examination, Launcher, Unpacked, examine};
+use crate::host::isolation::{Examination, Launcher, Unpacked, affordable, examine};
 use crate::host::port::changing;
 use crate::host::selftest::{SelfTest, Stage, selftest};
 use crate::host::{PlantError, SystemSetup, UnitPort};
@@ -58,7 +58,8 @@ pub(super) fn try_out(
             let unpacked = fmus.iter().map(Unpacked::of).collect();
             let launcher = Launcher::new(program.clone(), unpacked, setup.clone(), *guard, limits.clone());
             let Examination { result, launcher, missing, step_time } =
-                examine(&launcher, steps, &skip).map_err(|error| PrepareError::first_run(hinted(error, fmus)))?;
+                examine(&launcher, affordable(&launcher, steps), &skip)
+                    .map_err(|error| PrepareError::first_run(hinted(error, fmus)))?;
             Ok(Tested { self_test: result, missing_protection: missing, step_time, source: Source::Apart(launcher) })
         }
     }

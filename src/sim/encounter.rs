@@ -38,8 +38,7 @@ const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_0
 /// The same for the reward of an episode that found nothing, which only steers the search.
 const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
-/// The same for many instants together, with so many boxes for each: when that takes longer, they are looked at in smaller
-/// groups.
+/// The same for many instants together: when that takes long, they are looked at in smaller groups.
 const NO_HAZARD: Aim = Aim { work_limit: 10_000, ..ANY_HAZARD };
 
 /// The person at one instant.
@@ -82,20 +81,6 @@ struct Pair {
     link: usize,
     on_body: Vec3,
     on_robot: Vec3,
-}
-
-/// What one search says of the arms at many instants.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AtMany {
-    /// No contact above the limit is possible at any of them.
-    Harmless,
-    /// There is one at this of them; of the others nothing is said.
-    Harm {
-        /// Its number.
-        instant: usize,
-    },
-    /// The search did not come to an end.
-    Unfinished,
 }
 
 /// What an arm may touch.
@@ -220,22 +205,22 @@ impl Encounter {
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
     }
 
-    /// Whether an arm contact above the limit is possible at any of several instants, asked of all by one search; the robots
-    /// have the same links at all of them.
+    /// Whether no arm contact above the limit is possible at any of several instants, shown by one search; the robots
+    /// have the same links at all of them. `false` says nothing.
     #[must_use]
-    pub fn arms_at_many(
+    pub fn no_arm_harmed(
         &self,
         person: &Person,
         frames: &[&RobotFrame],
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
-    ) -> AtMany {
+    ) -> bool {
         if frames.is_empty() {
-            return AtMany::Harmless;
+            return true;
         }
         let links: Vec<Solid> = frames.iter().flat_map(|f| f.links.iter().cloned()).collect();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
-        for &side in &person.arms {
+        person.arms.iter().all(|&side| {
             coverage.arm_checks += 1;
             let outcome = reach(&ReachQuery {
                 arm: &self.arm,
@@ -247,18 +232,12 @@ impl Encounter {
                 threshold: NO_HAZARD.threshold,
                 tolerance_m: self.reach_tolerance_m,
                 enough: NO_HAZARD.enough,
-                work_limit: NO_HAZARD.work_limit.saturating_mul(u32::try_from(frames.len()).unwrap_or(u32::MAX)),
+                work_limit: NO_HAZARD.work_limit,
                 stop: Some(&self.stop),
             });
             coverage.arm_boxes += u64::from(outcome.boxes);
-            if let Some(found) = outcome.best {
-                return AtMany::Harm { instant: found.link / frames[0].links.len().max(1) };
-            }
-            if !outcome.complete {
-                return AtMany::Unfinished;
-            }
-        }
-        AtMany::Harmless
+            outcome.complete && outcome.best.is_none()
+        })
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.

@@ -23,7 +23,6 @@ use self::ahead::Ahead;
 use self::situations::Situations;
 use super::Coverage;
 use super::bound::RobotBounds;
-use super::harmless::Harmless;
 use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
@@ -66,7 +65,6 @@ pub struct Expander<P: Plant> {
     /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
     /// the body was first seen in it, and how many such states there are.
     bundles: BTreeMap<(Vec<usize>, Vec<Shadow>), NodeId>,
-    harmless: Harmless,
     coverage: Coverage,
     journal: Journal,
     questions: u64,
@@ -114,7 +112,6 @@ impl<P: Plant> Expander<P> {
             workers: workers.max(1),
             by_bytes,
             bundles: BTreeMap::new(),
-            harmless: Harmless::default(),
             coverage: Coverage::new(world.cell.sensors.len()),
             questions: 0,
             journal: Journal::default(),
@@ -317,9 +314,6 @@ impl<P: Plant> Expansion for Expander<P> {
             transitions.push(own);
         }
         let walked = |p: &Pending| &ahead[&states[p.state].place].walks[p.walk];
-        if !self.settle_arms(&pending, &transitions, &walked, go_on) {
-            return Ok(None);
-        }
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;

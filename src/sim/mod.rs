@@ -6,7 +6,6 @@
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`expansion`]: all actions from many states at once, on all cores
-//! - `harmless`: for which poses and robots no arm is harmed, for that
 //! - `threads`: independent work on all of them, for that
 //! - [`journal`]: what such a search has worked out, on disk
 //! - [`bound`]: how far robots and person can come at all
@@ -23,7 +22,6 @@ pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod expansion;
-mod harmless;
 pub mod imagination;
 pub mod journal;
 pub mod motion;

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use super::Coverage;
 use super::curtain::Curtain;
-use super::encounter::{ArmSpace, AtMany, Encounter, Person};
+use super::encounter::{ArmSpace, Encounter, Person};
 use super::robot::RobotFrame;
 use super::sensors::{DelayLine, Seen, input_row, sees};
 use crate::cell::binding::SensorBinding;
@@ -154,8 +154,6 @@ pub(super) struct Instant<'a, E> {
     pub(super) i: usize,
     /// As they would be had planes told of an arm.
     pub(super) earlier: E,
-    /// Whether arms are to be looked at: not where they are known to be harmless.
-    pub(super) arms: bool,
 }
 
 impl<E> Instant<'_, E> {
@@ -438,16 +436,21 @@ impl World {
             self.contacts_at_planes(person, stance, instants, &mut hits, coverage)?;
             return Ok(hits);
         }
-        for n in near {
-            let Instant { frames, i, earlier, arms } = &mut instants[n];
-            hits[n] = self.contact_near(person, stance, (frames, *i), *arms, earlier, coverage)?;
+        let mut groups: Vec<&[usize]> = vec![&near];
+        while let Some(group) = groups.pop() {
+            let frames: Vec<&RobotFrame> = group.iter().map(|&n| instants[n].frame()).collect();
+            let harmless = group.len() > 1 && self.encounter.no_arm_harmed(person, &frames, &ArmSpace::OPEN, coverage);
+            if group.len() > 1 && !harmless {
+                let (first, second) = group.split_at(group.len() / 2);
+                groups.extend([second, first]);
+                continue;
+            }
+            for &n in group {
+                let Instant { frames, i, earlier } = &mut instants[n];
+                hits[n] = self.contact_near(person, stance, (frames, *i), !harmless, earlier, coverage)?;
+            }
         }
         Ok(hits)
-    }
-
-    /// Whether an arm contact above the limit is possible with the robots of any of several instants.
-    pub(super) fn arms_at_many(&self, person: &Person, frames: &[&RobotFrame], coverage: &mut Coverage) -> AtMany {
-        self.encounter.arms_at_many(person, frames, &ArmSpace::OPEN, coverage)
     }
 
     /// The same at planes: what arms can do there follows from the stance, so one search asks for the robots of many
@@ -562,7 +565,7 @@ impl World {
     }
 
     /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
-    pub(super) fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
+    fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
         // A robot that a light curtain would have stopped may be elsewhere.
         if !self.curtains.is_empty() {
             return true;
@@ -590,15 +593,11 @@ impl World {
 
     /// The body and its arms.
     pub(super) fn person(&self, stance: &Stance) -> Person {
-        Person { velocity: self.velocity(stance), ..self.posed(&stance.place, stance.posture) }
-    }
-
-    /// The same, standing still.
-    pub(super) fn posed(&self, place: &Place, posture: Posture) -> Person {
+        let Stance { place, posture, .. } = stance;
         let (at, heading) = (self.position(place), place.heading_rad(&self.cell.start));
-        let body = self.body().placed(at, heading, posture, self.bend(place, posture));
+        let body = self.body().placed(at, heading, *posture, self.bend(place, *posture));
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
-        Person { body, arms, velocity: Vec3::ZERO }
+        Person { body, arms, velocity: self.velocity(stance) }
     }
 
     /// How the person walks, m/s.

@@ -109,7 +109,8 @@ const FEW_STEPS: [usize; 2] = [20, 4];
 const QUICK: Duration = Duration::from_millis(10);
 
 /// As many of these steps as the self-test can have where they take long. Few values, so that it is the same ones again.
-fn affordable(launcher: &Launcher, steps: usize) -> usize {
+#[must_use]
+pub fn affordable(launcher: &Launcher, steps: usize) -> usize {
     let time = |steps: usize| {
         let began = Instant::now();
         let ran = in_a_process(launcher, steps, Stage::FirstRun, &[]);
@@ -141,7 +142,6 @@ pub(super) const KEPT: usize = super::channel::AREA / 32;
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
 pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
     let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
-    let steps = affordable(launcher, steps);
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;
     let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[]) {

@@ -24,7 +24,7 @@ mod process;
 mod sandbox;
 mod worker;
 
-pub use examine::{Examination, examine};
+pub use examine::{Examination, affordable, examine};
 pub use habits::{Habit, habits};
 pub use isolated::{Checkpoint, Isolated, Keeping};
 pub use launch::{Guard, Launcher, Limits};

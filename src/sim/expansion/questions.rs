@@ -10,7 +10,6 @@ use crate::host::Plant;
 use crate::human::walk::WalkTrace;
 use crate::sim::Coverage;
 use crate::sim::encounter::Person;
-use crate::sim::harmless::{Harmless, settle};
 use crate::sim::journal::Block;
 use crate::sim::threads::shared_out;
 use crate::sim::world::{Hit, Instant, Stance, World};
@@ -19,73 +18,6 @@ use crate::sim::world::{Hit, Instant, Stance, World};
 pub(super) type Question = (Stance, Vec<usize>);
 
 impl<P: Plant> Expander<P> {
-    /// Finds out of all poses of the pending actions at once where arms are harmless, on all threads; `false` if told to stop.
-    ///
-    /// Who stands or turns is in the same pose at every instant of an action, and many actions lead through the same poses.
-    /// At planes it matters when they were passed: there each instant is asked about by itself.
-    pub(super) fn settle_arms<'a>(
-        &mut self,
-        pending: &[Pending],
-        transitions: &[Vec<Transition>],
-        walked: &dyn Fn(&Pending) -> &'a WalkTrace,
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> bool {
-        if !self.world.curtains.is_empty() {
-            return true;
-        }
-        let of = |p: &'_ Pending| {
-            let (frames, walked, posture) = (&transitions[p.state][p.transition].frames, walked(p), p.action.posture());
-            frames.iter().zip(&walked.places).map(move |(frame, place)| ((*place, posture), frame))
-        };
-        let harmful = pending.iter().flat_map(of).filter(|(_, frame)| frame.may_harm);
-        let unsettled = self.harmless.unsettled(harmful);
-        // These count as no questions: whoever asks them later gets the answer.
-        let instants = unsettled.iter().map(|(_, frames)| frames.len() as u64).sum::<u64>();
-        let asked = (0, instants, self.robots.recall.trail());
-        let (settled, coverage) = match self.journal.next(asked) {
-            Some(Block { found, coverage, .. }) => (found, coverage),
-            None => {
-                let (world, sensors) = (&self.world, self.world.cell.sensors.len());
-                let settled = shared_out(self.workers, unsettled.len(), go_on, |numbers, stopped| {
-                    let mut coverage = Coverage::new(sensors);
-                    let mut settled = Vec::new();
-                    for number in numbers {
-                        let narrow = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-                        let harmless = settle(world, &unsettled[number], &mut coverage);
-                        settled.extend(harmless.into_iter().map(|n| (narrow(number), narrow(n))));
-                        // What was under way then says nothing.
-                        if world.stop().is_due() {
-                            stopped.store(true, Ordering::Relaxed);
-                            break;
-                        }
-                    }
-                    (settled, coverage)
-                });
-                let Some(settled) = settled else { return false };
-                let (mut found, mut total) = (Vec::new(), Coverage::new(sensors));
-                for (settled, coverage) in settled {
-                    total.merge(&coverage);
-                    found.extend(settled);
-                }
-                if self.journal.keeps() {
-                    self.journal.add(&Block { asked, found: found.clone(), coverage: total.clone() });
-                }
-                (found, total)
-            }
-        };
-        self.coverage.merge(&coverage);
-        let mut of_pose: Vec<Vec<usize>> = vec![Vec::new(); unsettled.len()];
-        for (number, n) in settled {
-            if let Some(harmless) = of_pose.get_mut(number as usize) {
-                harmless.push(n as usize);
-            }
-        }
-        for (pose, harmless) in unsettled.into_iter().zip(of_pose) {
-            self.harmless.learn(pose, &harmless);
-        }
-        true
-    }
-
     /// The same as questions, each once: stances, and the situations that each is asked about. And for each pending action
     /// where its answer will be: the number of the stance, and of the situation among those of it.
     pub(super) fn to_ask<'a>(
@@ -164,7 +96,7 @@ impl<P: Plant> Expander<P> {
                 continue;
             };
             // All of the stance, as before: what is found for one may follow from what was found for another.
-            let mut instants = instants_of(&self.harmless, stance, asked, situations);
+            let mut instants = instants_of(asked, situations);
             let Ok(hits) = self.world.contacts(stance, &mut None, &mut instants, &mut counted);
             all[together[0].0 as usize] = hits;
         }
@@ -178,14 +110,14 @@ impl<P: Plant> Expander<P> {
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
-        let (world, harmless, sensors) = (&self.world, &self.harmless, self.world.cell.sensors.len());
+        let (world, sensors) = (&self.world, self.world.cell.sensors.len());
         let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
             let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
             let mut last: Option<(&Stance, Option<Person>)> = None;
             for (stance, asked) in &questions[numbers] {
                 let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
                 let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
-                let mut instants = instants_of(harmless, stance, asked, situations);
+                let mut instants = instants_of(asked, situations);
                 let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
                 last = Some((stance, posed));
                 // What was under way then says nothing.
@@ -206,17 +138,11 @@ impl<P: Plant> Expander<P> {
     }
 }
 
-/// What a stance is asked about, without the arms where they are known to be harmless.
-fn instants_of<'a>(
-    harmless: &Harmless,
-    stance: &Stance,
-    asked: &[usize],
-    situations: &'a [Situation],
-) -> Vec<Instant<'a, &'a Situation>> {
+/// What a stance is asked about.
+fn instants_of<'a>(asked: &[usize], situations: &'a [Situation]) -> Vec<Instant<'a, &'a Situation>> {
     let instant = |s: &usize| {
         let situation = &situations[*s];
-        let arms = !harmless.knows(&(stance.place, stance.posture), &situation.frames[situation.i]);
-        Instant { frames: &situation.frames, i: situation.i, earlier: situation, arms }
+        Instant { frames: &situation.frames, i: situation.i, earlier: situation }
     };
     asked.iter().map(instant).collect()
 }

@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use super::super::curtain::{Curtain, depth_m};
-use super::super::encounter::{ArmSpace, AtMany, Encountered, Person};
+use super::super::encounter::{ArmSpace, Encountered, Person};
 use super::super::robot::RobotFrame;
 use super::super::sensors::{DelayLine, breaks};
 use super::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
@@ -259,7 +259,7 @@ impl World {
         let mut groups = frames.chunks(MOST_TOGETHER).zip(links.chunks(MOST_TOGETHER * per_frame.max(1)));
         groups.all(|(frames, links)| {
             let space = ArmSpace { walls: &walls, links: Some(links) };
-            self.encounter.arms_at_many(&arms.person, frames, &space, coverage) == AtMany::Harmless
+            self.encounter.no_arm_harmed(&arms.person, frames, &space, coverage)
         })
     }
 
