@@ -119,7 +119,7 @@ const SAYS: &[(&str, &str)] = &[
     ("probe", "S_PSE_Mat = false: stops it, at rest after 0.40 s, first change after 0.020 s"),
     ("init", "the cell file takes the kinematics only"),
     ("--no-run", "still to be filled in"),
-    ("--no-run", "PandaCell.cell.toml: 10 problems"),
+    ("--no-run", "PandaCell.cell.toml: 8 problems"),
     ("check PandaCell.cell.toml --trust-fmu", "nothing wrong"),
     ("scan", "confirmed by a fresh replay"),
     ("replay", "reproduced"),
