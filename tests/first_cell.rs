@@ -344,8 +344,8 @@ fn with_package(urdf: &str, mesh: &str) -> tempfile::TempDir {
         std::fs::create_dir_all(dir.path().join(name).parent().unwrap()).unwrap();
         write(dir.path(), name, &text);
     }
-    std::fs::create_dir(dir.path().join("work")).unwrap();
-    std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.path().join("work/x.fmu")).unwrap();
+    std::fs::create_dir(dir.path().join("mine")).unwrap();
+    std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.path().join("mine/x.fmu")).unwrap();
     dir
 }
 
@@ -367,7 +367,7 @@ fn init_and_check_find_packages_of_robots_in_the_same_places() {
         ("opt/share/other/urdf/x.urdf", "opt/share/arm/meshes/bar.stl"),
     ] {
         let dir = with_package(urdf, mesh);
-        let work = dir.path().join("work");
+        let work = dir.path().join("mine");
         let named = format!("../{urdf}");
         let (code, _, said) = run(&work, &["init", "x.fmu", "--urdf", &named, "--out", "c.toml"]);
         assert!(code == 0 && !said.contains("kinematics only"), "{urdf}: {said}");
@@ -382,7 +382,7 @@ fn init_and_check_find_packages_of_robots_in_the_same_places() {
 #[test]
 fn packages_elsewhere_are_named_once_and_stay_in_the_cell_file() {
     let dir = with_package("robot/x.urdf", "far/workspace/src/of/arm/meshes/bar.stl");
-    let work = dir.path().join("work");
+    let work = dir.path().join("mine");
     let init = |more: &[&str], variables: &[(&str, &str)]| {
         let arguments = ["init", "x.fmu", "--urdf", "../robot/x.urdf", "--out", "c.toml", "--force"];
         let mut command = fmi_hazard(&work);
@@ -395,7 +395,7 @@ fn packages_elsewhere_are_named_once_and_stay_in_the_cell_file() {
     let (code, text, said) = init(&[], &[]);
     assert!(code == Some(0) && text.contains("urdf_shapes = false"), "{text}");
     let squeezed = said.split_whitespace().collect::<String>();
-    for words in ["robot,", "share/arm", "/work/arm", "ROS_PACKAGE_PATHisnotset", "--packagearm=FOLDER"] {
+    for words in ["robot,", "share/arm", "/mine/arm", "ROS_PACKAGE_PATHisnotset", "--packagearm=FOLDER"] {
         assert!(squeezed.contains(words), "{words}: {said}");
     }
     assert!(squeezed.contains(&dir.path().display().to_string()), "{said}");

@@ -278,6 +278,20 @@ fn enough_is_enough_and_a_work_limit_is_told() {
     assert!(!cut.complete);
 }
 
+/// Pieces beyond those that a search can number are not left out without a word.
+#[test]
+fn too_many_pieces_are_told() {
+    let arm = ArmModel::default();
+    let mut scene = random_scene(&mut Rng::new(2), 0);
+    let near = Vec3::new(0.3, 0.0, 0.0);
+    for (links, complete) in [(65_535, true), (65_536, false)] {
+        scene.links = vec![Solid::Capsule(Capsule { a: near, b: near, radius: 0.01 }); links];
+        scene.score = ByLink(vec![1.0; links]);
+        let query = ReachQuery { enough: 0.0, world_from_shoulder: Pose::IDENTITY, ..scene.query(&arm, Side::Left) };
+        assert_eq!(reach(&query).complete, complete, "{links}");
+    }
+}
+
 /// Links that turn about axes: what a point scores is how fast it is, and how tender the segment.
 struct Turning(Vec<Twist>);
 

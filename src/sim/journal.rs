@@ -22,7 +22,7 @@ use super::Coverage;
 /// The answers to a block of questions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Block {
-    /// How many questions were asked, about how many stances of the person, after which answers of the FMU.
+    /// How many questions were asked, a digest of them, after which answers of the FMU.
     pub asked: (u64, u64, u64),
     /// Which found something: number of the stance, and of the question about it.
     pub found: Vec<(u32, u32)>,

@@ -66,7 +66,7 @@ impl Sensed {
 }
 
 /// The person at the end of a communication step, as far as contacts depend on it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Stance {
     /// Where the person stands.
     pub place: Place,

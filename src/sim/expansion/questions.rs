@@ -2,6 +2,7 @@
 //! threads.
 
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::atomic::Ordering;
 
 use super::situations::Situation;
@@ -18,8 +19,8 @@ use crate::sim::world::{Hit, Instant, Stance, World};
 pub(super) type Question = (Stance, Vec<usize>);
 
 impl<P: Plant> Expander<P> {
-    /// The same as questions, each once: stances, and the situations that each is asked about. And for each pending action
-    /// where its answer will be: the number of the stance, and of the situation among those of it.
+    /// What pending actions ask about after step `i`, each question once: stances, and the situations that each is asked
+    /// about. And for each pending action where its answer will be: the number of the stance, and of the situation among those of it.
     pub(super) fn to_ask<'a>(
         &self,
         i: usize,
@@ -66,7 +67,10 @@ impl<P: Plant> Expander<P> {
     ) -> Option<Vec<Vec<Option<Hit>>>> {
         let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
         self.questions += asked;
-        let asked = (asked, questions.len() as u64, self.robots.recall.trail());
+        // Answers stand by their places among the questions, so these have to be the same ones.
+        let mut digest = DefaultHasher::new();
+        questions.hash(&mut digest);
+        let asked = (asked, digest.finish(), self.robots.recall.trail());
         if let Some(block) = self.journal.next(asked) {
             self.coverage.merge(&block.coverage);
             let found = self.found_again(&block, questions, situations);
