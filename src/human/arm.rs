@@ -79,27 +79,18 @@ impl ArmModel {
         self.upper_arm_m + self.forearm_m + self.hand_radius_m
     }
 
-    /// Elbow and wrist in the shoulder frame, and how they move with each joint, m/rad: `[elbow, wrist]` by joint.
+    /// Elbow and wrist of a left arm in the shoulder frame, from sine and cosine of each joint angle.
     #[must_use]
-    pub fn forward_with_derivatives(&self, side: Side, config: Config) -> (Vec3, Vec3, [[Vec3; 2]; 4]) {
-        let [abduction, flexion, rotation, elbow] = config;
-        let mirror = side.sign();
-        let abducted = rotation_about(Vec3::X, mirror * abduction);
-        let upper = abducted * rotation_about(Vec3::Y, -flexion);
-        let rotated = upper * rotation_about(Vec3::Z, -mirror * rotation);
-        let fore = rotated * rotation_about(Vec3::Y, -elbow);
-        let at_elbow = upper * Vec3::new(0.0, 0.0, -self.upper_arm_m);
-        let forearm = fore * Vec3::new(0.0, 0.0, -self.forearm_m);
-        let at_wrist = at_elbow + forearm;
-        let (x, y) = (Vec3::X * mirror, abducted * -Vec3::Y);
-        let (z, bend) = (upper * (Vec3::Z * -mirror), rotated * -Vec3::Y);
-        let derivatives = [
-            [x.cross(at_elbow), x.cross(at_wrist)],
-            [y.cross(at_elbow), y.cross(at_wrist)],
-            [Vec3::ZERO, z.cross(forearm)],
-            [Vec3::ZERO, bend.cross(forearm)],
-        ];
-        (at_elbow, at_wrist, derivatives)
+    pub fn at(&self, [abduction, flexion, rotation, elbow]: &[(f64, f64); 4]) -> [Vec3; 2] {
+        let sideways = |forwards: f64, side: f64, up: f64| {
+            Vec3::new(forwards, side * abduction.1 - up * abduction.0, side * abduction.0 + up * abduction.1)
+        };
+        let raised = |forwards: f64, side: f64, up: f64| {
+            sideways(forwards * flexion.1 - up * flexion.0, side, forwards * flexion.0 + up * flexion.1)
+        };
+        let bent = self.forearm_m * elbow.0;
+        let wrist = raised(bent * rotation.1, -bent * rotation.0, -self.upper_arm_m - self.forearm_m * elbow.1);
+        [raised(0.0, 0.0, -self.upper_arm_m), wrist]
     }
 
     /// Elbow and wrist in the shoulder frame (x forward, y left, z up; the arm hangs along -z at zero).
@@ -142,22 +133,13 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_agree_with_finite_differences() {
+    fn by_sines_and_cosines_it_is_the_same() {
         let arm = ArmModel::default();
-        for side in Side::BOTH {
-            let config = [0.4, 0.7, -0.3, 1.1];
-            let (elbow, wrist, derivatives) = arm.forward_with_derivatives(side, config);
-            assert_eq!((elbow, wrist), arm.forward(side, config));
-            for (joint, [d_elbow, d_wrist]) in derivatives.into_iter().enumerate() {
-                let at = |h: f64| {
-                    let mut moved = config;
-                    moved[joint] += h;
-                    arm.forward(side, moved)
-                };
-                let ((e1, w1), (e0, w0)) = (at(1e-6), at(-1e-6));
-                assert!(((e1 - e0) / 2e-6 - d_elbow).length() < 1e-9, "{side:?} {joint}");
-                assert!(((w1 - w0) / 2e-6 - d_wrist).length() < 1e-9, "{side:?} {joint}");
-            }
+        let config = [0.4, 0.7, -0.3, 1.1];
+        let [elbow, wrist] = arm.at(&config.map(libm::sincos));
+        for (side, mirror) in [(Side::Left, Vec3::ONE), (Side::Right, Vec3::new(1.0, -1.0, 1.0))] {
+            let (e, w) = arm.forward(side, config);
+            assert!((e - elbow * mirror).length() < 1e-15 && (w - wrist * mirror).length() < 1e-15, "{side:?}");
         }
     }
 

@@ -18,10 +18,12 @@
 mod joint_box;
 mod movement;
 mod obstructed;
+mod sweep;
 
 use self::joint_box::JointBox;
-use self::movement::{Limb, Movement, NearestMoves, Placed, Share};
+use self::movement::{Frame, Limb, Movement, NearestMoves, Placed, Share};
 use self::obstructed::{crosses, ends_inside};
+use self::sweep::Range;
 use super::Side;
 use super::arm::{ArmModel, Config, clamped};
 use crate::geometry::distance::point_segment;
@@ -158,6 +160,7 @@ fn settle(open: &mut Vec<u16>, may_matter: impl Fn(usize) -> bool) {
 struct Search<'a, S: ContactScore> {
     query: &'a ReachQuery<'a, S>,
     shoulder: Vec3,
+    frame: Frame,
     /// Links in reach that may score above the threshold, with their bounding spheres.
     links: Vec<(usize, Vec3, f64)>,
     /// The same links cut into short pieces, with upper bounds of their scores by segment.
@@ -226,7 +229,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             (link, centre, radius)
         };
         let links = links.into_iter().map(sphere).collect();
-        Self { query, shoulder, links, pieces, obstacles, best: None }
+        let frame = Frame::new(&query.world_from_shoulder, query.side);
+        Self { query, shoulder, frame, links, pieces, obstacles, best: None }
     }
 
     fn run(&mut self) -> (bool, u32) {
@@ -263,11 +267,9 @@ impl<'a, S: ContactScore> Search<'a, S> {
     }
 
     fn place(&self, config: Config) -> Placed {
-        let (elbow, wrist, derivatives) = self.query.arm.forward_with_derivatives(self.query.side, config);
-        let pose = &self.query.world_from_shoulder;
-        let derivatives = derivatives.map(|by_joint| by_joint.map(|d| pose.transform_vector(d)));
-        let (elbow, wrist) = (pose.transform_point(elbow), pose.transform_point(wrist));
-        Placed { shoulder: self.shoulder, elbow, wrist, derivatives }
+        let turns = config.map(libm::sincos);
+        let [elbow, wrist] = self.query.arm.at(&turns).map(|point| self.shoulder + self.frame.to_world(point));
+        Placed { shoulder: self.shoulder, elbow, wrist, turns }
     }
 
     /// How far a configuration is from a contact that matters, m, by the piece that is looked at next.
@@ -307,7 +309,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
     fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
         let arm = self.query.arm;
-        let movement = Movement::of(arm, b, placed);
+        let movement = Movement::of(arm, b, placed, self.frame);
         settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
         let beyond_elbow = !open.beyond_elbow.is_empty();
         if !beyond_elbow {
@@ -326,7 +328,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
             // Where only the upper arm counts, the joints that move it settle the matter sooner.
             return Some(usize::from(b.half[1] > b.half[0]));
         }
-        (movement.wrist > self.query.tolerance_m).then(|| movement.widest_joint())
+        (movement.wrist > self.query.tolerance_m).then(|| movement.widest_joint)
     }
 
     /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.
@@ -345,7 +347,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                     let (centre, radius) = link.nearest_within(placed.wrist, &near, movement.wrist);
                     bound(&Neighbourhood::ball(centre, less(radius)))
                 } else if near.distance > movement.wrist {
-                    let moves = NearestMoves::new(link, &near, placed, movement);
+                    let moves = NearestMoves::new(link, &near, movement);
                     let along = |n| less(moves.along(n));
                     bound(&Neighbourhood {
                         along: Some(&along),
@@ -361,7 +363,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
             // A convex link stays behind the plane through its nearest point: only movement against it counts.
             let touches = gap <= movement.wrist && {
                 let n = (near.on_first - near.on_second).normalize_or_zero();
-                near.distance <= 0.0 || !link.is_convex() || gap <= movement.along(placed, n).1
+                near.distance <= 0.0 || !link.is_convex() || gap <= -movement.wrist(n).low
             };
             if touches && bound() > cutoff {
                 // The whole line stays near this one. A wrist that may be inside the link has no line to check.
@@ -423,7 +425,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn line_certainly_blocked(&self, placed: &Placed, (to, by): (Vec3, f64), movement: &Movement) -> bool {
         self.obstacles_near(placed.wrist, to, 0.0).any(|o| {
             segment_cuboid(placed.wrist, to, o).distance < -movement.wrist.max(by)
-                || crosses(o, [placed.wrist, to], 0.0, |n| [movement.along(placed, n).1, by])
+                || crosses(o, [placed.wrist, to], 0.0, |n| [movement.wrist(n), Range { low: -by, high: by }])
         })
     }
 
@@ -440,13 +442,13 @@ impl<'a, S: ContactScore> Search<'a, S> {
             let halfway = movement.elbow.max(0.5 * (movement.elbow + movement.wrist));
             segment_cuboid(placed.elbow, placed.wrist, o).distance - r_fore < -at_most
                 || segment_cuboid(placed.elbow, middle, o).distance - r_fore < -halfway
-                || crosses(o, [placed.elbow, placed.wrist], r_fore, |n| movement.along(placed, n).into())
-                || ends_inside(o, placed.wrist, r_fore, |n| movement.along(placed, n).1)
-                || ends_inside(o, placed.elbow, r_fore, |n| movement.along(placed, n).0)
+                || crosses(o, [placed.elbow, placed.wrist], r_fore, |n| movement.both(n))
+                || ends_inside(o, placed.wrist, r_fore, |n| movement.wrist(n))
+                || ends_inside(o, placed.elbow, r_fore, |n| movement.elbow(n))
         }) || self.obstacles_near(placed.shoulder, placed.elbow, r_upper).any(|o| {
             segment_cuboid(from, placed.elbow, o).distance - r_upper < -movement.elbow
                 || segment_cuboid(placed.shoulder, placed.elbow, o).distance < -movement.elbow
-                || crosses(o, [placed.shoulder, placed.elbow], 0.0, |n| [0.0, movement.along(placed, n).0])
+                || crosses(o, [placed.shoulder, placed.elbow], 0.0, |n| [Range::NONE, movement.elbow(n)])
         })
     }
 

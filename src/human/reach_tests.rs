@@ -365,9 +365,11 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
             * rotation_about(Vec3::Z, uniform(&mut rng, 0.0, 3.0));
         let link = Solid::Mesh(Mesh::new(Arc::clone(&surface), Pose::from_parts(vector(&mut rng, 0.7), turn)));
         let (pose, whole) = (Pose::IDENTITY, JointBox::whole());
+        let frame = Frame::new(&pose, Side::Left);
         let place = |config: Config| {
-            let (elbow, wrist, derivatives) = arm.forward_with_derivatives(Side::Left, config);
-            Placed { shoulder: pose.translation, elbow, wrist, derivatives }
+            let turns = config.map(libm::sincos);
+            let [elbow, wrist] = arm.at(&turns);
+            Placed { shoulder: pose.translation, elbow, wrist, turns }
         };
         let mut b = whole;
         for joint in 0..4 {
@@ -377,7 +379,10 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
         }
         let radius = arm.forearm_radius_m;
         let limb = Limb { ends: [Share::ELBOW, Share::on_forearm(1.0)], radius };
-        if limb.may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b, &place(b.middle))).is_some() {
+        if limb
+            .may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b, &place(b.middle), frame))
+            .is_some()
+        {
             continue;
         }
         apart += 1;
@@ -430,7 +435,7 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
                 b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
             }
             let placed = search.place(b.middle);
-            let movement = Movement::of(&arm, &b, &placed);
+            let movement = Movement::of(&arm, &b, &placed, search.frame);
             let open = search.pieces.iter().any(|p| {
                 search.hand_or_forearm_may_matter(p, &placed, &movement)
                     || search.elbow_or_upper_arm_may_matter(p, &placed, &movement)
@@ -482,7 +487,7 @@ fn nearest_points_move_no_farther_than_told() {
             half: std::array::from_fn(|_| if rng.below(2) == 0 { 0.001 } else { uniform(&mut rng, 0.005, 0.15) }),
         };
         let placed = search.place(b.middle);
-        let movement = Movement::of(&arm, &b, &placed);
+        let movement = Movement::of(&arm, &b, &placed, search.frame);
         // Just outside of the wrist's ball, where directions turn most.
         let radius = uniform(&mut rng, 0.02, 0.5);
         let away = movement.wrist * uniform(&mut rng, 1.01, 3.0) + radius;
@@ -492,7 +497,7 @@ fn nearest_points_move_no_farther_than_told() {
         if near.distance <= movement.wrist {
             continue;
         }
-        let moves = NearestMoves::new(&link, &near, &placed, &movement);
+        let moves = NearestMoves::new(&link, &near, &movement);
         // Corners move most.
         for corner in 0..16 {
             let to: Config =

@@ -2,7 +2,9 @@
 //! the solid's nearest point moves along.
 
 use super::joint_box::JointBox;
-use crate::geometry::{Closest, Solid, Vec3};
+use super::sweep::{Levers, Range, Sweep, Turn};
+use crate::geometry::{Closest, Pose, Solid, Vec3};
+use crate::human::Side;
 use crate::human::arm::ArmModel;
 
 /// The arm in one configuration, world.
@@ -11,70 +13,98 @@ pub(super) struct Placed {
     pub(super) shoulder: Vec3,
     pub(super) elbow: Vec3,
     pub(super) wrist: Vec3,
-    /// Movement of elbow and wrist with each joint, world, m/rad.
-    pub(super) derivatives: [[Vec3; 2]; 4],
+    /// Sine and cosine of each joint angle.
+    pub(super) turns: [Turn; 4],
 }
 
-/// How far elbow and wrist can be from where they are in the middle of a box, joint by joint, m.
+/// The axes of the shoulder's frame, world: forward, towards the side of the arm, up.
+#[derive(Clone, Copy)]
+pub(super) struct Frame([Vec3; 3]);
+
+impl Frame {
+    pub(super) fn new(world_from_shoulder: &Pose, side: Side) -> Self {
+        Self([Vec3::X, Vec3::Y * side.sign(), Vec3::Z].map(|axis| world_from_shoulder.transform_vector(axis)))
+    }
+
+    /// A vector of the world, in the frame.
+    fn of(&self, v: Vec3) -> Vec3 {
+        Vec3::from_array(self.0.map(|axis| axis.dot(v)))
+    }
+
+    /// A vector of the frame, in the world.
+    pub(super) fn to_world(self, v: Vec3) -> Vec3 {
+        self.0[0] * v.x + self.0[1] * v.y + self.0[2] * v.z
+    }
+}
+
+/// How far elbow and wrist can be from where they are in the middle of a box, m.
 pub(super) struct Movement {
     pub(super) elbow: f64,
-    pub(super) wrist_by_joint: [f64; 4],
     pub(super) wrist: f64,
-    pub(super) half: [f64; 4],
-    /// What the first-order movement of elbow and wrist leaves out, at most, m.
-    pub(super) elbow_rest: f64,
-    pub(super) wrist_rest: f64,
+    /// The joint whose halving shrinks it most.
+    pub(super) widest_joint: usize,
+    frame: Frame,
+    sweep: Sweep,
 }
 
+/// More than what rounding can do to a length, as a part of it.
+const ROUNDED_UP: f64 = 1.0 + 1e-9;
+
 impl Movement {
-    /// Within the box `b`, in whose middle the arm is `placed`.
+    /// Within the box `b`, in whose middle the arm is `placed`; `frame` is the shoulder's.
     ///
     /// The joints are turned from the middle to any configuration of the box one after the other, the outermost first: when
-    /// its turn comes, what is beyond a joint is still as in the middle, so its lever is the one there. Second derivatives
-    /// are those of any configuration: there a lever is longer by no more than what the joints beyond it move.
-    pub(super) fn of(arm: &ArmModel, b: &JointBox, placed: &Placed) -> Self {
+    /// its turn comes, what is beyond a joint is still as in the middle, so its lever is the one there. In any
+    /// configuration a lever is longer by no more than what the joints beyond it move.
+    pub(super) fn of(arm: &ArmModel, b: &JointBox, placed: &Placed, frame: Frame) -> Self {
         let (upper, fore) = (arm.upper_arm_m, arm.forearm_m);
+        let quarters = b.half.map(|h| libm::sincos(0.5 * h));
+        let halves = quarters.map(|(sin, cos)| (2.0 * sin * cos, 1.0 - 2.0 * sin * sin));
+        // A point at distance r that turns by an angle h moves along an arc, by a chord of 2 r sin(h / 2).
+        let chord = |j: usize| if b.half[j] < std::f64::consts::PI { 2.0 * quarters[j].0 } else { 2.0 };
+        let chords: [f64; 4] = std::array::from_fn(chord);
         // The wrist is farthest from the shoulder with the elbow as straight as the box allows, and farthest from the
         // upper arm's axis with the elbow as near the right angle as it allows.
-        let straightest = b.low(3).max(0.0);
-        let from_shoulder = (upper * upper + fore * fore + 2.0 * upper * fore * libm::cos(straightest)).sqrt();
-        let right_angle = std::f64::consts::FRAC_PI_2.clamp(b.low(3), b.high(3));
-        let from_axis = fore * libm::sin(right_angle).abs();
-        let anywhere = [from_shoulder, from_shoulder, from_axis, fore];
-        // A point at distance r that turns by an angle h moves along an arc, by a chord of 2 r sin(h / 2).
-        let chords = b.half.map(|h| 2.0 * libm::sin(0.5 * h.min(std::f64::consts::PI)));
-        // A derivative is as long as the distance from the axis; by rounding it may be told too short.
-        let lever = |joint: usize, point: usize| placed.derivatives[joint][point].length() * (1.0 + 1e-12);
-        let middle: [f64; 4] = std::array::from_fn(|joint| lever(joint, 1).min(anywhere[joint]));
-        let wrist_by_joint: [f64; 4] = std::array::from_fn(|joint| middle[joint] * chords[joint]);
-        let beyond = |joint: usize| wrist_by_joint[joint + 1..].iter().sum::<f64>();
-        let levers: [f64; 4] = std::array::from_fn(|joint| (middle[joint] + beyond(joint)).min(anywhere[joint]));
-        // Taylor: the second derivative by two joints is at most the lever of the inner one, because the inner joint
-        // moves the point and the outer only turns that movement.
-        let pairs = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
-        let wrist_rest = 0.5 * pairs.map(|(i, j)| b.half[i] * b.half[j] * levers[i.max(j)]).sum::<f64>();
-        let abducted = lever(0, 0).min(upper);
-        let most = (abducted + upper * chords[1]).min(upper);
-        let [abduction, flexion, ..] = b.half;
+        let ((sin, cos), (sin_half, cos_half)) = (placed.turns[3], halves[3]);
+        let straightest = if b.low(3) > 0.0 { cos * cos_half + sin * sin_half } else { 1.0 };
+        let from_shoulder = (upper * upper + fore * fore + 2.0 * upper * fore * straightest).sqrt();
+        let right_angle = (b.low(3)..=b.high(3)).contains(&std::f64::consts::FRAC_PI_2);
+        let bent = if right_angle { 1.0 } else { sin * cos_half + (cos * sin_half).abs() };
+        let anywhere = [from_shoulder, from_shoulder, fore * bent, fore];
+        let [elbow, wrist] = arm.at(&placed.turns);
+        let (sin_abduction, cos_abduction) = placed.turns[0];
+        let raised = wrist.z * cos_abduction - wrist.y * sin_abduction;
+        let middle = [libm::hypot(wrist.y, wrist.z), libm::hypot(wrist.x, raised), fore * sin, fore];
+        let middle: [f64; 4] = std::array::from_fn(|joint| middle[joint].min(anywhere[joint]) * ROUNDED_UP);
+        let by_joint: [f64; 4] = std::array::from_fn(|joint| middle[joint] * chords[joint]);
+        let beyond = |joint: usize| by_joint[joint + 1..].iter().sum::<f64>();
+        let levers = std::array::from_fn(|joint| (middle[joint] + beyond(joint)).min(anywhere[joint] * ROUNDED_UP));
+        let abducted = (libm::hypot(elbow.y, elbow.z) * ROUNDED_UP).min(upper);
+        let levers = Levers { elbow: [(abducted + upper * chords[1]).min(upper), upper], wrist: levers };
+        let sweep = Sweep::of(arm, b.half, &placed.turns, &halves, levers);
+        let (by_corners, widest_joint) = sweep.size();
         Self {
             elbow: abducted * chords[0] + upper * chords[1],
-            wrist: wrist_by_joint.iter().sum(),
-            wrist_by_joint,
-            half: b.half,
-            elbow_rest: 0.5 * (most * abduction * abduction + upper * flexion * (2.0 * abduction + flexion)),
-            wrist_rest,
+            wrist: by_corners.min(by_joint.iter().sum()),
+            widest_joint,
+            frame,
+            sweep,
         }
     }
 
-    /// How far elbow and wrist can move along the unit vector `n`, m: first order plus the rest.
-    pub(super) fn along(&self, placed: &Placed, n: Vec3) -> (f64, f64) {
-        let sum = |point: usize| (0..4).map(|j| placed.derivatives[j][point].dot(n).abs() * self.half[j]).sum::<f64>();
-        ((sum(0) + self.elbow_rest).min(self.elbow), (sum(1) + self.wrist_rest).min(self.wrist))
+    /// How far elbow and wrist can move along `n`, no longer than a unit vector.
+    pub(super) fn both(&self, n: Vec3) -> [Range; 2] {
+        self.sweep.both(self.frame.of(n))
     }
 
-    /// The joint whose halving shrinks the movement most.
-    pub(super) fn widest_joint(&self) -> usize {
-        (1..4).fold(0, |best, j| if self.wrist_by_joint[j] > self.wrist_by_joint[best] { j } else { best })
+    /// How far the wrist can.
+    pub(super) fn wrist(&self, n: Vec3) -> Range {
+        self.both(n)[1]
+    }
+
+    /// How far the elbow can.
+    pub(super) fn elbow(&self, n: Vec3) -> Range {
+        self.sweep.elbow(self.frame.of(n))
     }
 }
 
@@ -129,8 +159,8 @@ impl Limb {
         let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return Some(near) };
         // Signed distance from a convex solid is convex: it stays above its tangent plane.
         let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - self.radius);
-        let (elbow, wrist) = movement.along(placed, n);
-        let nearest = |k: usize| plane[k] - self.ends[k].of(elbow, wrist);
+        let [elbow, wrist] = movement.both(n).map(|range| range.low);
+        let nearest = |k: usize| plane[k] + self.ends[k].of(elbow, wrist);
         (nearest(0).min(nearest(1)) <= -depth).then_some(near)
     }
 
@@ -185,7 +215,6 @@ pub(super) struct Touched {
 /// that movement u differs by at most d / (|v| - d / 2), and from its first order, the part of the movement across u over
 /// |v|, by at most 0.58 (d / (|v| - d))^2: half its second derivative, whose norm is below 1.155 / |v|^2.
 pub(super) struct NearestMoves<'a> {
-    placed: &'a Placed,
     movement: &'a Movement,
     capsule: Option<SeenCapsule>,
 }
@@ -207,7 +236,7 @@ pub(super) struct SeenCapsule {
 
 impl<'a> NearestMoves<'a> {
     /// Of a convex solid and a wrist outside it.
-    pub(super) fn new(solid: &Solid, near: &Closest, placed: &'a Placed, movement: &'a Movement) -> Self {
+    pub(super) fn new(solid: &Solid, near: &Closest, movement: &'a Movement) -> Self {
         let by = movement.wrist;
         let capsule = match (solid, solid.outward(near)) {
             (Solid::Capsule(c), Some(outward)) if near.distance + c.radius > by => {
@@ -216,7 +245,7 @@ impl<'a> NearestMoves<'a> {
                 let beyond = by / (from_core - by);
                 Some(SeenCapsule {
                     core,
-                    along_core: if core == Vec3::ZERO { 0.0 } else { movement.along(placed, core).1 },
+                    along_core: if core == Vec3::ZERO { 0.0 } else { movement.wrist(core).most() },
                     outward,
                     ratio: c.radius / from_core,
                     turning: c.radius * by / (from_core - 0.5 * by),
@@ -225,7 +254,7 @@ impl<'a> NearestMoves<'a> {
             }
             _ => None,
         };
-        Self { placed, movement, capsule }
+        Self { movement, capsule }
     }
 
     /// Along the unit vector `n`, m.
@@ -233,7 +262,7 @@ impl<'a> NearestMoves<'a> {
         let by = self.movement.wrist;
         let Some(c) = &self.capsule else { return by };
         let across = n - c.outward * n.dot(c.outward);
-        let wrist = self.movement.along(self.placed, across).1;
+        let wrist = self.movement.wrist(across).most();
         let turning = c.ratio * (wrist + across.dot(c.core).abs() * c.along_core) + c.rest;
         by.min(c.core.dot(n).abs() * c.along_core + turning.min(c.turning))
     }
