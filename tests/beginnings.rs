@@ -143,11 +143,12 @@ fn an_area_is_a_lattice_of_starts_that_stays_where_it_is() {
     let area = |polygon: &str, rest: &str| format!("start_area = [{{ polygon_m = {polygon}, {rest} }}]");
     let square = "[[-1, -1], [1, -1], [1, 0], [-1, 0]]";
     with_human(dir, "area", &area(square, "spacing_m = 0.25, heading_deg = [90, 270]"));
-    // By hand: nine columns from -1 to 1 m; rows at -1, -0.75, -0.5 and -0.25 m, the edge included. At 0 m the fence stands.
+    // By hand: nine columns from -1 to 1 m; rows at -1, -0.75, -0.5 and -0.25 m, the edge included. At 0 m the fence stands,
+    // and the conveyor from it to -0.3 m, 0.28 m to both sides.
     let found = starts(dir, "area");
     let mut expected = Vec::new();
     for row in [-1.0, -0.75, -0.5, -0.25] {
-        for column in -4..=4 {
+        for column in (-4..=4_i32).filter(|column| row < -0.3 || column.abs() > 1) {
             expected.extend([90.0, 270.0].map(|heading| ([f64::from(column) * 0.25, row], heading)));
         }
     }
@@ -155,10 +156,10 @@ fn an_area_is_a_lattice_of_starts_that_stays_where_it_is() {
     let checked = fmi_hazard(dir).args(["check", "safety-fence/area.toml"]).assert().code(0).get_output().clone();
     let text = String::from_utf8_lossy(&checked.stdout).into_owned();
     let words =
-        "starts at 36 places of an area, 0.25 m apart, 2 headings each; 9 more are left out: obstacles are there";
-    assert!(text.contains(words) && text.contains("72 beginnings") && !text.contains("starts at ("), "{text}");
+        "starts at 33 places of an area, 0.25 m apart, 2 headings each; 12 more are left out: obstacles are there";
+    assert!(text.contains(words) && text.contains("66 beginnings") && !text.contains("starts at ("), "{text}");
     let picture = std::fs::read_to_string(dir.join("safety-fence/area.check.svg")).unwrap();
-    assert_eq!(picture.matches("r=\"3\"").count(), 72, "every start is drawn");
+    assert_eq!(picture.matches("r=\"3\"").count(), 66, "every start is drawn");
     // A notch, and a corner elsewhere: places that are left are the same ones. 0.1 is no binary fraction.
     let notched = "[[-1.07, -1], [1, -1], [1, -0.2], [0.1, -0.2], [0.1, -0.6], [-0.5, -0.2], [-1.07, -0.2]]";
     with_human(dir, "area", &area(square, "spacing_m = 0.1, heading_deg = [90]"));
@@ -212,13 +213,19 @@ fn a_place_of_an_area_is_searched_as_a_start_by_itself() {
         Some((folder, id))
     });
     let (folder, id) = of.unwrap();
+    // One thing that it may change shows it, and takes less time than all.
+    let cell = std::fs::read_to_string(dir.join("safety-fence/area.toml")).unwrap();
+    let table: toml::Table = cell.parse().unwrap();
+    let names = table["obstacle"].as_array().unwrap().iter().map(|obstacle| obstacle["name"].as_str().unwrap());
+    let fixed =
+        names.filter(|name| *name != "fence above the opening").map(|name| format!("\"{name}\".fixed = true\n"));
+    write(dir, "safety-fence/area.toml", &format!("{cell}\n[explain.obstacle]\n{}", fixed.collect::<String>()));
     let mut explain = fmi_hazard(dir);
-    explain.args(["explain", folder, &id, "--quick", "--iterations", "2", "--format", "json"]).assert().code(0);
-    let told = explain.output().unwrap().stdout;
-    let told: serde_json::Value = serde_json::from_slice(&told).unwrap();
+    explain.args(["explain", folder, &id, "--quick", "--iterations", "1", "--format", "json"]);
+    let told: serde_json::Value = serde_json::from_slice(&explain.output().unwrap().stdout).unwrap();
     let remedies = told["remedies"].as_array().unwrap();
-    assert!(remedies.len() > 3, "{told}");
-    assert!(remedies.iter().all(|remedy| remedy["outcome"].get("not_tried").is_none()), "{told}");
+    let tried = remedies.iter().filter(|remedy| remedy["outcome"].get("not_tried").is_none());
+    assert!(tried.count() >= 3 && remedies.iter().any(|remedy| remedy["change"] == "fence back"), "{told}");
     fmi_hazard(dir).args(["replay", folder, &id]).assert().code(1);
 }
 
