@@ -1,7 +1,7 @@
 //! A cell file laid over those that it extends: their tables as one, each value with the place where it stands.
 //!
 //! Tables are laid over each other key by key, entries of lists by their names; what else there is takes the place of what
-//! was there. Of keys that exclude each other those of the file on top count ([`INSTEAD`]).
+//! was there. Of keys that exclude each other those of the file on top count (`INSTEAD`).
 
 use std::borrow::Cow;
 use std::ops::Range;
