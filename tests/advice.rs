@@ -381,3 +381,105 @@ fn advice_for_two_scanners_is_true() {
 fn advice_for_a_heavy_workpiece_is_true() {
     example("heavy-workpiece", [1.6, -1.2, 180.0, 0.0], 6);
 }
+
+/// The cell with a mat that is too narrow, with what `explain` may change: the speed of the bar and where it stands never.
+fn with_limits(limits: &str) -> String {
+    let fixed = ["drive.speed", "plc.t_react", "plc.t_ramp", "filter.tau", "muting.enabled", "muting.hold_time"];
+    let fixed: String = fixed.iter().map(|name| format!("\"{name}\" = {{ fixed = true }}\n")).collect();
+    let explain = format!("[explain]\nrobot = {{ bar = {{ fixed = true }} }}\n[explain.parameters]\n{fixed}{limits}");
+    cell(&mat(-0.95), "\"plc.t_ramp\" = 0.5") + &explain
+}
+
+const NO_DISTANCE: &str = "\"ssm.distance\" = { fixed = true }\n\"field.radius\" = { fixed = true }\n";
+
+#[test]
+fn what_the_cell_file_fixes_is_not_changed() {
+    let fixed = advised(&with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ fixed = true }}\n")));
+    assert!(!fixed.remedies.is_empty());
+    for remedy in &fixed.remedies {
+        let said = matches!(&remedy.outcome, Outcome::NotTried { cause } if cause.contains("says that it is fixed"));
+        assert!(said, "{remedy:?}");
+    }
+    for thing in ["mat", "bar", "drive.speed", "ssm.distance"] {
+        assert_eq!(fixed.remedies.iter().filter(|remedy| remedy.change == thing).count(), 1, "{thing}");
+    }
+    // Where other things may change they are found: with the mat as it is, people have to be kept away otherwise. That takes
+    // more than the 1.5 m that are tried without a range.
+    let other = with_limits(
+        "\"ssm.distance\" = { most = 1.74 }\n\"field.radius\" = { fixed = true }\n\
+         [explain.sensor]\nmat = { fixed = true }\n",
+    );
+    let other = advised(&other);
+    assert!(other.verified() >= 1, "{:#?}", other.remedies);
+    assert!(other.value("ssm.distance") > 1.5);
+    assert!(other.remedies.iter().all(|remedy| !remedy.change.starts_with("zone of mat")));
+    // Never smaller, for what would be smaller.
+    let never = with_limits(
+        "\"ssm.distance\" = { never_larger = true }\n\"field.radius\" = { fixed = true }\n\
+         [explain.sensor]\nmat = { fixed = true }\n",
+    );
+    let never = advised(&never);
+    assert_eq!(never.verified(), 0, "{:#?}", never.remedies);
+    let said = never.of("ssm.distance");
+    assert!(matches!(&said[0].outcome, Outcome::NotTried { cause } if cause.contains("never larger")), "{said:#?}");
+}
+
+#[test]
+fn a_range_is_searched_to_its_end_and_no_farther() {
+    let with = |most: &str| with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ most_wider_m = {most} }}\n"));
+    // More than is needed changes nothing.
+    let enough = advised(&with("0.8"));
+    assert_eq!(enough.verified(), 1, "{:#?}", enough.remedies);
+    let wider = number(&enough.enough("zone of mat").unwrap().change, "zone of mat ");
+    // As much as is needed is enough, to the step; a step and a half less is not, and that is said.
+    let just = advised(&with(&wider.to_string()));
+    assert_eq!(just.verified(), 1, "{:#?}", just.remedies);
+    let less = format!("{:.3}", wider - 0.015);
+    let short = advised(&with(&less));
+    assert_eq!(short.verified(), 0, "{:#?}", short.remedies);
+    let remedy = short.of("zone of mat")[0];
+    let said = format!("{less} m is the most that the cell file allows");
+    assert_eq!(remedy.limit.as_deref(), Some(said.as_str()), "{remedy:#?}");
+    // What was tried last is the end itself, between two steps.
+    assert!(number(&remedy.change, "zone of mat ") <= wider - 0.01, "{remedy:#?}");
+    let told = fmi_hazard::report::advice::render(&short.remedies).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains(&said), "{told}");
+    // A range of a parameter, in its own unit.
+    let range = with_limits(
+        "\"ssm.distance\" = { most = 1.05 }\n\"field.radius\" = { fixed = true }\n\
+                             [explain.sensor]\nmat = { fixed = true }\n",
+    );
+    let range = advised(&range);
+    let remedy = range.of("FMU parameter ssm.distance")[0];
+    assert!(range.enough("FMU parameter ssm.distance").is_none(), "{:#?}", range.remedies);
+    assert!(number(&remedy.change, "= ") <= 1.05, "{remedy:#?}");
+    assert_eq!(remedy.limit.as_deref(), Some("1.05 m is the most that the cell file allows"));
+}
+
+#[test]
+fn what_nothing_has_is_not_said_of_anything() {
+    let dir = TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("guarded.fmu"), dir.path().join("guarded.fmu")).unwrap();
+    for (lines, words) in [
+        ("[explain.sensor]\nmatt = { fixed = true }\n", "did you mean `mat`?"),
+        ("[explain.robot]\nbar1 = { fixed = true }\n", "did you mean `bar`?"),
+        ("[explain.obstacle]\ntable = { fixed = true }\n", "no obstacle `table`"),
+        ("[explain.parameters]\n\"drive.sped\" = { fixed = true }\n", "did you mean `drive.speed`?"),
+        ("[explain.parameters]\n\"person.x\" = { fixed = true }\n", "is not a parameter of"),
+        ("[explain.parameters]\n\"muting.enabled\" = { most = 1 }\n", "is a truth value"),
+        ("[explain.parameters]\n\"drive.speed\" = { least = 2, most = 1 }\n", "is above `most`"),
+        ("[explain.sensor]\nmat = { most_top_m = 1 }\n", "most_top_m does not fit sensor `mat`"),
+        ("[explain.sensor]\nmat = { most_wider_m = -1 }\n", "most_wider_m is -1"),
+        ("[explain.sensor]\nmat = { most_wider_m = 1, fixed = true }\n", "what is fixed has no range"),
+        ("[explain.sensors]\n", "unknown field `sensors`"),
+    ] {
+        let path = dir.path().join("cell.toml");
+        std::fs::write(&path, cell(&mat(-0.95), "") + lines).unwrap();
+        let found = fmi_hazard::cell::find::examine(&path, None).unwrap();
+        let problem = found.problems.unwrap_or_else(|| panic!("{lines} is taken"));
+        let all: Vec<String> =
+            problem.each().map(|one| format!("{} {}", one.message, one.help.as_deref().unwrap_or_default())).collect();
+        assert!(all.len() == 1 && all[0].contains(words), "{lines}: {all:?}");
+        assert!(problem.line().is_some_and(|line| line > 20), "{lines}");
+    }
+}

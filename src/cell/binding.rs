@@ -17,7 +17,7 @@ use toml::Spanned;
 
 use super::CellError;
 use super::error::{Problems, Source};
-use super::file::format::{CellFile, Literal, SensorKind, SensorTable};
+use super::file::format::{CellFile, Literal, ParameterLimits, SensorKind, SensorTable};
 use super::file::polarity;
 use super::foreign::ssp::Wiring;
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
@@ -186,6 +186,9 @@ pub fn bind(
     let parameters = file.parameters.iter();
     let parameters =
         problems.keep_all(parameters.map(|(name, literal)| b.parameter(&named(name, literal), *literal.get_ref())));
+    for (name, limits) in &file.explain.parameters {
+        let _ = problems.keep(b.limited(&named(name, limits), limits.get_ref()));
+    }
     let mirrors = b.mirrors.iter().filter_map(|(first, other)| {
         inputs.iter().position(|input| input == first).map(|column| (column, other.clone()))
     });
@@ -405,6 +408,27 @@ impl<'a> Binder<'a> {
         let value = self.literal(name, &port.port, literal)?;
         self.within_limits(&port, value);
         Ok((port, value))
+    }
+
+    /// Whether `explain` may be told about a parameter, and so.
+    fn limited(&self, name: &Spanned<String>, limits: &ParameterLimits) -> Result<(), Box<CellError>> {
+        let (unit, variable) = self.find(name)?;
+        let refused = |message: String, help: String| Err(self.source.error(name.span(), "here", message, Some(help)));
+        if variable.causality != Causality::Parameter {
+            let message = format!("`{}` is not a parameter of {}", name.get_ref(), self.units[unit].file);
+            return refused(message, "`explain` changes parameters alone".to_owned());
+        }
+        let own = &self.units[unit].name;
+        let known = if own.is_empty() { variable.name.clone() } else { format!("{own}:{}", variable.name) };
+        if known != *name.get_ref() {
+            return refused(format!("`{}` is another name of `{known}`", name.get_ref()), "write that one".to_owned());
+        }
+        let whole = matches!(variable.kind, VariableType::Boolean { .. });
+        if whole && !limits.fixed {
+            let message = format!("`{known}` is a truth value, which has no range");
+            return refused(message, "write `fixed = true`, or remove it".to_owned());
+        }
+        Ok(())
     }
 
     /// Refuses an input that something else drives already.

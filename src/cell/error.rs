@@ -21,6 +21,8 @@ pub struct CellError {
     /// Where in it.
     #[label("{label}")]
     span: Option<SourceSpan>,
+    /// The same counted through the file and those that it extends.
+    at: Range<usize>,
     label: String,
     /// What to do.
     #[help]
@@ -39,8 +41,8 @@ impl CellError {
             all.append(&mut other.others);
             all.push(other);
         }
-        all.sort_by_key(|problem| problem.span.map_or(0, |span| span.offset()));
-        all.dedup_by(|a, b| a.message == b.message && a.span == b.span);
+        all.sort_by_key(|problem| problem.at.start);
+        all.dedup_by(|a, b| a.message == b.message && a.at == b.at);
         let first = all.remove(0);
         Box::new(Self { others: all, ..first })
     }
@@ -52,9 +54,8 @@ impl CellError {
 
     /// The same without what is said of these places; nothing if nothing is left.
     pub(super) fn apart_from(&self, places: &[Range<usize>]) -> Option<Box<Self>> {
-        let touches = |problem: &Self, place: &Range<usize>| {
-            problem.span.is_some_and(|span| span.offset() < place.end && place.start < span.offset() + span.len())
-        };
+        let touches =
+            |problem: &Self, place: &Range<usize>| problem.at.start < place.end && place.start < problem.at.end;
         let elsewhere = self.each().filter(|problem| !places.iter().any(|place| touches(problem, place)));
         let mut elsewhere = elsewhere.map(|problem| Self { others: Vec::new(), ..problem.clone() });
         elsewhere.next().map(|first| first.and(elsewhere))
@@ -65,6 +66,12 @@ impl CellError {
     pub fn line(&self) -> Option<usize> {
         let offset = self.span?.offset();
         Some(self.source_code.inner().get(..offset)?.matches('\n').count() + 1)
+    }
+
+    /// The file that it is in, as messages call it: the cell file, or one that it extends.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        self.source_code.name()
     }
 }
 
@@ -101,19 +108,40 @@ pub enum OpenError {
     },
 }
 
-/// The text of a cell file, for making errors that point into it.
+/// The text of a cell file, for making errors that point into it, with those of the files that it extends. Places are
+/// counted through all of them, one behind the other.
 #[derive(Clone, Debug)]
 pub struct Source {
     name: String,
     text: String,
     folder: PathBuf,
+    bases: Vec<Base>,
+}
+
+/// A file that a cell file extends, by itself or by way of others.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// What it is called in messages.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// Where it is, seen from the folder of the cell file.
+    pub path: PathBuf,
+}
+
+impl Base {
+    /// SHA-256 of its text, lower-case hex.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        sha256(self.text.as_bytes())
+    }
 }
 
 impl Source {
     /// A source shown as `name` in messages, which is in the current folder.
     #[must_use]
     pub fn new(name: &str, text: &str) -> Self {
-        Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new() }
+        Self { name: name.to_owned(), text: text.to_owned(), folder: PathBuf::new(), bases: Vec::new() }
     }
 
     /// The same in `folder`: files that it names are relative to that.
@@ -122,10 +150,51 @@ impl Source {
         Self { folder: folder.to_owned(), ..self }
     }
 
-    /// Another text in its place.
+    /// Another text in its place, which extends nothing.
     #[must_use]
     pub fn with_text(&self, text: &str) -> Self {
-        Self { text: text.to_owned(), ..self.clone() }
+        Self { text: text.to_owned(), bases: Vec::new(), ..self.clone() }
+    }
+
+    /// The same on top of one more file.
+    #[must_use]
+    pub(super) fn on(mut self, base: Base) -> Self {
+        self.bases.push(base);
+        self
+    }
+
+    /// The files that it extends, the next first.
+    #[must_use]
+    pub fn bases(&self) -> &[Base] {
+        &self.bases
+    }
+
+    /// The texts of the file and of those that it extends, each with where it begins.
+    pub(super) fn parts(&self) -> impl Iterator<Item = (usize, &str)> {
+        let texts = std::iter::once(&self.text).chain(self.bases.iter().map(|base| &base.text));
+        texts.scan(0, |next, text| {
+            let start = *next;
+            // Ends do not touch the next beginnings.
+            *next += text.len() + 1;
+            Some((start, text.as_str()))
+        })
+    }
+
+    /// All these texts, a line break behind each.
+    pub(super) fn whole(&self) -> String {
+        self.parts().map(|(_, text)| format!("{text}\n")).collect()
+    }
+
+    /// Which of the files a place is in, from 0, and where that begins.
+    fn part(&self, offset: usize) -> (usize, usize) {
+        let parts = self.parts().enumerate().map(|(number, (start, _))| (number, start));
+        parts.take_while(|(_, start)| *start <= offset).last().unwrap_or_default()
+    }
+
+    /// The file of those that it extends that a place is in.
+    #[must_use]
+    pub fn base_at(&self, offset: usize) -> Option<&Base> {
+        self.part(offset).0.checked_sub(1).and_then(|number| self.bases.get(number))
     }
 
     /// The folder that its files are relative to.
@@ -152,17 +221,20 @@ impl Source {
         sha256(self.text.as_bytes())
     }
 
-    /// Line of a place in the text, from 1.
+    /// Line of a place in its file, from 1.
     #[must_use]
     pub fn line(&self, offset: usize) -> usize {
-        self.text.get(..offset).map_or(0, |before| before.matches('\n').count()) + 1
+        let start = self.part(offset).1;
+        let text = self.base_at(offset).map_or(&self.text, |base| &base.text);
+        text.get(..offset - start).map_or(0, |before| before.matches('\n').count()) + 1
     }
 
     /// Where the header `[name]` stands, or the first line if it does not.
     #[must_use]
     pub fn table(&self, name: &str) -> Range<usize> {
         let header = format!("[{name}]");
-        self.text.find(&header).map_or(0..0, |at| at..at + header.len())
+        let found = self.parts().find_map(|(start, text)| Some(start + text.find(&header)?));
+        found.map_or(0..0, |at| at..at + header.len())
     }
 
     /// An error at `span` (a byte range; empty at 0 means the file as a whole and shows its first line).
@@ -175,24 +247,24 @@ impl Source {
         help: Option<String>,
     ) -> Box<CellError> {
         let first = 0..self.text.lines().next().map_or(0, str::len);
-        let span = if span.end > 0 { span } else { first };
-        let span = Some(SourceSpan::from((span.start, span.end - span.start)));
+        let at = if span.end > 0 { span } else { first };
+        let (name, text) = self.base_at(at.start).map_or((&self.name, &self.text), |base| (&base.name, &base.text));
+        let span = Some(SourceSpan::from((at.start - self.part(at.start).1, at.len())));
         Box::new(CellError {
             message: message.into(),
-            source_code: NamedSource::new(&self.name, self.text.clone()).with_language("TOML"),
+            source_code: NamedSource::new(name, text.clone()).with_language("TOML"),
             span,
+            at,
             label: label.to_owned(),
             help,
             others: Vec::new(),
         })
     }
 
-    /// A parse error of the `toml` crate, with a suggestion where a key or value is nearly right.
+    /// A complaint of the `toml` crate, with a suggestion where a key or value is nearly right.
     #[must_use]
-    pub(super) fn parse_error(&self, error: &toml::de::Error) -> Box<CellError> {
-        let message = error.message().to_owned();
-        let help = did_you_mean(&message);
-        self.error(error.span().unwrap_or(0..0), "here", message, help)
+    pub(super) fn parse_error(&self, message: &str, span: Range<usize>) -> Box<CellError> {
+        self.error(span, "here", message, did_you_mean(message))
     }
 }
 
@@ -207,7 +279,6 @@ impl Problems {
     }
 
     /// Remembers a problem.
-    #[expect(clippy::boxed_local, reason = "problems are made in boxes")]
     pub(super) fn tell(&self, problem: Box<CellError>) {
         self.0.borrow_mut().push(*problem);
     }

@@ -1,20 +1,25 @@
 //! The cell file: as written, and from there to a [`Workcell`](super::Workcell).
 //!
 //! - [`mod@format`]: the TOML file as written
+//! - [`extended`]: the files that it extends; [`layers`]: its tables laid over theirs
 //! - [`reading`]: its text to tables, past what does not fit
 //! - [`validate`]: these to a checked cell, every mistake with its line
-//! - `checker`: what those share that check a part; `robots`, `sensors`, `obstacles`: the parts
+//! - `checker`: what those share that check a part; `robots`, `sensors`, `obstacles`, `starts`, `limits`: the parts
 //! - [`described`]: robots from a URDF
 //! - [`files`]: what a cell file names, read once and hashed
 
 mod checker;
 pub mod described;
+pub mod extended;
 pub mod files;
 pub mod format;
+pub mod layers;
+mod limits;
 mod obstacles;
 pub mod reading;
 mod robots;
 mod sensors;
+mod starts;
 pub mod validate;
 
 pub(super) use sensors::polarity;

@@ -7,7 +7,8 @@ use toml::Spanned;
 use super::binding::{BoundUnit, bind};
 use super::draft::TODO;
 use super::error::{OpenError, Problems, Source, display_name};
-use super::file::format::CellFile;
+use super::file::extended::{alone, extended};
+use super::file::layers::as_one;
 use super::file::reading::read as read_tables;
 use super::file::validate::{check, validate};
 use super::foreign::ssp::{self, Wiring, is_ssp};
@@ -61,8 +62,9 @@ impl Plants {
 /// # Errors
 /// [`OpenError`], each with what to do.
 pub fn open(path: &Path, cell: Option<&Path>) -> Result<OpenedCell, OpenError> {
-    let (source, own) = located(path, cell)?;
+    let Located { source, own, inside } = located(path, cell)?;
     let found = source.name().to_owned();
+    let source = if inside { alone(source) } else { extended(source) }?;
     let cell = validate(&source)?;
     let Plants { fmus, wiring, .. } = match own {
         Some(own) => {
@@ -93,8 +95,19 @@ pub struct Examined {
     pub source: Source,
     /// All that is wrong with it.
     pub problems: Option<Box<CellError>>,
-    /// Lines that are still to be filled in, with what they say.
-    pub todo: Vec<(usize, String)>,
+    /// Lines that are still to be filled in.
+    pub todo: Vec<Todo>,
+}
+
+/// A line that is still to be filled in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Todo {
+    /// The cell file, or one that it extends, as messages call it.
+    pub file: String,
+    /// Its line, from 1.
+    pub line: usize,
+    /// What it says.
+    pub text: String,
 }
 
 /// Finds everything that is wrong with a cell file, or with the cell of an FMU, that can be told without running the FMU.
@@ -102,8 +115,15 @@ pub struct Examined {
 /// # Errors
 /// When a file cannot be read at all.
 pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> {
-    let (source, own) = located(path, cell)?;
+    let Located { source, own, inside } = located(path, cell)?;
     let problems = Problems::default();
+    let source = match if inside { alone(source.clone()) } else { extended(source.clone()) } {
+        Ok(source) => source,
+        Err(problem) => {
+            let problems = Some(problem);
+            return Ok(Examined { todo: left_to_fill_in(&source, problems.as_deref()), problems, source });
+        }
+    };
     let mut tables = read_tables(&source);
     tables.problems.take().into_iter().for_each(|unread| problems.tell(unread));
     let Some(file) = tables.file.take() else {
@@ -134,11 +154,18 @@ pub fn examine(path: &Path, cell: Option<&Path>) -> Result<Examined, OpenError> 
 
 /// The lines that are still to be filled in, with what they say, except for those of which a problem tells that something is
 /// missing there: that names the line's key, in the same table.
-fn left_to_fill_in(source: &Source, problems: Option<&CellError>) -> Vec<(usize, String)> {
-    let lines: Vec<&str> = source.text().lines().collect();
+fn left_to_fill_in(source: &Source, problems: Option<&CellError>) -> Vec<Todo> {
+    let bases = source.bases().iter().map(|base| (base.name.as_str(), base.text.as_str()));
+    let files = std::iter::once((source.name(), source.text())).chain(bases);
+    files.flat_map(|(name, text)| left_in(name, text, problems)).collect()
+}
+
+/// The same of one file.
+fn left_in(file: &str, text: &str, problems: Option<&CellError>) -> Vec<Todo> {
+    let lines: Vec<&str> = text.lines().collect();
     let is_header = |line: &&str| line.starts_with('[');
     let mut told = vec![false; lines.len()];
-    for problem in problems.into_iter().flat_map(CellError::each) {
+    for problem in problems.into_iter().flat_map(CellError::each).filter(|problem| problem.file() == file) {
         let Some(at) = problem.line().map(|line| line - 1).filter(|at| *at < lines.len()) else { continue };
         let words = format!("{} {}", problem.message, problem.help.as_deref().unwrap_or_default());
         let own = lines[..=at].iter().rev().find(|line| is_header(line));
@@ -151,7 +178,8 @@ fn left_to_fill_in(source: &Source, problems: Option<&CellError>) -> Vec<(usize,
         }
     }
     let left = lines.iter().zip(told).enumerate().filter(|(_, (line, told))| line.contains(TODO) && !told);
-    left.map(|(number, (line, _))| (number + 1, line.trim().to_owned())).collect()
+    left.map(|(number, (line, _))| Todo { file: file.to_owned(), line: number + 1, text: line.trim().to_owned() })
+        .collect()
 }
 
 /// Whether a problem in `words` is about the key that a line has commented out.
@@ -163,26 +191,37 @@ fn names(line: &str, words: &str) -> bool {
     if key.is_empty() { comment.contains("capsule") && word("capsule") } else { word(key) }
 }
 
+/// Where a cell was found.
+struct Located {
+    /// The cell file, without those that it extends.
+    source: Source,
+    /// The FMUs, if it was they that were named.
+    own: Option<Plants>,
+    /// Whether it is inside an FMU or a system.
+    inside: bool,
+}
+
 /// The cell file, and the FMUs if it was they that were named.
-fn located(path: &Path, cell: Option<&Path>) -> Result<(Source, Option<Plants>), OpenError> {
+fn located(path: &Path, cell: Option<&Path>) -> Result<Located, OpenError> {
     let file = |cell: &Path| -> Result<Source, OpenError> {
         Ok(Source::new(&display_name(cell), &read(cell)?).in_folder(folder_of(cell)))
     };
     if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-        return Ok((file(path)?, None));
+        return Ok(Located { source: file(path)?, own: None, inside: false });
     }
     let mut plants = Plants::open(path)?;
     if let Some(cell) = cell {
-        return Ok((file(cell)?, Some(plants)));
+        return Ok(Located { source: file(cell)?, own: Some(plants), inside: false });
     }
     let beside = [path.with_extension("cell.toml"), path.with_file_name("cell.toml")];
     for candidate in &beside {
         if candidate.is_file() && names_this_fmu(candidate, path) {
-            return Ok((file(candidate)?, Some(plants)));
+            return Ok(Located { source: file(candidate)?, own: Some(plants), inside: false });
         }
     }
     if let Some((name, text, folder)) = plants.inside.take() {
-        return Ok((Source::new(&name, &text).in_folder(&folder), Some(plants)));
+        let source = Source::new(&name, &text).in_folder(&folder);
+        return Ok(Located { source, own: Some(plants), inside: true });
     }
     let inside = format!("{EXTRA_FOLDER}/cell.toml inside it");
     let looked = beside.iter().map(|p| p.display().to_string()).chain([inside]);
@@ -230,11 +269,22 @@ fn no_fmu(source: &Source) -> Box<CellError> {
 /// Whether the cell file beside an FMU is about that FMU: it names it, or names none.
 fn names_this_fmu(cell: &Path, fmu: &Path) -> bool {
     let Ok(text) = std::fs::read_to_string(cell) else { return false };
-    // A file that cannot be parsed is taken: its error message helps more than a silent skip.
-    let Ok(file) = toml::from_str::<CellFile>(&text) else { return true };
+    let source = Source::new(&display_name(cell), &text).in_folder(folder_of(cell));
+    // A file that cannot be read is taken: its error message helps more than a silent skip.
+    let Ok(source) = extended(source) else { return true };
+    let Some(file) = read_tables(&source).file else { return true };
     // A FMI 3.0 export of the same model may lie beside it.
     let stem = |path: &Path| path.file_stem().map(|stem| stem.to_string_lossy().trim_end_matches("-fmi3").to_owned());
     file.units.is_empty() && file.fmu.is_none_or(|name| stem(Path::new(name.get_ref())) == stem(fmu))
+}
+
+/// The cell file at `path` with what it extends, as one text, and the files that it extends; nothing if they cannot be read.
+#[must_use]
+pub fn whole_text(path: &Path) -> Option<(Source, String)> {
+    let text = std::fs::read_to_string(path).ok()?;
+    let source = extended(Source::new(&display_name(path), &text).in_folder(folder_of(path))).ok()?;
+    let whole = as_one(&source);
+    Some((source, whole))
 }
 
 fn read(path: &Path) -> Result<String, OpenError> {

@@ -2,12 +2,16 @@
 //! sensor zones, heights of fences, and where robots stand. Each turns a cell file, as a TOML table, into another one.
 
 mod parameter;
+mod room;
 
 use toml::{Table, Value};
 
 use self::parameter::{Parameter, Quantity, Setting, parameters};
+use self::room::Room;
 use super::{Zone, binding::BoundUnit};
+use crate::cell::file::format::ParameterLimits;
 use crate::cell::workcell::Workcell;
+use crate::fmi;
 use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
 
@@ -45,6 +49,7 @@ pub struct Knob {
     /// Steps to try at most. One is 0.01 m of a length, a hundredth of a speed. Of a time it is a fiftieth, or 0.02 s if that
     /// is more and the time becomes longer.
     pub steps: u32,
+    room: Room,
 }
 
 /// One step of a length, m, or of a speed, as a part of it.
@@ -74,67 +79,189 @@ pub struct Encounter {
     pub robot: usize,
 }
 
-impl Knob {
-    /// Everything in a cell that can be turned against `encounter`, the more usual first. `text` is its file.
+/// What can be turned in a cell, and what its file keeps from being turned.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Knobs {
+    /// What can, the more usual first.
+    pub turned: Vec<Knob>,
+    /// What cannot, with the reason.
+    pub held: Vec<(String, String)>,
+}
+
+/// Why something that is `fixed` is not turned.
+const FIXED: &str = "the cell file says that it is fixed";
+
+impl Knobs {
+    fn add(&mut self, turn: Turn, name: &str, room: Room) {
+        if room.steps > 0 {
+            self.turned.push(Knob { turn, name: name.to_owned(), steps: room.steps, room });
+        } else if let Some(end) = room.end {
+            self.held.push((name.to_owned(), end));
+        }
+    }
+
+    fn hold(&mut self, name: &str, cause: &str) {
+        self.held.push((name.to_owned(), cause.to_owned()));
+    }
+
+    /// Everything in a cell that can be turned against `encounter`. `text` is its file.
     #[must_use]
-    pub fn all(cell: &Workcell, text: &Table, units: &[BoundUnit<'_>], encounter: &Encounter) -> Vec<Self> {
-        let mut knobs = Vec::new();
-        let mut add = |turn, name: &str, steps| {
-            if steps > 0 {
-                knobs.push(Self { turn, name: name.to_owned(), steps });
-            }
-        };
+    pub fn of(cell: &Workcell, text: &Table, units: &[BoundUnit<'_>], encounter: &Encounter) -> Self {
+        let mut knobs = Self::default();
+        let explain = &cell.file().explain;
         let parameters = parameters(text, units);
+        let limits = |name: &str| explain.parameters.get(name).map(|limits| *limits.get_ref()).unwrap_or_default();
         for Parameter { name, unit, setting } in &parameters {
+            let limits = limits(name);
             match *setting {
+                _ if limits.fixed => knobs.hold(name, FIXED),
+                Setting::Number { value, quantity: Quantity::Speed, .. } if value > 0.0 && limits.never_smaller => {
+                    knobs.hold(name, SMALLER);
+                }
                 Setting::Number { value, quantity: Quantity::Speed, min, .. } if value > 0.0 => {
                     let turn = Turn::Slower { parameter: name.clone(), value, unit: unit.clone() };
-                    add(turn, name, steps_within((value - min.max(0.0)) / value).min(SLOWEST));
+                    let allowed = limits.least.map(|least| ((value - least) / value, least_words(least, unit)));
+                    knobs.add(turn, name, Room::new(STEP, (value - min.max(0.0)) / value, SLOWEST, allowed));
                 }
                 Setting::Number { value, quantity: Quantity::Time { per_s }, min, max } => {
-                    for (step, most) in time_steps(value, per_s, min, max) {
-                        add(Turn::Time { parameter: name.clone(), value, unit: unit.clone(), step }, name, most);
-                    }
+                    knobs.times(name, unit, [value, per_s, min, max], &limits);
                 }
-                Setting::Flag(value) => add(Turn::Flip { parameter: name.clone(), value }, name, 1),
+                Setting::Flag(value) => {
+                    let room = Room { steps: 1, ..Room::default() };
+                    knobs.add(Turn::Flip { parameter: name.clone(), value }, name, room);
+                }
                 Setting::Number { .. } => {}
             }
         }
-        let world_from_base = cell.robots[encounter.robot].world_from_base.translation;
-        let away = nearest_axis([world_from_base.x - encounter.person_m[0], world_from_base.y - encounter.person_m[1]]);
-        for (number, sensor) in cell.sensors.iter().enumerate() {
-            match &sensor.zone {
-                Zone::Mat(_) | Zone::Field(_) => add(Turn::Wider { sensor: number }, &sensor.name, FARTHEST),
-                Zone::Curtain(plane) | Zone::Door(plane) => {
-                    add(Turn::HigherCurtain { sensor: number }, &sensor.name, FARTHEST);
-                    let normal = plane.rotation * Vec3::Y;
-                    let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
-                    let direction = [side * normal.x, side * normal.y];
-                    add(Turn::FartherCurtain { sensor: number, direction }, &sensor.name, FARTHEST);
-                }
-                // Its operator would have to move with it.
-                Zone::TwoHand { .. } | Zone::Reported => {}
-            }
-        }
+        knobs.sensors(cell, encounter);
         for Parameter { name, unit, setting } in &parameters {
             if let Setting::Number { value, quantity: Quantity::Length { per_m }, min, max } = *setting {
-                for (sign, room) in [(1.0, max - value), (-1.0, value - min)] {
-                    let (parameter, unit) = (name.clone(), unit.clone());
-                    let turn = Turn::Length { parameter, value, unit, per_m, sign };
-                    add(turn, name, steps_within(room / per_m));
-                }
+                knobs.lengths(name, unit, [value, per_m, min, max], &limits(name));
             }
+        }
+        for name in explain.parameters.keys().filter(|name| parameters.iter().all(|known| known.name != **name)) {
+            knobs.hold(name, "it is no speed, length, time or truth value, and is never changed");
         }
         for ((name, _), table) in cell.obstacles.iter().zip(&cell.obstacle_tables) {
             // Meshes are as high as they are.
             let Some(number) = *table else { continue };
             let Some((centre, size)) = upright_box(text, number) else { continue };
-            add(Turn::Higher { obstacle: number }, name, FARTHEST);
-            add(Turn::Lower { obstacle: number }, name, steps_within(centre[2] - size[2] / 2.0));
+            let limits = explain.obstacle.get(name).map(|limits| *limits.get_ref()).unwrap_or_default();
+            if limits.fixed {
+                knobs.hold(name, FIXED);
+                continue;
+            }
+            let [underside, top] = [-0.5, 0.5].map(|half| centre[2] + half * size[2]);
+            let higher = limits.most_top_m.map(|most| (most - top, most_words(most, "m")));
+            knobs.add(Turn::Higher { obstacle: number }, name, Room::new(STEP, f64::INFINITY, FARTHEST, higher));
+            let lower = limits.least_underside_m.map(|least| (underside - least, least_words(least, "m")));
+            knobs.add(Turn::Lower { obstacle: number }, name, Room::new(STEP, underside, FARTHEST, lower));
         }
         let robot = &cell.robots[encounter.robot];
-        add(Turn::FartherRobot { robot: encounter.robot, direction: away }, &robot.name, FARTHEST);
+        let limits = explain.robot.get(&robot.name).map(|limits| *limits.get_ref()).unwrap_or_default();
+        if limits.fixed {
+            knobs.hold(&robot.name, FIXED);
+        } else {
+            let world_from_base = robot.world_from_base.translation;
+            let [x, y] = encounter.person_m;
+            let direction = nearest_axis([world_from_base.x - x, world_from_base.y - y]);
+            let turn = Turn::FartherRobot { robot: encounter.robot, direction };
+            let allowed = limits.most_farther_m.map(|most| (most, most_words(most, "m")));
+            knobs.add(turn, &robot.name, Room::new(STEP, f64::INFINITY, FARTHEST, allowed));
+        }
         knobs
+    }
+
+    /// A time, shorter and longer: `[value, per_s, min, max]`.
+    fn times(&mut self, name: &str, unit: &str, [value, per_s, min, max]: [f64; 4], limits: &ParameterLimits) {
+        let never = [limits.never_smaller, limits.never_larger];
+        let possible = [value - min.max(0.0), max - value];
+        let allowed = [
+            limits.least.map(|least| (value - least, least_words(least, unit))),
+            limits.most.map(|most| (most - value, most_words(most, unit))),
+        ];
+        let ways = time_steps(value, per_s, min, max).into_iter().zip(possible).zip(allowed).zip(never);
+        for (number, ((((step, usual), possible), allowed), never)) in ways.enumerate() {
+            if never {
+                self.hold(name, [SMALLER, LARGER][number]);
+            } else if step != 0.0 {
+                let turn = Turn::Time { parameter: name.to_owned(), value, unit: unit.to_owned(), step };
+                self.add(turn, name, Room::new(step.abs(), possible, usual, allowed));
+            }
+        }
+    }
+
+    /// A length, longer and shorter: `[value, per_m, min, max]`.
+    fn lengths(&mut self, name: &str, unit: &str, [value, per_m, min, max]: [f64; 4], limits: &ParameterLimits) {
+        // That it is fixed is told already.
+        if limits.fixed {
+            return;
+        }
+        let longer = limits.most.map(|most| ((most - value) / per_m, most_words(most, unit)));
+        let shorter = limits.least.map(|least| ((value - least) / per_m, least_words(least, unit)));
+        for (sign, room, allowed, never) in [
+            (1.0, max - value, longer, limits.never_larger.then_some(LARGER)),
+            (-1.0, value - min, shorter, limits.never_smaller.then_some(SMALLER)),
+        ] {
+            if let Some(never) = never {
+                self.hold(name, never);
+                continue;
+            }
+            let turn = Turn::Length { parameter: name.to_owned(), value, unit: unit.to_owned(), per_m, sign };
+            self.add(turn, name, Room::new(STEP, room / per_m, FARTHEST, allowed));
+        }
+    }
+
+    fn sensors(&mut self, cell: &Workcell, encounter: &Encounter) {
+        let world_from_base = cell.robots[encounter.robot].world_from_base.translation;
+        for (number, sensor) in cell.sensors.iter().enumerate() {
+            let limits = cell.file().explain.sensor.get(&sensor.name).map(|limits| *limits.get_ref());
+            let limits = limits.unwrap_or_default();
+            let own = |most: Option<f64>, now: f64| most.map(|most| (most - now, most_words(most, "m")));
+            let room = |allowed| Room::new(STEP, f64::INFINITY, FARTHEST, allowed);
+            match &sensor.zone {
+                _ if limits.fixed => self.hold(&sensor.name, FIXED),
+                Zone::Mat(_) | Zone::Field(_) => {
+                    self.add(Turn::Wider { sensor: number }, &sensor.name, room(own(limits.most_wider_m, 0.0)));
+                }
+                Zone::Curtain(plane) | Zone::Door(plane) => {
+                    let top = plane.centre.z + plane.half.z;
+                    self.add(Turn::HigherCurtain { sensor: number }, &sensor.name, room(own(limits.most_top_m, top)));
+                    let normal = plane.rotation * Vec3::Y;
+                    let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
+                    let direction = [side * normal.x, side * normal.y];
+                    let turn = Turn::FartherCurtain { sensor: number, direction };
+                    self.add(turn, &sensor.name, room(own(limits.most_farther_m, 0.0)));
+                }
+                // Its operator would have to move with it.
+                Zone::TwoHand { .. } | Zone::Reported => {}
+            }
+        }
+    }
+}
+
+/// Why something is not turned one way.
+const SMALLER: &str = "the cell file says that it is never smaller";
+const LARGER: &str = "the cell file says that it is never larger";
+
+fn least_words(least: f64, unit: &str) -> String {
+    format!("{} is the least that the cell file allows", with_unit(least, unit))
+}
+
+fn most_words(most: f64, unit: &str) -> String {
+    format!("{} is the most that the cell file allows", with_unit(most, unit))
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    let value = fmi::number(value);
+    if unit.is_empty() { value } else { format!("{value} {unit}") }
+}
+
+impl Knob {
+    /// What the cell file allows, if the steps end there.
+    #[must_use]
+    pub fn end(&self) -> Option<&str> {
+        self.room.end.as_deref()
     }
 
     /// Whether it is a parameter of an FMU that may be about a safeguard: no speed.
@@ -152,24 +279,24 @@ impl Knob {
     /// How much slower it makes something: the part of its speed that is left after so many steps.
     #[must_use]
     pub fn speed_left(&self, steps: u32) -> Option<f64> {
-        matches!(self.turn, Turn::Slower { .. }).then(|| 1.0 - Self::amount(steps))
+        matches!(self.turn, Turn::Slower { .. }).then(|| 1.0 - self.amount(steps))
     }
 
     /// How much farther away so many steps move a robot, m; nothing for other knobs.
     #[must_use]
     pub fn farther_m(&self, steps: u32) -> f64 {
-        if matches!(self.turn, Turn::FartherRobot { .. }) { Self::amount(steps) } else { 0.0 }
+        if matches!(self.turn, Turn::FartherRobot { .. }) { self.amount(steps) } else { 0.0 }
     }
 
     /// How far so many steps turn it: m, or for speeds a part of it.
-    fn amount(steps: u32) -> f64 {
-        f64::from(steps) * STEP
+    fn amount(&self, steps: u32) -> f64 {
+        self.room.amount(steps, STEP)
     }
 
     /// The cell file with this turned by so many steps; nothing if the file is not as expected.
     #[must_use]
     pub fn turned(&self, text: &Table, steps: u32) -> Option<Table> {
-        let amount = Self::amount(steps);
+        let amount = self.amount(steps);
         let mut text = text.clone();
         match &self.turn {
             Turn::Slower { parameter, .. }
@@ -216,11 +343,11 @@ impl Knob {
 
     /// The parameter's value when turned.
     fn value(&self, steps: u32) -> Option<Value> {
-        let amount = Self::amount(steps);
+        let amount = self.amount(steps);
         Some(match &self.turn {
             Turn::Slower { value, .. } => round(value * (1.0 - amount)).into(),
             Turn::Length { value, per_m, sign, .. } => round(value + sign * amount * per_m).into(),
-            Turn::Time { value, step, .. } => round(value + f64::from(steps) * step).into(),
+            Turn::Time { value, step, .. } => round(value + step.signum() * self.room.amount(steps, step.abs())).into(),
             Turn::Flip { value, .. } => (*value == (steps == 0)).into(),
             _ => return None,
         })
@@ -229,7 +356,7 @@ impl Knob {
     /// What turning it by so many steps means, in words.
     #[must_use]
     pub fn words(&self, steps: u32) -> String {
-        let (name, amount) = (&self.name, Self::amount(steps));
+        let (name, amount) = (&self.name, self.amount(steps));
         match &self.turn {
             Turn::Slower { unit, .. } | Turn::Length { unit, .. } | Turn::Time { unit, .. } => {
                 let told = |steps| self.value(steps).as_ref().and_then(number).unwrap_or_default();
@@ -305,12 +432,6 @@ fn time_steps(value: f64, per_s: f64, min: f64, max: f64) -> [(f64, u32); 2] {
     [(-part, shorter), (longer, within(max - value, longer))]
 }
 
-/// Whole steps in a length, at most [`FARTHEST`].
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
-fn steps_within(length: f64) -> u32 {
-    ((length / STEP + 1e-9).floor().clamp(0.0, f64::from(FARTHEST))) as u32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -334,7 +455,7 @@ mod tests {
     /// The cell after so many steps of a turn, and the words for it.
     fn turned(turn: Turn, steps: u32) -> (Table, String) {
         let table = CELL.parse().expect("it is TOML");
-        let knob = Knob { turn, name: "it".to_owned(), steps: 150 };
+        let knob = Knob { turn, name: "it".to_owned(), steps: 150, room: Room::default() };
         (knob.turned(&table, steps).expect("it can be turned"), knob.words(steps))
     }
 

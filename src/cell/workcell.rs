@@ -1,16 +1,17 @@
 //! A cell as it is understood: SI units and radians, checked. `file::validate` makes it from the cell file.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use toml::Spanned;
 
-use super::file::format::{CellFile, PoseQuantity, SearchTable};
+use super::file::format::{CellFile, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Solid};
 use crate::human::{Body, Start};
 
 /// A validated cell in SI units and radians.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Workcell {
     /// Name of the cell.
     pub name: String,
@@ -43,6 +44,10 @@ pub struct Workcell {
     pub beginnings: Vec<Beginning>,
     /// Which of them this is about, from 0.
     pub beginning: usize,
+    /// The starts of the beginnings of one time, as a cell file gives them: those by themselves, then those of areas.
+    pub starts: Vec<StartTable>,
+    /// What became of the start areas.
+    pub start_areas: Vec<StartArea>,
     /// The person's start.
     pub start: Start,
     /// The person's body.
@@ -53,7 +58,20 @@ pub struct Workcell {
     /// hazard does.
     pub baseline: Option<String>,
     /// The file itself, for binding variables.
-    pub(super) file: CellFile,
+    pub(super) file: Arc<CellFile>,
+}
+
+/// What became of a start area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StartArea {
+    /// Distance of neighbouring places, m.
+    pub spacing_m: f64,
+    /// How many headings each place has.
+    pub headings: usize,
+    /// Free places.
+    pub places: usize,
+    /// Places at which an obstacle is in the way.
+    pub left_out: usize,
 }
 
 /// Where and when the person begins.
@@ -94,8 +112,26 @@ pub struct Robot {
     pub kinematics: Option<Kinematics>,
     /// Mass of the moving parts `M`, kg.
     pub moving_mass_kg: f64,
-    /// Line of the cell file that says so, or names the URDF that does, from 1.
-    pub mass_line: usize,
+    /// Where the cell file says so, or names the URDF that does.
+    pub mass_place: FileLine,
+}
+
+/// A line of the cell file, or of one that it extends.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FileLine {
+    /// The extended file, seen from the folder of the cell file; none if it is the cell file itself.
+    pub base: Option<PathBuf>,
+    /// The line, from 1.
+    pub line: usize,
+}
+
+impl std::fmt::Display for FileLine {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.base {
+            None => write!(f, "line {}", self.line),
+            Some(base) => write!(f, "line {} of {}", self.line, base.display()),
+        }
+    }
 }
 
 /// What a robot's joints are, and what moves them.
@@ -150,8 +186,8 @@ pub struct Link {
     pub joint: usize,
     /// Shape in the joint frame.
     pub shape: Solid,
-    /// Line of the cell file that names its joint, from 1.
-    pub line: usize,
+    /// Where the cell file names its joint.
+    pub place: FileLine,
 }
 
 /// A sensor.
@@ -204,7 +240,7 @@ impl Zone {
 impl Workcell {
     /// The file's tables, for binding variables.
     #[must_use]
-    pub const fn file(&self) -> &CellFile {
+    pub fn file(&self) -> &CellFile {
         &self.file
     }
 

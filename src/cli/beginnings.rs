@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::{self, Failure};
 use super::output;
-use crate::report::model::{BeginningSubject, Hazard, Subject};
+use crate::report::model::{BeginningSubject, FileSubject, Hazard, Subject};
 
 /// Where the table is kept.
 const TABLE: &str = "beginnings.json";
@@ -42,6 +42,9 @@ pub(super) struct Table {
     cell: String,
     /// SHA-256 of the cell file.
     cell_sha256: String,
+    /// The files that it extends or names, with theirs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    files: Vec<FileSubject>,
     /// One entry each, in their order.
     beginnings: Vec<Entry>,
 }
@@ -66,11 +69,13 @@ struct Worst {
 impl Table {
     /// A table of nothing so far; or, if the scan goes on, of what there was.
     pub(super) fn begun(out: &Path, subject: &Subject, goes_on: bool) -> Self {
-        let kept = Self::read(out).filter(|kept| goes_on && kept.cell_sha256 == subject.cell_sha256);
+        let same = |kept: &Self| kept.cell_sha256 == subject.cell_sha256 && kept.files == subject.files;
+        let kept = Self::read(out).filter(|kept| goes_on && same(kept));
         forget(out);
         kept.unwrap_or_else(|| Self {
             cell: subject.cell.clone(),
             cell_sha256: subject.cell_sha256.clone(),
+            files: subject.files.clone(),
             beginnings: Vec::new(),
         })
     }

@@ -9,7 +9,8 @@ use super::hosting::HostingArguments;
 use super::output::{self, Format};
 use crate::cell::CellError;
 use crate::cell::error::Source;
-use crate::cell::find::{Examined, examine};
+use crate::cell::find::{Examined, Todo, examine};
+use crate::cell::workcell::{StartArea, Workcell};
 use crate::fmi::number;
 use crate::report::speeds::{SpeedRecord, Speeds};
 use crate::report::topview;
@@ -48,6 +49,8 @@ struct Told {
 
 #[derive(Serialize)]
 struct Problem {
+    /// The cell file, or one that it extends.
+    file: String,
     line: Option<usize>,
     message: String,
     help: Option<String>,
@@ -57,7 +60,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let Examined { source, problems, todo } = examine(&arguments.path, arguments.cell.as_deref())?;
     let file = source.name().to_owned();
     let mut all: Vec<Problem> = problems.iter().flat_map(|first| first.each()).map(told).collect();
-    let left = |(line, text): &(usize, String)| Problem {
+    let left = |Todo { file, line, text }: &Todo| Problem {
+        file: file.clone(),
         line: Some(*line),
         message: format!("still to be filled in: {text}"),
         help: Some("fill it in and remove the word TODO".to_owned()),
@@ -73,7 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         if let Some(error) = problems {
             output::failed(&Failure::from(error));
         }
-        let line = |p: &Problem| format!("  {file}:{}: {}\n", p.line.unwrap_or_default(), p.message);
+        let line = |p: &Problem| format!("  {}:{}: {}\n", p.file, p.line.unwrap_or_default(), p.message);
         let lines: String = left.iter().map(line).collect();
         output::result(&format!("{lines}{file}: {count} problem{}\n", if count == 1 { "" } else { "s" }));
         return Ok(UNUSABLE);
@@ -87,12 +91,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     let hosting = arguments.hosting.hosting()?;
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &hosting)?;
-    let others = (1..prepared.cell.beginnings.len()).map(|number| prepared.beginning(number));
+    // Those of the first time; the starts of others are the same.
+    let others = (1..prepared.cell.starts.len()).map(|number| prepared.beginning(number));
     let others = others.collect::<Result<Vec<_>, _>>()?;
     let (found, run_s) = (probe(&prepared), number(run_s(&prepared)));
-    // The starts of the first time; those of others are the same.
-    let elsewhere = &others[..prepared.cell.file().human.other_starts.len()];
-    let drawn = topview::render(&picture::overview(&prepared, elsewhere, found.as_ref().ok()));
+    let drawn = topview::render(&picture::overview(&prepared, &others, found.as_ref().ok()));
     let picture = arguments.svg.clone().unwrap_or_else(|| {
         let beside = arguments.cell.as_ref().unwrap_or(&arguments.path);
         beside.with_extension("check.svg")
@@ -161,13 +164,18 @@ fn of_speeds(source: &Source, prepared: &Prepared, speeds: &Speeds) -> Option<Bo
 }
 
 fn told(error: &CellError) -> Problem {
-    Problem { line: error.line(), message: error.message.clone(), help: error.help.clone() }
+    Problem {
+        file: error.file().to_owned(),
+        line: error.line(),
+        message: error.message.clone(),
+        help: error.help.clone(),
+    }
 }
 
 /// What the cell is, one line a thing.
 fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
     let cell = &prepared.cell;
-    let mut lines = Vec::new();
+    let mut lines: Vec<String> = prepared.extends().map(|file| format!("  extends   {file}")).collect();
     for fmu in prepared.fmus.iter() {
         let description = fmu.description();
         lines.push(format!(
@@ -184,8 +192,8 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
             |kinematics| format!("{} joints", kinematics.tree.joints.len()),
         );
         lines.push(format!(
-            "  robot     {}: {joints}, {shapes} shapes, {:.1} kg moving (line {})",
-            robot.name, robot.moving_mass_kg, robot.mass_line
+            "  robot     {}: {joints}, {shapes} shapes, {:.1} kg moving ({})",
+            robot.name, robot.moving_mass_kg, robot.mass_place
         ));
     }
     for sensor in &cell.sensors {
@@ -193,12 +201,7 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
         lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.active));
     }
-    for beginning in &cell.beginnings {
-        let [x, y] = beginning.start.xy_m();
-        let after = beginning.begins_s(cell.step_s);
-        let after = if after > 0.0 { format!(" {after:.2} s after the FMU") } else { String::new() };
-        lines.push(format!("  person    starts at ({x:.2}, {y:.2}) m{after}"));
-    }
+    lines.extend(starts(cell));
     lines.push(format!(
         "            {} actions of 0.2 s, {:.2} m on foot at most",
         cell.search.actions,
@@ -214,4 +217,42 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         lines.extend(super::probe::shortened(found.run_s));
     }
     lines.join("\n") + "\n"
+}
+
+/// Where and when the person begins: one by one, or how many if there are start areas.
+fn starts(cell: &Workcell) -> Vec<String> {
+    let own = match cell.start_areas.is_empty() {
+        true => cell.beginnings.len(),
+        false => cell.file().human.start.iter().chain(&cell.file().human.other_starts).count(),
+    };
+    let mut lines: Vec<String> = Vec::new();
+    for beginning in &cell.beginnings[..own.min(cell.beginnings.len())] {
+        let [x, y] = beginning.start.xy_m();
+        let after = beginning.begins_s(cell.step_s);
+        let after = if after > 0.0 { format!(" {after:.2} s after the FMU") } else { String::new() };
+        lines.push(format!("  person    starts at ({x:.2}, {y:.2}) m{after}"));
+    }
+    for StartArea { spacing_m, headings, places, left_out } in &cell.start_areas {
+        let [s, h] = [*places, *headings].map(|count| if count == 1 { "" } else { "s" });
+        let out = match left_out {
+            0 => String::new(),
+            1 => "; 1 more is left out: an obstacle is there".to_owned(),
+            more => format!("; {more} more are left out: obstacles are there"),
+        };
+        let spacing = number(*spacing_m);
+        lines.push(format!(
+            "  person    starts at {places} place{s} of an area, {spacing} m apart, {headings} heading{h} each{out}"
+        ));
+    }
+    if !cell.start_areas.is_empty() {
+        let (starts, all) = (cell.starts.len(), cell.beginnings.len());
+        let last = cell.beginnings.last().map_or(0.0, |last| last.begins_s(cell.step_s));
+        lines.push(match all / starts.max(1) {
+            1 => format!("            {all} beginnings"),
+            times => format!(
+                "            {starts} starts at {times} times, the last {last:.2} s after the FMU: {all} beginnings"
+            ),
+        });
+    }
+    lines
 }

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
 use super::{beginnings, output};
-use crate::cell::error::{Source, nearest};
+use crate::cell::error::nearest;
+use crate::cell::find::whole_text;
 use crate::host::selftest::Rung;
 use crate::report::model::{FileSubject, FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
@@ -33,11 +34,13 @@ pub(super) fn hazard<'a>(scan: &'a Recorded, id: &str, path: &Path) -> Result<&'
     Err(Failure::unusable_with_help(format!("there is no hazard {id} in {}", path.display()), help))
 }
 
-/// The cell file of a scan, if it is still where it was and as it was.
+/// The cell file of a scan with what it extends, as one text, if all of it is still where it was and as it was.
 pub(super) fn cell_text(scan: &Recorded) -> Option<String> {
     let file = scan.cell_file().unwrap_or_else(|| scan.subject_path());
-    let text = std::fs::read_to_string(file).ok()?;
-    (Source::new("", &text).sha256() == scan.subject.cell_sha256).then_some(text)
+    let (source, text) = whole_text(&file)?;
+    let known = |sha256: &String| scan.subject.files.iter().any(|file| file.sha256 == *sha256);
+    let same = source.sha256() == scan.subject.cell_sha256 && source.bases().iter().all(|base| known(&base.sha256()));
+    same.then_some(text)
 }
 
 /// Where what was scanned is now, if it is elsewhere.
@@ -90,7 +93,9 @@ pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting)
     // By what they hold: what lies elsewhere now is the same for that.
     let contents = |files: &[FileSubject]| files.iter().map(|file| file.sha256.clone()).collect::<Vec<_>>();
     if contents(&own.files) != contents(&prepared.subject.files) {
-        output::warning("a robot description, a mesh or the system of FMUs has changed since the scan");
+        output::warning(
+            "a cell file that it extends, a robot description, a mesh or the system of FMUs has changed since the scan",
+        );
     }
     let hashes = |fmus: &[FmuSubject]| fmus.iter().map(|fmu| fmu.sha256.clone()).collect::<Vec<_>>();
     if hashes(&own.fmus) != hashes(&prepared.subject.fmus) {
@@ -105,7 +110,7 @@ fn is_cell(path: &Path) -> bool {
 
 /// Whether the FMU is there that a cell file names, if it names one; other mistakes are told when it is read.
 fn fmu_is_there(cell: &Path) -> Result<(), Failure> {
-    let table = std::fs::read_to_string(cell).ok().and_then(|text| text.parse::<toml::Table>().ok());
+    let table = whole_text(cell).and_then(|(_, text)| text.parse::<toml::Table>().ok());
     let named = table.as_ref().and_then(|table| table.get("fmu")?.as_str());
     let (message, what) = match (named, &table) {
         (Some(named), _) if cell.with_file_name(named).exists() => return Ok(()),

@@ -12,6 +12,7 @@ use zip::{ZipArchive, ZipWriter};
 use super::exit::{Failure, NO_HAZARD};
 use super::output;
 use crate::cell::EXTRA_FOLDER;
+use crate::cell::file::layers::as_one;
 use crate::cell::find::open;
 use crate::cell::foreign::ssp::is_ssp;
 
@@ -55,8 +56,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         return Err(Failure::unusable_with_help(format!("{} is there already", out.display()), help));
     }
     let mut added: Vec<(String, Vec<u8>)> =
-        vec![(format!("{EXTRA_FOLDER}/cell.toml"), opened.source.text().as_bytes().to_vec())];
-    for file in &opened.cell.files {
+        vec![(format!("{EXTRA_FOLDER}/cell.toml"), as_one(&opened.source).into_bytes())];
+    // What the cell file extends is in that text.
+    let is_base = |path: &Path| opened.source.bases().iter().any(|base| base.path == path);
+    for file in opened.cell.files.iter().filter(|file| !is_base(&file.path)) {
         let stays = file.path.components().all(|part| matches!(part, Component::Normal(_)));
         if !stays {
             return Err(Failure::unusable_with_help(

@@ -40,8 +40,10 @@ fn table(text: &mut String, name: &str, definition: &Value) {
     if let Some(about) = definition.get("description").and_then(Value::as_str) {
         let _ = write!(text, "\n{}\n", prose(about));
     }
+    // What a variant may leave out is needed all the same.
+    let required = [definition.get("required"), definition.get("then").and_then(|then| then.get("required"))];
     let required: Vec<&str> =
-        definition.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str).collect();
+        required.into_iter().flatten().filter_map(Value::as_array).flatten().filter_map(Value::as_str).collect();
     if let Some(keys) = definition.get("properties").and_then(Value::as_object) {
         text.push_str("\n| key | takes | |\n|---|---|---|\n");
         for (key, value) in keys {

@@ -6,6 +6,8 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::exit::Failure;
 use super::output;
+use crate::cell::file::files::plain;
+use crate::cell::workcell::Link;
 use crate::host::Effort;
 use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
@@ -177,10 +179,19 @@ const ESCAPED: &AsciiSet =
 
 /// Where findings are shown: seen from the folder of the scan, which is that of the repository where pipelines read it.
 fn cell_file(context: &Context<'_>) -> CellFile {
-    let path = utf8_percent_encode(&context.path.to_string_lossy(), ESCAPED).to_string();
-    let uri = if context.path.is_absolute() { format!("file://{path}") } else { path };
+    let uri_of = |path: &Path| {
+        let text = utf8_percent_encode(&path.to_string_lossy(), ESCAPED).to_string();
+        if path.is_absolute() { format!("file://{text}") } else { text }
+    };
+    let uri = uri_of(context.path);
     // A cell file inside an FMU has no lines that anything could show.
     let own = context.path.extension().is_some_and(|extension| extension == "toml");
     let links = context.prepared.cell.links.iter().filter(|_| own);
-    CellFile { uri, lines: links.map(|link| (link.name.clone(), link.line)).collect() }
+    // A file that it extends is found from its folder.
+    let seen = |base: &Path| {
+        let path = plain(&context.path.parent().unwrap_or(Path::new("")).join(base));
+        uri_of(&path)
+    };
+    let place = |link: &Link| (link.place.base.as_deref().map(seen), link.place.line);
+    CellFile { uri, lines: links.map(|link| (link.name.clone(), place(link))).collect() }
 }

@@ -17,6 +17,9 @@ pub struct Remedy {
     /// The cell file with it.
     #[serde(skip)]
     pub cell: String,
+    /// What the cell file allows, if nothing beyond was tried for that reason, and nothing up to there is enough.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<String>,
     /// What came of it.
     pub outcome: Outcome,
 }
@@ -227,7 +230,11 @@ pub fn render(remedies: &[Remedy]) -> String {
     }
     let mut out = String::new();
     let of = |lines: &dyn Fn(&Outcome) -> Option<Vec<String>>| -> Vec<(&str, Vec<String>)> {
-        remedies.iter().filter_map(|remedy| Some((remedy.change.as_str(), lines(&remedy.outcome)?))).collect()
+        let told = |remedy: &Remedy| {
+            let limit = remedy.limit.iter().map(|limit| format!("More was not tried: {limit}."));
+            Some(lines(&remedy.outcome)?.into_iter().chain(limit).collect())
+        };
+        remedies.iter().filter_map(|remedy| Some((remedy.change.as_str(), told(remedy)?))).collect()
     };
     let sufficient = of(&|outcome| match outcome {
         Outcome::Sufficient(checked) => Some(vec![format!("Looked at: {}.", checked.words()), checked.one_less()]),

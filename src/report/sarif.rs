@@ -12,8 +12,8 @@ use crate::hazard::Class;
 pub struct CellFile {
     /// Its path as a URI reference: relative where the scan was given a relative one.
     pub uri: String,
-    /// Line of each link, from 1.
-    pub lines: std::collections::BTreeMap<String, usize>,
+    /// Line of each link, from 1, with the file that it is in if that is one that the cell file extends.
+    pub lines: std::collections::BTreeMap<String, (Option<String>, usize)>,
 }
 
 /// The log.
@@ -65,8 +65,11 @@ const fn rule_id(class: Class) -> &'static str {
 fn result(hazard: &Hazard, file: &CellFile, baseline: Option<&Baseline>) -> Value {
     let place = || {
         let mut place = json!({ "artifactLocation": { "uri": file.uri, "index": 0 } });
-        if let Some(line) = file.lines.get(&hazard.robot_link) {
+        if let Some((base, line)) = file.lines.get(&hazard.robot_link) {
             place["region"] = json!({ "startLine": line });
+            if let Some(base) = base {
+                place["artifactLocation"] = json!({ "uri": base });
+            }
         }
         place
     };

@@ -5,6 +5,8 @@ use svg::node::element::{Circle, Group, Line, Polygon, Polyline, Rectangle, Text
 
 /// Pixels per metre.
 const SCALE: f64 = 160.0;
+/// Most starts that have their names beside them.
+const NAMED: usize = 20;
 /// Free margin around what is drawn, m.
 const MARGIN: f64 = 0.35;
 
@@ -167,9 +169,13 @@ pub fn render(scene: &Scene) -> String {
     for (number, &start) in (1..).zip(scene.path.first().into_iter().chain(&scene.other_starts)) {
         let (x, y) = view.at(start);
         let name = if number == 1 { "start".to_owned() } else { format!("start {number}") };
-        document = document
-            .add(Circle::new().set("cx", x).set("cy", y).set("r", 6).set("fill", "#2b6cb0"))
-            .add(view.label([start[0] + 0.07, start[1] - 0.03], &name, "#2b6cb0", 14.0));
+        // Many have no room for their numbers.
+        let many = scene.other_starts.len() > NAMED;
+        let dot = Circle::new().set("cx", x).set("cy", y).set("fill", "#2b6cb0").set("r", if many { 3 } else { 6 });
+        document = document.add(dot.add(Title::new(name.as_str())));
+        if !many {
+            document = document.add(view.label([start[0] + 0.07, start[1] - 0.03], &name, "#2b6cb0", 14.0));
+        }
     }
     let body = scene.body.iter().map(|(a, b, r)| view.stroke(*a, *b, *r, "#2b6cb0", 0.35));
     document = document.add(body.fold(Group::new(), Group::add));

@@ -51,7 +51,7 @@ pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Optio
         robot: Robot {
             name: robot.name.clone(),
             moving_mass_kg: robot.moving_mass_kg,
-            mass_from: format!("{}:{}", prepared.subject.cell_found, robot.mass_line),
+            mass_from: prepared.shown(&robot.mass_place),
         },
         remedies: Vec::new(),
     })

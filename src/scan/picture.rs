@@ -76,14 +76,13 @@ pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>)
     let mut robot: Vec<Vec<Part>> = robot.collect();
     // The last is drawn as it stands: the start.
     robot.reverse();
-    let world = |prepared: &Prepared| World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    let worlds: Vec<World> = std::iter::once(prepared).chain(others).map(world).collect();
-    let mut starts = worlds.iter().map(|world| flat(world.position(&world.start())));
+    let all: Vec<&Prepared> = std::iter::once(prepared).chain(others).collect();
+    let mut starts = all.iter().map(|one| one.cell.start.xy_m());
     Scene {
         title: format!("{}: the cell from above", cell.name),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
-        reachable: reachable(&worlds),
+        reachable: reachable(&all),
         robot,
         path: starts.by_ref().take(1).collect(),
         other_starts: starts.collect(),
@@ -91,10 +90,23 @@ pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>)
     }
 }
 
+/// Most starts from which walks are drawn one by one.
+const ONE_BY_ONE: usize = 20;
+
+/// Most starts from which walks are drawn at all, spread over all of them: those of neighbours on a lattice overlap.
+const WALKED: usize = 64;
+
+/// Of many starts, walks to places nearer than this are one dot, m.
+const DOT_M: f64 = 0.05;
+
 /// Places at the ends of actions that sequences of the cell's length can lead to from any of its starts.
-fn reachable(worlds: &[World]) -> Vec<Point> {
+fn reachable(all: &[&Prepared]) -> Vec<Point> {
+    let every = all.len().div_ceil(WALKED).max(1);
+    let world = |prepared: &&Prepared| World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     // Headings are told apart there, and are one point here.
-    let mut points: Vec<Point> = worlds.iter().flat_map(places).collect();
+    let points = all.iter().step_by(every).flat_map(|prepared| places(&world(prepared)));
+    let dot = |point: Point| point.map(|v| (v / DOT_M).round() * DOT_M);
+    let mut points: Vec<Point> = if all.len() > ONE_BY_ONE { points.map(dot).collect() } else { points.collect() };
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     points.dedup();
     points

@@ -10,9 +10,11 @@ use super::stop_time;
 use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
+use crate::cell::file::layers::as_one;
 use crate::cell::file::validate::validate;
 use crate::cell::find::{OpenedCell, open};
 use crate::cell::foreign::ssp::Wiring;
+use crate::cell::workcell::FileLine;
 use crate::cell::{Binding, Workcell, binding};
 use crate::fmi::Fmu;
 use crate::host::isolation::{Isolated, Keeping, LastWords};
@@ -36,7 +38,7 @@ const MOST_COPIES: usize = 1000;
 pub struct Prepared {
     /// The cell.
     pub cell: Arc<Workcell>,
-    /// The cell file.
+    /// The cell file, with what it extends as one text.
     pub text: String,
     /// Its variables.
     pub binding: Arc<Binding>,
@@ -78,7 +80,7 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
     let cell_file = cell.map(|cell| cell.display().to_string());
     let OpenedCell { cell, source: cell_source, fmus, wiring, found } = open(path, cell)?;
-    let text = cell_source.text().to_owned();
+    let text = as_one(&cell_source);
     let (names, fmus): (Vec<String>, Vec<Fmu>) = fmus.into_iter().unzip();
     let Fitted { cell, binding, setup, free_start } = fit(cell, &cell_source, &names, &fmus, wiring.as_ref())?;
     let order = setup.order()?;
@@ -215,11 +217,11 @@ fn fit(
         let message =
             format!("the person's start ({:.2}, {:.2}) m is inside an obstacle or touches one", start.x, start.y);
         let human = &cell.file().human;
-        let starts: Vec<_> = std::iter::once(&human.start).chain(&human.other_starts).collect();
-        let number = cell.beginning % starts.len();
+        let starts: Vec<_> = human.start.iter().chain(&human.other_starts).collect();
+        let number = cell.beginning % cell.starts.len();
         let which = if number == 0 { "human.start" } else { "this one of human.other_starts" };
         let help = format!("move {which}; the body needs 0.14 m of room around it");
-        let span = starts[number].span();
+        let span = starts.get(number).map_or_else(|| source.table("human"), |start| start.span());
         Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
     };
     Ok(Fitted { cell, binding, setup, free_start })
@@ -231,7 +233,9 @@ impl Prepared {
     /// # Errors
     /// When the text is no cell of these FMUs, or the person has no room at the start.
     pub fn changed(&self, text: &str) -> Result<Self, PrepareError> {
-        self.with(text, self.cell.beginning)
+        let found = self.found.with_text(text);
+        let cell = validate(&found)?;
+        self.with(found, cell, text.to_owned(), self.cell.beginning)
     }
 
     /// The same cell with another of its beginnings, from 0.
@@ -239,7 +243,8 @@ impl Prepared {
     /// # Errors
     /// When there is none of that number, or the person has no room there.
     pub fn beginning(&self, number: usize) -> Result<Self, PrepareError> {
-        let mut other = self.with(&self.text, number)?;
+        let cell = Workcell::clone(&self.cell);
+        let mut other = self.with(self.found.clone(), cell, self.text.clone(), number)?;
         other.suspicions.clone_from(&self.suspicions);
         Ok(other)
     }
@@ -261,9 +266,7 @@ impl Prepared {
         }
     }
 
-    fn with(&self, text: &str, beginning: usize) -> Result<Self, PrepareError> {
-        let found = self.found.with_text(text);
-        let cell = validate(&found)?;
+    fn with(&self, found: CellSource, cell: Workcell, text: String, beginning: usize) -> Result<Self, PrepareError> {
         let count = cell.beginnings.len();
         if beginning >= count {
             return Err(PrepareError::NoBeginning { number: beginning + 1, count });
@@ -282,7 +285,7 @@ impl Prepared {
                 ..self.subject.clone()
             },
             cell,
-            text: text.to_owned(),
+            text,
             binding,
             fmus: Arc::clone(&self.fmus),
             names: self.names.clone(),
@@ -315,6 +318,19 @@ impl Prepared {
              a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
              for a deterministic export, or for one without this output"
         ))
+    }
+
+    /// The files that the cell file extends, as messages call them, the next first.
+    pub fn extends(&self) -> impl Iterator<Item = &str> {
+        self.found.bases().iter().map(|base| base.name.as_str())
+    }
+
+    /// A line of the cell file, or of one that it extends, as messages show it.
+    #[must_use]
+    pub fn shown(&self, place: &FileLine) -> String {
+        let base = self.found.bases().iter().find(|base| Some(&base.path) == place.base.as_ref());
+        let file = base.map_or(self.subject.cell_found.as_str(), |base| base.name.as_str());
+        format!("{file}:{}", place.line)
     }
 
     /// When everything with its FMUs has to end.

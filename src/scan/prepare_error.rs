@@ -34,7 +34,9 @@ pub enum PrepareError {
     },
     /// A beginning that the cell has not.
     #[error("the cell has no beginning {number}")]
-    #[diagnostic(help("it has {count}: each of human.start and human.other_starts at each of human.begins_s"))]
+    #[diagnostic(help(
+        "it has {count}: each of human.start, human.other_starts and the places of human.start_area at each of human.begins_s"
+    ))]
     NoBeginning {
         /// From 1.
         number: usize,

@@ -27,12 +27,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::behaviour::{Behaviour, probes};
 use self::looking::Known;
-use self::standpoint::Standpoint;
+use self::standpoint::{Standpoint, with_each_start};
 use self::trial::Trial;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use crate::cell::binding::BoundUnit;
-use crate::cell::knob::{Encounter, Knob};
+use crate::cell::knob::{Encounter, Knobs};
 use crate::hazard::Finding;
 use crate::host::PlantError;
 use crate::human::Action;
@@ -135,6 +135,7 @@ impl<'a> Bench<'a> {
     ) -> Result<Option<Self>, PlantError> {
         let cell = &prepared.cell;
         let Ok(text) = prepared.text.parse::<toml::Table>() else { return Ok(None) };
+        let Some(text) = with_each_start(text, cell) else { return Ok(None) };
         let kind = |hazard: &Hazard| {
             let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
             Some(Kind { region: hazard.body_region, robot: link.robot })
@@ -226,7 +227,7 @@ pub fn remedies(
     let Some(bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.hazard.robot };
-    let knobs = Knob::all(&prepared.cell, &bench.text, &units, &encounter);
+    let Knobs { turned: knobs, held: kept } = Knobs::of(&prepared.cell, &bench.text, &units, &encounter);
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_));
     let work = || {
@@ -271,5 +272,11 @@ pub fn remedies(
         }
         tell(Told::Done(remedy));
     }
-    Ok(all.into_iter().map(|(.., remedy)| remedy).collect())
+    let kept = kept.into_iter().map(|(change, cause)| Remedy {
+        change,
+        cell: String::new(),
+        limit: None,
+        outcome: Outcome::NotTried { cause },
+    });
+    Ok(all.into_iter().map(|(.., remedy)| remedy).chain(kept).collect())
 }

@@ -24,6 +24,14 @@ impl Files {
         Ok(bytes)
     }
 
+    /// Files that were read elsewhere.
+    pub(super) fn note<'a>(&self, files: impl Iterator<Item = (&'a Path, &'a [u8])>) {
+        let told = |(path, bytes): (&Path, &'a [u8])| {
+            (GeometryFile { path: path.to_owned(), sha256: sha256(bytes) }, bytes.into())
+        };
+        self.0.borrow_mut().extend(files.map(told));
+    }
+
     /// What was read so far.
     pub(super) fn take(&self) -> Vec<GeometryFile> {
         self.0.take().into_iter().map(|(file, _)| file).collect()

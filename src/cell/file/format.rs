@@ -14,12 +14,22 @@ use crate::human::Radii;
 /// The whole file.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = whole_or_variant)]
 pub struct CellFile {
     /// Version of this format; 1.
     #[schemars(with = "u32")]
     pub schema: Spanned<u32>,
-    /// Name of the cell, used in results.
+    /// Name of the cell, used in results. A file that extends another has one of its own.
     pub name: String,
+    /// Another cell file, relative to this one: what this file does not say is as it is there. Tables are laid over each
+    /// other key by key, entries of lists by their names; other values take the place of those there.
+    #[serde(default)]
+    #[schemars(with = "Option<String>")]
+    pub extends: Option<Spanned<String>>,
+    /// What of the extended file is left out: names of entries by list, keys by table.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Vec<String>>")]
+    pub remove: BTreeMap<String, Spanned<Vec<String>>>,
     /// The FMU, relative to this file. Left out when the file travels inside the FMU, or when there are `unit`s.
     #[serde(default)]
     #[schemars(with = "Option<String>")]
@@ -64,6 +74,18 @@ pub struct CellFile {
     /// What makes a scan fail.
     #[serde(default)]
     pub fail_on: FailOnTable,
+    /// What `explain` may change, and how far.
+    #[serde(default)]
+    pub explain: ExplainTable,
+}
+
+/// The schema of the file: what a whole cell needs, a file that extends another may leave to that one.
+fn whole_or_variant(file: &mut Schema) {
+    let Some(Value::Array(required)) = file.get_mut("required") else { return };
+    let (own, left): (Vec<Value>, Vec<Value>) = required.drain(..).partition(|key| key == "name");
+    *required = own;
+    file.insert("if".to_owned(), json!({ "not": { "required": ["extends"] } }));
+    file.insert("then".to_owned(), json!({ "required": left }));
 }
 
 /// One of several coupled FMUs.
@@ -154,6 +176,10 @@ pub struct PoseTable {
 pub struct RobotTable {
     /// Name used in results.
     pub name: String,
+    /// What of the same robot in the extended file is left out: names of joints, frames and links.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, Vec<String>>")]
+    pub remove: BTreeMap<String, Spanned<Vec<String>>>,
     /// `world_from_base`.
     #[serde(default)]
     pub base: PoseTable,
@@ -504,9 +530,11 @@ pub enum Sex {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HumanTable {
-    /// Where the person stands at the start and looks.
-    #[schemars(with = "StartTable")]
-    pub start: Spanned<StartTable>,
+    /// Where the person stands at the start and looks. May be left out where there are start areas: then their first place
+    /// is the start.
+    #[serde(default)]
+    #[schemars(with = "Option<StartTable>")]
+    pub start: Option<Spanned<StartTable>>,
     /// Sex of the body measures.
     #[serde(default)]
     pub sex: Sex,
@@ -528,6 +556,10 @@ pub struct HumanTable {
     #[serde(default)]
     #[schemars(with = "Vec<StartTable>")]
     pub other_starts: Vec<Spanned<StartTable>>,
+    /// Areas in which the person may start: every free place of a lattice in them is a start, and is searched by itself.
+    #[serde(default, rename = "start_area")]
+    #[schemars(with = "Vec<StartAreaTable>")]
+    pub start_areas: Vec<Spanned<StartAreaTable>>,
     /// When the person begins, s after the FMU's own start; each is searched by itself, from every start. So a scan does
     /// not depend on where in its cycle the robot is. Until then the person stands at the start.
     #[serde(default = "at_once")]
@@ -557,6 +589,89 @@ pub struct StartTable {
     pub xy_m: [f64; 2],
     /// Heading, degrees from +x towards +y.
     pub heading_deg: f64,
+}
+
+/// An area in which the person may start: at the places whose coordinates are whole multiples of the spacing in the world
+/// frame, its edge included, where no obstacle is in the way, in each of the headings.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartAreaTable {
+    /// Corners of a convex or concave polygon in the floor plane, m, in order.
+    pub polygon_m: Vec<[f64; 2]>,
+    /// Distance of neighbouring places along x and y, m, 0.05 to 5.
+    pub spacing_m: f64,
+    /// Headings, degrees from +x towards +y.
+    pub heading_deg: Vec<f64>,
+}
+
+/// What `explain` may change of a cell, and how far; what is not named it may change as far as it usually does.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ExplainTable {
+    /// FMU parameters, by variable name.
+    #[schemars(with = "BTreeMap<String, ParameterLimits>")]
+    pub parameters: BTreeMap<String, Spanned<ParameterLimits>>,
+    /// Sensors, by name.
+    #[schemars(with = "BTreeMap<String, SensorLimits>")]
+    pub sensor: BTreeMap<String, Spanned<SensorLimits>>,
+    /// Obstacles, by name.
+    #[schemars(with = "BTreeMap<String, ObstacleLimits>")]
+    pub obstacle: BTreeMap<String, Spanned<ObstacleLimits>>,
+    /// Robots, by name.
+    #[schemars(with = "BTreeMap<String, RobotLimits>")]
+    pub robot: BTreeMap<String, Spanned<RobotLimits>>,
+}
+
+/// How far `explain` may change a parameter of the FMU, in its own unit.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ParameterLimits {
+    /// The least value that is tried; the search goes on to there.
+    pub least: Option<f64>,
+    /// The largest value that is tried; the search goes on to there.
+    pub most: Option<f64>,
+    /// No smaller value than now.
+    pub never_smaller: bool,
+    /// No larger value than now.
+    pub never_larger: bool,
+    /// It stays as it is.
+    pub fixed: bool,
+}
+
+/// How far `explain` may change a sensor.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct SensorLimits {
+    /// Mat and scanner field: how much wider the zone may become on every side, m.
+    pub most_wider_m: Option<f64>,
+    /// Light curtain and door: how high the upper end may be, m above the floor.
+    pub most_top_m: Option<f64>,
+    /// Light curtain and door: how much farther from the robot it may be, m.
+    pub most_farther_m: Option<f64>,
+    /// It stays as it is.
+    pub fixed: bool,
+}
+
+/// How far `explain` may change a box.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ObstacleLimits {
+    /// How high its top may be, m above the floor.
+    pub most_top_m: Option<f64>,
+    /// How low its underside may be, m above the floor.
+    pub least_underside_m: Option<f64>,
+    /// It stays as it is.
+    pub fixed: bool,
+}
+
+/// How far `explain` may move a robot.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct RobotLimits {
+    /// How much farther from the person its base may be, m.
+    pub most_farther_m: Option<f64>,
+    /// It stays where it is.
+    pub fixed: bool,
 }
 
 /// Search budget.

@@ -6,6 +6,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::format::CellFile;
+use super::layers::{Slip, cell_file, laid, mistakes};
 use crate::cell::CellError;
 use crate::cell::error::{Problems, Source, meant};
 
@@ -39,22 +40,24 @@ const MOST: usize = 100;
 #[must_use]
 pub fn read(source: &Source) -> Read {
     let problems = Problems::default();
-    let mut text = source.text().to_owned();
+    mistakes(source).into_iter().for_each(|mistake| problems.tell(Box::new(mistake)));
+    let mut text = source.whole();
     let (mut gaps, mut guessed) = (false, Vec::new());
     let mut left = MOST;
     let file = loop {
-        let error = match toml::from_str(&text) {
+        let error = match cell_file(source, &text) {
             Ok(file) => break Some(file),
             Err(error) => error,
         };
-        problems.tell(source.parse_error(&error));
+        let place = error.span.clone().unwrap_or(0..0);
+        problems.tell(source.parse_error(&error.message, place.clone()));
         left -= 1;
-        match mended(&text, &error) {
+        match mended(source, &text, &error) {
             _ if left == 0 => break None,
             Some(Mended::AsMeant(rest)) => text = rest,
             Some(Mended::WithNumbers(rest)) => {
                 text = rest;
-                guessed.extend(error.span());
+                guessed.push(place);
             }
             Some(Mended::Otherwise(rest)) => (text, gaps) = (rest, true),
             None => break None,
@@ -74,30 +77,33 @@ enum Mended {
     Otherwise(String),
 }
 
-fn mended(text: &str, error: &toml::de::Error) -> Option<Mended> {
-    let span = error.span().filter(|span| !span.is_empty())?;
-    let message = error.message();
+fn mended(source: &Source, text: &str, error: &Slip) -> Option<Mended> {
+    let span = error.span.clone().filter(|span| !span.is_empty())?;
+    let message = error.message.as_str();
+    let place = |of: &dyn Fn(&DeTable<'_>) -> Option<Range<usize>>| {
+        laid(source, text, |tables, _| of(tables.get_ref())).ok().flatten()
+    };
     if message.starts_with("unknown field") {
-        let slip = with(text, &span, meant(message)).filter(|text| DeTable::parse(text).is_ok());
+        let slip = with(text, &span, meant(message)).filter(|text| laid(source, text, |_, _| ()).is_ok());
         return slip
             .map(Mended::AsMeant)
-            .or_else(|| without(text, value_of_key(text, span.start)?).map(Mended::Otherwise));
+            .or_else(|| without(text, place(&|table| value_of_key(table, span.start))?).map(Mended::Otherwise));
     }
     // Missing things cannot be put in, and what is no TOML has no values.
     let value = ["invalid type", "invalid value", "invalid length", "unknown variant"];
     if !value.iter().any(|kind| message.starts_with(kind)) {
         return None;
     }
-    let key = DeTable::parse(text).ok().and_then(|table| key_of(table.get_ref(), &span));
+    let key = place(&|table| key_of(table, &span));
     let lacking = key.clone().and_then(|key| text.get(key)?.split('=').next());
     let lacking = lacking.map(|name| format!("missing field `{}`", name.trim().trim_matches('"')));
     let from = begins(text, &span);
     // Without a value that has to be there nothing is won.
     let goes_on = |text: &String| {
-        let next = toml::from_str::<CellFile>(text).err();
+        let next = cell_file(source, text).err();
         next.is_none_or(|next| {
-            next.span().is_none_or(|next| next.end <= from || next.start >= span.end)
-                && !lacking.as_ref().is_some_and(|lacking| next.message().starts_with(lacking))
+            next.span.is_none_or(|next| next.end <= from || next.start >= span.end)
+                && !lacking.as_ref().is_some_and(|lacking| next.message.starts_with(lacking))
         })
     };
     let written = text.get(span.clone())?;
@@ -176,8 +182,8 @@ fn without(text: &str, Range { start, end }: Range<usize>) -> Option<String> {
 }
 
 /// Where the key at `key` begins and its value ends.
-fn value_of_key(text: &str, key: usize) -> Option<Range<usize>> {
-    found(DeTable::parse(text).ok()?.get_ref(), &|name, _| name.start == key)
+fn value_of_key(table: &DeTable<'_>, key: usize) -> Option<Range<usize>> {
+    found(table, &|name, _| name.start == key)
 }
 
 /// Where the key begins whose value is at `value`, and where that ends.

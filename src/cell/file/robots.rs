@@ -12,7 +12,7 @@ use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
 use crate::cell::CellError;
 use crate::cell::error::nearest;
-use crate::cell::workcell::{Driven, Kinematics, Link, Robot};
+use crate::cell::workcell::{Driven, FileLine, Kinematics, Link, Robot};
 use crate::fmi::number;
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::surface::{Flaw, Triangles};
@@ -78,9 +78,9 @@ impl Checker<'_> {
             Some(Described { kinematics, shapes, places, .. }) => (shapes, places, Some(kinematics)),
             None => (Vec::new(), places(robot), self.chain(robot)),
         };
-        let line = robot.urdf.as_ref().map_or(0, |path| self.source.line(path.span().start));
-        let mut links: Vec<Link> =
-            shapes.into_iter().map(|(name, joint, shape)| Link { name, robot: number, joint, shape, line }).collect();
+        let place = robot.urdf.as_ref().map(|path| self.place(path.span())).unwrap_or_default();
+        let of_urdf = |(name, joint, shape)| Link { name, robot: number, joint, shape, place: place.clone() };
+        let mut links: Vec<Link> = shapes.into_iter().map(of_urdf).collect();
         links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
         let _ = self.problems.keep(self.spheres(robot));
         if robot.links.is_empty() && links.is_empty() {
@@ -101,9 +101,9 @@ impl Checker<'_> {
             let error = self.source.error(table.span(), "this robot", message, Some(help.to_owned()));
             self.problems.tell(error);
         }
-        let (moving_mass_kg, mass_line) = mass?;
+        let (moving_mass_kg, mass_place) = mass?;
         let world_from_base = pose(&robot.base);
-        Some((Robot { name: robot.name.clone(), world_from_base, kinematics, moving_mass_kg, mass_line }, links))
+        Some((Robot { name: robot.name.clone(), world_from_base, kinematics, moving_mass_kg, mass_place }, links))
     }
 
     fn named_once(&self, names: &[&Spanned<String>]) {
@@ -124,16 +124,25 @@ impl Checker<'_> {
         })
     }
 
+    fn place(&self, span: Range<usize>) -> FileLine {
+        let base = self.source.base_at(span.start).map(|base| base.path.clone());
+        FileLine { base, line: self.source.line(span.start) }
+    }
+
     /// The moving mass, kg, and the line that says so.
-    fn mass(&self, table: &Spanned<RobotTable>, described: Option<&Described>) -> Result<(f64, usize), Box<CellError>> {
+    fn mass(
+        &self,
+        table: &Spanned<RobotTable>,
+        described: Option<&Described>,
+    ) -> Result<(f64, FileLine), Box<CellError>> {
         let robot = table.get_ref();
         if let Some(mass) = &robot.moving_mass_kg {
             self.positive(*mass.get_ref(), &mass.span(), "the moving mass of the robot")?;
-            return Ok((*mass.get_ref(), self.source.line(mass.span().start)));
+            return Ok((*mass.get_ref(), self.place(mass.span())));
         }
         let told = described.and_then(|urdf| urdf.moving_mass_kg).zip(robot.urdf.as_ref());
         if let Some((kg, path)) = told {
-            return Ok((kg, self.source.line(path.span().start)));
+            return Ok((kg, self.place(path.span())));
         }
         let message = match robot.urdf {
             Some(_) => "the URDF does not say how heavy what moves is",
@@ -243,7 +252,7 @@ impl Checker<'_> {
             }
         };
         let shape = if joint_from_place == Pose::IDENTITY { shape } else { shape.placed(joint_from_place) };
-        Ok(Link { name: link.name.clone(), robot, joint, shape, line: self.source.line(span.start) })
+        Ok(Link { name: link.name.clone(), robot, joint, shape, place: self.place(span) })
     }
 
     /// Whether shapes of parts that are known by a point alone are spheres around it.

@@ -1,19 +1,19 @@
 //! From the cell file to a [`Workcell`]: SI units, checked values, every mistake with its line and what to do.
 
+use std::sync::Arc;
+
 use super::checker::Checker;
-use super::format::{CellFile, FailOnTable, HumanTable, SearchTable, Sex, StartTable};
+use super::format::{CellFile, FailOnTable, SearchTable, Sex};
 use super::reading::read;
+use super::starts::Starts;
 use crate::cell::CellError;
 use crate::cell::error::Source;
-use crate::cell::workcell::{Beginning, UnitFile, Workcell};
+use crate::cell::workcell::{UnitFile, Workcell};
 use crate::fmi::number;
 use crate::human::action::ACTION_S;
 use crate::human::body::BodyError;
-use crate::human::{Anthropometry, Body, Radii, Start};
+use crate::human::{Anthropometry, Body, Radii};
 use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
-
-/// Latest that a person may begin, s.
-const LATEST_S: f64 = 3600.0;
 
 /// Most communication steps of an action: contacts are checked at each of them.
 const MOST_STEPS: f64 = 1000.0;
@@ -57,13 +57,16 @@ impl Checker<'_> {
             )
         });
         let known = self.problems.keep(known);
+        self.extends(&file);
         let step = self.problems.keep(self.step(&file));
         let fmus = self.problems.keep(self.fmus(&file));
         let robots = self.robots(&file);
         let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let (obstacles, obstacle_tables) = self.obstacles(&file);
-        let beginnings = self.beginnings(&file.human, step.map_or(0.02, |(step_s, _)| step_s));
         let body = self.problems.keep(self.body(&file));
+        let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
+        let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
+        self.limits(&file);
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
         let ((), ()) = (known?, budget?);
@@ -85,39 +88,29 @@ impl Checker<'_> {
             start: beginnings.first()?.start,
             beginnings,
             beginning: 0,
+            starts,
+            start_areas,
             body: body?,
             search: file.search,
             baseline: baseline?,
-            file,
+            file: Arc::new(file),
         })
     }
 
-    /// Every start at every time, the starts of one time together.
-    fn beginnings(&self, human: &HumanTable, step_s: f64) -> Vec<Beginning> {
-        let starts = std::iter::once(&human.start).chain(&human.other_starts);
-        let starts = self.problems.keep_all(starts.map(|table| {
-            let StartTable { xy_m: [x, y], heading_deg } = *table.get_ref();
-            self.finite(&[x, y, heading_deg], &table.span(), "the start pose")?;
-            Ok(Start::new(x, y, heading_deg))
-        }));
-        let times = &human.begins_s;
-        let none = self.that(!times.get_ref().is_empty(), times.span(), || {
-            ("human.begins_s is empty".to_owned(), "leave it out, or give [0, 1.5, 3]".to_owned())
-        });
-        let _ = self.problems.keep(none);
-        let times = self.problems.keep_all(times.get_ref().iter().map(|&time| {
-            self.that((0.0..=LATEST_S).contains(&time), times.span(), || {
-                (format!("human.begins_s has {}", number(time)), format!("use times from 0 to {LATEST_S} s"))
-            })?;
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "checked: an hour of small steps"
-            )]
-            Ok((time / step_s).round() as usize)
-        }));
-        let at = |&lead_in_steps: &usize| starts.iter().map(move |&start| Beginning { start, lead_in_steps });
-        times.iter().flat_map(at).collect()
+    /// What only files that extend others may say.
+    fn extends(&self, file: &CellFile) {
+        if let Some(named) = &file.extends {
+            let message = "what it extends was not read";
+            let help = Some("open it as a file: nothing is known of what is beside a text".to_owned());
+            self.problems.tell(self.source.error(named.span(), "here", message, help));
+        }
+        let of_robots = file.robots.iter().flat_map(|robot| &robot.get_ref().remove);
+        for (_, names) in file.remove.iter().chain(of_robots) {
+            let message = "there is nothing that this could be removed from";
+            let help = "`remove` is for files that extend another, and for robots that are in that one".to_owned();
+            self.problems.tell(self.source.error(names.span(), "here", message, Some(help)));
+        }
+        self.files.note(self.source.bases().iter().map(|base| (base.path.as_path(), base.text.as_bytes())));
     }
 
     fn baseline(&self, table: &FailOnTable) -> Result<Option<String>, Box<CellError>> {
@@ -204,7 +197,7 @@ impl Checker<'_> {
         Body::new(&measures).map_err(|e| {
             let (span, help) = match (&e, &h.radii_m) {
                 (BodyError::RadiusOutOfRange { .. }, Some(radii)) => (radii.span(), "radii are in m"),
-                _ => (h.start.span(), "bends of a person are between 0 and 90 degrees"),
+                _ => (self.source.table("human"), "bends of a person are between 0 and 90 degrees"),
             };
             self.source.error(span, "for this person", e.to_string(), Some(help.to_owned()))
         })

@@ -3,6 +3,7 @@
 
 use toml::{Table, Value};
 
+use crate::cell::Workcell;
 use crate::scan::prepare::Prepared;
 
 /// Where a sequence begins, and how many actions it may have.
@@ -88,6 +89,24 @@ impl Standpoint {
         }
         changed.beginning(self.beginning).map_err(|error| error.to_string())
     }
+}
+
+/// The cell file with each start of its start areas by itself: so a change of the cell leaves them what they are. Nothing if
+/// the file is not as expected.
+pub(super) fn with_each_start(mut table: Table, cell: &Workcell) -> Option<Table> {
+    let human = table.get_mut("human")?.as_table_mut()?;
+    if human.remove("start_area").is_some() {
+        let mut starts = cell.starts.iter().map(|start| {
+            let xy_m = start.xy_m.map(Value::Float).to_vec();
+            Value::Table(Table::from_iter([
+                ("xy_m".to_owned(), Value::Array(xy_m)),
+                ("heading_deg".to_owned(), start.heading_deg.into()),
+            ]))
+        });
+        human.insert("start".to_owned(), starts.next()?);
+        human.insert("other_starts".to_owned(), Value::Array(starts.collect()));
+    }
+    Some(table)
 }
 
 /// Most actions that a cell file may ask for.

@@ -60,7 +60,7 @@ impl<'a> Trial<'a> {
             changed: BTreeMap::new(),
             held: BTreeMap::new(),
             most: knob.steps,
-            limit: None,
+            limit: knob.end().map(|end| Why::NotTried(end.to_owned())),
             low: 0,
             below: OneLess::AsItIs,
             later: false,
@@ -82,7 +82,9 @@ impl<'a> Trial<'a> {
 
     fn remedy(&mut self, steps: u32, outcome: Outcome) -> Remedy {
         let cell = self.changed(steps).map_or_else(|_| String::new(), |changed| changed.text().to_owned());
-        Remedy { change: self.knob.words(steps), cell, outcome }
+        let ended = !matches!(outcome, Outcome::Sufficient(_) | Outcome::NotMet(_)) && self.most == self.knob.steps;
+        let limit = self.knob.end().filter(|_| ended).map(str::to_owned);
+        Remedy { change: self.knob.words(steps), cell, limit, outcome }
     }
 
     fn attempt(&mut self, workers: Option<usize>) -> Remedy {
