@@ -471,6 +471,64 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
     [dropped, kept, dropped_in_touch]
 }
 
+/// Elbow and wrist stay within what is told of a box, along any direction and in any; sometimes they get nearly as far.
+#[test]
+fn elbow_and_wrist_sweep_no_more_than_told() {
+    let (mut rng, whole) = (Rng::new(41), JointBox::whole());
+    let longer = ArmModel { upper_arm_m: 0.41, forearm_m: 0.24, ..ArmModel::default() };
+    let (mut beyond, mut used, mut nearly) = (f64::MIN, [0; 2], [0; 2]);
+    for number in 0..6000 {
+        let arm = if number % 3 == 0 { longer } else { ArmModel::default() };
+        let side = Side::BOTH[number % 2];
+        let scene = random_scene(&mut rng, 0);
+        let search_of = scene.query(&arm, side);
+        let search = Search::new(&search_of);
+        let size = uniform(&mut rng, 0.05, 1.0).powi(2);
+        let mut b = whole;
+        for joint in 0..4 {
+            b.half[joint] =
+                whole.half[joint] * size * if rng.below(3) == 0 { 0.01 } else { uniform(&mut rng, 0.1, 1.0) };
+            let room = whole.half[joint] - b.half[joint];
+            b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
+        }
+        let placed = search.place(b.middle);
+        let movement = Movement::of(&arm, &b, &placed, search.frame);
+        // Within the box, and on its sides, edges and corners.
+        let configs: Vec<Config> = (0..60)
+            .map(|_| {
+                std::array::from_fn(|j| {
+                    b.middle[j] + b.half[j] * [-1.0, 1.0, uniform(&mut rng, -1.0, 1.0)][rng.below(3)]
+                })
+            })
+            .collect();
+        let moved: Vec<[Vec3; 2]> = configs
+            .iter()
+            .map(|config| {
+                let there = search.place(*config);
+                [there.elbow - placed.elbow, there.wrist - placed.wrist]
+            })
+            .collect();
+        for [elbow, wrist] in &moved {
+            beyond = beyond.max(elbow.length() - movement.elbow).max(wrist.length() - movement.wrist);
+        }
+        for _ in 0..4 {
+            let n = vector(&mut rng, 1.0).normalize_or(Vec3::X);
+            for (point, range) in movement.both(n).into_iter().enumerate() {
+                let along = moved.iter().map(|moved| moved[point].dot(n));
+                let (least, most) = along.fold((f64::MAX, f64::MIN), |(l, m), a| (l.min(a), m.max(a)));
+                beyond = beyond.max(most - range.high).max(range.low - least);
+                used[point] += 1;
+                nearly[point] += usize::from(most - least > 0.8 * (range.high - range.low));
+            }
+            let (both, one) = (movement.both(n)[0], movement.elbow(n));
+            assert_eq!((both.low, both.high), (one.low, one.high));
+        }
+    }
+    assert!(beyond < 1e-9, "{beyond} m beyond what is told");
+    // Sixty places in four dimensions are few: where they fill four fifths, the bounds are tight.
+    assert!((0..2).all(|point| 3 * nearly[point] > used[point]), "{nearly:?} of {used:?} nearly filled");
+}
+
 /// The point of a capsule that is nearest to the wrist moves no farther than told, and sometimes nearly as far.
 #[test]
 fn nearest_points_move_no_farther_than_told() {
