@@ -63,7 +63,7 @@ pub(super) fn journal(out: &Path, prepared: &Prepared, goes_on: bool) -> Result<
     let fmus: Vec<&str> = prepared.subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
     let files = prepared.subject.files.iter().map(|file| format!(" {}", file.sha256));
     let subject = format!(
-        "fmi-hazard {}, journal 3, cell {}, beginning {}{}, FMUs {}, told by bytes: {}",
+        "fmi-hazard {}, journal 4, cell {}, beginning {}{}, FMUs {}, told by bytes: {}",
         env!("CARGO_PKG_VERSION"),
         prepared.subject.cell_sha256,
         prepared.cell.beginning + 1,
