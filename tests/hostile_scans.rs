@@ -41,8 +41,8 @@ fn meets(hostile: &Hostile, words: &str, end: &str, more: &[&str], workers: u64)
     for (message, actions) in ran.faults() {
         // Rust's handler ends a process whose stack is full, unless its own is full, too: then the signal does.
         let full = format!("{hostile:?}").contains("stack-overflow");
-        let message =
-            if full { message.replace("11, SIGSEGV, invalid memory access", "6, SIGABRT, abort") } else { message };
+        let own = if full { "11, SIGSEGV, invalid memory access" } else { "6, SIGABRT, abort" };
+        let message = message.replace(own, "6, SIGABRT, abort");
         assert!(message.starts_with(words) && message.ends_with(end), "{hostile:?}: {message}");
         // The number of the step or the time tells the same action as the sequence does.
         let rest = message.strip_prefix(words).unwrap();

@@ -215,12 +215,8 @@ impl Extremes {
 
 /// Half of what the numbers of corners rise along the edges between those whose numbers differ by `BIT`.
 fn rise<const N: usize, const BIT: usize>(values: &[f64; N]) -> Extremes {
-    let mut rises = [0.0; N];
-    for i in 0..N {
-        // Those edges that are counted twice change nothing.
-        let low = i & !BIT;
-        rises[i] = 0.5 * (values[low | BIT] - values[low]);
-    }
+    // Edges that are counted twice change nothing.
+    let rises: [f64; N] = std::array::from_fn(|i| 0.5 * (values[i | BIT] - values[i & !BIT]));
     Extremes::of(&rises)
 }
 
