@@ -328,7 +328,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             // Where only the upper arm counts, the joints that move it settle the matter sooner.
             return Some(usize::from(b.half[1] > b.half[0]));
         }
-        (movement.wrist > self.query.tolerance_m).then_some(movement.widest_joint)
+        // Near a joint's axis the wrist may stay where the elbow moves far.
+        (movement.wrist.max(movement.elbow) > self.query.tolerance_m).then_some(movement.widest_joint)
     }
 
     /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.

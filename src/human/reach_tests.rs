@@ -529,6 +529,44 @@ fn elbow_and_wrist_sweep_no_more_than_told() {
     assert!((0..2).all(|point| 3 * nearly[point] > used[point]), "{nearly:?} of {used:?} nearly filled");
 }
 
+/// A box that may hold a contact is done with only when neither elbow nor wrist moves by more than the tolerance in it.
+#[test]
+fn a_box_is_done_with_when_the_whole_arm_hardly_moves() {
+    let (mut rng, arm, whole) = (Rng::new(51), ArmModel::default(), JointBox::whole());
+    let (mut done, mut split) = (0, 0);
+    for _ in 0..300 {
+        let scene = random_scene(&mut rng, 0);
+        let query = scene.query(&arm, Side::Left);
+        let mut search = Search::new(&query);
+        let open: Vec<u16> = (0..search.pieces.len()).filter_map(|i| u16::try_from(i).ok()).collect();
+        for _ in 0..200 {
+            // Bent elbows bring the wrist near the axes of the shoulder.
+            let mut b = whole;
+            for joint in 0..4 {
+                b.half[joint] = if joint < 2 { uniform(&mut rng, 0.0, 0.2) } else { uniform(&mut rng, 0.0, 0.02) };
+                b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -0.9, 0.9) * whole.half[joint];
+            }
+            let placed = search.place(b.middle);
+            let mut left = Open { beyond_elbow: open.clone(), near_shoulder: open.clone() };
+            search.best = None;
+            let next = search.look_at(&b, &placed, &mut left);
+            if left.beyond_elbow.is_empty() || next.is_some() {
+                split += usize::from(next.is_some());
+                continue;
+            }
+            done += 1;
+            for corner in 0..16 {
+                let there = search.place(std::array::from_fn(|j| {
+                    b.middle[j] + if corner >> j & 1 == 0 { b.half[j] } else { -b.half[j] }
+                }));
+                let moved = (there.elbow - placed.elbow).length().max((there.wrist - placed.wrist).length());
+                assert!(moved <= TOLERANCE + 1e-9, "{moved} m in {:?} +- {:?}", b.middle, b.half);
+            }
+        }
+    }
+    assert!(done > 100 && split > 1000, "{done} {split}");
+}
+
 /// The point of a capsule that is nearest to the wrist moves no farther than told, and sometimes nearly as far.
 #[test]
 fn nearest_points_move_no_farther_than_told() {
