@@ -108,6 +108,13 @@ impl Plant for Hosted {
         }
     }
 
+    fn restore_soon(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        match (self, checkpoint) {
+            (Self::Apart(plant), Checkpoint::Apart(saved)) => plant.restore_soon(saved),
+            (plant, saved) => plant.restore(saved),
+        }
+    }
+
     fn holds(&self, checkpoint: &Checkpoint) -> bool {
         match (self, checkpoint) {
             (Self::Here(plant), Checkpoint::Here(saved)) => plant.holds(saved),

@@ -74,6 +74,15 @@ pub trait Plant {
     /// When the FMU fails.
     fn restore(&mut self, checkpoint: &Self::Checkpoint) -> Result<(), PlantError>;
 
+    /// [`restore`](Self::restore), just before steps are asked for: where the plant lives elsewhere, one message for both.
+    /// That it failed may be told only then, see [`PlantError::restoring`]; it is then not put off again.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    fn restore_soon(&mut self, checkpoint: &Self::Checkpoint) -> Result<(), PlantError> {
+        self.restore(checkpoint)
+    }
+
     /// Whether a saved state can still be restored; some are lost with the process that held them.
     fn holds(&self, _checkpoint: &Self::Checkpoint) -> bool {
         true
@@ -157,6 +166,10 @@ impl<P: Plant> Plant for &mut P {
         (**self).restore(checkpoint)
     }
 
+    fn restore_soon(&mut self, checkpoint: &P::Checkpoint) -> Result<(), PlantError> {
+        (**self).restore_soon(checkpoint)
+    }
+
     fn holds(&self, checkpoint: &P::Checkpoint) -> bool {
         (**self).holds(checkpoint)
     }
@@ -196,6 +209,8 @@ pub struct PlantError {
     pub settled: bool,
     /// It was ended because all work has to end, see [`Stop`]: this says nothing about the FMU.
     pub stopped: bool,
+    /// The state that was to be brought back first was not: no step was made.
+    pub restoring: bool,
     /// The FMU refused to be instantiated or initialised: it made no step.
     pub not_started: bool,
     /// The FMU could not be loaded: nothing of it has run.

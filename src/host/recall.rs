@@ -27,7 +27,7 @@ impl NodeId {
     pub const ROOT: Self = Self(0);
 
     /// Its number, in the order in which states were met.
-    pub(super) const fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         self.0
     }
 }
@@ -55,6 +55,8 @@ struct Node<C> {
     digest: Option<u64>,
     /// The first node known to be in the same state; itself mostly.
     same: NodeId,
+    /// The number of these outputs: equal for equal ones, as long as both are held.
+    trace: u32,
     checkpoint: Option<C>,
     children: BTreeMap<Arc<[u64]>, Result<NodeId, Arc<PlantError>>>,
 }
@@ -169,6 +171,11 @@ pub struct Recall<P: Plant> {
     restores_lost: u32,
     /// Of all transitions that were stepped so far, in their order.
     trail: u64,
+    /// Nothing is stepped from states of this depth: what serves that alone is not asked of them.
+    deepest: usize,
+    /// Outputs that are held, each once, with their numbers; by what they are in short.
+    traces: BTreeMap<u64, (u32, Arc<[f64]>)>,
+    next_trace: u32,
 }
 
 impl<P: Plant> Recall<P> {
@@ -189,6 +196,7 @@ impl<P: Plant> Recall<P> {
             outputs,
             digest: Some(own),
             same: NodeId::ROOT,
+            trace: 0,
             checkpoint,
             children: BTreeMap::new(),
         };
@@ -208,7 +216,16 @@ impl<P: Plant> Recall<P> {
             restores: 0,
             restores_lost: 0,
             trail: own,
+            deepest: usize::MAX,
+            traces: BTreeMap::new(),
+            next_trace: 1,
         })
+    }
+
+    /// Says that nothing will be stepped from states of this depth: they are not saved, and not compared with others.
+    /// Should something be stepped from one all the same, it is reached by replay.
+    pub const fn ends_at(&mut self, depth: usize) {
+        self.deepest = depth;
     }
 
     /// Outputs after each step of the transition into `node`, row-major.
@@ -233,6 +250,12 @@ impl<P: Plant> Recall<P> {
     #[must_use]
     pub fn depth(&self, node: NodeId) -> usize {
         self.nodes[node.0].depth
+    }
+
+    /// A number for the outputs of the transition into `node`: those of equal number are equal to the last bit.
+    #[must_use]
+    pub fn trace(&self, node: NodeId) -> u32 {
+        self.nodes[node.0].trace
     }
 
     /// The first node known to be in the same state as `node`.
@@ -310,6 +333,7 @@ impl<P: Plant> Recall<P> {
         if let Some(known) = &mut self.known {
             known.retain(|(at, _), _| *at >= depth || *at == 0);
         }
+        self.traces = BTreeMap::new();
         self.bytes = self.nodes.iter().map(|n| self.bytes_of(n)).sum();
     }
 
@@ -404,8 +428,9 @@ impl<P: Plant> Recall<P> {
     }
 
     /// What is wanted of a state that is met for the first time.
-    fn wanted(&self) -> Then {
+    fn wanted(&self, depth: usize) -> Then {
         match self.policy {
+            _ if depth >= self.deepest => Then::Nothing,
             _ if self.known.is_some() => Then::Fingerprint,
             Policy::States { max_checkpoints } if self.checkpoints < max_checkpoints => Then::Save,
             _ => Then::Nothing,
@@ -457,6 +482,7 @@ impl<P: Plant> Recall<P> {
         let depth = self.nodes[parent.0].depth + 1;
         let own = digest(&outputs);
         self.trail = mixed(self.trail, own);
+        let (trace, outputs) = self.held(own, outputs);
         let node = Node {
             parent,
             depth,
@@ -464,6 +490,7 @@ impl<P: Plant> Recall<P> {
             outputs,
             digest: Some(own),
             same,
+            trace,
             checkpoint,
             children: BTreeMap::new(),
         };
@@ -472,6 +499,19 @@ impl<P: Plant> Recall<P> {
         self.nodes[parent.0].children.insert(edge, Ok(child));
         self.at = Some(same);
         child
+    }
+
+    /// These outputs, which are `short` in short, with their number: as they are held already, if they are.
+    fn held(&mut self, short: u64, outputs: Arc<[f64]>) -> (u32, Arc<[f64]>) {
+        if let Some((number, held)) = self.traces.get(&short)
+            && same_bits(held, &outputs)
+        {
+            return (*number, Arc::clone(held));
+        }
+        let number = self.next_trace;
+        self.next_trace += 1;
+        self.traces.insert(short, (number, Arc::clone(&outputs)));
+        (number, outputs)
     }
 
     /// Steps on from where the plant is and from `other`, which is said to be the same state, with the inputs of
@@ -510,7 +550,7 @@ impl<P: Plant> Recall<P> {
 
     /// A node below `parent` for the transition that led to `child` from the same state.
     fn alias(&mut self, parent: NodeId, child: NodeId) -> NodeId {
-        let Node { depth, edge, outputs, same, .. } = &self.nodes[child.0];
+        let Node { depth, edge, outputs, same, trace, .. } = &self.nodes[child.0];
         let node = Node {
             parent,
             depth: *depth,
@@ -518,6 +558,7 @@ impl<P: Plant> Recall<P> {
             outputs: Arc::clone(outputs),
             digest: None,
             same: *same,
+            trace: *trace,
             checkpoint: None,
             children: BTreeMap::new(),
         };

@@ -14,6 +14,12 @@ struct Integrator {
     rounds: bool,
     /// How saving fails above 5: refused, or with the process.
     cannot_save: Option<bool>,
+    /// How restoring fails: refused, or with the process.
+    cannot_restore: Option<bool>,
+    /// Restoring waits for the next steps, until that went wrong once.
+    puts_off: bool,
+    put_off: Option<(u32, f64)>,
+    fingerprints: u32,
     /// The process in which states are held.
     process: u32,
 }
@@ -32,6 +38,12 @@ impl Plant for Integrator {
         Ok(vec![0.0])
     }
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        if let Some(state) = self.put_off.take() {
+            self.restore(&state).map_err(|error| {
+                self.puts_off = false;
+                PlantError { restoring: !error.lost, ..error }
+            })?;
+        }
         let mut out = Vec::new();
         for u in inputs.iter().take(steps) {
             self.x += u + if self.drifts { f64::from(self.restarts) } else { 0.0 };
@@ -56,6 +68,7 @@ impl Plant for Integrator {
         checkpoint.0 == self.process
     }
     fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
+        self.fingerprints += 1;
         let x = if self.rounds { self.x.floor() } else { self.x };
         let mut digest = [0; 32];
         digest[..8].copy_from_slice(&x.to_le_bytes());
@@ -63,8 +76,20 @@ impl Plant for Integrator {
     }
     fn restore(&mut self, checkpoint: &(u32, f64)) -> Result<(), PlantError> {
         assert!(self.holds(checkpoint), "restored what is lost");
+        if let Some(lost) = self.cannot_restore {
+            self.x = f64::NAN;
+            self.process += u32::from(lost);
+            return Err(PlantError { lost, ..PlantError::of("cannot restore") });
+        }
         self.x = checkpoint.1;
         Ok(())
+    }
+    fn restore_soon(&mut self, checkpoint: &(u32, f64)) -> Result<(), PlantError> {
+        if self.puts_off {
+            self.put_off = Some(*checkpoint);
+            return Ok(());
+        }
+        self.restore(checkpoint)
     }
 }
 
@@ -181,4 +206,36 @@ fn a_state_that_cannot_be_saved_costs_no_action() {
             assert_eq!(&**recall.outputs(higher), &[7.0]);
         }
     }
+}
+
+#[test]
+fn a_state_that_cannot_be_restored_costs_no_action() {
+    for (lost, puts_off) in [(false, false), (false, true), (true, false), (true, true)] {
+        let plant = Integrator { cannot_restore: Some(lost), puts_off, ..Integrator::default() };
+        let mut recall = Recall::new(plant, STATES).unwrap();
+        let a = to(recall.advance(NodeId::ROOT, 1, &[2.0]).unwrap());
+        for u in [1.0, 4.0, 5.0, 6.0, 7.0] {
+            let on = to(recall.advance(a, 1, &[u]).unwrap());
+            assert_eq!(&**recall.outputs(on), &[2.0 + u], "{lost} {puts_off}");
+        }
+        assert_eq!(recall.effort().restores, if puts_off { 1 } else { 0 }, "said to be done, and done by replay");
+    }
+}
+
+#[test]
+fn where_everything_ends_nothing_is_asked_of_states() {
+    let mut recall = Recall::new(Integrator::default(), STATES).unwrap();
+    recall.ends_at(2);
+    assert!(recall.merge_equal_states().unwrap());
+    let a = to(recall.advance(NodeId::ROOT, 1, &[1.0]).unwrap());
+    let asked = recall.plant().fingerprints;
+    let (b, c) = (to(recall.advance(a, 2, &[2.0, 1.0]).unwrap()), to(recall.advance(a, 2, &[1.0, 2.0]).unwrap()));
+    assert_eq!((recall.plant().fingerprints, recall.merges().merged), (asked, 0));
+    assert_eq!((recall.same(b), recall.same(c), &**recall.outputs(c)), (b, c, &[2.0, 4.0][..]));
+    // Whoever steps on all the same gets what is right.
+    let on = to(recall.advance(b, 1, &[5.0]).unwrap());
+    assert_eq!(&**recall.outputs(on), &[9.0]);
+    // Equal outputs have one number, others another.
+    let d = to(recall.advance(NodeId::ROOT, 2, &[2.0, 2.0]).unwrap());
+    assert!(recall.trace(d) == recall.trace(c) && recall.trace(d) != recall.trace(b));
 }

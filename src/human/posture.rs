@@ -104,18 +104,19 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
     }
     let world_from_feet = world_from_feet(position, heading_rad);
     let in_trunk = body.guarded();
-    let sweep = BendFraction::ALL.map(|fraction| {
+    let shapes = |fraction: BendFraction| {
         let world_from_trunk = body.world_from_trunk(&world_from_feet, posture, fraction);
         in_trunk.map(|capsule| moved(&world_from_trunk, &capsule))
-    });
-    let mut free = BendFraction::ALL.len();
-    for obstacle in near {
-        let guards = sweep[0].map(|upright| Guard::of(&upright, obstacle));
-        let is_hit = |shapes: &[Capsule]| guards.iter().zip(shapes).any(|(guard, shape)| guard.hits(shape, obstacle));
-        // Upright itself is free by the choice of the guards.
-        free = (1..free).find(|step| is_hit(&sweep[*step])).unwrap_or(free);
-    }
-    BendFraction::ALL[free - 1]
+    };
+    let upright = shapes(BendFraction::UPRIGHT);
+    let near: Vec<_> = near.map(|obstacle| (upright.map(|shape| Guard::of(&shape, obstacle)), obstacle)).collect();
+    let is_hit = |shapes: &[Capsule]| {
+        let hit = |(guard, shape): (&Guard, &Capsule), obstacle| guard.hits(shape, obstacle);
+        near.iter().any(|(guards, obstacle)| guards.iter().zip(shapes).any(|pair| hit(pair, obstacle)))
+    };
+    // Upright itself is free by the choice of the guards.
+    let free = BendFraction::ALL[1..].iter().take_while(|fraction| !is_hit(&shapes(**fraction))).count();
+    BendFraction::ALL[free]
 }
 
 #[cfg(test)]

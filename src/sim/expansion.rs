@@ -104,6 +104,7 @@ impl<P: Plant> Expander<P> {
     ) -> Result<Self, PlantError> {
         let stop = plant.stop();
         let mut recall = Recall::new(plant, policy)?;
+        recall.ends_at(usize::try_from(cell.search.actions).unwrap_or(usize::MAX));
         let by_bytes = merge == Merge::Auto && recall.merge_equal_states()?;
         let world = Arc::new(World::new(cell, binding).heeding(stop));
         Ok(Self {
@@ -344,7 +345,7 @@ impl<P: Plant> Expansion for Expander<P> {
         let recall = &self.robots.recall;
         let keep: BTreeSet<NodeId> = self.bundles.values().copied().filter(|n| recall.depth(*n) >= depth).collect();
         self.bundles.retain(|_, node| keep.contains(node));
-        self.robots.release(depth, |node| keep.contains(&node));
+        self.robots.release(depth, &keep);
     }
 
     /// What is behind planes takes the most memory.

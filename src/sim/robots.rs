@@ -1,4 +1,7 @@
 //! The FMU's states, and the robots as its outputs tell them; also as they *would* be had planes told of an arm.
+//!
+//! Robots do the same in many states: what follows from outputs is worked out once for all actions with equal outputs,
+//! before and in them, at the same time of the run.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -10,9 +13,9 @@ use crate::cell::binding::SensorBinding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::human::Place;
 
-/// Most FMU states whose robot frames are remembered at a time, and most frames that differ, some hundred MB each; beyond
+/// Most motions of robots that are remembered at a time, and most frames that differ, some hundred MB each; beyond
 /// that all are forgotten and worked out again when they are needed.
-const FRAMES_KEPT: usize = 400_000;
+const MOTIONS_KEPT: usize = 200_000;
 const DIFFERENT_KEPT: usize = 50_000;
 
 /// A plane that tells of an arm: the steps, counted from the start of an action, in which its input is active besides.
@@ -34,6 +37,11 @@ impl Told {
         usize::try_from(end - self.first).unwrap_or(0)
     }
 
+    /// Whether anything is told before the end of an action of so many steps.
+    const fn counts(self, per_action: i16) -> bool {
+        self.first < self.until && self.first < per_action
+    }
+
     /// The same, counted from an action of so many steps before.
     const fn before(self, steps: i16) -> Self {
         let until = if self.until == Self::EVER { Self::EVER } else { self.until + steps };
@@ -44,17 +52,30 @@ impl Told {
 /// The state that stands in for another.
 pub(super) type Shadow = HadTold<NodeId>;
 
+/// Those of a sensor, and when it ended, by how much earlier it began.
+type Shadows = ((u16, i16), Vec<Option<Shadow>>);
+
+/// The robots after each step of an action.
+#[derive(Clone)]
+pub(super) struct Moved {
+    pub(super) frames: Frames,
+    /// For each frame a number that only equal ones have.
+    pub(super) numbers: Arc<[u32]>,
+}
+
 /// The FMU's states, and the robots as its outputs tell them.
 pub(super) struct Robots<P: Plant> {
     world: Arc<World>,
     pub(super) recall: Recall<P>,
-    /// Robot frames of each FMU state's last action.
-    frames: BTreeMap<NodeId, Frames>,
-    /// Those that differ, by the bits of what they follow from: much of what robots do is the same in many states.
-    different: BTreeMap<Box<[u64]>, Arc<RobotFrame>>,
-    /// The states that stand in for others had a plane told of an arm, where they are known: by state, sensor, and when it
-    /// ended; then by how much earlier it began.
-    shadows: BTreeMap<(NodeId, u16, i16), Vec<Option<Shadow>>>,
+    /// The robots over an action, by the outputs before it, those of it ([`Recall::trace`]) and the actions until its end.
+    motions: BTreeMap<(u32, u32, usize), Moved>,
+    /// Frames that differ, by the bits of what they follow from, with their numbers.
+    different: BTreeMap<Box<[u64]>, (u32, Arc<RobotFrame>)>,
+    /// Numbers that were given to frames; none is given twice.
+    numbered: u32,
+    /// The states that stand in for others had a plane told of an arm, where they are known: by the number of the state;
+    /// then by sensor and when it ended; then by how much earlier it began.
+    shadows: Vec<Vec<Shadows>>,
     /// The same for several planes.
     of_several: BTreeMap<(NodeId, Box<[Told]>), Shadow>,
     /// What the FMU said when it first could not finish such a run.
@@ -72,9 +93,10 @@ impl<P: Plant> Robots<P> {
         Self {
             world,
             recall,
-            frames: BTreeMap::new(),
+            motions: BTreeMap::new(),
             different: BTreeMap::new(),
-            shadows: BTreeMap::new(),
+            numbered: 0,
+            shadows: Vec::new(),
             of_several: BTreeMap::new(),
             unfinished: None,
             reached: BTreeSet::new(),
@@ -104,31 +126,47 @@ impl<P: Plant> Robots<P> {
 
     /// The robots after each step of the action into `node`.
     pub(super) fn frames(&mut self, node: NodeId) -> Frames {
-        if let Some(frames) = self.frames.get(&node) {
-            return Arc::clone(frames);
+        Arc::clone(&self.moved(node).frames)
+    }
+
+    /// The same, with their numbers.
+    pub(super) fn moved(&mut self, node: NodeId) -> &Moved {
+        let recall = &self.recall;
+        let key = (recall.trace(recall.parent(node)), recall.trace(node), recall.depth(node));
+        if !self.motions.contains_key(&key) {
+            let moved = self.motion_into(node);
+            if self.motions.len() >= MOTIONS_KEPT {
+                self.motions.clear();
+            }
+            self.motions.insert(key, moved);
         }
-        if self.frames.len() >= FRAMES_KEPT || self.different.len() >= DIFFERENT_KEPT {
-            self.frames.clear();
+        &self.motions[&key]
+    }
+
+    fn motion_into(&mut self, node: NodeId) -> Moved {
+        if self.different.len() >= DIFFERENT_KEPT {
             self.different.clear();
         }
         let before = (node != NodeId::ROOT).then(|| &**self.recall.outputs(self.recall.parent(node)));
         let (binding, step_s) = (&self.world.binding, self.world.cell.step_s);
         let unsettled = if self.recall.depth(node) > 1 { 0 } else { self.comparison.unsettled() };
         let rows = binding.first_rows(self.recall.outputs(node), before, step_s, unsettled);
-        let (world, different) = (&self.world, &mut self.different);
+        let (world, different, numbered) = (&self.world, &mut self.different, &mut self.numbered);
         let frame = |row: &[f64]| {
             let bits = row.iter().map(|value| value.to_bits()).collect();
-            let new = || Arc::new(RobotFrame::new(&world.cell, &world.binding, row));
-            Arc::clone(different.entry(bits).or_insert_with(new))
+            let new = || {
+                *numbered += 1;
+                (*numbered, Arc::new(RobotFrame::new(&world.cell, &world.binding, row)))
+            };
+            different.entry(bits).or_insert_with(new).clone()
         };
-        let frames: Frames = rows.chunks(world.binding.columns()).map(frame).collect();
+        let (numbers, frames): (Vec<u32>, Vec<_>) = rows.chunks(world.binding.columns()).map(frame).unzip();
         self.compare_speeds(node, &frames);
-        self.frames.insert(node, Arc::clone(&frames));
-        frames
+        Moved { frames: frames.into(), numbers: numbers.into() }
     }
 
     /// Compares the told speeds with the motion over the action into `node`, and looks at how fast the links are.
-    fn compare_speeds(&mut self, node: NodeId, frames: &Frames) {
+    fn compare_speeds(&mut self, node: NodeId, frames: &[Arc<RobotFrame>]) {
         let parent = self.recall.parent(node);
         let actions = self.recall.depth(parent);
         if node == NodeId::ROOT {
@@ -156,8 +194,14 @@ impl<P: Plant> Robots<P> {
     /// The state after the action into `node` had planes told of an arm besides.
     fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Shadow, PlantError> {
         let per_action = i16::try_from(self.world.cell.steps_per_action).unwrap_or(i16::MAX);
+        if let [one] = told
+            && one.counts(per_action)
+            && let Some(known) = self.known_shadow(node, told, per_action)
+        {
+            return Ok(known);
+        }
         // What is told later than in this action changes nothing yet.
-        let told: Box<[Told]> = told.iter().copied().filter(|t| t.first < t.until && t.first < per_action).collect();
+        let told: Box<[Told]> = told.iter().copied().filter(|t| t.counts(per_action)).collect();
         if told.is_empty() {
             return Ok(Shadow::Is(node));
         }
@@ -199,7 +243,9 @@ impl<P: Plant> Robots<P> {
 
     fn known_shadow(&self, node: NodeId, told: &[Told], per_action: i16) -> Option<Shadow> {
         let [one] = told else { return self.of_several.get(&(node, told.into())).cloned() };
-        self.shadows.get(&(node, one.sensor, one.until))?.get(one.earlier(per_action))?.clone()
+        let of_node = self.shadows.get(node.index())?;
+        let (_, known) = of_node.iter().find(|(of, _)| *of == (one.sensor, one.until))?;
+        known.get(one.earlier(per_action))?.clone()
     }
 
     fn remember_shadow(&mut self, node: NodeId, told: Box<[Told]>, per_action: i16, shadow: Shadow) {
@@ -207,31 +253,36 @@ impl<P: Plant> Robots<P> {
             self.of_several.insert((node, told), shadow);
             return;
         };
-        let earlier = one.earlier(per_action);
-        let known = self.shadows.entry((node, one.sensor, one.until)).or_default();
+        let (earlier, of) = (one.earlier(per_action), (one.sensor, one.until));
+        if self.shadows.len() <= node.index() {
+            self.shadows.resize_with(node.index() + 1, Vec::new);
+        }
+        let of_node = &mut self.shadows[node.index()];
+        let place = of_node.iter().position(|(known, _)| *known == of).unwrap_or_else(|| {
+            of_node.push((of, Vec::new()));
+            of_node.len() - 1
+        });
+        let known = &mut of_node[place].1;
         if known.len() <= earlier {
             known.resize(earlier + 1, None);
         }
         known[earlier] = Some(shadow);
     }
 
-    /// The steps of the action into a state that windows, seen from step `i` of it, are about.
-    fn told(&self, windows: &[Window], i: usize) -> Vec<Told> {
+    /// The steps of the action into a state that a window, seen from step `i` of it, is about.
+    fn told(&self, window: &Window, i: usize) -> Told {
         let narrow = |n: isize| i16::try_from(n).unwrap_or(i16::MAX - 1);
-        let told = |window: &Window| {
-            let sensor = self.world.curtains[window.curtain].sensor;
-            let now = (i + 1 + self.world.cell.sensors[sensor].delay_steps).cast_signed();
-            let until = match window.until {
-                0 => Told::EVER,
-                until => narrow(now - until.cast_signed()),
-            };
-            let first = narrow(now - window.from.cast_signed());
-            // What takes effect after this step only is not told yet.
-            let none = window.from == window.until || usize::try_from(first).is_ok_and(|first| first > i);
-            let first = if none { until } else { first };
-            Told { sensor: u16::try_from(sensor).unwrap_or(u16::MAX), first, until }
+        let sensor = self.world.curtains[window.curtain].sensor;
+        let now = (i + 1 + self.world.cell.sensors[sensor].delay_steps).cast_signed();
+        let until = match window.until {
+            0 => Told::EVER,
+            until => narrow(now - until.cast_signed()),
         };
-        windows.iter().map(told).collect()
+        let first = narrow(now - window.from.cast_signed());
+        // What takes effect after this step only is not told yet.
+        let none = window.from == window.until || usize::try_from(first).is_ok_and(|first| first > i);
+        let first = if none { until } else { first };
+        Told { sensor: u16::try_from(sensor).unwrap_or(u16::MAX), first, until }
     }
 
     /// The states in which the FMU would be in `node`'s stead had a plane told of an arm in the last 1, 2, ... samples, or,
@@ -247,13 +298,18 @@ impl<P: Plant> Robots<P> {
     ) -> Result<Vec<Shadow>, PlantError> {
         let last = self.world.cell.steps_per_action - 1;
         let windows = self.world.windows_that_will_matter(place, curtain, since);
-        windows.into_iter().map(|window| self.had_told(node, &self.told(&[window], last))).collect()
+        windows.into_iter().map(|window| self.had_told(node, &[self.told(&window, last)])).collect()
     }
 
     /// Forgets what belongs to states before those that `keep` names.
-    pub(super) fn release(&mut self, depth: usize, keep: impl Fn(NodeId) -> bool) {
-        self.shadows.retain(|(node, ..), _| keep(*node));
-        self.frames.clear();
+    pub(super) fn release(&mut self, depth: usize, keep: &BTreeSet<NodeId>) {
+        let mut before = std::mem::take(&mut self.shadows);
+        for node in keep.iter().map(|node| node.index()) {
+            let Some(of_node) = before.get_mut(node) else { break };
+            self.shadows.resize_with(node + 1, Vec::new);
+            self.shadows[node] = std::mem::take(of_node);
+        }
+        self.motions.clear();
         self.different.clear();
         self.reached.clear();
         self.recall.release_before(depth);
@@ -274,8 +330,14 @@ impl<'a, P: Plant> Instead<'a, P> {
 
     /// The state of the FMU had planes told of an arm in these windows.
     pub(super) fn node_for(&mut self, windows: &[Window]) -> Result<Shadow, PlantError> {
-        let told = self.robots.told(windows, self.i);
-        self.robots.had_told(self.node, &told)
+        let told = |window: &Window| self.robots.told(window, self.i);
+        match windows {
+            [window] => self.robots.had_told(self.node, &[told(window)]),
+            _ => {
+                let told: Vec<Told> = windows.iter().map(told).collect();
+                self.robots.had_told(self.node, &told)
+            }
+        }
     }
 }
 

@@ -1,7 +1,10 @@
 //! Independent work on all threads, with results that do not tell which thread did what.
 
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher as _};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// What a thread takes at a time.
 const BLOCK: usize = 16;
@@ -36,4 +39,36 @@ pub(super) fn shared_out<T: Send>(
     });
     all.sort_unstable_by_key(|(from, _)| *from);
     (!stopped.into_inner()).then(|| all.into_iter().map(|(_, done)| done).collect())
+}
+
+/// Parts of a [`Memo`], so that threads rarely wait for each other, and most entries of one; then it is emptied.
+const PARTS: usize = 64;
+const KEPT: usize = 1 << 14;
+
+/// What follows from a key and nothing else, worked out by whichever thread comes first.
+#[derive(Debug)]
+pub(super) struct Memo<K, V>([Mutex<BTreeMap<K, V>>; PARTS]);
+
+impl<K: Ord + Hash, V: Copy> Memo<K, V> {
+    pub(super) fn new() -> Self {
+        Self(std::array::from_fn(|_| Mutex::default()))
+    }
+
+    /// What belongs to `key`: `work` gives it if it is not known.
+    pub(super) fn of(&self, key: K, work: impl FnOnce() -> V) -> V {
+        let mut hash = DefaultHasher::new();
+        key.hash(&mut hash);
+        let part = usize::try_from(hash.finish() % PARTS as u64).unwrap_or(0);
+        let lock = || self.0[part].lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = lock().get(&key) {
+            return *known;
+        }
+        let value = work();
+        let mut part = lock();
+        if part.len() >= KEPT {
+            part.clear();
+        }
+        part.insert(key, value);
+        value
+    }
 }

@@ -13,6 +13,7 @@ use super::curtain::Curtain;
 use super::encounter::{ArmSpace, Encounter, Person};
 use super::robot::RobotFrame;
 use super::sensors::{DelayLine, Seen, input_row, sees};
+use super::threads::Memo;
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
@@ -177,6 +178,8 @@ pub struct World {
     pub(super) neighbours: Vec<(usize, usize)>,
     /// No part of the body but the arms is farther from the point 1 m above the place where it stands, m.
     body_reach_m: f64,
+    /// How far bends get.
+    bends: Memo<(Place, Posture), BendFraction>,
 }
 
 impl World {
@@ -193,7 +196,8 @@ impl World {
         };
         let body_reach_m = cell.body.reach_from_one_metre(0.0);
         let (curtains, neighbours) = (Vec::new(), Vec::new());
-        let mut world = Self { cell, binding, encounter, boxes, curtains, neighbours, body_reach_m };
+        let mut world =
+            Self { cell, binding, encounter, boxes, curtains, neighbours, body_reach_m, bends: Memo::new() };
         world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
         let (curtains, reach) = (&world.curtains, world.encounter.arm.reach());
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
@@ -584,7 +588,13 @@ impl World {
     }
 
     pub(super) fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
-        posture::cut_back(self.body(), self.position(place), place.heading_rad(&self.cell.start), bent, &self.boxes)
+        if bent == Posture::Upright || self.boxes.is_empty() {
+            return BendFraction::FULL;
+        }
+        self.bends.of((*place, bent), || {
+            let heading_rad = place.heading_rad(&self.cell.start);
+            posture::cut_back(self.body(), self.position(place), heading_rad, bent, &self.boxes)
+        })
     }
 
     fn walker(&self) -> Walker<'_> {

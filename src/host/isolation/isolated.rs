@@ -26,6 +26,9 @@ pub enum Keeping {
 /// again; then it is the FMU's way.
 const TRIED_AGAIN: u32 = 6;
 
+/// It is looked after so many restored states whether a worker has had its time.
+const LOOK_AFTER: u32 = 64;
+
 /// A plant in a worker process.
 pub struct Isolated {
     launcher: Launcher,
@@ -39,9 +42,13 @@ pub struct Isolated {
     steps: u64,
     /// How often a worker had to be ended because it gave no answer or took too much.
     ended_by_us: u32,
-    /// Actions and what is done after them are asked for one by one, since a worker was lost that was asked for both: so
-    /// it shows what ends it.
+    /// Restoring, actions and what is done after them are asked for one by one, since a worker was lost that was asked for
+    /// several at once, or refused to restore: so it shows what ends it.
     one_by_one: bool,
+    /// A saved state that is to be restored with the next action.
+    put_off: Option<u32>,
+    /// States restored since it was looked whether the worker has had its time.
+    restored: u32,
 }
 
 /// Numbers of saved states.
@@ -82,6 +89,8 @@ impl Isolated {
             steps: 0,
             ended_by_us: 0,
             one_by_one: false,
+            put_off: None,
+            restored: 0,
         }
     }
 
@@ -121,10 +130,17 @@ impl Isolated {
     fn end(&mut self) {
         self.worker = None;
         self.steps = 0;
+        self.put_off = None;
         self.lose();
     }
 
     fn ask(&mut self, question: &Question) -> Result<Answer, PlantError> {
+        if let (false, Some(number)) =
+            (matches!(question, Question::Advance { .. } | Question::Forget(_)), self.put_off)
+        {
+            self.put_off = None;
+            self.ask(&Question::Restore { number, how: Saving::ByFmu })?;
+        }
         let worker = match &mut self.worker {
             Some(worker) => worker,
             none => none.insert(self.launcher.start(self.keeping == Keeping::ByFork)?),
@@ -247,9 +263,10 @@ impl Isolated {
         let mut done = 0;
         while done < steps {
             let now = part.min(steps - done);
+            let from = self.put_off.take();
             let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
             let then = if done + now == steps { then } else { message::Then::Nothing };
-            match self.ask(&Question::Advance { steps: now, inputs, then })? {
+            match self.ask(&Question::Advance { from, steps: now, inputs, then })? {
                 Answer::Stepped { rows, taken: after } if self.are_rows(&rows, now) => {
                     trace.extend(rows);
                     taken = after;
@@ -283,6 +300,7 @@ impl Plant for Isolated {
             // They belong to the instance that ends here.
             self.lose();
         }
+        self.put_off = None;
         match self.ask(&Question::Restart)? {
             Answer::Rows(rows) if self.are_rows(&rows, 1) => Ok(rows),
             _ => Err(self.unexpected()),
@@ -303,8 +321,10 @@ impl Plant for Isolated {
             };
             return Ok((rows, taken));
         }
+        let put_off = self.put_off.is_some();
         let stepped = self.asked_for(then).and_then(|then| Ok((then, self.run(steps, inputs, then)?)));
-        self.one_by_one |= then != Then::Nothing && stepped.as_ref().is_err_and(|error| error.lost);
+        let several = then != Then::Nothing || put_off;
+        self.one_by_one |= stepped.as_ref().is_err_and(|error| (several && error.lost) || error.restoring);
         let (then, (rows, taken)) = stepped?;
         let taken = match (then, taken) {
             (message::Then::Nothing, Ok(message::Taken::Nothing)) => Ok(Taken::Nothing),
@@ -347,6 +367,16 @@ impl Plant for Isolated {
             Answer::Done => Ok(()),
             _ => Err(self.unexpected()),
         }
+    }
+
+    fn restore_soon(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
+        self.restored += 1;
+        if self.keeping != Keeping::ByFmu || self.one_by_one || self.restored >= LOOK_AFTER || !self.holds(checkpoint) {
+            self.restored = 0;
+            return self.restore(checkpoint);
+        }
+        self.put_off = Some(checkpoint.number);
+        Ok(())
     }
 
     fn holds(&self, checkpoint: &Checkpoint) -> bool {

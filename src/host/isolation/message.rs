@@ -28,6 +28,8 @@ pub(super) enum Question {
     Restart,
     /// [`crate::host::Plant::advance_and`].
     Advance {
+        /// A state that the FMU saved, to be restored first.
+        from: Option<u32>,
         steps: usize,
         #[serde(with = "numbers")]
         inputs: Vec<f64>,

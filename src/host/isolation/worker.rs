@@ -140,6 +140,21 @@ struct Hosted {
     saved: BTreeMap<u32, system::Checkpoint>,
 }
 
+impl Hosted {
+    fn restore(&mut self, number: u32) -> Result<(), PlantError> {
+        let saved = self.saved.get(&number).ok_or_else(|| PlantError::of("this saved state is not known"))?;
+        self.plant.restore(saved)
+    }
+
+    /// Outputs of an action from the present state, or from a saved one.
+    fn stepped(&mut self, from: Option<u32>, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        if let Some(number) = from {
+            self.restore(number).map_err(|error| PlantError { restoring: true, ..error })?;
+        }
+        self.plant.advance(steps, inputs)
+    }
+}
+
 /// On which side of a copy a process finds itself.
 enum Side {
     /// It goes on.
@@ -163,19 +178,18 @@ impl Server {
             return self.load(*load);
         }
         let Some(hosted) = &mut self.hosted else { return not_loaded("nothing is loaded".to_owned(), false) };
-        let plant = &mut hosted.plant;
         let rows = |result: Result<Vec<f64>, PlantError>| result.map_or_else(Answer::Failed, Answer::Rows);
         match question {
             Question::Load(_) => Answer::Done,
             Question::Restart => {
                 hosted.saved.clear();
-                rows(plant.restart())
+                rows(hosted.plant.restart())
             }
-            Question::Advance { steps, inputs, then } => match plant.advance(steps, &inputs) {
+            Question::Advance { from, steps, inputs, then } => match hosted.stepped(from, steps, &inputs) {
                 Ok(rows) => {
                     let taken = match then {
                         Then::Nothing => Ok(Taken::Nothing),
-                        Then::Fingerprint => plant.fingerprint().map(Taken::Fingerprint),
+                        Then::Fingerprint => hosted.plant.fingerprint().map(Taken::Fingerprint),
                         Then::Save { number, how } => match self.save(number, how) {
                             Ok(Side::Original) => Ok(Taken::Saved),
                             // Called to life by another question.
@@ -187,7 +201,7 @@ impl Server {
                 }
                 Err(error) => Answer::Failed(error),
             },
-            Question::Fingerprint => plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
+            Question::Fingerprint => hosted.plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
             Question::Save { number, how } => {
                 self.save(number, how).map_or_else(Answer::Failed, |(Side::Original | Side::Copy)| Answer::Done)
             }
@@ -197,10 +211,9 @@ impl Server {
                 head.tell(number, LIVE);
                 process::leave(0)
             }
-            Question::Restore { number, how: Saving::ByFmu } => match hosted.saved.get(&number) {
-                Some(saved) => plant.restore(saved).map_or_else(Answer::Failed, |()| Answer::Done),
-                None => Answer::Failed(PlantError::of("this saved state is not known")),
-            },
+            Question::Restore { number, how: Saving::ByFmu } => {
+                hosted.restore(number).map_or_else(Answer::Failed, |()| Answer::Done)
+            }
             Question::Forget(numbers) => {
                 hosted.saved.retain(|number, _| !numbers.contains(number));
                 Answer::Done

@@ -23,7 +23,7 @@ impl<P: Plant> Recall<P> {
         let (mut tries, mut stocktakings) = (0, 0);
         loop {
             // What went well before must go well again.
-            if let Err(error) = self.go_to(node) {
+            if let Err(error) = self.go(node, true) {
                 tries += 1;
                 if error.lost && tries < error.tries() {
                     continue;
@@ -34,9 +34,10 @@ impl<P: Plant> Recall<P> {
             self.at = None;
             self.steps_made += steps as u64;
             let depth = self.nodes[node.0].depth + 1;
-            let then = if new { self.wanted() } else { Then::Nothing };
+            let then = if new { self.wanted(depth) } else { Then::Nothing };
             let (outputs, taken) = match self.plant.advance_and(steps, inputs, then) {
                 Ok(stepped) => stepped,
+                Err(error) if error.restoring => continue,
                 Err(error) if error.lost && tries + 1 < error.tries() => {
                     tries += 1;
                     continue;
@@ -69,6 +70,11 @@ impl<P: Plant> Recall<P> {
 
     /// Brings the plant to `node`.
     pub(super) fn go_to(&mut self, node: NodeId) -> Result<(), PlantError> {
+        self.go(node, false)
+    }
+
+    /// The same; where it is to step on at once, restoring may be put off until then.
+    fn go(&mut self, node: NodeId, to_step: bool) -> Result<(), PlantError> {
         let node = self.nodes[node.0].same;
         if self.at == Some(node) {
             return Ok(());
@@ -82,7 +88,10 @@ impl<P: Plant> Recall<P> {
         }
         self.at = None;
         let restored = match &self.nodes[from.0].checkpoint {
-            Some(checkpoint) if self.plant.holds(checkpoint) => self.plant.restore(checkpoint).map(|()| true),
+            Some(checkpoint) if self.plant.holds(checkpoint) => match to_step && path.is_empty() {
+                true => self.plant.restore_soon(checkpoint).map(|()| true),
+                false => self.plant.restore(checkpoint).map(|()| true),
+            },
             _ => Ok(false),
         };
         match &restored {

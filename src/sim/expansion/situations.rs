@@ -30,43 +30,38 @@ impl Earlier for &Situation {
     }
 }
 
-/// Numbers the rows of robot frames that differ.
-#[derive(Default)]
-struct Rows {
-    numbers: BTreeMap<Vec<u64>, u32>,
-    of_node: BTreeMap<NodeId, Arc<[u32]>>,
-}
-
 /// Situations that differ.
 #[derive(Default)]
 pub(super) struct Situations {
-    rows: Rows,
-    /// By the numbers of their rows, and the windows that these belong to.
-    numbers: BTreeMap<(Vec<u32>, Vec<Asked>), usize>,
-    /// By node, step and the windows of planes.
-    known: BTreeMap<(NodeId, usize, Vec<Asked>), usize>,
+    /// What may be asked of planes, each list of windows once, by what it follows from.
+    asked: BTreeMap<Vec<Asked>, usize>,
+    windows: Vec<Vec<Vec<Window>>>,
+    /// By the number of the windows, then those of the frames ([`Moved::numbers`]).
+    numbers: BTreeMap<(usize, Vec<u32>), usize>,
+    /// At one step, by node and the number of the windows.
+    known: BTreeMap<(NodeId, usize), usize>,
     pub(super) all: Vec<Situation>,
 }
 
-impl Rows {
-    fn of(&mut self, node: NodeId, frames: &Frames) -> Arc<[u32]> {
-        if let Some(known) = self.of_node.get(&node) {
-            return Arc::clone(known);
+impl Situations {
+    /// The number of the windows that may be asked for.
+    fn windows(&mut self, asked: Vec<Asked>, neighbours: &[(usize, usize)]) -> usize {
+        if let Some(number) = self.asked.get(&asked) {
+            return *number;
         }
-        let numbers = &mut self.numbers;
-        let number = |outputs: &[f64]| {
-            let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
-            *numbers.entry(outputs.iter().map(|v| v.to_bits()).collect()).or_insert(next)
-        };
-        let rows: Arc<[u32]> = frames.iter().map(|f| f.outputs()).map(number).collect();
-        self.of_node.insert(node, Arc::clone(&rows));
-        rows
+        self.windows.push(Asked::windows(&asked, neighbours));
+        self.asked.insert(asked, self.windows.len() - 1);
+        self.windows.len() - 1
     }
 }
 
+/// Stands for the robots of a run that the FMU could not finish, and of one that would begin before the start of time.
+const UNFINISHED: u32 = u32::MAX - 1;
+const BEFORE_TIME: u32 = u32::MAX;
+
 impl<P: Plant> Expander<P> {
     /// The number of the situation after step `i` of a transition, for a person at this place.
-    pub(super) fn situation(
+    fn situation(
         &mut self,
         transition: &Transition,
         i: usize,
@@ -74,35 +69,40 @@ impl<P: Plant> Expander<P> {
         situations: &mut Situations,
     ) -> Result<usize, PlantError> {
         let asked = self.world.windows_that_may_matter(place, &transition.sensed.broken[i]);
-        let question = (transition.node, i, asked);
-        if let Some(number) = situations.known.get(&question) {
+        let asked = situations.windows(asked, &self.world.neighbours);
+        if let Some(number) = situations.known.get(&(transition.node, asked)) {
             return Ok(*number);
         }
-        let mut rows = vec![situations.rows.of(transition.node, &transition.frames)[i]];
-        let mut earlier = BTreeMap::new();
-        for windows in Asked::windows(&question.2, &self.world.neighbours) {
-            let shadow = Instead::new(&mut self.robots, transition.node, i).node_for(&windows)?;
-            let frames = shadow.clone().map(|node| self.robots.frames(node));
-            rows.push(match (&shadow, &frames) {
-                (Shadow::Is(node), HadTold::Is(frames)) => situations.rows.of(*node, frames)[i],
-                (Shadow::Unfinished, _) => u32::MAX - 1,
-                _ => u32::MAX,
+        let windows = &situations.windows[asked];
+        let mut shadows: Vec<Shadow> = Vec::with_capacity(windows.len());
+        let mut numbers = vec![self.robots.moved(transition.node).numbers[i]];
+        for windows in windows {
+            let shadow = Instead::new(&mut self.robots, transition.node, i).node_for(windows)?;
+            numbers.push(match &shadow {
+                Shadow::Is(node) => self.robots.moved(*node).numbers[i],
+                Shadow::Unfinished => UNFINISHED,
+                Shadow::BeforeTime => BEFORE_TIME,
             });
-            earlier.insert(windows, frames);
+            shadows.push(shadow);
         }
-        let key = (rows, question.2.clone());
-        let all = &mut situations.all;
-        let number = *situations.numbers.entry(key).or_insert_with(|| {
-            let told_may_harm = |told: &HadTold<Frames>| match told {
-                HadTold::Is(frames) => frames[i].may_harm,
-                HadTold::BeforeTime => false,
-                HadTold::Unfinished => true,
-            };
-            let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
-            all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
-            all.len() - 1
-        });
-        situations.known.insert(question, number);
+        let key = (asked, numbers);
+        let number = match situations.numbers.get(&key) {
+            Some(number) => *number,
+            None => {
+                let mut told = |shadow: Shadow| shadow.map(|node| self.robots.frames(node));
+                let earlier: BTreeMap<_, _> = windows.iter().cloned().zip(shadows.into_iter().map(&mut told)).collect();
+                let told_may_harm = |told: &HadTold<Frames>| match told {
+                    HadTold::Is(frames) => frames[i].may_harm,
+                    HadTold::BeforeTime => false,
+                    HadTold::Unfinished => true,
+                };
+                let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
+                situations.all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
+                situations.numbers.insert(key, situations.all.len() - 1);
+                situations.all.len() - 1
+            }
+        };
+        situations.known.insert((transition.node, asked), number);
         Ok(number)
     }
 
@@ -115,6 +115,7 @@ impl<P: Plant> Expander<P> {
         walked: &dyn Fn(&Pending) -> &'a WalkTrace,
         situations: &mut Situations,
     ) -> Result<Vec<Option<usize>>, PlantError> {
+        situations.known.clear();
         // Postures of a walk mostly share the transition: then the situation is the same.
         let mut last = None;
         let mut asked = Vec::with_capacity(pending.len());
