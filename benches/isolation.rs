@@ -19,6 +19,7 @@ use fmi_hazard::host::isolation::{Guard, Limits};
 use fmi_hazard::scan::options::Method;
 use fmi_hazard::scan::prepare::prepare_in;
 use fmi_hazard::scan::{Hosting, Prepared, ScanOptions, StateChoice, StrategyName, scan};
+use fmi_hazard::stop::Stop;
 
 fn main() {
     // Divan takes all samples of one thing before those of the next; for a difference of a few percent that is too far
@@ -30,7 +31,7 @@ fn main() {
 }
 
 fn here(scenario: &str) -> Prepared {
-    prepare_in(&common::cell(scenario), None, &Hosting::InProcess).expect("the example can be run")
+    prepare_in(&common::cell(scenario), None, &Hosting::InProcess(Stop::default())).expect("the example can be run")
 }
 
 fn apart(scenario: &str) -> Prepared {

@@ -152,10 +152,13 @@ fn what_had_to_end_is_never_complete() {
     let begun = "start = { xy_m = [0.824, -0.834], heading_deg = 135 }\nbegins_s = [0.8]";
     let cell = cell.replace(start, begun) + "\n[search]\nactions = 3\n";
     let path = write(&dir.path().join("safety-fence"), "short.toml", &cell);
-    let scanned = |asks: &dyn Fn(u32, bool) -> bool| {
-        let (program, stop) = (env!("CARGO_BIN_EXE_fmi-hazard").into(), Stop::default());
+    let workers = |stop: &Stop| {
         let limits = Limits { stop: stop.clone(), ..Limits::default() };
-        let prepared = prepare_in(&path, None, &Hosting::Workers { program, guard: Guard::Sandboxed, limits }).unwrap();
+        Hosting::Workers { program: env!("CARGO_BIN_EXE_fmi-hazard").into(), guard: Guard::Sandboxed, limits }
+    };
+    let scanned_in = |hosting: &dyn Fn(&Stop) -> Hosting, asks: &dyn Fn(u32, bool) -> bool| {
+        let stop = Stop::default();
+        let prepared = prepare_in(&path, None, &hosting(&stop)).unwrap();
         let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
         let how = Exhaustive { budget, merge: Merge::default(), workers: 2 };
         let method = Method::Auto(StrategyName::Hybrid, how);
@@ -180,6 +183,7 @@ fn what_had_to_end_is_never_complete() {
         });
         (report.unwrap().report, seen)
     };
+    let scanned = |asks: &dyn Fn(u32, bool) -> bool| scanned_in(&workers, asks);
     let (whole, events) = scanned(&|_, _| false);
     assert!(whole.certificate.is_some_and(|c| c.complete) && whole.hazards.len() > 1);
     let mut cut = 0;
@@ -192,6 +196,9 @@ fn what_had_to_end_is_never_complete() {
         cut += u32::from(!complete);
     }
     assert!(cut > 8, "{cut} of {events}");
+    // An FMU in this process hears it, too.
+    let (report, _) = scanned_in(&|stop| Hosting::InProcess(stop.clone()), &|seen, _| seen == events / 2);
+    assert!(report.certificate.is_none_or(|certificate| !certificate.complete));
     let (report, _) = scanned(&|_, confirming| confirming);
     let certificate = report.certificate.unwrap();
     assert!(report.hazards.iter().any(|hazard| hazard.confirmed.is_none()));

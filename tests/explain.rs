@@ -177,6 +177,14 @@ fn a_scan_of_an_fmu_with_a_cell_file_elsewhere_is_explained_and_replayed_from_wh
         let (code, text, said) = ran(dir, &[command, &["--cell", "moved.toml"]].concat());
         assert!(code < Some(2) && text.contains(&id) && !said.contains("changed"), "{said}");
     }
+    // A contact that is as hard at the same time, with another link, is another one.
+    let (_, text, _) = ran(dir, &["replay", "first", &id, "--cell", "moved.toml"]);
+    assert!(text.contains(&format!("{id} reproduced: ")), "{text}");
+    let mut recorded = json(&dir.join("first/scan.json"));
+    recorded["hazards"][0]["robot_link"] = "another".into();
+    std::fs::write(dir.join("first/scan.json"), recorded.to_string()).unwrap();
+    let (_, text, _) = ran(dir, &["replay", "first", &id, "--cell", "moved.toml"]);
+    assert!(text.contains(&format!("{id} DIFFERS: ")) && text.contains("<- another)"), "{text}");
     // Another cell is told to be another.
     std::fs::write(dir.join("moved.toml"), text.replace("actions = 5", "actions = 6")).unwrap();
     let (_, _, said) = ran(dir, &["replay", "first", &id, "--cell", "moved.toml"]);

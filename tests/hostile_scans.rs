@@ -79,6 +79,9 @@ fn calls_that_never_return() {
         let words = "the FMU gave no answer for 1 s in a step, number ";
         meets(&hostile.what(what).when_stopped(8), words, " of its run", &["--fmu-timeout", "1"], 2);
     }
+    // Whoever waits for the first word of an FMU is soon told for what.
+    let ran = scan(&Hostile::v2().what("hang").at("load", 1), &["--fmu-timeout", "3"]);
+    assert!(ran.stderr.trim_start().starts_with("trying out "), "{}", ran.stderr);
 }
 
 #[test]

@@ -61,7 +61,7 @@ impl HostingArguments {
     pub(super) fn heeding(&self, stop: &Stop) -> Result<Hosting, Failure> {
         if self.in_process {
             output::warning("the FMU runs in this process: a crash of it ends everything, it may do what you may");
-            return Ok(Hosting::InProcess);
+            return Ok(Hosting::InProcess(stop.clone()));
         }
         let program = std::env::current_exe()
             .map_err(|e| Failure::unusable(format!("this program cannot find itself to start a worker: {e}")))?;

@@ -90,12 +90,16 @@ struct Phase {
     text: String,
     since: Instant,
     printed: Instant,
+    /// Nothing was printed yet.
+    silent: bool,
 }
 
-/// Longest time without a line, where nobody watches a bar.
+/// Longest time without a line, where nobody watches a bar; and longest time without the first one, anywhere.
 const BETWEEN_LINES: Duration = Duration::from_secs(15);
+const FIRST_LINE: Duration = Duration::from_secs(2);
 
-/// Says what is being done, for whoever waits: where there is no bar it is told when nothing else was for a while.
+/// Says what is being done, for whoever waits: it is told when nothing was for two seconds, and later, where there is no bar,
+/// when nothing else was for a while.
 pub(super) fn phase(text: &str) {
     let now = Instant::now();
     let Ok(mut phase) = PHASE.lock() else { return };
@@ -105,8 +109,8 @@ pub(super) fn phase(text: &str) {
             text.clone_into(&mut phase.text);
         }
         None => {
-            *phase = Some(Phase { text: text.to_owned(), since: now, printed: now });
-            if !quiet() && !std::io::stderr().is_terminal() {
+            *phase = Some(Phase { text: text.to_owned(), since: now, printed: now, silent: true });
+            if !quiet() {
                 // Ends with the program.
                 let _ = std::thread::Builder::new().name("still-there".to_owned()).spawn(still_there);
             }
@@ -119,8 +123,12 @@ fn still_there() {
     loop {
         std::thread::sleep(Duration::from_millis(500));
         let Ok(phase) = PHASE.lock() else { return };
-        let Some(Phase { text, since, printed }) = phase.as_ref() else { continue };
-        if printed.elapsed() < BETWEEN_LINES.saturating_sub(Duration::from_secs(1)) {
+        let Some(Phase { text, since, printed, silent }) = phase.as_ref() else { continue };
+        if !silent && std::io::stderr().is_terminal() {
+            return;
+        }
+        let patience = if *silent { FIRST_LINE } else { BETWEEN_LINES };
+        if printed.elapsed() < patience.saturating_sub(Duration::from_millis(500)) {
             continue;
         }
         let waited = since.elapsed().as_secs();
@@ -143,7 +151,7 @@ pub(super) fn note(text: &str) {
     if let Ok(mut phase) = PHASE.lock()
         && let Some(phase) = phase.as_mut()
     {
-        phase.printed = Instant::now();
+        (phase.printed, phase.silent) = (Instant::now(), false);
     }
     if !quiet() {
         let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));

@@ -9,6 +9,7 @@ use super::{earlier, output, recording};
 use crate::report::model::Hazard;
 use crate::scan::StateChoice;
 use crate::sim::replay::replay;
+use crate::standards::BodyRegion;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -47,20 +48,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             }
         };
         still_there |= again.is_some();
+        let recorded = told(hazard.force_n, hazard.time_s, hazard.body_region, &hazard.robot_link);
         let line = match &again {
-            Some(f)
-                if f.contact.force_n.to_bits() == hazard.force_n.to_bits()
-                    && f.time_s.to_bits() == hazard.time_s.to_bits() =>
-            {
-                format!(
-                    "{} reproduced: {:.3} N at {:.3} s, as recorded to the last bit ({} <- {})",
-                    hazard.id, f.contact.force_n, f.time_s, hazard.body_region, hazard.robot_link
-                )
+            Some(f) => {
+                let link = &prepared.cell.links[f.contact.link].name;
+                let now = told(f.contact.force_n, f.time_s, f.contact.region, link);
+                // Two links may hit equally hard.
+                let same = f.contact.force_n.to_bits() == hazard.force_n.to_bits()
+                    && f.time_s.to_bits() == hazard.time_s.to_bits()
+                    && (f.contact.region, link) == (hazard.body_region, &hazard.robot_link);
+                match same {
+                    true => format!("{} reproduced: {now}, as recorded to the last bit", hazard.id),
+                    false => format!("{} DIFFERS: {now}, recorded {recorded}", hazard.id),
+                }
             }
-            Some(f) => format!(
-                "{} DIFFERS: {:.3} N at {:.3} s, recorded {:.3} N at {:.3} s",
-                hazard.id, f.contact.force_n, f.time_s, hazard.force_n, hazard.time_s
-            ),
             None => format!("{} NOT reproduced: the sequence ends without an unsafe contact", hazard.id),
         };
         output::result(&(line + "\n"));
@@ -70,4 +71,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
     }
     Ok(if still_there { HAZARDS } else { NO_HAZARD })
+}
+
+/// A contact in a line.
+fn told(force_n: f64, time_s: f64, region: BodyRegion, link: &str) -> String {
+    format!("{force_n:.3} N at {time_s:.3} s ({region} <- {link})")
 }

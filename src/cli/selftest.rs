@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         false => Failure::running(format!("the FMU failed in its first plain run: {e}")),
     };
     let (result, habits) = match arguments.hosting.hosting()? {
-        Hosting::InProcess => {
+        Hosting::InProcess(_) => {
             let slaves = subject.fmus().into_iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
             (selftest(&slaves, &setup, steps, &[], Activity::unseen()).map_err(failed)?, Vec::new())
         }

@@ -125,7 +125,7 @@ impl Plant for Hosted {
 
     fn stop(&self) -> Stop {
         match self {
-            Self::Here(_) => Stop::default(),
+            Self::Here(plant) => plant.stop(),
             Self::Apart(plant) => plant.stop(),
         }
     }

@@ -5,6 +5,7 @@ use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
 use super::rounding;
 use crate::fmi::{self, Handle, Initializing, Instance, Instantiated, Plan, Slave, State, Stepping};
+use crate::stop::Stop;
 
 /// What to write to and read from an FMU, and at which steps.
 #[derive(Clone, Debug)]
@@ -45,6 +46,7 @@ pub struct InProcess {
     /// Communication steps taken since time zero; time is `step * step_s`, never accumulated.
     step: u64,
     activity: Activity,
+    stop: Stop,
 }
 
 /// A saved FMU state together with the master's own clock.
@@ -66,7 +68,13 @@ impl InProcess {
     pub fn new(slave: Slave, setup: Setup) -> Self {
         let (inputs, outputs) = (plan(&slave, &setup.inputs), plan(&slave, &setup.outputs));
         let watched = plan(&slave, &setup.watched);
-        Self { slave, setup, inputs, outputs, watched, instance: None, step: 0, activity: Activity::unseen() }
+        let (activity, stop) = (Activity::unseen(), Stop::default());
+        Self { slave, setup, inputs, outputs, watched, instance: None, step: 0, activity, stop }
+    }
+
+    /// From now on no step is begun once `stop` says so.
+    pub(super) fn heed(&mut self, stop: Stop) {
+        self.stop = stop;
     }
 
     /// From now on `activity` is told what is being done.
@@ -290,6 +298,9 @@ impl Plant for InProcess {
         let width = self.setup.inputs.len();
         let mut trace = Vec::with_capacity(steps * self.setup.outputs.len());
         for i in 0..steps {
+            if self.stop.is_due() {
+                return Err(PlantError::stopped());
+            }
             let time_s = self.time_s();
             let instance = self.instance.as_mut().ok_or_else(not_started)?;
             self.activity.begin(Call::Write, self.step);

@@ -16,6 +16,7 @@ use super::in_process::{self, InProcess, Setup};
 use super::plant::{Fingerprint, Plant, PlantError};
 use super::port::Port;
 use crate::fmi::Slave;
+use crate::stop::Stop;
 
 /// A variable of one of the FMUs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -192,6 +193,7 @@ pub struct System {
     wiring: Vec<Wiring>,
     /// For each connection its last values, the newest at the back.
     lines: Vec<VecDeque<f64>>,
+    stop: Stop,
 }
 
 /// Saved states of all FMUs, and the values under way between them.
@@ -240,13 +242,28 @@ impl System {
             }
         };
         let wiring = (0..slaves.len()).map(wires).collect();
-        Ok(Self { order, units, wiring, lines: vec![VecDeque::new(); setup.connections.len()], setup })
+        Ok(Self {
+            order,
+            units,
+            wiring,
+            lines: vec![VecDeque::new(); setup.connections.len()],
+            setup,
+            stop: Stop::default(),
+        })
     }
 
     /// The same, telling `activity` what it does.
     #[must_use]
     pub(super) fn watched(mut self, activity: Activity) -> Self {
         self.units.iter_mut().for_each(|unit| unit.watch(activity));
+        self
+    }
+
+    /// The same; its steps end when `stop` says so.
+    #[must_use]
+    pub fn heeding(mut self, stop: &Stop) -> Self {
+        self.units.iter_mut().for_each(|unit| unit.heed(stop.clone()));
+        self.stop = stop.clone();
         self
     }
 
@@ -411,6 +428,10 @@ impl Plant for System {
         }
         self.lines.clone_from(&checkpoint.lines);
         Ok(())
+    }
+
+    fn stop(&self) -> Stop {
+        self.stop.clone()
     }
 }
 

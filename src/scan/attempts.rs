@@ -98,8 +98,11 @@ pub(super) fn attempts(
         let unconfirmed = hazards.iter().filter(refuted).count();
         let open = hazards.iter().filter(|h| h.confirmed.is_none() || h.shortest.confirmed.is_none()).count();
         if let Some(certificate) = searched.certificate.as_mut().filter(|_| open > 0) {
-            certificate
-                .refuse(format!("{open} hazards were not confirmed any more: it was stopped, or its time was up"));
+            let why = match not_run {
+                Some(_) => "the FMU could not be run any more",
+                None => "it was stopped, or its time was up",
+            };
+            certificate.refuse(format!("{open} hazards were not confirmed any more: {why}"));
         }
         if let Some(error) = not_run {
             searched.notes.push(format!("not every hazard could be run once more from the start: {}", error.message));

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::fmi::Slave;
 use crate::host::SystemSetup;
 use crate::host::isolation::{Guard, Launcher, Limits};
+use crate::stop::Stop;
 
 /// How FMU states are to be brought back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -25,8 +26,8 @@ pub enum StateChoice {
 /// Where FMUs run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Hosting {
-    /// In this process: a crash of theirs is one of ours.
-    InProcess,
+    /// In this process: a crash of theirs is one of ours. Their steps end when this says so.
+    InProcess(Stop),
     /// In worker processes.
     Workers {
         /// The program that serves as a worker, see [`Launcher::new`].
@@ -40,7 +41,7 @@ pub enum Hosting {
 
 /// What plants are made of.
 pub(super) enum Source {
-    Here { slaves: Vec<Slave>, setup: SystemSetup },
+    Here { slaves: Vec<Slave>, setup: SystemSetup, stop: Stop },
     Apart(Launcher),
 }
 
@@ -48,7 +49,7 @@ impl Source {
     /// The same FMUs with another setup.
     pub(super) fn with_setup(&self, setup: SystemSetup) -> Self {
         match self {
-            Self::Here { slaves, .. } => Self::Here { slaves: slaves.clone(), setup },
+            Self::Here { slaves, stop, .. } => Self::Here { slaves: slaves.clone(), setup, stop: stop.clone() },
             Self::Apart(launcher) => Self::Apart(launcher.clone().with_setup(setup)),
         }
     }

@@ -70,7 +70,7 @@ pub struct Prepared {
 /// # Errors
 /// [`PrepareError`].
 pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareError> {
-    prepare_in(path, cell, &Hosting::InProcess)
+    prepare_in(path, cell, &Hosting::InProcess(Stop::default()))
 }
 
 /// The same with a choice of where the FMUs run.
@@ -337,7 +337,7 @@ impl Prepared {
     #[must_use]
     pub fn stop(&self) -> Stop {
         match &self.source {
-            Source::Here { .. } => Stop::default(),
+            Source::Here { stop, .. } => stop.clone(),
             Source::Apart(launcher) => launcher.stop().clone(),
         }
     }
@@ -359,8 +359,9 @@ impl Prepared {
     #[expect(clippy::expect_used, reason = "the order was worked out when preparing")]
     pub(super) fn plant_of(&self, choice: StateChoice, setup_of: impl Fn(&SystemSetup) -> SystemSetup) -> Hosted {
         match &self.source {
-            Source::Here { slaves, setup } => {
-                Hosted::Here(System::new(slaves, setup_of(setup)).expect("the connections form no loop"))
+            Source::Here { slaves, setup, stop } => {
+                let system = System::new(slaves, setup_of(setup)).expect("the connections form no loop");
+                Hosted::Here(system.heeding(stop))
             }
             Source::Apart(launcher) => {
                 let launcher = launcher.clone().with_setup(setup_of(launcher.setup()));

@@ -44,14 +44,14 @@ pub(super) fn try_out(
     // Serialised states are not needed here, and bringing one back in another instance crashes some FMUs.
     let skip = [Stage::Serialize];
     match hosting {
-        Hosting::InProcess => {
+        Hosting::InProcess(stop) => {
             let slaves = fmus.iter().map(Fmu::load).collect::<Result<Vec<_>, _>>()?;
             let result = selftest(&slaves, setup, steps, &skip, Activity::unseen());
             Ok(Tested {
                 self_test: result.map_err(|error| PrepareError::FirstRun(hinted(error, fmus)))?,
                 missing_protection: Vec::new(),
                 step_time: Duration::ZERO,
-                source: Source::Here { slaves, setup: setup.clone() },
+                source: Source::Here { slaves, setup: setup.clone(), stop: stop.clone() },
             })
         }
         Hosting::Workers { program, guard, limits } => {
