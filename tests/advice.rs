@@ -88,6 +88,8 @@ fn all(prepared: &Prepared, any: bool) -> ScanReport {
 struct Advised {
     prepared: Prepared,
     remedies: Vec<Remedy>,
+    /// Force over limit of that hazard.
+    ratio: f64,
     _dir: TempDir,
 }
 
@@ -106,7 +108,7 @@ fn advised_in(dir: TempDir, name: &str, text: &str, iterations: u32) -> Advised 
     let [states, work, bytes] = [200_000, 100_000_000, 2_000_000_000];
     let effort = Effort { iterations, work: work as u64, states, bytes, workers: 2 };
     let remedies = remedies(&prepared, &report.hazards[0], &report.hazards, effort, &|_| {}).unwrap();
-    Advised { prepared, remedies, _dir: dir }
+    Advised { prepared, remedies, ratio: report.hazards[0].ratio, _dir: dir }
 }
 
 impl Advised {
@@ -379,7 +381,11 @@ fn advice_for_two_scanners_is_true() {
 
 #[test]
 fn advice_for_a_heavy_workpiece_is_true() {
-    example("heavy-workpiece", [1.6, -1.2, 180.0, 0.0], 6);
+    let advised = example("heavy-workpiece", [1.6, -1.2, 180.0, 0.0], 6);
+    // By hand: the force grows with the speed, so the limit is about 1/ratio of the old one; not exactly, as the point that
+    // touches is not the tool centre point whose speed is limited.
+    let (limit, expected) = (advised.value("plc.v_limit"), 0.48 / advised.ratio);
+    assert!(limit < expected + 0.05 && limit > 0.6 * expected, "{limit} {expected}");
 }
 
 /// The cell with a mat that is too narrow, with what `explain` may change: the speed of the bar and where it stands never.
