@@ -23,6 +23,8 @@ pub struct Ran {
     pub stdout: Vec<u8>,
     /// In one line, without decoration.
     pub stderr: String,
+    /// Whether it was told that the FMU keeps it waiting, which depends on the machine and is left out of the above.
+    pub waited: bool,
     /// scan.json and run.json; null if there are none.
     pub scan: Value,
     pub run: Value,
@@ -114,11 +116,15 @@ impl Place {
     fn results(&self, output: Output) -> Ran {
         let out = self.work().join("out");
         let read = |name: &str| if out.join(name).exists() { json(&out.join(name)) } else { Value::Null };
-        let text = String::from_utf8_lossy(&output.stderr).replace(['│', '×', '\n'], " ");
+        let said = String::from_utf8_lossy(&output.stderr);
+        let (waiting, others): (Vec<&str>, Vec<&str>) =
+            said.lines().partition(|line| line.starts_with("  trying out "));
+        let text = others.join(" ").replace(['│', '×'], " ");
         Ran {
             code: output.status.code(),
             stdout: output.stdout,
             stderr: text.split_whitespace().collect::<Vec<_>>().join(" "),
+            waited: !waiting.is_empty(),
             scan: read("scan.json"),
             run: read("run.json"),
             log: std::fs::read(out.join("fmu.log")).ok(),
