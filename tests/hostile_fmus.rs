@@ -370,7 +370,7 @@ fn what_only_the_sandbox_denies_names_the_way_out() {
     // A temporary file elsewhere, which is then written to, used or complained about.
     let source =
         |step: &str| format!("#include <stdio.h>\n#include <errno.h>\n#include <string.h>\n{}", source_with_step(step));
-    let open = "static int n; FILE *f = n++ < FIRST ? (FILE *)1 : fopen(\"/tmp/fmi-hazard-denied\", \"w\");";
+    let open = "static int n; FILE *f = n++ < FIRST ? (FILE *)1 : tmpfile();";
     for (first, rest, words) in [
         ("0", "fputs(\"x\", f); return 0;", "If it fails here only, the sandbox may be why"),
         ("9", "if (f) return 0; perror(\"table\"); abort();", "It was denied something, maybe by the sandbox"),

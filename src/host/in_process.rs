@@ -331,4 +331,8 @@ impl Plant for InProcess {
         self.step = checkpoint.step;
         Ok(())
     }
+
+    fn stop(&self) -> Stop {
+        self.stop.clone()
+    }
 }

@@ -193,7 +193,6 @@ pub struct System {
     wiring: Vec<Wiring>,
     /// For each connection its last values, the newest at the back.
     lines: Vec<VecDeque<f64>>,
-    stop: Stop,
 }
 
 /// Saved states of all FMUs, and the values under way between them.
@@ -242,14 +241,7 @@ impl System {
             }
         };
         let wiring = (0..slaves.len()).map(wires).collect();
-        Ok(Self {
-            order,
-            units,
-            wiring,
-            lines: vec![VecDeque::new(); setup.connections.len()],
-            setup,
-            stop: Stop::default(),
-        })
+        Ok(Self { order, units, wiring, lines: vec![VecDeque::new(); setup.connections.len()], setup })
     }
 
     /// The same, telling `activity` what it does.
@@ -263,7 +255,6 @@ impl System {
     #[must_use]
     pub fn heeding(mut self, stop: &Stop) -> Self {
         self.units.iter_mut().for_each(|unit| unit.heed(stop.clone()));
-        self.stop = stop.clone();
         self
     }
 
@@ -431,7 +422,7 @@ impl Plant for System {
     }
 
     fn stop(&self) -> Stop {
-        self.stop.clone()
+        self.units.first().map(Plant::stop).unwrap_or_default()
     }
 }
 

@@ -371,7 +371,9 @@ impl Plant for Isolated {
 
     fn restore_soon(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
         self.restored += 1;
-        if self.keeping != Keeping::ByFmu || self.one_by_one || self.restored >= LOOK_AFTER || !self.holds(checkpoint) {
+        // Whoever gave no answer once may do so in restoring, which is no fault of the steps.
+        let apart = self.one_by_one || self.ended_by_us > 0 || self.keeping != Keeping::ByFmu;
+        if apart || self.restored >= LOOK_AFTER || !self.holds(checkpoint) {
             self.restored = 0;
             return self.restore(checkpoint);
         }

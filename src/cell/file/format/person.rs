@@ -1,0 +1,96 @@
+//! The person in the cell file: size, reach of bends, and where and when it begins.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::human::Radii;
+
+/// Sex of the ANSUR II figures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Sex {
+    /// Women.
+    Woman,
+    /// Men.
+    #[default]
+    Man,
+}
+
+/// The person.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HumanTable {
+    /// Where the person stands at the start and looks. May be left out where there are start areas: then their first place
+    /// is the start.
+    #[serde(default)]
+    #[schemars(with = "Option<StartTable>")]
+    pub start: Option<Spanned<StartTable>>,
+    /// Sex of the body measures.
+    #[serde(default)]
+    pub sex: Sex,
+    /// Percentile of the body measures: 5, 50 or 95.
+    #[serde(default = "p50")]
+    #[schemars(with = "u8")]
+    pub percentile: Spanned<u8>,
+    /// Angle of a forward bend, degrees.
+    #[serde(default = "forty_five")]
+    pub bend_forward_deg: f64,
+    /// Angle of a sideways bend, degrees.
+    #[serde(default = "thirty")]
+    pub bend_lateral_deg: f64,
+    /// Radii of body parts that are not those of a person of this stature.
+    #[serde(default)]
+    #[schemars(with = "Option<Radii>")]
+    pub radii_m: Option<Spanned<Radii>>,
+    /// Further starts; each is searched by itself.
+    #[serde(default)]
+    #[schemars(with = "Vec<StartTable>")]
+    pub other_starts: Vec<Spanned<StartTable>>,
+    /// Areas in which the person may start: every free place of a lattice in them is a start, and is searched by itself.
+    #[serde(default, rename = "start_area")]
+    #[schemars(with = "Vec<StartAreaTable>")]
+    pub start_areas: Vec<Spanned<StartAreaTable>>,
+    /// When the person begins, s after the FMU's own start; each is searched by itself, from every start. So a scan does
+    /// not depend on where in its cycle the robot is. Until then the person stands at the start.
+    #[serde(default = "at_once")]
+    #[schemars(with = "Vec<f64>")]
+    pub begins_s: Spanned<Vec<f64>>,
+}
+
+fn at_once() -> Spanned<Vec<f64>> {
+    Spanned::new(0..0, vec![0.0])
+}
+
+fn p50() -> Spanned<u8> {
+    Spanned::new(0..0, 50)
+}
+const fn forty_five() -> f64 {
+    45.0
+}
+const fn thirty() -> f64 {
+    30.0
+}
+
+/// A start pose.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartTable {
+    /// Floor position, m.
+    pub xy_m: [f64; 2],
+    /// Heading, degrees from +x towards +y.
+    pub heading_deg: f64,
+}
+
+/// An area in which the person may start: at the places whose coordinates are whole multiples of the spacing in the world
+/// frame, its edge included, where no obstacle is in the way, in each of the headings.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartAreaTable {
+    /// Corners of a convex or concave polygon in the floor plane, m, in order.
+    pub polygon_m: Vec<[f64; 2]>,
+    /// Distance of neighbouring places along x and y, m, 0.05 to 5.
+    pub spacing_m: f64,
+    /// Headings, degrees from +x towards +y.
+    pub heading_deg: Vec<f64>,
+}

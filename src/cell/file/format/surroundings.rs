@@ -1,0 +1,124 @@
+//! What is around the robots in the cell file: obstacles and sensors.
+
+use schemars::{JsonSchema, Schema};
+use serde::Deserialize;
+use serde_json::json;
+use toml::Spanned;
+
+use super::{PoseTable, UpAxis};
+
+/// What stands still: a box, or the parts of a mesh file, taken as boxes that lie inside them.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(transform = box_or_mesh)]
+pub struct ObstacleTable {
+    /// Name used in messages and pictures; of several boxes of a mesh, `name`, `name/2` and so on.
+    #[schemars(with = "String")]
+    pub name: Spanned<String>,
+    /// Box: centre, m.
+    #[serde(default)]
+    pub centre_m: Option<[f64; 3]>,
+    /// Box: full edge lengths, m.
+    #[serde(default)]
+    #[schemars(with = "Option<[f64; 3]>")]
+    pub size_m: Option<Spanned<[f64; 3]>>,
+    /// Box: roll, pitch, yaw, degrees.
+    #[serde(default)]
+    pub rpy_deg: Option<[f64; 3]>,
+    /// Or a mesh file.
+    #[serde(default)]
+    pub mesh: Option<StaticMeshTable>,
+    /// Mesh: longest edge of the cells that a part is filled with where it is no box, m; 0.05 unless told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub resolution_m: Option<Spanned<f64>>,
+}
+
+/// A mesh file of what stands still: STL, OBJ, glTF or GLB.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StaticMeshTable {
+    /// The file, relative to this one.
+    #[schemars(with = "String")]
+    pub file: Spanned<String>,
+    /// Metres for one of its units; 0.001 for a file in millimetres. May be left out for glTF, which is in metres.
+    #[serde(default)]
+    pub metres_per_unit: Option<f64>,
+    /// Which of its axes points up: z unless told otherwise, y for glTF.
+    #[serde(default)]
+    pub up: Option<UpAxis>,
+    /// Where its origin is.
+    #[serde(default)]
+    pub at: PoseTable,
+}
+
+/// The schema of an obstacle: a box or a mesh.
+fn box_or_mesh(obstacle: &mut Schema) {
+    obstacle.insert("oneOf".to_owned(), json!([{ "required": ["centre_m", "size_m"] }, { "required": ["mesh"] }]));
+}
+
+/// What a sensor is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SensorKind {
+    /// A pressure-sensitive mat: fires when a foot stands on the zone (ISO 13856-1).
+    Mat,
+    /// A scanner field: fires when a leg is in the zone (IEC 61496-3).
+    ScannerField,
+    /// A light curtain: fires when a part of the body or an arm passes through an upright plane (IEC 61496-2). An arm
+    /// that reaches through it does so at 2.0 m/s (ISO 13855).
+    LightCurtain,
+    /// The switch of a guard door (ISO 14119): fires while a part of the body or an arm is in the doorway, an upright plane.
+    /// Whoever has passed has closed the door behind them: no door tells of less.
+    InterlockedDoor,
+    /// A two-hand control (ISO 13851): fires unless the person stands at its post with both hands on it. A hand may let go
+    /// at any time; behind the plane of the buttons it is then as far as it gets at 2.0 m/s.
+    TwoHandControl,
+    /// A sensor inside the FMU, which reports it with a Boolean output.
+    Reported,
+}
+
+/// A sensor.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SensorTable {
+    /// Name used in results.
+    pub name: String,
+    /// Kind.
+    pub kind: SensorKind,
+    /// Where it sees; not for `reported`.
+    #[serde(default)]
+    #[schemars(with = "Option<ZoneTable>")]
+    pub zone: Option<Spanned<ZoneTable>>,
+    /// FMU input it drives, or for `reported` the output that tells it (Boolean).
+    #[schemars(with = "String")]
+    pub variable: Spanned<String>,
+    /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals. May be left out where
+    /// the name says that it is one (`S_...` of PLCopen, `...OSSD...`): then it is `false`.
+    #[serde(default)]
+    pub active: Option<bool>,
+    /// Response time before the input changes, ms; rounded up to whole steps.
+    #[serde(default)]
+    #[schemars(with = "f64")]
+    pub delay_ms: Option<Spanned<f64>>,
+}
+
+/// Where a sensor sees.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ZoneTable {
+    /// Mat, scanner field and post of a two-hand control: corners of a convex or concave polygon in the floor plane, m, in
+    /// order.
+    #[serde(default)]
+    pub polygon_m: Option<Vec<[f64; 2]>>,
+    /// Light curtain and door: the two ends of the plane on the floor, m. Two-hand control: the line of the buttons, seen
+    /// from above.
+    #[serde(default)]
+    pub line_m: Option<[[f64; 2]; 2]>,
+    /// Scanner field: height above the floor, m; 0.2 unless told otherwise.
+    #[serde(default)]
+    pub height_m: Option<f64>,
+    /// Light curtain and door: from and to above the floor, m.
+    #[serde(default)]
+    pub heights_m: Option<[f64; 2]>,
+}
