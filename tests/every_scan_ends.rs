@@ -233,7 +233,7 @@ fn going_on_never_leaves_less_than_there_was() {
     let dir = examples();
     let dir = dir.path();
     let scan = ["scan", "safety-fence/cell.toml", "--strategy", "hybrid", "--out", "o"];
-    let (code, ..) = interrupted(dir, &scan, "iteration 5", Duration::from_millis(10));
+    let (code, ..) = interrupted(dir, &scan, "32/320 iterations", Duration::from_millis(10));
     assert_eq!(code, Some(130));
     let before = ["scan.json", "hazards.jsonl"].map(|file| std::fs::read(dir.join("o").join(file)).unwrap());
     let (code, printed, _) = interrupted(dir, &["scan", "--resume", "o"], "States", Duration::from_millis(10));

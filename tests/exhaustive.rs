@@ -302,7 +302,8 @@ fn the_certificate_of_a_repaired_cell_and_the_same_bytes_with_any_number_of_work
     let run = |file: &str, workers: &str, code: i32| {
         let arguments = ["scan", file, "--strategy", "exhaustive", "--workers", workers, "--out", "out"];
         let output = fmi_hazard(dir.path()).args(arguments).assert().code(code).get_output().clone();
-        (scan_json(&dir.path().join("out")), String::from_utf8(output.stdout).unwrap())
+        let text = String::from_utf8(output.stdout).unwrap();
+        (scan_json(&dir.path().join("out")), text.split_whitespace().collect::<Vec<_>>().join(" "))
     };
     let (fixed, text) = run("heavy-workpiece/fixed.toml", "2", 0);
     let certificate = &fixed["certificate"];
@@ -310,7 +311,7 @@ fn the_certificate_of_a_repaired_cell_and_the_same_bytes_with_any_number_of_work
     assert_eq!((&certificate["complete"], &certificate["hazardous"]), (&true.into(), &"0".into()), "{certificate}");
     assert_eq!(certificate["sequences"], "2821109907456");
     assert_eq!(certificate["covered"], certificate["sequences"]);
-    assert!(text.contains("2,821,109,907,456 of 2,821,109,907,456 sequences in "), "{text}");
+    assert!(text.contains("2,821,109,907,456 of 2,821,109,907,456 sequences complete"), "{text}");
     assert!(text.contains("complete within: 36 actions, 8 steps of 200 ms, contact checked every 20 ms"), "{text}");
 
     cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 3");

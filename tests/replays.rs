@@ -1,14 +1,62 @@
 //! What a report shows of a hazard is that hazard: at the instant of the contact the link is where the contact is, as fast as
-//! recorded, and the sensors report what is recorded, arms through light curtains included.
+//! recorded, the sensors report what is recorded, arms through light curtains included, and the person's arms are those that
+//! contacts were looked for with.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
 
 use common::{examples, fmi_hazard};
 use fmi_hazard::geometry::Vec3;
+use fmi_hazard::geometry::distance::point_segment;
+use fmi_hazard::human::arm::ArmModel;
+use fmi_hazard::report::model::Hazard;
+use fmi_hazard::report::page::Replay;
 use fmi_hazard::report::recorded::Recorded;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::{StateChoice, film};
+use fmi_hazard::standards::BodyRegion;
+
+/// The arms of a replay are those of the collision model, and what is hit touches the robot when it is hit.
+fn touches_as_drawn(hazard: &Hazard, contact: usize, drawn: &Replay) {
+    let gap = drawn.distance_m.0[contact];
+    assert!(gap.abs() < 1e-3, "{}: {gap} m from what is hit", hazard.id);
+    assert!(drawn.distance_m.0.iter().all(|gap| *gap >= 0.0));
+    let model = ArmModel::default();
+    let joints = |frame: usize, side: usize| {
+        let at = &drawn.arms.0[18 * frame + 9 * side..][..9];
+        [0, 3, 6].map(|joint| Vec3::new(at[joint], at[joint + 1], at[joint + 2]))
+    };
+    for frame in 0..drawn.frames {
+        for side in 0..2 {
+            let [shoulder, elbow, wrist] = joints(frame, side);
+            assert!(((elbow - shoulder).length() - model.upper_arm_m).abs() < 1e-9);
+            assert!(((wrist - elbow).length() - model.forearm_m).abs() < 1e-9);
+            // Before it is raised, it hangs.
+            assert!(frame > 0 || wrist.z < elbow.z && elbow.z < shoulder.z);
+        }
+    }
+    let Some(arm) = &hazard.arm else { return };
+    let found = [arm.shoulder_m, arm.elbow_m, arm.wrist_m].map(Vec3::from_array);
+    let [shoulder, elbow, wrist] = joints(contact, usize::from(arm.side == "right"));
+    for (drawn, found) in [shoulder, elbow, wrist].iter().zip(&found) {
+        assert!((*drawn - *found).length() < 1e-9, "{}: {drawn} is not {found}", hazard.id);
+    }
+    // The limb that is hit is within its radius of the link; the point of the contact is on its axis, that of a hand on the
+    // link. An elbow, of which both limbs have a part, counts as upper arm.
+    let (link, body) = (Vec3::from_array(hazard.contact_point_m), Vec3::from_array(hazard.body_point_m));
+    let upper = (shoulder, elbow, model.upper_arm_radius_m);
+    let limbs = match hazard.body_region {
+        BodyRegion::UpperArm => vec![upper, (elbow, wrist, model.forearm_radius_m)],
+        BodyRegion::LowerArm => vec![(elbow, wrist, model.forearm_radius_m)],
+        _ => vec![(wrist, wrist, model.hand_radius_m)],
+    };
+    let hand = hazard.body_region == BodyRegion::Hand;
+    let is_hit = |(a, b, radius): (Vec3, Vec3, f64)| {
+        let axis = if hand { 0.0 } else { point_segment(body, a, b).distance };
+        axis < 1e-9 && point_segment(link, a, b).distance <= radius + 1e-9
+    };
+    assert!(limbs.into_iter().any(is_hit), "{}: {link} on the robot, {body} on the person", hazard.id);
+}
 
 #[test]
 fn the_robot_is_where_the_contact_is() {
@@ -35,7 +83,9 @@ fn the_robot_is_where_the_contact_is() {
         let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
         for hazard in &hazards {
             let watched = film::watch(&mut simulation, &prepared, hazard).unwrap();
-            let instant = &watched.instants[film::contact_frame(&prepared, hazard, &watched)];
+            let contact = film::contact_frame(&prepared, hazard, &watched);
+            let instant = &watched.instants[contact];
+            touches_as_drawn(hazard, contact, &film::replay(&prepared, hazard, &watched, String::new()));
             let point = Vec3::from_array(hazard.contact_point_m);
             let links = prepared.cell.links.iter().enumerate().filter(|(_, link)| link.name == hazard.robot_link);
             let at = links.map(|(link, _)| (instant.frame.links[link].point_distance(point).distance.abs(), link));

@@ -72,7 +72,7 @@ fn the_same_scan_gives_the_same_page_and_tables() {
     let dir = dir.path();
     page(dir, "head-collision/cell.toml", "one");
     page(dir, "head-collision/cell.toml", "two");
-    for file in ["report.html", "hazards.csv", "hazards.sarif", "junit.xml"] {
+    for file in ["report.html", "causes.csv", "hazards.csv", "hazards.sarif", "junit.xml"] {
         let read = |out: &str| std::fs::read(dir.join(out).join(file)).unwrap();
         assert!(read("one") == read("two"), "{file}");
     }

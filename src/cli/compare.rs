@@ -23,7 +23,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let texts = [&before, &after].map(earlier::cell_text);
     let difference = Difference::between(&before, &after, [texts[0].as_deref(), texts[1].as_deref()]);
     match arguments.format {
-        Format::Table => output::result(&difference.render()),
+        Format::Table => output::result(&difference.render(output::view().verbose)),
         Format::Json => {
             let text = serde_json::to_string_pretty(&difference).map_err(Failure::unusable)?;
             output::json(&(text + "\n"));

@@ -22,12 +22,14 @@ pub(super) fn read(path: &Path) -> Result<Recorded, Failure> {
     Recorded::read(path).map_err(|error| Failure::unusable_with_help(&error, error.help()))
 }
 
-/// The hazard `id` of a scan that was read from `path`.
+/// The hazard `id` of a scan that was read from `path`; for the id of a cause, its worst.
 pub(super) fn hazard<'a>(scan: &'a Recorded, id: &str, path: &Path) -> Result<&'a Hazard, Failure> {
-    if let Some(hazard) = scan.hazards.iter().find(|hazard| hazard.id == id) {
+    let worst = scan.causes.iter().find(|cause| cause.id == id).map_or(id, |cause| cause.worst.as_str());
+    if let Some(hazard) = scan.hazards.iter().find(|hazard| hazard.id == worst) {
         return Ok(hazard);
     }
-    let help = match nearest(id, scan.hazards.iter().map(|hazard| hazard.id.as_str())) {
+    let causes = scan.causes.iter().map(|cause| cause.id.as_str());
+    let help = match nearest(id, causes.chain(scan.hazards.iter().map(|hazard| hazard.id.as_str()))) {
         Some(id) => format!("did you mean {id}?"),
         None => format!("it holds {} hazards; their ids stand in report.html and hazards.csv", scan.hazards.len()),
     };
@@ -129,15 +131,35 @@ fn fmu_is_there(cell: &Path) -> Result<(), Failure> {
     Err(Failure::unusable_with_help(message, format!("say where {what}, with --fmu FILE")))
 }
 
+/// What stands in the scan.json of an earlier scan.
+pub(super) fn text_of(path: &Path) -> Result<String, Failure> {
+    let file = if path.is_dir() { path.join("scan.json") } else { path.to_owned() };
+    std::fs::read_to_string(&file).map_err(|e| Failure::unusable(format!("cannot read {}: {e}", file.display())))
+}
+
+/// The command that gives the same result, if the scan left it.
+pub(super) fn reproduce(path: &Path) -> Option<String> {
+    #[derive(serde::Deserialize)]
+    struct Run {
+        reproduce: String,
+    }
+    let run: Run = serde_json::from_str(&run_of(path)?).ok()?;
+    Some(run.reproduce)
+}
+
+/// The run.json beside an earlier scan.
+fn run_of(path: &Path) -> Option<String> {
+    let folder = if path.is_dir() { Some(path) } else { path.parent() };
+    std::fs::read_to_string(folder?.join("run.json")).ok()
+}
+
 /// The same, with states brought back as plainly as the scan in `path` did: it may have found out that the FMU needs that.
 pub(super) fn as_plainly(mut prepared: Prepared, path: &Path) -> Prepared {
     #[derive(serde::Deserialize)]
     struct Run {
         states_by: Rung,
     }
-    let folder = if path.is_dir() { Some(path) } else { path.parent() };
-    let text = folder.and_then(|folder| std::fs::read_to_string(folder.join("run.json")).ok());
-    let run: Option<Run> = text.and_then(|text| serde_json::from_str(&text).ok());
+    let run: Option<Run> = run_of(path).and_then(|text| serde_json::from_str(&text).ok());
     prepared.rung = run.map_or(prepared.rung, |run| run.states_by.max(prepared.rung));
     prepared
 }

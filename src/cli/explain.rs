@@ -21,7 +21,7 @@ use crate::stop::Stop;
 pub(super) struct Arguments {
     /// A scan.json, or the folder with the results of a scan
     scan: PathBuf,
-    /// Id of a hazard in it
+    /// Id of a hazard in it, or of a cause, which stands for its worst hazard
     id: String,
     #[command(flatten)]
     elsewhere: earlier::Elsewhere,

@@ -11,6 +11,7 @@ mod earlier;
 mod examples;
 pub mod exit;
 mod explain;
+mod help;
 mod hosting;
 mod init;
 mod inspect;
@@ -21,6 +22,7 @@ mod probe;
 mod recording;
 mod reference;
 mod replay;
+mod report;
 mod results;
 mod resume;
 mod scan;
@@ -33,7 +35,7 @@ mod verify;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 /// Puts an adversarial virtual human into a robot workcell that comes as an FMU, and reports every way found to be hit
 /// harder than ISO/TS 15066 allows. Loading an FMU runs its code.
@@ -54,6 +56,8 @@ enum Command {
     Demo(demo::Arguments),
     /// Simulate a recorded hazard again and say whether it reproduces
     Replay(replay::Arguments),
+    /// Write the report of an earlier scan again, with the replays that are asked for
+    Report(report::Arguments),
     /// Explain a hazard in plain words, with its formula, the safe speed, and the smallest changes that remove it
     Explain(explain::Arguments),
     /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse
@@ -91,7 +95,8 @@ enum Command {
 /// Parses the arguments, runs the command, reports an error once; never panics at the user.
 #[must_use]
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let parsed = help::grouped(Arguments::command()).try_get_matches();
+    let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => {
             // Printing help or version is no failure; a usage error is.
@@ -105,6 +110,7 @@ pub fn main() -> ExitCode {
         Command::Scan(a) => scan::command(&a),
         Command::Demo(a) => demo::run(&a),
         Command::Replay(a) => replay::run(&a),
+        Command::Report(a) => report::run(&a),
         Command::Explain(a) => explain::run(&a),
         Command::Compare(a) => compare::run(&a),
         Command::Verify(a) => verify::run(&a),

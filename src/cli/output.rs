@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
+use crate::report::terminal::View;
 
 /// How much is told besides results.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
@@ -47,6 +48,19 @@ pub(super) enum Format {
     Table,
     /// For programs
     Json,
+}
+
+/// How results are shown: as wide as the terminal, with colours where these are wanted.
+pub(super) fn view() -> View {
+    let verbose = VERBOSE.load(Ordering::Relaxed);
+    let out = std::io::stdout();
+    if !out.is_terminal() {
+        return View { verbose, ..View::default() };
+    }
+    let width = terminal_size::terminal_size_of(&out).map_or(80, |(width, _)| usize::from(width.0));
+    let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    View { width: width.clamp(40, 100), verbose, colour: !is_set("NO_COLOR") && !dumb }
 }
 
 /// Prints a result. A reader that has gone away (a closed pipe) is no failure.
@@ -158,9 +172,14 @@ pub(super) fn note(text: &str) {
     }
 }
 
+/// Whether somebody wants to know more.
+pub(super) fn verbose() -> bool {
+    VERBOSE.load(Ordering::Relaxed)
+}
+
 /// The same for who wants to know more.
 pub(super) fn detail(text: &str) {
-    if VERBOSE.load(Ordering::Relaxed) {
+    if verbose() {
         note(text);
     }
 }

@@ -15,7 +15,7 @@ use crate::standards::BodyRegion;
 pub(super) struct Arguments {
     /// A scan.json, or the folder with the results of a scan
     scan: PathBuf,
-    /// Id of a hazard in it, or `all`
+    /// Id of a hazard in it, or of a cause, or `all`
     id: String,
     #[command(flatten)]
     elsewhere: earlier::Elsewhere,

@@ -13,18 +13,20 @@ use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
-use crate::report::model::ScanReport;
+use crate::report::cause::Cause;
+use crate::report::model::{Hazard, ScanReport};
 use crate::report::moved;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
 use crate::scan::{Prepared, StateChoice, film, picture};
+use crate::sim::simulation::Watched;
 
 /// Most hazards for which a picture is drawn and a trace is written.
 const PICTURES: usize = 10;
 
 /// Most hazards with a replay in the page: so that it can be mailed.
-const REPLAYS: usize = 50;
+const REPLAYS: usize = 36;
 
 /// What goes into the files besides the report.
 pub(super) struct Context<'a> {
@@ -61,15 +63,18 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     let lines = report.hazards.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>();
     let lines: String = lines.map_err(Failure::unusable)?.into_iter().map(|l| l + "\n").collect();
     output::write_file(&out.join("hazards.jsonl"), &lines)?;
-    let table = csv::table(report, context.assessments).map_err(Failure::unusable)?;
-    output::write_file(&out.join("hazards.csv"), &table)?;
+    let hazards = csv::hazards(report, context.assessments).map_err(Failure::unusable)?;
+    output::write_file(&out.join("hazards.csv"), &hazards)?;
+    let causes = csv::causes(report, context.assessments).map_err(Failure::unusable)?;
+    output::write_file(&out.join("causes.csv"), &causes)?;
     let cases = junit::render(report, context.baseline).map_err(Failure::unusable)?;
     output::write_file(&out.join("junit.xml"), &cases)?;
     let log = sarif::render(report, &cell_file(context), context.baseline);
     output::write_file(&out.join("hazards.sarif"), &(output::pretty(&log)?))?;
     let replays = write_hazards(report, context, out)?;
     let scenery = film::scenery(context.prepared);
-    let page = page::render(report, context.reproduce, context.assessments, &scenery, &replays);
+    let title = report.subject.title();
+    let page = page::render(report, &title, context.reproduce, context.assessments, &scenery, &replays);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
     Ok(json)
 }
@@ -77,14 +82,45 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
 /// Runs the worst hazards' sequences once more, writes their pictures and traces, and returns their replays.
 fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<Vec<Replay>, Failure> {
     let prepared = context.prepared;
+    let hazards = shown(&report.causes, &report.hazards, &[]);
+    replays(prepared, context.rung, &hazards, |number, hazard, watched, svg| {
+        if number >= PICTURES {
+            return Ok(());
+        }
+        output::write_file(&out.join(format!("{}.svg", hazard.id)), svg)?;
+        let traced = match film::trace(prepared, watched) {
+            Ok(trace) => trace,
+            Err(error) => {
+                if !error.stopped {
+                    output::warning(&format!("{} has no trace: {error}", hazard.id));
+                }
+                None
+            }
+        };
+        if let Some(trace) = traced {
+            let (inputs, outputs) = (trace.input_table(), trace.output_table());
+            output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
+            output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;
+        }
+        Ok(())
+    })
+}
+
+/// The replays of hazards, each of whose sequences is run once more; `each` hears of it, with the picture from above.
+pub(super) fn replays(
+    prepared: &Prepared,
+    rung: Rung,
+    hazards: &[&Hazard],
+    mut each: impl FnMut(usize, &Hazard, &Watched, &str) -> Result<(), Failure>,
+) -> Result<Vec<Replay>, Failure> {
     let mut replays = Vec::new();
-    if report.hazards.is_empty() {
+    if hazards.is_empty() {
         return Ok(replays);
     }
     // As a hazard is confirmed: no saved state is relied on here.
-    let plainly = if context.rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
+    let plainly = if rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
     let untold = |from: usize| {
-        let of = report.hazards.len().min(REPLAYS);
+        let of = hazards.len();
         output::note(&format!("   Stopped: {} of {of} hazards have no picture and no replay in the report", of - from));
     };
     let mut simulation = match prepared.simulation(plainly, false) {
@@ -99,7 +135,7 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
             return Ok(replays);
         }
     };
-    for (number, hazard) in report.hazards.iter().take(REPLAYS).enumerate() {
+    for (number, hazard) in hazards.iter().enumerate() {
         let watched = match film::watch(&mut simulation, prepared, hazard) {
             Ok(watched) => watched,
             Err(error) if error.stopped => {
@@ -113,26 +149,24 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
             }
         };
         let svg = topview::render(&picture::scene(prepared, hazard, &watched));
-        if number < PICTURES {
-            output::write_file(&out.join(format!("{}.svg", hazard.id)), &svg)?;
-            let traced = match film::trace(prepared, &watched) {
-                Ok(trace) => trace,
-                Err(error) => {
-                    if !error.stopped {
-                        output::warning(&format!("{} has no trace: {error}", hazard.id));
-                    }
-                    None
-                }
-            };
-            if let Some(trace) = traced {
-                let (inputs, outputs) = (trace.input_table(), trace.output_table());
-                output::write_file(&out.join(trace::input_file(hazard)), &inputs.map_err(Failure::unusable)?)?;
-                output::write_file(&out.join(trace::output_file(hazard)), &outputs.map_err(Failure::unusable)?)?;
-            }
-        }
+        each(number, hazard, &watched, &svg)?;
         replays.push(film::replay(prepared, hazard, &watched, svg));
     }
     Ok(replays)
+}
+
+/// The hazards with a replay: those that are asked for, the worst of each cause, the worst of each region and link in it,
+/// then the others by rank.
+pub(super) fn shown<'a>(causes: &[Cause], hazards: &'a [Hazard], asked: &[String]) -> Vec<&'a Hazard> {
+    let worst = causes.iter().map(|cause| &cause.worst);
+    let lines = causes.iter().flat_map(|cause| cause.lines.iter().flat_map(|line| line.hazards.first()));
+    let mut ids: Vec<&String> = asked.iter().collect();
+    for id in worst.chain(lines).chain(hazards.iter().map(|hazard| &hazard.id)) {
+        if ids.len() < REPLAYS.max(asked.len()) && !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids.into_iter().filter_map(|id| hazards.iter().find(|hazard| hazard.id == *id)).collect()
 }
 
 /// Failures whose last lines are shown: the others are most often the same one elsewhere, and stand in run.json.
@@ -143,12 +177,14 @@ pub(super) fn write_run(
     prepared: &Prepared,
     rung: Rung,
     (effort, remembered): (Effort, u64),
+    reproduce: &str,
     out: &Path,
 ) -> Result<(), Failure> {
     let (printed, bytes) = prepared.printed();
     let failures = prepared.before_failures();
     let run = serde_json::json!({
         "states_by": rung,
+        "reproduce": reproduce,
         "fmu": effort,
         "questions_from_journal": remembered,
         "missing_protection": prepared.missing_protection,

@@ -243,9 +243,8 @@ impl Run<'_> {
                     levels.at(depth, done, of, &format!("{hazards} hazard{s}{left}"));
                 }
                 scan::Progress::Found(hazard) => {
-                    // One line each would bury the terminal where an exhaustive search, which has no iterations, finds
-                    // hundreds; what auto found before is not told again.
-                    if hazard.first_iteration > 0 {
+                    // One line each would bury the terminal; what auto found before is not told again.
+                    if output::verbose() && hazard.first_iteration > 0 {
                         progress.line(&found(hazard));
                     }
                     if logged.insert(hazard.id.clone()) {
@@ -283,7 +282,7 @@ impl Run<'_> {
         let reproduce = &arguments.reproduce(path, out, beginning, &options);
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let json = results::write(&report, &context, out)?;
-        results::write_run(prepared, rung, (effort, remembered), out)?;
+        results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
         let (writing, calls) = (began.elapsed() - searched, effort.steps);
         output::detail(&format!(
             "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",
@@ -293,7 +292,7 @@ impl Run<'_> {
         match arguments.format {
             Format::Json if self.several => {}
             Format::Json => output::json(&json),
-            Format::Table => output::result(&(String::from("\n") + &terminal::render(&report))),
+            Format::Table => output::result(&(String::from("\n") + &terminal::render(&report, output::view()))),
         }
         conclude(&report, out);
         if let Some(baseline) = baseline {
@@ -460,16 +459,13 @@ fn found(h: &Hazard) -> String {
 }
 
 fn conclude(report: &ScanReport, out: &Path) {
-    output::note(&format!(
-        " Results in {}: report.html, scan.json, hazards.csv, junit.xml, hazards.sarif{}",
-        out.display(),
-        match report.hazards.first() {
-            Some(h) => format!(", {}.svg (seen from above)", h.id),
-            None => String::new(),
-        }
+    let picture = report.hazards.first().map_or_else(String::new, |h| format!(", {}.svg (seen from above)", h.id));
+    output::note(&format!(" Report  {}", out.join("report.html").display()));
+    output::detail(&format!(
+        "         and beside it scan.json, causes.csv, hazards.csv, junit.xml, hazards.sarif{picture}"
     ));
-    if let Some(h) = report.hazards.first() {
-        output::note(&format!(" Next: fmi-hazard explain {} {}", out.display(), h.id));
+    if let Some(cause) = report.causes.first() {
+        output::note(&format!(" Next    fmi-hazard explain {} {}", out.display(), cause.id));
     }
 }
 

@@ -36,9 +36,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         progress.at(done, "");
     }
     progress.finish();
-    output::result(&render(&verified));
+    output::result(&render(&known.causes, &verified));
     if let Some(path) = &arguments.junit {
-        output::write_file(path, &as_junit(&prepared.cell.name, &verified).map_err(Failure::unusable)?)?;
+        output::write_file(path, &as_junit(&prepared.cell.name, &known.causes, &verified).map_err(Failure::unusable)?)?;
     }
     let any = |of: fn(&Outcome) -> bool| verified.iter().any(|one| of(&one.outcome));
     Ok(if any(|outcome| matches!(outcome, Outcome::StillThere { .. })) {

@@ -162,7 +162,7 @@ impl Met {
 
 impl Checked {
     /// What was looked at, in words.
-    fn words(&self) -> String {
+    pub(super) fn words(&self) -> String {
         let mut words: Vec<String> = Vec::new();
         if self.complete.is_empty() {
             words.push("no search of every sequence".to_owned());
@@ -189,7 +189,8 @@ impl Checked {
         words.join("; ")
     }
 
-    fn one_less(&self) -> String {
+    /// What one step less leads to, in words.
+    pub(super) fn one_less(&self) -> String {
         match &self.one_less {
             OneLess::AsItIs => "One step less is the cell as it is.".to_owned(),
             OneLess::Met(met) => format!("One step less: {}.", met.words()),

@@ -18,10 +18,13 @@ struct File {
     assessments: BTreeMap<String, Assessment>,
 }
 
-/// One hazard assessed, fields as in ISO 12100 (5.5, 5.6, 6); empty where nobody wrote anything.
+/// One cause or hazard assessed, fields as in ISO 12100 (5.5, 5.6, 6); empty where nobody wrote anything.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Assessment {
+    /// Who does what there: the task (ISO 12100, 5.3).
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub task: String,
     /// Severity of harm.
     pub severity: String,
     /// Exposure of persons.
@@ -40,7 +43,7 @@ pub struct Assessment {
     pub date: String,
 }
 
-/// Assessments by hazard id.
+/// Assessments by the id of a cause, which then hold for all its hazards, or of a hazard.
 pub type Assessments = BTreeMap<String, Assessment>;
 
 /// Why the file cannot be used.

@@ -1,15 +1,18 @@
 //! Hazards that are known already, from an earlier scan: only new ones and worse ones shall fail a pipeline.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::cause::{Cause, Grouped, grouped};
 use super::difference::Change;
 use super::model::{Hazard, ScanReport};
 use super::recorded::Recorded;
 
-/// Known hazards by id.
+/// Known hazards by id, and their causes.
 #[derive(Clone, Debug, Default)]
 pub struct Baseline {
     known: BTreeMap<String, Hazard>,
+    hazards: Vec<Hazard>,
+    causes: Vec<Cause>,
 }
 
 /// How a hazard stands to a baseline.
@@ -30,7 +33,8 @@ impl Baseline {
     /// The hazards of an earlier scan.
     #[must_use]
     pub fn of(scan: Recorded) -> Self {
-        Self { known: scan.hazards.into_iter().map(|hazard| (hazard.id.clone(), hazard)).collect() }
+        let known = scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect();
+        Self { known, hazards: scan.hazards, causes: scan.causes }
     }
 
     /// How a hazard stands to it.
@@ -48,6 +52,17 @@ impl Baseline {
     /// What it knows and the scan did not find.
     pub fn gone<'a>(&'a self, report: &'a ScanReport) -> impl Iterator<Item = &'a Hazard> {
         self.known.values().filter(|known| report.hazards.iter().all(|hazard| hazard.id != known.id))
+    }
+
+    /// Causes that it knows, of which the scan found no hazard at all.
+    #[must_use]
+    pub fn gone_causes(&self, report: &ScanReport) -> Vec<Grouped<'_>> {
+        let found: BTreeSet<&str> = report.hazards.iter().map(|hazard| hazard.id.as_str()).collect();
+        let causes: BTreeSet<&str> = report.causes.iter().map(|cause| cause.id.as_str()).collect();
+        let gone = |cause: &Grouped<'_>| {
+            !causes.contains(cause.id) && cause.hazards.iter().all(|hazard| !found.contains(hazard.id.as_str()))
+        };
+        grouped(&self.causes, &self.hazards).into_iter().filter(gone).collect()
     }
 
     /// Hazards of a scan that are new or became worse.

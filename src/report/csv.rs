@@ -1,13 +1,35 @@
-//! The hazards as CSV, one row a group, columns in the order in which ISO 12100 assesses: what the hazard is (5.4), how
-//! the risk is estimated (5.5), what is done (6), what is left. What people decided comes from their file.
+//! The hazards as CSV, one row each, and their causes, which are what one assesses. Columns stand in the order in which ISO
+//! 12100 assesses: what the hazard is (5.4), how the risk is estimated (5.5), what is done (6), what is left. What people
+//! decided comes from their file; what they decided about a cause holds for its hazards, unless they said otherwise.
 
-use super::assessment::Assessments;
-use super::model::ScanReport;
+use std::collections::BTreeMap;
 
-/// The columns. Units are in the names; person and contact in the world frame.
-const COLUMNS: [&str; 32] = [
-    "id",
-    "cell",
+use super::assessment::{Assessment, Assessments};
+use super::cause::Cause;
+use super::model::{Hazard, ScanReport};
+use crate::standards::iso_13849::required_performance_level;
+
+/// What ISO 12100, Table B.1 calls what this program can find: group, origin, consequence.
+const KIND: [&str; 3] = ["mechanical", "moving elements", "impact"];
+
+/// Columns of both tables that tell what kind of hazard it is.
+const KIND_COLUMNS: [&str; 4] = ["task", "hazard_group", "origin", "consequence"];
+
+/// Columns of both tables that people fill.
+const PERSON_COLUMNS: [&str; 9] = [
+    "severity",
+    "exposure",
+    "avoidance",
+    "required_performance_level",
+    "measure",
+    "residual_risk",
+    "decision",
+    "by",
+    "date",
+];
+
+/// The columns of hazards between these. Units are in the names; person and contact in the world frame.
+const HAZARD_COLUMNS: [&str; 23] = [
     "hazard",
     "hit_by",
     "body_region",
@@ -23,6 +45,7 @@ const COLUMNS: [&str; 32] = [
     "force_n",
     "limit_n",
     "ratio",
+    "approach_ratio",
     "speed_m_s",
     "safe_below_m_s",
     "time_s",
@@ -30,65 +53,132 @@ const COLUMNS: [&str; 32] = [
     "times_found",
     "sequences",
     "confirmed",
-    "severity",
-    "exposure",
-    "avoidance",
-    "measure",
-    "residual_risk",
-    "decision",
-    "by",
-    "date",
 ];
 
-/// The table, with a header.
+/// The columns of causes between these.
+const CAUSE_COLUMNS: [&str; 13] = [
+    "what_is_wrong",
+    "robot",
+    "part_of_the_person",
+    "hit",
+    "force_n",
+    "limit_n",
+    "ratio",
+    "earliest_time_s",
+    "hazards",
+    "confirmed",
+    "share_of_sequences_percent",
+    "worst_hazard",
+    "smallest_change",
+];
+
+/// The table of hazards, with a header.
 ///
 /// # Errors
 /// Never: it is written to memory.
-pub fn table(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
-    let mut to = ::csv::Writer::from_writer(Vec::new());
-    to.write_record(COLUMNS)?;
-    for hazard in &report.hazards {
+pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
+    let cause_of: BTreeMap<&str, &str> =
+        report.causes.iter().flat_map(|c| c.hazards.iter().map(|id| (id.as_str(), c.id.as_str()))).collect();
+    let header: Vec<&str> = [&["id", "cause", "cell"], &KIND_COLUMNS[..], &HAZARD_COLUMNS, &PERSON_COLUMNS].concat();
+    let row = |hazard: &Hazard| {
+        let cause = cause_of.get(hazard.id.as_str()).copied().unwrap_or_default();
+        let person = assessments.get(&hazard.id).or_else(|| assessments.get(cause)).cloned().unwrap_or_default();
         let reporting: Vec<&str> =
             hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.as_str()).collect();
         let actions: Vec<String> = hazard.shortest.actions.iter().map(ToString::to_string).collect();
-        let person = assessments.get(&hazard.id).cloned().unwrap_or_default();
-        let row: [String; COLUMNS.len()] = [
-            hazard.id.clone(),
-            report.subject.title(),
+        let own: [String; HAZARD_COLUMNS.len()] = [
             hazard.sentence(),
             hazard.robot_link.clone(),
             hazard.body_region.to_string(),
-            hazard.person_xy_m[0].to_string(),
-            hazard.person_xy_m[1].to_string(),
-            hazard.person_heading_deg.to_string(),
-            hazard.contact_point_m[0].to_string(),
-            hazard.contact_point_m[1].to_string(),
-            hazard.contact_point_m[2].to_string(),
+            metres(hazard.person_xy_m[0]),
+            metres(hazard.person_xy_m[1]),
+            format!("{:.0}", hazard.person_heading_deg.rem_euclid(360.0)),
+            metres(hazard.contact_point_m[0]),
+            metres(hazard.contact_point_m[1]),
+            metres(hazard.contact_point_m[2]),
             reporting.join(" "),
             hazard.phase.map_or_else(String::new, |phase| phase.to_string()),
             actions.join(" "),
-            hazard.force_n.to_string(),
-            hazard.limit_n.to_string(),
-            hazard.ratio.to_string(),
-            hazard.speed_m_s.to_string(),
-            hazard.safe_below_m_s.to_string(),
-            hazard.time_s.to_string(),
-            hazard.earliest_time_s.to_string(),
+            format!("{:.0}", hazard.force_n),
+            format!("{:.0}", hazard.limit_n),
+            format!("{:.2}", hazard.ratio),
+            format!("{:.2}", hazard.directed_ratio),
+            format!("{:.2}", hazard.speed_m_s),
+            format!("{:.2}", hazard.safe_below_m_s),
+            format!("{:.2}", hazard.time_s),
+            format!("{:.2}", hazard.earliest_time_s),
             hazard.times_found.to_string(),
             hazard.sequences.clone().unwrap_or_default(),
             hazard.confirmed.map_or_else(String::new, |yes| yes.to_string()),
-            person.severity,
-            person.exposure,
-            person.avoidance,
-            person.measure,
-            person.residual,
-            person.decision,
-            person.by,
-            person.date,
         ];
-        to.write_record(row.map(harmless))?;
+        whole([&hazard.id, cause, &report.subject.title()], own.to_vec(), &person)
+    };
+    written(&header, report.hazards.iter().map(row))
+}
+
+/// The table of causes, with a header.
+///
+/// # Errors
+/// Never: it is written to memory.
+pub fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
+    let header: Vec<&str> = [&["id", "cell"], &KIND_COLUMNS[..], &CAUSE_COLUMNS, &PERSON_COLUMNS].concat();
+    let row = |cause: &Cause| {
+        let person = assessments.get(&cause.id).cloned().unwrap_or_default();
+        let mut hit: Vec<&str> = Vec::new();
+        for line in &cause.lines {
+            let region = line.body_region.words();
+            if !hit.contains(&region) {
+                hit.push(region);
+            }
+        }
+        let change = cause.advice.iter().flat_map(|advice| advice.changes.first());
+        let own: [String; CAUSE_COLUMNS.len()] = [
+            cause.sentence.clone(),
+            cause.robot.clone(),
+            cause.part.words().to_owned(),
+            hit.join(", "),
+            format!("{:.0}", cause.force_n),
+            format!("{:.0}", cause.limit_n),
+            format!("{:.2}", cause.ratio),
+            format!("{:.2}", cause.earliest_time_s),
+            cause.hazards.len().to_string(),
+            cause.confirmed.to_string(),
+            cause.share.map_or_else(String::new, |share| {
+                format!("{:.2e}", 100.0 * share).parse::<f64>().unwrap_or(0.0).to_string()
+            }),
+            cause.worst.clone(),
+            change.map(|change| change.change.clone()).collect(),
+        ];
+        whole([&cause.id, &report.subject.title()], own.to_vec(), &person)
+    };
+    written(&header, report.causes.iter().map(row))
+}
+
+/// A row: what it is about, of which kind, its own columns, what people decided.
+fn whole<const N: usize>(first: [&str; N], own: Vec<String>, person: &Assessment) -> Vec<String> {
+    let level = required_performance_level(&person.severity, &person.exposure, &person.avoidance);
+    let mut row: Vec<String> = first.map(str::to_owned).to_vec();
+    row.push(person.task.clone());
+    row.extend(KIND.map(str::to_owned));
+    row.extend(own);
+    row.extend([&person.severity, &person.exposure, &person.avoidance].map(Clone::clone));
+    row.push(level.map_or_else(String::new, String::from));
+    row.extend([&person.measure, &person.residual, &person.decision, &person.by, &person.date].map(Clone::clone));
+    row
+}
+
+fn written(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<String, ::csv::Error> {
+    let mut to = ::csv::Writer::from_writer(Vec::new());
+    to.write_record(header)?;
+    for row in rows {
+        to.write_record(row.into_iter().map(harmless))?;
     }
     Ok(String::from_utf8_lossy(&to.into_inner().map_err(|e| e.into_error())?).into_owned())
+}
+
+/// To the millimetre, and never a negative zero.
+fn metres(length_m: f64) -> String {
+    format!("{:.3}", (1000.0 * length_m).round() / 1000.0 + 0.0)
 }
 
 /// Names come from strangers: a cell that begins like a formula would be run by a spreadsheet.

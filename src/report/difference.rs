@@ -1,4 +1,4 @@
-//! Two scans side by side: which hazards are fixed, which are the same, worse or less, which are new, and what of the
+//! Two scans side by side: which causes and hazards are fixed, which are the same, worse or less, which are new, and what of the
 //! inputs is different.
 
 use std::collections::BTreeMap;
@@ -6,7 +6,9 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::cause::{Grouped, grouped};
 use super::model::{FmuSubject, Hazard};
+use super::paragraph::wrapped_under;
 use super::recorded::{Recorded, RecordedSubject};
 
 /// Relative change of the force ratio below which a hazard is the same.
@@ -74,9 +76,26 @@ pub struct Row {
     pub after: Option<f64>,
 }
 
+/// A cause in both scans or in one of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CauseRow {
+    /// What became of it: it is fixed when all its hazards are.
+    pub change: Change,
+    /// Its id.
+    pub id: String,
+    /// What is wrong.
+    pub sentence: String,
+    /// Its hazards before.
+    pub before: usize,
+    /// Its hazards after.
+    pub after: usize,
+}
+
 /// Two scans side by side.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
+    /// The causes: new ones first.
+    pub causes: Vec<CauseRow>,
     /// The hazards: new ones first, then by id.
     pub hazards: Vec<Row>,
     /// How many of each kind.
@@ -103,7 +122,14 @@ impl Difference {
         hazards.sort_by(|a, b| a.change.cmp(&b.change).then_with(|| a.id.cmp(&b.id)));
         let mut counts = BTreeMap::new();
         hazards.iter().for_each(|row| *counts.entry(row.change).or_default() += 1);
-        Self { hazards, counts, inputs: inputs(before, after, texts), complete: [before.complete(), after.complete()] }
+        let causes = causes(before, after, &hazards);
+        Self {
+            causes,
+            hazards,
+            counts,
+            inputs: inputs(before, after, texts),
+            complete: [before.complete(), after.complete()],
+        }
     }
 
     /// How many hazards changed so.
@@ -118,10 +144,21 @@ impl Difference {
         self.count(Change::New) + self.count(Change::Worse) > 0
     }
 
-    /// For people.
+    /// For people; with every hazard if that is wanted.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub fn render(&self, every: bool) -> String {
         let mut out = String::new();
+        for CauseRow { change, id, sentence, before, after } in &self.causes {
+            let ways = match (before, after) {
+                (0, after) => format!("{after} hazards"),
+                (before, 0) => format!("{before} hazards before"),
+                (before, after) => format!("{before} hazards before, {after} after"),
+            };
+            out += &wrapped_under(&format!(" {:<15}  {id}  ", change.words()), &format!("{sentence} ({ways})"));
+        }
+        if !self.causes.is_empty() {
+            out.push('\n');
+        }
         let ratio = |ratio: Option<f64>| ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}x"));
         let rows: Vec<Vec<String>> = self
             .hazards
@@ -137,7 +174,7 @@ impl Difference {
                 ]
             })
             .collect();
-        if !rows.is_empty() {
+        if every && !rows.is_empty() {
             out += &super::columns(&["", "id", "before", "after", "body region", "hit by"], &rows, false);
             out.push('\n');
         }
@@ -158,6 +195,48 @@ impl Difference {
         }
         out
     }
+}
+
+/// What became of the causes, by what became of their hazards.
+fn causes(before: &Recorded, after: &Recorded, hazards: &[Row]) -> Vec<CauseRow> {
+    let by_id: BTreeMap<&str, &Row> = hazards.iter().map(|row| (row.id.as_str(), row)).collect();
+    let [old, new] = [before, after].map(|scan| grouped(&scan.causes, &scan.hazards));
+    let mut all: Vec<CauseRow> = Vec::new();
+    for cause in new.iter().chain(&old) {
+        if all.iter().any(|row| row.id == cause.id) {
+            continue;
+        }
+        let members = |of: &[Grouped<'_>]| -> Vec<String> {
+            let found = of.iter().filter(|other| other.id == cause.id);
+            found.flat_map(|cause| cause.hazards.iter().map(|hazard| hazard.id.clone())).collect()
+        };
+        let [mine_before, mine_after] = [&old, &new].map(|of| members(of));
+        let rows: Vec<&Row> =
+            mine_before.iter().chain(&mine_after).filter_map(|id| by_id.get(id.as_str()).copied()).collect();
+        let all_are = |kinds: &[Change]| rows.iter().all(|row| kinds.contains(&row.change));
+        let worst = |of: fn(&Row) -> Option<f64>| rows.iter().filter_map(|row| of(row)).fold(0.0, f64::max);
+        let change = if all_are(&[Change::New]) {
+            Change::New
+        } else if all_are(&[Change::Fixed]) {
+            Change::Fixed
+        } else if all_are(&[Change::Fixed, Change::NotFoundAgain]) {
+            Change::NotFoundAgain
+        } else if rows.iter().any(|row| matches!(row.change, Change::New | Change::Worse)) {
+            Change::Worse
+        } else if all_are(&[Change::Same]) {
+            Change::Same
+        } else {
+            match Change::of_ratio(worst(|row| row.before), worst(|row| row.after)) {
+                // Some of its hazards are gone.
+                Change::Same => Change::Less,
+                other => other,
+            }
+        };
+        let (before, after) = (mine_before.len(), mine_after.len());
+        all.push(CauseRow { change, id: cause.id.to_owned(), sentence: cause.sentence.clone(), before, after });
+    }
+    all.sort_by(|a, b| a.change.cmp(&b.change).then_with(|| a.id.cmp(&b.id)));
+    all
 }
 
 fn row(before: Option<&Hazard>, after: Option<&Hazard>, one: &Hazard, complete: bool) -> Row {

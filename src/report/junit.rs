@@ -1,47 +1,56 @@
-//! The result as JUnit XML: one test case a hazard, so that a pipeline shows which are there, which are known, and which
+//! The result as JUnit XML: one test case a cause, so that a pipeline shows which are there, which are known, and which
 //! of the known ones are gone.
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::baseline::{Baseline, Standing};
+use super::cause::grouped;
 use super::model::{Hazard, ScanReport, Verdict};
 
-/// The report. Hazards are failures, unless `baseline` knows them: then they are skipped. What it knows and is not there
-/// any more is a success if the scan accounted for every sequence; else it may still be there, and is skipped too.
+/// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that
+/// knows and is not there any more is a success if the scan accounted for every sequence; else it may still be there, and is
+/// skipped too.
 ///
 /// # Errors
 /// When it cannot be written as XML.
 pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String, quick_junit::SerializeError> {
     let cell = xml(&report.subject.title());
     let mut cases = Vec::new();
-    for hazard in &report.hazards {
-        let standing = baseline.map_or(Standing::New, |known| known.standing(hazard));
-        let status = match standing {
-            Standing::Known => skipped("known: it stands in the baseline"),
-            Standing::New | Standing::Worse { .. } => {
-                let mut failure = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                failure.set_type(if standing == Standing::New { "hazard" } else { "hazard that became worse" });
-                failure.set_message(xml(&hazard.sentence()));
-                let actions: Vec<String> = hazard.actions.iter().map(ToString::to_string).collect();
-                failure.set_description(xml(&format!(
-                    "actions of {} s: {}\nreplay: fmi-hazard replay scan.json {}",
-                    report.settings.action_s,
-                    actions.join(", "),
-                    hazard.id
-                )));
-                failure
+    for cause in grouped(&report.causes, &report.hazards) {
+        let standing = |hazard: &Hazard| baseline.map_or(Standing::New, |known| known.standing(hazard));
+        let of: Vec<Standing> = cause.hazards.iter().map(|hazard| standing(hazard)).collect();
+        let failing = of.iter().filter(|standing| **standing != Standing::Known).count();
+        let status = if failing == 0 {
+            skipped("known: it stands in the baseline")
+        } else {
+            let mut failure = TestCaseStatus::non_success(NonSuccessKind::Failure);
+            let all_worse = of.iter().all(|standing| matches!(standing, Standing::Known | Standing::Worse { .. }));
+            failure.set_type(if all_worse { "hazard that became worse" } else { "hazard" });
+            failure.set_message(xml(&cause.sentence));
+            let mut text = String::new();
+            for (hazard, standing) in cause.hazards.iter().zip(&of) {
+                let word = match (baseline, standing) {
+                    (None, _) => "",
+                    (Some(_), Standing::New) => "new: ",
+                    (Some(_), Standing::Worse { .. }) => "worse: ",
+                    (Some(_), Standing::Known) => "known: ",
+                };
+                text += &format!("{word}{} {}\n", hazard.id, hazard.sentence());
             }
+            text += &format!("replay: fmi-hazard replay scan.json {}", cause.hazards[0].id);
+            failure.set_description(xml(&text));
+            failure
         };
-        cases.push(case(&title(hazard), &cell, status));
+        cases.push(case(&xml(&cause.title()), &cell, status));
     }
     let complete = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
-    for hazard in baseline.into_iter().flat_map(|known| known.gone(report)) {
+    for cause in baseline.into_iter().flat_map(|known| known.gone_causes(report)) {
         let status = if complete {
             TestCaseStatus::success()
         } else {
             skipped("not found again, but the scan did not account for every sequence")
         };
-        cases.push(case(&title(hazard), &cell, status));
+        cases.push(case(&xml(&cause.title()), &cell, status));
     }
     for fault in &report.faults {
         let mut error = TestCaseStatus::non_success(NonSuccessKind::Error);
@@ -83,11 +92,6 @@ pub(super) fn case(name: &str, cell: &str, status: TestCaseStatus) -> TestCase {
     let mut case = TestCase::new(name, status);
     case.set_classname(cell);
     case
-}
-
-/// Name of a hazard's test case.
-pub(super) fn title(hazard: &Hazard) -> String {
-    xml(&format!("{} {} <- {}", hazard.id, hazard.body_region, hazard.robot_link))
 }
 
 /// Without the characters that XML cannot hold, even escaped.

@@ -13,9 +13,10 @@ use serde_json::{Map, Value, json};
 
 use super::foxglove::{Color, Entity, SceneUpdate};
 use super::model::{Hazard, Subject};
-use super::page::{LinkShape, Replay, Scenery};
+use super::page::{ArmPose, LinkShape, Replay, Scenery};
 use super::trace::Trace;
 use crate::geometry::{Rotation, Vec3};
+use crate::standards::BodyRegion;
 
 const OBSTACLE: u32 = 0x8a_93_9b;
 const ROBOT: u32 = 0xe0_7b_1f;
@@ -181,13 +182,20 @@ impl Recording<'_> {
         for (part, ends) in self.scenery.body.iter().zip(ends) {
             person.capsule(point(&ends[..3]), point(&ends[3..]), part.radius_m, Color::hex(PERSON));
         }
+        let arm = &self.scenery.arm;
+        for joints in self.replay.arms.0.chunks_exact(9).skip(2 * frame).take(2) {
+            let [shoulder, elbow, wrist] = [0, 3, 6].map(|from| point(&joints[from..]));
+            person.capsule(shoulder, elbow, arm.upper_arm_radius_m, Color::hex(PERSON));
+            person.capsule(elbow, wrist, arm.forearm_radius_m, Color::hex(PERSON));
+        }
         entities.push(person);
         if frame == self.replay.contact_frame {
             let mut contact = Entity::new("contact".to_owned(), time);
-            if let Some(arm) = &self.replay.arm {
-                let [shoulder, elbow, wrist] = arm.points_m.map(Vec3::from_array);
-                contact.capsule(shoulder, elbow, arm.radius_m, Color::hex(PERSON));
-                contact.capsule(elbow, wrist, arm.radius_m, Color::hex(PERSON));
+            if let Some(ArmPose { points_m: [.., wrist], .. }) = &self.replay.arm
+                && self.hazard.body_region == BodyRegion::Hand
+            {
+                // Where the hand may be.
+                contact.ball(Vec3::from_array(*wrist), arm.hand_radius_m, Color::hex(PERSON).faint());
             }
             contact.ball(Vec3::from_array(self.replay.contact_m), 0.04, Color::hex(TOUCHING));
             entities.push(contact);

@@ -1,6 +1,7 @@
 //! What people and pipelines read. Plain data in, text out: one file a format.
 //!
 //! - [`model`]: the result of a scan as it stands in `scan.json`
+//! - [`cause`]: hazards that are one flaw
 //! - [`recorded`]: the same, read back
 //! - [`moved`]: its paths, so that it can be moved
 //! - [`difference`]: two scans side by side
@@ -25,6 +26,7 @@ pub mod advice;
 pub mod assessment;
 pub mod baseline;
 pub mod campaign;
+pub mod cause;
 pub mod comparison;
 pub mod csv;
 pub mod difference;

@@ -4,6 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::cause::Cause;
 use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Group, finding};
 use crate::host::selftest::SelfTest;
@@ -39,6 +40,9 @@ pub struct ScanReport {
     pub subject: Subject,
     /// How it was searched.
     pub settings: Settings,
+    /// What is wrong with the cell: hazards that belong together, worst first.
+    #[serde(default)]
+    pub causes: Vec<Cause>,
     /// Hazards, worst first.
     pub hazards: Vec<Hazard>,
     /// What an exhaustive search covered.
@@ -250,6 +254,9 @@ pub struct Hazard {
     pub ratio: f64,
     /// Force with the approach speed instead of the absolute speed (criterion `directed`), N.
     pub directed_force_n: f64,
+    /// `directed_force_n / limit_n`.
+    #[serde(default)]
+    pub directed_ratio: f64,
     /// Absolute speed of the robot point, m/s.
     pub speed_m_s: f64,
     /// Approach speed along the contact normal, m/s.
@@ -490,12 +497,16 @@ pub struct Arm {
 }
 
 /// A sensor's output.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SensorState {
     /// Sensor name.
     pub name: String,
     /// Whether it reports the person.
     pub person_detected: bool,
+    /// For how long before the contact it had reported the person without a break, s; none if it does not report them, or
+    /// the hazard was not confirmed.
+    #[serde(default)]
+    pub since_s: Option<f64>,
 }
 
 impl Hazard {
@@ -510,7 +521,8 @@ impl Hazard {
             elbow_m: a.elbow.to_array(),
             wrist_m: a.wrist.to_array(),
         });
-        let sensor = |(name, &on): (&String, &bool)| SensorState { name: name.clone(), person_detected: on };
+        let sensor =
+            |(name, &on): (&String, &bool)| SensorState { name: name.clone(), person_detected: on, since_s: None };
         Self {
             id: group.id.clone(),
             confirmed: None,
@@ -521,6 +533,7 @@ impl Hazard {
             limit_n: c.limit_n,
             ratio: c.ratio(),
             directed_force_n: c.directed_force_n,
+            directed_ratio: c.directed_force_n / c.limit_n,
             speed_m_s: c.speed_m_s,
             approach_m_s: c.approach_m_s,
             safe_below_m_s: c.safe_speed_m_s(),

@@ -10,20 +10,19 @@ use flate2::write::GzEncoder;
 use serde::{Serialize, Serializer};
 
 use super::assessment::Assessments;
-use super::model::ScanReport;
 
 /// What the viewer is built to.
 const SCRIPT: &str = include_str!("viewer/viewer.js");
 const STYLE: &str = include_str!("viewer/viewer.css");
 
 /// Version of the form of [`Data`].
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// What is in the page. Lengths in m, world frame, z up.
 #[derive(Serialize)]
-struct Data<'a> {
+struct Data<'a, S> {
     format: u32,
-    scan: &'a ScanReport,
+    scan: &'a S,
     reproduce: &'a str,
     assumptions: &'a [&'static str],
     assessments: &'a Assessments,
@@ -49,6 +48,10 @@ pub struct Scenery {
     pub links: Vec<LinkShape>,
     /// The parts of the body.
     pub body: Vec<PartShape>,
+    /// The arms.
+    pub arm: ArmShape,
+    /// The robots.
+    pub robots: Vec<RobotBase>,
     /// Where the person begins.
     pub start: StartPlace,
 }
@@ -123,6 +126,28 @@ pub struct PartShape {
     pub radius_m: f64,
 }
 
+/// How thick the arms are.
+#[derive(Clone, Debug, Serialize)]
+pub struct ArmShape {
+    /// Radius of the upper arm.
+    pub upper_arm_radius_m: f64,
+    /// Radius of the forearm.
+    pub forearm_radius_m: f64,
+    /// Radius of the sphere around the wrist that the hand stays in.
+    pub hand_radius_m: f64,
+}
+
+/// Where a robot stands.
+#[derive(Clone, Debug, Serialize)]
+pub struct RobotBase {
+    /// Its name.
+    pub name: String,
+    /// Its base, where the cell file says it.
+    pub base_m: Option<[f64; 3]>,
+    /// Whether that stands upright.
+    pub upright: bool,
+}
+
 /// Where the person begins.
 #[derive(Clone, Debug, Serialize)]
 pub struct StartPlace {
@@ -162,17 +187,21 @@ pub struct Replay {
     pub links: Floats,
     /// Frames x parts x 6: end points.
     pub body: Floats,
+    /// Frames x 2 x 9: shoulder, elbow and wrist of the left arm, then of the right. They hang; one that touches is raised
+    /// to the pose that touches, for the reader alone: the model looks at all poses at once.
+    pub arms: Floats,
     /// The arm that touches, at the contact.
     pub arm: Option<ArmPose>,
     /// Where robot and person touch.
     pub contact_m: [f64; 3],
     /// Time, s.
     pub time_s: Floats,
-    /// Between the body without arms and the nearest robot, m; negative where shapes overlap.
+    /// From the nearest robot to what is touched: the part of the body, or the limb of the arm as it is drawn, m; 0 where
+    /// shapes overlap.
     pub distance_m: Floats,
-    /// Speed of the link's point nearest to the body, m/s; at the contact that of the contact.
+    /// Speed of the link's point nearest to that, m/s; at the contact that of the contact.
     pub speed_m_s: Floats,
-    /// What a contact of this link with this region at that speed would be, relative to its limit.
+    /// What a hit of this link at that speed on this region would be, relative to its limit, wherever the person is.
     pub force_ratio: Floats,
     /// What the sensors report.
     pub sensors: Vec<Strip>,
@@ -189,8 +218,6 @@ pub struct ArmPose {
     pub side: String,
     /// Shoulder, elbow, wrist.
     pub points_m: [[f64; 3]; 3],
-    /// Radius of its limbs.
-    pub radius_m: f64,
 }
 
 /// A sensor's reports.
@@ -234,12 +261,13 @@ pub const ASSUMPTIONS: [&str; 8] = [
      examined. No hazard found is never a proof of safety of the real workplace.",
 ];
 
-/// The page.
+/// The page. `scan` is a [`ScanReport`](super::model::ScanReport), or one that was read back as JSON.
 ///
 /// # Errors
 /// When the data cannot be written as JSON, or not be packed.
 pub fn render(
-    scan: &ScanReport,
+    scan: &impl Serialize,
+    title: &str,
     reproduce: &str,
     assessments: &Assessments,
     cell: &Scenery,
@@ -251,7 +279,7 @@ pub fn render(
     let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
-    let title = scan.subject.title().replace('&', "&amp;").replace('<', "&lt;");
+    let title = title.replace('&', "&amp;").replace('<', "&lt;");
     Ok(format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" \
          content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n\

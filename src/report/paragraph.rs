@@ -1,7 +1,7 @@
 //! Paragraphs of a terminal.
 
-/// Width of a line.
-const WIDTH: usize = 100;
+/// Width of a line where no terminal says another one.
+pub(super) const WIDTH: usize = 100;
 
 pub(super) fn wrapped(text: &str, indent: &str) -> String {
     let options = textwrap::Options::new(WIDTH).initial_indent(indent).subsequent_indent(indent);
@@ -10,7 +10,12 @@ pub(super) fn wrapped(text: &str, indent: &str) -> String {
 
 /// Text after a head, further lines below its own beginning.
 pub(super) fn wrapped_under(head: &str, text: &str) -> String {
+    wrapped_to(WIDTH, head, text)
+}
+
+/// The same in lines of so many columns.
+pub(super) fn wrapped_to(width: usize, head: &str, text: &str) -> String {
     let under = " ".repeat(head.len());
-    let options = textwrap::Options::new(WIDTH).initial_indent(head).subsequent_indent(&under);
+    let options = textwrap::Options::new(width.max(head.len() + 20)).initial_indent(head).subsequent_indent(&under);
     textwrap::fill(text, options) + "\n"
 }

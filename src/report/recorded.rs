@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::cause::Cause;
 use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 use super::moved::found;
 
@@ -18,6 +19,9 @@ pub struct Recorded {
     pub subject: RecordedSubject,
     /// How it was searched.
     pub settings: serde_json::Map<String, serde_json::Value>,
+    /// Hazards that belong together, worst first.
+    #[serde(default)]
+    pub causes: Vec<Cause>,
     /// Hazards, worst first.
     pub hazards: Vec<Hazard>,
     /// What an exhaustive search covered.

@@ -50,7 +50,7 @@ pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>)
             } },
             "automationDetails": { "id": format!("fmi-hazard/{}/", report.subject.title()) },
             "artifacts": [{ "location": { "uri": file.uri }, "hashes": { "sha-256": report.subject.cell_sha256 } }],
-            "results": report.hazards.iter().map(|hazard| result(hazard, file, baseline)).collect::<Vec<_>>(),
+            "results": report.hazards.iter().map(|hazard| result(report, hazard, file, baseline)).collect::<Vec<_>>(),
         }],
     })
 }
@@ -62,7 +62,8 @@ const fn rule_id(class: Class) -> &'static str {
     }
 }
 
-fn result(hazard: &Hazard, file: &CellFile, baseline: Option<&Baseline>) -> Value {
+fn result(report: &ScanReport, hazard: &Hazard, file: &CellFile, baseline: Option<&Baseline>) -> Value {
+    let cause = report.causes.iter().find(|cause| cause.hazards.contains(&hazard.id)).map(|cause| &cause.id);
     let place = || {
         let mut place = json!({ "artifactLocation": { "uri": file.uri, "index": 0 } });
         if let Some((base, line)) = file.lines.get(&hazard.robot_link) {
@@ -96,6 +97,7 @@ fn result(hazard: &Hazard, file: &CellFile, baseline: Option<&Baseline>) -> Valu
         "codeFlows": [{ "threadFlows": [{ "locations": steps }] }],
         "properties": {
             "id": hazard.id,
+            "cause": cause,
             "force_n": hazard.force_n,
             "limit_n": hazard.limit_n,
             "ratio": hazard.ratio,

@@ -2,43 +2,147 @@
 
 use std::fmt::Write as _;
 
+use super::cause::{Cause, Line};
 use super::model::{Certificate, Residual, RunAgain, ScanReport, Verdict};
+use super::paragraph::{WIDTH, wrapped_to};
 use crate::hazard::Class;
 use crate::human::Action;
+
+/// How the result is shown.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// Columns of the terminal.
+    pub width: usize,
+    /// Also every hazard, and what the search covered.
+    pub verbose: bool,
+    /// Whether colours are wanted.
+    pub colour: bool,
+}
+
+impl Default for View {
+    /// As where nobody looks: wide, short, plain.
+    fn default() -> Self {
+        Self { width: WIDTH, verbose: false, colour: false }
+    }
+}
 
 /// Hazards printed in full; the rest are counted.
 const ROWS: usize = 15;
 
-/// The table, the coverage beside it, and what it means.
+/// Most causes that are shown.
+const CAUSES: usize = 8;
+
+/// What was found, what that is worth, and what is behind it if that is wanted.
 #[must_use]
-pub fn render(report: &ScanReport) -> String {
+pub fn render(report: &ScanReport, view: View) -> String {
     let mut out = String::new();
-    hazard_table(report, &mut out);
+    if view.verbose {
+        hazard_table(report, view, &mut out);
+        coverage(report, view, &mut out);
+    }
     if let Some(certificate) = &report.certificate {
-        certified(report, certificate, &mut out);
+        certified(report, certificate, view, &mut out);
     }
     if let Some(figures) = &report.residual {
-        residual(figures, &mut out);
+        residual(figures, view, &mut out);
     }
-    coverage(report, &mut out);
     for fault in &report.faults {
-        let _ = writeln!(out, "  Not evaluated  {}", fault.message.replace('\n', "\n                 "));
+        out += &wrapped_to(view.width, "  Not evaluated  ", &fault.message);
     }
     for warning in &report.warnings {
-        let _ = writeln!(out, "  Note      {warning}");
+        out += &wrapped_to(view.width, "  Note      ", warning);
     }
-    let unverified = report.tables.iter().filter(|t| !t.verified).count();
-    let _ = writeln!(
-        out,
-        "  Limits    {}; {unverified} of {} tables not yet verified against the purchased standards",
-        report.standard_edition,
-        report.tables.len()
-    );
-    let _ = writeln!(out, "\n {}", sentence(report));
-    out
+    if view.verbose {
+        let unverified = report.tables.iter().filter(|t| !t.verified).count();
+        let limits = format!(
+            "{}; {unverified} of {} tables not yet verified against the purchased standards",
+            report.standard_edition,
+            report.tables.len()
+        );
+        out += &wrapped_to(view.width, "  Limits    ", &limits);
+    }
+    if !out.is_empty() {
+        out.push('\n');
+    }
+    let (verdict, scope) = sentences(report);
+    let (on, off) = view.ink(if report.verdict == Verdict::NoneFound { GREEN } else { RED });
+    for line in wrapped_to(view.width, " ", &verdict).lines() {
+        let _ = writeln!(out, "{on}{line}{off}");
+    }
+    for cause in report.causes.iter().take(CAUSES) {
+        out.push('\n');
+        card(cause, view, &mut out);
+    }
+    if report.causes.len() > CAUSES {
+        let _ = writeln!(out, "\n ... and {} more causes in the report", report.causes.len() - CAUSES);
+    }
+    if !report.causes.is_empty() {
+        out.push('\n');
+    }
+    if scope.is_empty() { out } else { out + &wrapped_to(view.width, " ", &scope) }
 }
 
-fn hazard_table(report: &ScanReport, out: &mut String) {
+const RED: &str = "\u{1b}[1;31m";
+const GREEN: &str = "\u{1b}[1;32m";
+const BOLD: &str = "\u{1b}[1m";
+
+impl View {
+    /// What begins and ends text of a kind.
+    const fn ink(self, kind: &'static str) -> (&'static str, &'static str) {
+        if self.colour { (kind, "\u{1b}[0m") } else { ("", "") }
+    }
+}
+
+/// One cause: what is wrong, how bad it is, what is hit by what, what helps.
+fn card(cause: &Cause, view: View, out: &mut String) {
+    let ways = cause.hazards.len();
+    let s = if ways == 1 { "" } else { "s" };
+    let share = cause.share.map_or_else(String::new, |share| format!("; {} of all sequences", percent(share)));
+    let (bold, off) = view.ink(BOLD);
+    let head = format!(" {bold}{}{off}  ", cause.id);
+    let text = wrapped_to(view.width, &" ".repeat(cause.id.len() + 3), &cause.sentence);
+    *out += &text.replacen(&" ".repeat(cause.id.len() + 3), &head, 1);
+    let figures = format!("{}; from {:.2} s on; {ways} way{s}{share}", cause.force_words(), cause.earliest_time_s);
+    *out += &wrapped_to(view.width, "   ", &figures);
+    let mut regions: Vec<(String, Vec<&str>)> = Vec::new();
+    for Line { body_region, robot_link, .. } in &cause.lines {
+        match regions.iter_mut().find(|(region, _)| *region == body_region.words()) {
+            Some((_, links)) => links.push(robot_link),
+            None => regions.push((body_region.words().to_owned(), vec![robot_link])),
+        }
+    }
+    let hit = |(region, links): &(String, Vec<&str>)| format!("{region} by {}", links.join(", "));
+    let hit: Vec<String> = regions.iter().map(hit).collect();
+    *out += &wrapped_to(view.width, "   Hit: ", &hit.join("; "));
+    for change in cause.advice.iter().flat_map(|advice| advice.changes.first()) {
+        let left = match (change.removes_all, change.complete) {
+            (true, true) => "then nothing in the cell is hazardous; every sequence was looked at",
+            (true, false) => "then nothing was met any more; not every sequence was looked at",
+            (false, _) => "then this cause is gone; others are left",
+        };
+        *out += &wrapped_to(view.width, "   What helps: ", &format!("{}: {left}", change.change));
+    }
+}
+
+/// A part of a whole, with the digits that mean something.
+pub(super) fn percent(part: f64) -> String {
+    match 100.0 * part {
+        p if p <= 0.0 => "0 %".to_owned(),
+        p if p >= 99.95 => "100 %".to_owned(),
+        p if p >= 9.95 => format!("{p:.0} %"),
+        p if p >= 0.095 => format!("{p:.1} %"),
+        p if p >= 0.000_095 => {
+            // Two digits that are not zero.
+            let places = (-libm::floor(libm::log10(p)) + 1.0).clamp(2.0, 6.0);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 6")]
+            let places = places as usize;
+            format!("{p:.places$} %")
+        }
+        _ => "less than 0.0001 %".to_owned(),
+    }
+}
+
+fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
     if report.hazards.is_empty() {
         return;
     }
@@ -69,8 +173,17 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
     let rows: Vec<[String; 9]> = report.hazards.iter().take(ROWS).map(row).collect();
     let width = |c: usize| rows.iter().map(|r| r[c].len()).max().unwrap_or(0).max(header[c].len());
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    // As many columns as there is room for.
+    let mut room = view.width;
+    let fits = |width: &&usize| {
+        let fits = room >= **width + 2;
+        room = room.saturating_sub(**width + 2);
+        fits
+    };
+    let columns = widths.iter().take_while(fits).count().max(2);
     let line = |cells: &[&str]| {
-        let padded: Vec<String> = cells.iter().zip(&widths).map(|(c, w)| format!("{c:<w$}")).collect();
+        let cells = cells.iter().zip(&widths).take(columns);
+        let padded: Vec<String> = cells.map(|(c, w)| format!("{c:<w$}")).collect();
         format!(" {}", padded.join("  ").trim_end())
     };
     let _ = writeln!(out, "{}", line(&header));
@@ -82,16 +195,17 @@ fn hazard_table(report: &ScanReport, out: &mut String) {
     }
     out.push('\n');
     let worst = &report.hazards[0];
-    let _ = writeln!(out, "  Worst     {}: {}", worst.id, worst.described());
+    out.push_str(&wrapped_to(view.width, "  Worst     ", &format!("{}: {}", worst.id, worst.described())));
     let names = |actions: &[Action]| actions.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    let _ = writeln!(out, "            actions of 0.2 s: {}", names(&worst.actions));
+    let actions = format!("actions of 0.2 s: {}", names(&worst.actions));
+    out.push_str(&wrapped_to(view.width, "            ", &actions));
     if worst.shortest.actions != worst.actions {
-        let _ = writeln!(
-            out,
-            "            the shortest and calmest way there, {:.2}x: {}",
+        let calmest = format!(
+            "the shortest and calmest way there, {:.2}x: {}",
             worst.shortest.ratio,
             names(&worst.shortest.actions)
         );
+        out.push_str(&wrapped_to(view.width, "            ", &calmest));
     }
 }
 
@@ -104,61 +218,59 @@ pub(super) fn grouped(digits: &str) -> String {
 }
 
 /// What an exhaustive search covered.
-fn certified(report: &ScanReport, c: &Certificate, out: &mut String) {
-    let s = &report.settings;
-    let _ = writeln!(
-        out,
-        "  Covered   {} of {} sequences in {} distinct states",
-        grouped(&c.covered),
-        grouped(&c.sequences),
-        grouped(&c.states.to_string())
-    );
+fn certified(report: &ScanReport, c: &Certificate, view: View, out: &mut String) {
+    let settings = &report.settings;
+    let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
+    say("  Covered   ", &format!("{} of {} sequences", grouped(&c.covered), grouped(&c.sequences)));
     let what = if c.complete { "complete within:" } else { "NOT complete within:" };
-    let _ = writeln!(
-        out,
-        "            {what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm",
+    let within = format!(
+        "{what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm",
         c.actions,
         c.horizon,
-        s.action_s * 1000.0,
-        s.contact_check_interval_s * 1000.0,
-        s.reach_tolerance_m * 1000.0
+        settings.action_s * 1000.0,
+        settings.contact_check_interval_s * 1000.0,
+        settings.reach_tolerance_m * 1000.0
     );
-    for reason in &c.reasons {
-        let _ = writeln!(out, "            {reason}");
+    say(UNDER, &within);
+    c.reasons.iter().for_each(|reason| say(UNDER, reason));
+    if !view.verbose {
+        return;
     }
-    let _ = writeln!(
-        out,
-        "            {} hazardous, {} harmless, {} too far away to meet the robot any more",
+    let kinds = format!(
+        "{} hazardous ({}), {} harmless, {} too far away to meet the robot any more",
         grouped(&c.hazardous),
+        percent(c.hazardous_share),
         grouped(&c.harmless),
         grouped(&c.excluded)
     );
-    let tried = if c.merged > 0 {
-        format!(
-            " ({} histories merged, {} of the merges tried out)",
-            grouped(&c.merged.to_string()),
-            c.merges_tried_out
-        )
-    } else {
-        String::new()
+    say(UNDER, &kinds);
+    let tried = match c.merged {
+        0 => String::new(),
+        of => {
+            format!(" ({} histories merged, {} of the merges tried out)", grouped(&of.to_string()), c.merges_tried_out)
+        }
     };
-    let _ = writeln!(out, "            equal FMU states told by {}{tried}", c.merged_by);
+    let states = grouped(&c.states.to_string());
+    say(UNDER, &format!("{states} distinct states; equal FMU states told by {}{tried}", c.merged_by));
     if c.run_again.compared > 0 {
-        let _ = writeln!(out, "            {}", run_again(&c.run_again));
+        say(UNDER, &run_again(&c.run_again));
     }
     if let Some((random, mean)) =
         c.random_search.as_ref().and_then(|random| Some((random, random.iterations_to_hazard?)))
     {
         let mean = if mean < 10.0 { format!("{mean:.1}") } else { grouped(&format!("{mean:.0}")) };
-        let _ = writeln!(
-            out,
-            "            one in {mean} random sequences is hazardous: random search needs {mean} iterations on average; \
-             within {} it finds nothing in {:.1} % of runs",
+        let random = format!(
+            "one in {mean} random sequences is hazardous: random search needs {mean} iterations on average; within {} it \
+             finds nothing in {} of runs",
             random.iterations,
-            100.0 * random.miss_probability
+            percent(random.miss_probability)
         );
+        say(UNDER, &random);
     }
 }
+
+/// What stands under the head of a paragraph.
+const UNDER: &str = "            ";
 
 /// What was run again plainly.
 fn run_again(again: &RunAgain) -> String {
@@ -176,60 +288,65 @@ fn run_again(again: &RunAgain) -> String {
 }
 
 /// What random sequences say about what is left.
-fn residual(r: &Residual, out: &mut String) {
+fn residual(r: &Residual, view: View, out: &mut String) {
+    let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
     let not_evaluated =
         if r.not_evaluated > 0 { format!(", {} not evaluated", r.not_evaluated) } else { String::new() };
     let share = match r.hazardous {
-        0 => format!("below {:.2e} (one-sided)", r.hazardous_share_below),
-        _ => {
-            format!("{:.2e} to {:.2e} (Clopper-Pearson)", r.hazardous_share_interval[0], r.hazardous_share_interval[1])
-        }
+        0 => format!("below {}", percent(r.hazardous_share_below)),
+        _ => format!("{} to {}", percent(r.hazardous_share_interval[0]), percent(r.hazardous_share_interval[1])),
     };
-    let _ = writeln!(
-        out,
-        "  Residual  {} of {} uniformly random sequences hazardous{not_evaluated}: share of all sequences {share}",
+    let random = format!(
+        "{} of {} uniformly random sequences hazardous{not_evaluated}: of all sequences {share} are",
         r.hazardous, r.random_sequences
     );
+    say("  Residual  ", &random);
     if let Some(u) = &r.unlisted {
-        let _ = writeln!(
-            out,
-            "            one more ends in a hazard not listed here with probability below {:.2e} ({} of {} later ones did; \
-             Good-Turing estimate without the chosen sequences {:.2e})",
-            u.probability_below, u.met_others, u.checked, u.good_turing_estimate
+        let unlisted = format!(
+            "one more ends in a hazard not listed here with a probability below {} ({} of {} later ones did)",
+            percent(u.probability_below),
+            u.met_others,
+            u.checked
         );
+        say(UNDER, &unlisted);
+        if view.verbose {
+            let estimate = percent(u.good_turing_estimate);
+            say(UNDER, &format!("Good-Turing estimate without the chosen sequences: {estimate}"));
+        }
     }
-    let _ = writeln!(out, "            95 % confidence each; for {}", r.holds_for);
+    say(UNDER, &format!("95 % confidence each; for {}", r.holds_for));
 }
 
-fn coverage(report: &ScanReport, out: &mut String) {
+fn coverage(report: &ScanReport, view: View, out: &mut String) {
+    let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
     let c = &report.coverage;
     let sequences = match &report.certificate {
         Some(_) => String::new(),
         None => format!("{} sequences, {} not evaluated; ", report.spent.iterations, c.episodes_not_evaluated),
     };
-    let _ = writeln!(
-        out,
-        "  Coverage  {sequences}{} actions, {} FMU steps, {} contact checks",
+    let spent = format!(
+        "{sequences}{} actions, {} FMU steps, {} contact checks",
         c.actions, report.spent.fmu_steps, c.contact_checks
     );
+    say("  Coverage  ", &spent);
     let approach =
         if c.closest_approach_m < 1e6 { format!("{:.2} m", c.closest_approach_m) } else { "never near".to_owned() };
-    let _ = writeln!(
-        out,
-        "            robot moved at up to {:.2} m/s; closest approach of the body {approach}; robot within arm's reach at {} instants",
+    let robot = format!(
+        "robot moved at up to {:.2} m/s; closest approach of the body {approach}; robot within arm's reach at {} instants",
         c.robot_top_speed_m_s, c.checks_with_robot_in_arm_reach
     );
-    let _ = writeln!(
-        out,
-        "            {} contacts within the limits (highest {:.2}x); obstacles stopped the person {} times",
+    say(UNDER, &robot);
+    let contacts = format!(
+        "{} contacts within the limits (highest {:.2}x); obstacles stopped the person {} times",
         c.contacts_within_limits, c.highest_ratio_within_limits, c.walks_blocked
     );
+    say(UNDER, &contacts);
     let sensors = &report.coverage.sensor_actions;
     let text = match sensors.len() {
         0 => "none in this cell: the safeguard is the guarding itself".to_owned(),
         _ => format!("reported the person in {sensors:?} actions"),
     };
-    let _ = writeln!(out, "            sensors {text}");
+    say(UNDER, &format!("sensors {text}"));
 }
 
 /// Which sequences were looked at.
@@ -251,7 +368,8 @@ fn looked_at(report: &ScanReport) -> String {
     }
 }
 
-fn sentence(report: &ScanReport) -> String {
+/// The verdict, and how far it goes.
+fn sentences(report: &ScanReport) -> (String, String) {
     let within = looked_at(report);
     let complete = report.certificate.as_ref().is_some_and(|c| c.complete);
     let left = if report.residual.is_some() { "; the residual figures above bound what is left" } else { "" };
@@ -261,28 +379,56 @@ fn sentence(report: &ScanReport) -> String {
     };
     match report.verdict {
         Verdict::HazardsFound => {
+            let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
             let n = report.hazards.len();
             let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
-            let s = if n == 1 { "" } else { "s" };
+            let sure = match (confirmed, n) {
+                (1, 1) => "confirmed".to_owned(),
+                _ if confirmed == n => "all confirmed".to_owned(),
+                _ => format!("{confirmed} confirmed"),
+            };
             let others = match complete {
                 true => " There are no others within the stated actions and horizon, in this model.",
                 false => "",
             };
-            format!("{n} possible hazard{s}, {confirmed} confirmed by a fresh replay.\n {scope}{others}")
+            let causes = plural(report.causes.len(), "cause");
+            (format!("{causes} of {}, {sure} by a fresh replay.", plural(n, "possible hazard")), scope + others)
         }
-        Verdict::NoneFound if complete => {
-            format!(
-                "No sequence of the stated actions and horizon is hazardous, in this model.\n {scope} A statement about the \
-                 model, not about the real cell."
-            )
+        Verdict::NoneFound if complete => (
+            "No sequence of the stated actions and horizon is hazardous, in this model.".to_owned(),
+            format!("{scope} A statement about the model, not about the real cell."),
+        ),
+        Verdict::NoneFound => ("No hazard found.".to_owned(), scope),
+        Verdict::Inconclusive => (
+            "Inconclusive: nothing was found, which says nothing about the cell. See the notes above.".to_owned(),
+            String::new(),
+        ),
+        Verdict::FmuFailed => (
+            "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned(),
+            String::new(),
+        ),
+        Verdict::Interrupted => (format!("Interrupted; nothing found so far in {within}."), String::new()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_have_the_digits_that_mean_something() {
+        for (part, words) in [
+            (0.0, "0 %"),
+            (1.0, "100 %"),
+            (0.254_6, "25 %"),
+            (0.033_46, "3.3 %"),
+            (0.009_97, "1.0 %"),
+            (0.000_97, "0.1 %"),
+            (0.000_041, "0.0041 %"),
+            (0.000_001_2, "0.00012 %"),
+            (0.000_000_1, "less than 0.0001 %"),
+        ] {
+            assert_eq!(percent(part), words);
         }
-        Verdict::NoneFound => format!("No hazard found.\n {scope}"),
-        Verdict::Inconclusive => {
-            "Inconclusive: nothing was found, which says nothing about the cell. See the notes above.".to_owned()
-        }
-        Verdict::FmuFailed => {
-            "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()
-        }
-        Verdict::Interrupted => format!("Interrupted; nothing found so far in {within}."),
     }
 }

@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use quick_junit::{NonSuccessKind, TestCaseStatus};
 
+use super::cause::{Cause, grouped};
 use super::junit::{self, xml};
 use super::model::Hazard;
+use super::paragraph::wrapped;
 
 /// A known hazard, tried again.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,40 +61,86 @@ impl Verified {
     }
 }
 
-/// For people.
-#[must_use]
-pub fn render(verified: &[Verified]) -> String {
-    let mut out = String::new();
+/// The hazards of a scan that were tried again, by cause.
+fn by_cause<'a>(causes: &'a [Cause], verified: &'a [Verified]) -> Vec<(Option<&'a Cause>, Vec<&'a Verified>)> {
+    let of = |one: &Verified| causes.iter().position(|cause| cause.hazards.contains(&one.hazard.id));
+    let mut all: Vec<(Option<&Cause>, Vec<&Verified>)> = causes.iter().map(|cause| (Some(cause), Vec::new())).collect();
     for one in verified {
-        let _ = writeln!(out, " {}", one.line());
+        match of(one) {
+            Some(cause) => all[cause].1.push(one),
+            // Scans of older versions know no causes.
+            None => all.push((None, vec![one])),
+        }
     }
-    let fixed = verified.iter().filter(|one| one.outcome == Outcome::Fixed).count();
+    all.retain(|(_, members)| !members.is_empty());
+    all
+}
+
+/// For people: a line a cause, and one for each of its hazards that is not fixed.
+#[must_use]
+pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
+    let mut out = String::new();
+    let is_fixed = |one: &&Verified| one.outcome == Outcome::Fixed;
+    let mut causes_fixed = 0;
+    let by_cause = by_cause(causes, verified);
+    for (cause, members) in &by_cause {
+        let fixed = members.iter().copied().filter(is_fixed).count();
+        causes_fixed += usize::from(fixed == members.len());
+        let Some(cause) = cause else {
+            members.iter().for_each(|one| out += &format!(" {}\n", one.line()));
+            continue;
+        };
+        let of = members.len();
+        let (word, rest) = match fixed == of {
+            true => ("fixed        ", format!("{}: the sequences of all {of} end without an unsafe contact", cause.id)),
+            false => ("STILL THERE  ", format!("{}: {} of {of} hazards", cause.id, of - fixed)),
+        };
+        let _ = writeln!(out, " {word}{rest}");
+        let _ = write!(out, "{}", wrapped(&format!("was: {}", cause.sentence), "              "));
+        for one in members.iter().copied().filter(|one| !is_fixed(one)) {
+            let _ = writeln!(out, "   {}", one.line());
+        }
+    }
+    let fixed = verified.iter().filter(is_fixed).count();
+    let causes = match causes.is_empty() {
+        true => String::new(),
+        false => format!(", {causes_fixed} of {} causes", by_cause.len()),
+    };
     let _ = writeln!(
         out,
-        "\n {fixed} of {} known hazards fixed, each by its recorded sequences. Scan again for others that lead there.",
+        "\n {fixed} of {} known hazards fixed{causes}, each by its recorded sequences. Scan again for others that lead \
+         there.",
         verified.len()
     );
     out
 }
 
-/// As JUnit XML: a test case a hazard, which succeeds if it is fixed.
+/// As JUnit XML: a test case a cause, which succeeds if all its hazards are fixed.
 ///
 /// # Errors
 /// When it cannot be written as XML.
-pub fn as_junit(cell: &str, verified: &[Verified]) -> Result<String, quick_junit::SerializeError> {
+pub fn as_junit(cell: &str, causes: &[Cause], verified: &[Verified]) -> Result<String, quick_junit::SerializeError> {
     let cell = xml(cell);
-    let case = |one: &Verified| {
+    let case = |(cause, members): (Option<&Cause>, Vec<&Verified>)| {
+        let any = |of: fn(&Outcome) -> bool| members.iter().any(|one| of(&one.outcome));
+        let lines: Vec<String> =
+            members.iter().filter(|one| one.outcome != Outcome::Fixed).map(|one| one.line()).collect();
         let failed = |kind, of: &str| {
             let mut status = TestCaseStatus::non_success(kind);
-            status.set_type(of).set_message(xml(&one.line()));
+            status.set_type(of).set_message(xml(lines.first().map_or("", String::as_str)));
+            status.set_description(xml(&lines.join("\n")));
             status
         };
-        let status = match &one.outcome {
-            Outcome::Fixed => TestCaseStatus::success(),
-            Outcome::StillThere { .. } => failed(NonSuccessKind::Failure, "hazard"),
-            Outcome::NotRun { .. } => failed(NonSuccessKind::Error, "FMU fault"),
+        let status = if any(|outcome| matches!(outcome, Outcome::StillThere { .. })) {
+            failed(NonSuccessKind::Failure, "hazard")
+        } else if any(|outcome| matches!(outcome, Outcome::NotRun { .. })) {
+            failed(NonSuccessKind::Error, "FMU fault")
+        } else {
+            TestCaseStatus::success()
         };
-        junit::case(&junit::title(&one.hazard), &cell, status)
+        let hazards: Vec<Hazard> = members.iter().map(|one| one.hazard.clone()).collect();
+        let title = grouped(cause.map(std::slice::from_ref).unwrap_or_default(), &hazards)[0].title();
+        junit::case(&xml(&title), &cell, status)
     };
-    junit::write(&cell, verified.iter().map(case).collect())
+    junit::write(&cell, by_cause(causes, verified).into_iter().map(case).collect())
 }

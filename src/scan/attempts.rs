@@ -16,7 +16,7 @@ use crate::host::{Effort, Hosted, Plant as _, PlantError, Unlike};
 use crate::report::model::Hazard;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
-use crate::sim::replay::replay;
+use crate::sim::replay::replay_watched;
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;
@@ -79,10 +79,14 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
-            hazard.confirmed = confirm(prepared, &mut plain, &group.worst, &mut not_run);
+            let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
+            hazard.confirmed = confirmed;
+            for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
+                sensor.since_s = since_s;
+            }
             hazard.shortest.confirmed = match group.shortest == group.worst {
                 true => hazard.confirmed,
-                false => confirm(prepared, &mut plain, &group.shortest, &mut not_run),
+                false => confirm(prepared, &mut plain, &group.shortest, &mut not_run).0,
             };
             // A plain run of this scan has confirmed it before.
             let before = only_kept.contains(&hazard.id).then_some(true);
@@ -224,22 +228,26 @@ fn once(
     }
 }
 
-/// Whether a fresh instance without any restore gives the same contact to the last bit; nothing if there was no time to
-/// see, or the FMU does not begin any more: why is put into `not_run`.
+/// Whether a fresh instance without any restore gives the same contact to the last bit, and for how long each sensor had
+/// reported the person by then; nothing if there was no time to see, or the FMU does not begin any more: why is put into
+/// `not_run`.
 fn confirm(
     prepared: &Prepared,
     plant: &mut Hosted,
     finding: &Finding,
     not_run: &mut Option<PlantError>,
-) -> Option<bool> {
-    match replay(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions) {
-        Ok(again) => Some(again.as_ref() == Some(finding)),
+) -> (Option<bool>, Vec<Option<f64>>) {
+    match replay_watched(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions) {
+        Ok((again, since)) => match again.as_ref() == Some(finding) {
+            true => (Some(true), since),
+            false => (Some(false), Vec::new()),
+        },
         Err(error) if error.tried_nothing() => {
             if !error.stopped {
                 not_run.get_or_insert(error);
             }
-            None
+            (None, Vec::new())
         }
-        Err(_) => Some(false),
+        Err(_) => (Some(false), Vec::new()),
     }
 }

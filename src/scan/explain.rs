@@ -31,28 +31,29 @@ pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Optio
         }
         Reports { name: sensor.name.clone(), changes_s }
     };
-    let last = &until[until.len() - 1];
-    let outside = |(number, sensor): (usize, &crate::cell::Sensor)| match &sensor.zone {
-        Zone::Mat(polygon) | Zone::Field(polygon)
-            if !last.readings[number] && !contains(polygon, hazard.person_xy_m) =>
-        {
-            let distance_m = distance_to_edge(polygon, hazard.person_xy_m);
-            Some(Outside { name: sensor.name.clone(), distance_m })
-        }
-        _ => None,
-    };
     Some(Explanation {
         hazard: hazard.clone(),
         start: (cell.start.xy_m(), cell.start.heading_deg()),
         begins_s: cell.begins_s(),
         action_s: ACTION_S,
         sensors: cell.sensors.iter().enumerate().map(reports).collect(),
-        outside: cell.sensors.iter().enumerate().filter_map(outside).collect(),
+        outside: outside(prepared, hazard, &until[until.len() - 1].readings).collect(),
         robot: Robot {
             name: robot.name.clone(),
             moving_mass_kg: robot.moving_mass_kg,
             mass_from: prepared.shown(&robot.mass_place),
         },
         remedies: Vec::new(),
+    })
+}
+
+/// How far the person stands outside of the zones of sensors that report nobody at the contact.
+pub(super) fn outside(prepared: &Prepared, hazard: &Hazard, readings: &[bool]) -> impl Iterator<Item = Outside> {
+    prepared.cell.sensors.iter().zip(readings).filter_map(|(sensor, &reports)| match &sensor.zone {
+        Zone::Mat(polygon) | Zone::Field(polygon) if !reports && !contains(polygon, hazard.person_xy_m) => {
+            let distance_m = distance_to_edge(polygon, hazard.person_xy_m);
+            Some(Outside { name: sensor.name.clone(), distance_m })
+        }
+        _ => None,
     })
 }

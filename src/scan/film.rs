@@ -2,23 +2,27 @@
 
 use std::sync::Arc;
 
+use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
 use crate::cell::Zone;
+use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 use crate::host::system::UnitPort;
 use crate::host::{Hosted, Plant as _, PlantError};
+use crate::human::arm::ArmModel;
 use crate::human::{Action, BendFraction, Posture};
 use crate::report::model::{Hazard, Through};
 use crate::report::page::{
-    ArmPose, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, Scenery, StartPlace, Strip, ZoneOutline,
+    ArmPose, ArmShape, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, RobotBase, Scenery, StartPlace, Strip,
+    ZoneOutline,
 };
 use crate::report::trace::Trace;
 use crate::sim::simulation::{Instant, ReachedThrough, Watched};
 use crate::sim::{Simulation, World};
-use crate::standards::iso_13857::HAND_RADIUS_M;
+use crate::standards::BodyRegion;
 
 /// Height of mats and fields in the picture, m; the model has none.
 const FLOOR_M: f64 = 0.02;
@@ -59,8 +63,27 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
             .iter()
             .map(|(part, capsule)| PartShape { region: part.name().to_owned(), radius_m: capsule.radius })
             .collect(),
+        arm: arm_shape(),
+        robots: cell
+            .robots
+            .iter()
+            .map(|robot| {
+                let Pose { translation, rotation } = robot.world_from_base;
+                RobotBase {
+                    name: robot.name.clone(),
+                    // Where the FMU tells the poses of its parts, the base says nothing.
+                    base_m: robot.kinematics.as_ref().map(|_| translation.to_array()),
+                    upright: (rotation * Vec3::Z).z > 0.99,
+                }
+            })
+            .collect(),
         start: StartPlace { xy_m: cell.start.xy_m(), heading_deg: cell.start.heading_deg() },
     }
+}
+
+fn arm_shape() -> ArmShape {
+    let ArmModel { hand_radius_m, upper_arm_radius_m, forearm_radius_m, .. } = ArmModel::default();
+    ArmShape { upper_arm_radius_m, forearm_radius_m, hand_radius_m }
 }
 
 /// Corners of meshes are many: no more digits than one sees.
@@ -120,9 +143,9 @@ fn reached_through(prepared: &Prepared, hazard: &Hazard, through: &Through) -> O
     Some(ReachedThrough { sensor, steps: first..until })
 }
 
-/// Whole steps in a time.
+/// Whole steps in a time, s.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
-fn steps(prepared: &Prepared, time_s: f64) -> usize {
+pub(super) fn steps(prepared: &Prepared, time_s: f64) -> usize {
     (time_s / prepared.cell.step_s).round() as usize
 }
 
@@ -142,16 +165,24 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         frame: number * prepared.cell.steps_per_action,
     };
     let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
+    let arms = arms::arms(instants, contact_frame, hazard.arm.as_ref(), step_s);
+    let touched = Touched::new(hazard, &instants[contact_frame]);
     let curves: Vec<[f64; 3]> = instants
         .iter()
+        .zip(&arms)
         .enumerate()
-        .map(|(frame, instant)| match link {
-            _ if frame == contact_frame => [distance(instant), hazard.speed_m_s, hazard.ratio],
-            Some(link) => {
-                let speed = speed(instant, link);
-                [distance(instant), speed, instant.frame.strike(link).ratio(hazard.body_region, speed)]
+        .map(|(frame, (instant, arms))| {
+            let part = touched.at(instant, arms);
+            let gap = gap(instant, &part);
+            match link {
+                _ if frame == contact_frame => [gap, hazard.speed_m_s, hazard.ratio],
+                Some(link) => {
+                    let near = instant.frame.links[link].segment_distance(part.a, part.b);
+                    let speed = instant.frame.velocity(link, near.on_second).length();
+                    [gap, speed, instant.frame.strike(link).ratio(hazard.body_region, speed)]
+                }
+                None => [gap, f64::NAN, f64::NAN],
             }
-            None => [distance(instant), f64::NAN, f64::NAN],
         })
         .collect();
     let curve = |of: usize| Floats(curves.iter().map(|values| values[of]).collect());
@@ -166,12 +197,12 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         frames: instants.len(),
         contact_frame,
         links: Floats(instants.iter().flat_map(|instant| instant.frame.links.iter().flat_map(place)).collect()),
-        body: Floats(instants.iter().flat_map(|instant| instant.body.iter().flat_map(ends)).collect()),
-        arm: hazard.arm.as_ref().map(|arm| ArmPose {
-            side: arm.side.clone(),
-            points_m: [arm.shoulder_m, arm.elbow_m, arm.wrist_m],
-            radius_m: HAND_RADIUS_M,
-        }),
+        body: Floats(instants.iter().flat_map(|i| i.body.parts().iter().flat_map(|(_, part)| ends(part))).collect()),
+        arms: Floats(arms.iter().flatten().flatten().flat_map(|joint| joint.to_array()).collect()),
+        arm: hazard
+            .arm
+            .as_ref()
+            .map(|arm| ArmPose { side: arm.side.clone(), points_m: [arm.shoulder_m, arm.elbow_m, arm.wrist_m] }),
         contact_m: hazard.contact_point_m,
         time_s: Floats((0..instants.len()).map(time).collect()),
         distance_m: curve(0),
@@ -239,19 +270,71 @@ fn pose(Pose { translation, rotation }: Pose) -> [f64; 7] {
     [x, y, z, qx, qy, qz, qw]
 }
 
-/// From the nearest link to the body without arms, m.
-fn distance(instant: &Instant) -> f64 {
-    let to = |part: &Capsule| {
-        let near = instant.frame.links.iter().map(|link| link.segment_distance(part.a, part.b).distance);
-        near.fold(f64::INFINITY, f64::min) - part.radius
-    };
-    instant.body.iter().map(to).fold(f64::INFINITY, f64::min)
+/// What of the person is touched.
+enum Touched {
+    /// A part of the body, by its number.
+    Body(usize),
+    /// A limb of the left or the right arm, and its radius.
+    Limb(usize, Limb, f64),
 }
 
-/// Speed of the point of a link that is nearest to the body, m/s.
-fn speed(instant: &Instant, link: usize) -> f64 {
-    let solid = &instant.frame.links[link];
-    let near = instant.body.iter().map(|part| (part, solid.segment_distance(part.a, part.b)));
-    let nearest = near.min_by(|(p, a), (q, b)| (a.distance - p.radius).total_cmp(&(b.distance - q.radius)));
-    nearest.map_or(f64::NAN, |(_, near)| instant.frame.velocity(link, near.on_second).length())
+/// A limb, between two of an arm's joints.
+#[derive(Clone, Copy)]
+enum Limb {
+    UpperArm,
+    Forearm,
+    Hand,
+}
+
+impl Limb {
+    fn ends(self, [shoulder, elbow, wrist]: Joints) -> (Vec3, Vec3) {
+        match self {
+            Self::UpperArm => (shoulder, elbow),
+            Self::Forearm => (elbow, wrist),
+            Self::Hand => (wrist, wrist),
+        }
+    }
+}
+
+impl Touched {
+    fn new(hazard: &Hazard, contact: &Instant) -> Self {
+        let (at, shape) = (Vec3::from_array(hazard.body_point_m), arm_shape());
+        let Some(arm) = &hazard.arm else {
+            let off = |part: &Capsule| (point_segment(at, part.a, part.b).distance - part.radius).abs();
+            let parts = contact.body.parts().iter().enumerate();
+            let nearest = parts.min_by(|(_, (_, p)), (_, (_, q))| off(p).total_cmp(&off(q)));
+            return Self::Body(nearest.map_or(0, |(number, _)| number));
+        };
+        let joints = [arm.shoulder_m, arm.elbow_m, arm.wrist_m].map(Vec3::from_array);
+        // The contact is on the axis of the limb. An elbow counts as upper arm, on both sides of the joint.
+        let off = |limb: Limb| {
+            let (a, b) = limb.ends(joints);
+            point_segment(at, a, b).distance
+        };
+        let (limb, radius) = match hazard.body_region {
+            BodyRegion::UpperArm if off(Limb::UpperArm) <= off(Limb::Forearm) => {
+                (Limb::UpperArm, shape.upper_arm_radius_m)
+            }
+            BodyRegion::UpperArm | BodyRegion::LowerArm => (Limb::Forearm, shape.forearm_radius_m),
+            _ => (Limb::Hand, shape.hand_radius_m),
+        };
+        Self::Limb(usize::from(arm.side != "left"), limb, radius)
+    }
+
+    /// Where it is, with these arms.
+    fn at(&self, instant: &Instant, arms: &[Joints; 2]) -> Capsule {
+        match *self {
+            Self::Body(part) => instant.body.parts()[part].1,
+            Self::Limb(side, limb, radius) => {
+                let (a, b) = limb.ends(arms[side]);
+                Capsule { a, b, radius }
+            }
+        }
+    }
+}
+
+/// From the nearest link to a part of the person, m; none where they overlap.
+fn gap(instant: &Instant, part: &Capsule) -> f64 {
+    let near = instant.frame.links.iter().map(|link| link.segment_distance(part.a, part.b).distance);
+    (near.fold(f64::INFINITY, f64::min) - part.radius).max(0.0)
 }

@@ -11,6 +11,7 @@
 //! - `attempts`: a search, and the same again on the next rung
 //! - `searched`: what a search gives besides its groups
 //! - `footing`: how states are brought back, and what comes next when that is found to be wrong
+//! - [`causes`]: which hazards belong together
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
@@ -18,13 +19,16 @@
 //! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
 //! - [`film`]: its replay, and what its FMU gets
+//! - `arms`: the person's arms in it
 //! - `outline`: parts of a cell from above, for both
 //! - [`verify`]: known hazards tried again
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
 
+mod arms;
 mod attempts;
 pub mod campaign;
+pub mod causes;
 pub mod comparison;
 pub mod exhaustive;
 pub mod explain;

@@ -23,7 +23,12 @@ pub(super) fn outline(c: &Cuboid) -> Vec<Point> {
 }
 
 pub(super) fn top(c: &Cuboid) -> f64 {
-    corners(c).map(|p| p.z).fold(f64::MIN, f64::max)
+    heights(c)[1]
+}
+
+/// From which height to which a box reaches.
+pub(super) fn heights(c: &Cuboid) -> [f64; 2] {
+    [corners(c).map(|p| p.z).fold(f64::MAX, f64::min), corners(c).map(|p| p.z).fold(f64::MIN, f64::max)]
 }
 
 fn corners(c: &Cuboid) -> impl Iterator<Item = Vec3> + '_ {

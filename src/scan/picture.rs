@@ -42,7 +42,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
         robot: robot.map(|links| links.iter().map(part).collect()).collect(),
         path: until.iter().map(|instant| flat(instant.position)).collect(),
         other_starts: Vec::new(),
-        body: until[contact].body.iter().map(|c| (flat(c.a), flat(c.b), c.radius)).collect(),
+        body: until[contact].body.parts().iter().map(|(_, c)| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
     }

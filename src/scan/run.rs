@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::attempts::{Attempt, attempts};
+use super::causes::causes;
 use super::footing::not_repeatable;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
@@ -132,6 +133,8 @@ pub fn scan_with(
         contact_checks: coverage.contact_checks,
         arm_checks: coverage.arm_checks,
     };
+    let rung = footing.rung(prepared);
+    let causes = causes(prepared, rung, &hazards, certificate.as_ref());
     let report = ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
@@ -139,6 +142,7 @@ pub fn scan_with(
         subject: prepared.subject.clone(),
         settings: settings(prepared, options, name),
         residual: figures.map(|f| Residual::new(&f, !hazards.is_empty())),
+        causes,
         hazards,
         certificate,
         coverage,
@@ -150,7 +154,7 @@ pub fn scan_with(
         tables: tables().collect(),
         warnings,
     };
-    Ok(Scanned { report, rung: footing.rung(prepared), effort, remembered })
+    Ok(Scanned { report, rung, effort, remembered })
 }
 
 fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use super::simulation::Watched;
 use super::{Options, Simulation};
+use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Plant, PlantError, Policy};
@@ -20,6 +22,20 @@ pub fn replay<P: Plant>(
     plant: P,
     actions: &[Action],
 ) -> Result<Option<Finding>, PlantError> {
+    Ok(replay_watched(cell, binding, plant, actions)?.0)
+}
+
+/// The same, and for how long before the contact each sensor had reported the person without a break, s; none for those that
+/// do not report them at the contact.
+///
+/// # Errors
+/// As [`replay`].
+pub fn replay_watched<P: Plant>(
+    cell: Arc<Workcell>,
+    binding: Arc<Binding>,
+    plant: P,
+    actions: &[Action],
+) -> Result<(Option<Finding>, Vec<Option<f64>>), PlantError> {
     let options = Options { policy: Policy::Replay, posture_sweep: false };
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
     simulation.reset()?;
@@ -32,6 +48,30 @@ pub fn replay<P: Plant>(
     }
     match simulation.take_findings().pop() {
         None if !simulation.is_evaluated() => Err(simulation.not_evaluated()),
-        found => Ok(found),
+        None => Ok((None, Vec::new())),
+        Some(found) => {
+            // What the FMU did is known by now: nothing is stepped again.
+            let reported = simulation.watch(actions, &[]).map(|watched| reported(&simulation, &watched, &found));
+            Ok((Some(found), reported.unwrap_or_default()))
+        }
     }
+}
+
+/// For how long before the contact each sensor had reported the person, s.
+fn reported<P: Plant>(simulation: &Simulation<P>, watched: &Watched, found: &Finding) -> Vec<Option<f64>> {
+    let world = simulation.world();
+    let since = |sensor: usize| {
+        if let Some(through) = found.through.iter().find(|through| through.sensor == sensor) {
+            // A plane tells of the arm, which is in no sample of the body.
+            return Some(through.since_s);
+        }
+        let reports = |step: &usize| watched.instants.get(*step).is_some_and(|instant| instant.readings[sensor]);
+        let first = (0..=found.step).rev().take_while(reports).last()?;
+        // The FMU is told at the start of a step what its end shows; of its own sensors it tells at the end.
+        let told = matches!(world.binding.sensors[sensor], SensorBinding::Input(_));
+        #[expect(clippy::cast_precision_loss, reason = "a few steps")]
+        let steps = (found.step - first.saturating_sub(usize::from(told))) as f64;
+        Some(steps * world.cell.step_s)
+    };
+    (0..world.cell.sensors.len()).map(|sensor| since(sensor).filter(|_| found.sensors[sensor])).collect()
 }

@@ -17,12 +17,12 @@ use super::robots::{Instead, Robots};
 use super::sensors::DelayLine;
 use super::world::{Sensed, Stance, World};
 use crate::cell::{Binding, Workcell};
-use crate::geometry::{Capsule, Vec3};
+use crate::geometry::Vec3;
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture};
+use crate::human::{Action, Place, PlacedBody, Posture};
 use crate::search::{End, Environment, Step};
 
 /// Settings of a simulation.
@@ -66,8 +66,8 @@ const OUTCOMES_KEPT: usize = 300_000;
 pub struct Instant {
     /// Where the person stands, floor plan, m.
     pub position: Vec3,
-    /// The body's parts, world, m, in the order of [`BodyPart::ALL`](crate::human::BodyPart::ALL).
-    pub body: Vec<Capsule>,
+    /// The body.
+    pub body: PlacedBody,
     /// Whether each sensor reports the person.
     pub readings: Vec<bool>,
     /// The robots.

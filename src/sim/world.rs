@@ -22,7 +22,7 @@ use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
-use crate::human::{Action, BendFraction, Body, Place, Posture, Side, posture, shoulder};
+use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Side, posture, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
@@ -375,10 +375,10 @@ impl World {
         (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
     }
 
-    /// The body's parts, world, m.
+    /// The body in the world.
     #[must_use]
-    pub fn body_of(&self, stance: &Stance) -> Vec<crate::geometry::Capsule> {
-        self.person(stance).body.parts().iter().map(|(_, capsule)| *capsule).collect()
+    pub fn body_of(&self, stance: &Stance) -> PlacedBody {
+        self.person(stance).body
     }
 
     /// The person after step `i` of an action.

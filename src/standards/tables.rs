@@ -1,11 +1,16 @@
 //! Every table of this floor with its origin.
 
 use super::provenance::Table;
-use super::{anthropometry, iso_13855, iso_13857, iso_ts_15066};
+use super::{anthropometry, iso_13849, iso_13855, iso_13857, iso_ts_15066};
 
 /// Every table of this floor.
 pub fn tables() -> impl Iterator<Item = Table> {
-    iso_ts_15066::TABLES.into_iter().chain(iso_13855::TABLES).chain(iso_13857::TABLES).chain(anthropometry::TABLES)
+    iso_ts_15066::TABLES
+        .into_iter()
+        .chain(iso_13849::TABLES)
+        .chain(iso_13855::TABLES)
+        .chain(iso_13857::TABLES)
+        .chain(anthropometry::TABLES)
 }
 
 #[cfg(test)]
@@ -24,7 +29,7 @@ mod tests {
     fn tables_are_told_apart_and_complete() {
         let ids: BTreeSet<_> = tables().map(|table| table.id).collect();
         assert_eq!(ids.len(), tables().count());
-        for standard in ["iso_ts_15066", "iso_13855", "iso_13857", "ansur_ii"] {
+        for standard in ["iso_ts_15066", "iso_13849", "iso_13855", "iso_13857", "ansur_ii"] {
             assert!(ids.iter().any(|id| id.starts_with(standard)), "{standard}");
         }
         for table in tables() {

@@ -96,6 +96,7 @@ impl Place {
             let ours = [
                 "report.html",
                 "scan.json",
+                "causes.csv",
                 "hazards.csv",
                 "junit.xml",
                 "hazards.sarif",

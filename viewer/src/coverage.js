@@ -37,13 +37,13 @@ function certificate({ certificate: c, settings }) {
     definitions([
       ["within", `${c.actions} actions, ${c.horizon} in a row, ${ms(settings.action_s)} each; contact checked every ${ms(settings.contact_check_interval_s)}; reach tolerance ${(1000 * settings.reach_tolerance_m).toFixed(0)} mm`],
       ["sequences", `${grouped(c.covered)} of ${grouped(c.sequences)} accounted for`],
-      ["hazardous", `${grouped(c.hazardous)}: share ${share(c.hazardous_share)}`],
+      ["hazardous", `${grouped(c.hazardous)}: ${share(c.hazardous_share)}`],
       ["harmless", grouped(c.harmless)],
       ["too far away", `${grouped(c.excluded)} cannot meet the robot any more in the time that is left`],
       ["not evaluated", c.not_evaluated === "0" ? "" : `${grouped(c.not_evaluated)}: the FMU could not finish them`],
       ["distinct states", `${grouped(c.states)}; equal FMU states told by ${c.merged_by}${c.merged > 0 ? ` (${grouped(c.merged)} histories merged, ${grouped(c.merges_tried_out)} of the merges tried out)` : ""}`],
       ["run again", again(c.run_again)],
-      ["random search", random && c.hazardous_share > 0 ? `one in ${grouped((1 / c.hazardous_share).toFixed(0))} random sequences is hazardous, so it needs that many iterations on average; within ${random.iterations} it finds nothing in ${(100 * random.miss_probability).toFixed(1)} % of runs` : ""],
+      ["random search", random && c.hazardous_share > 0 ? `one in ${grouped((1 / c.hazardous_share).toFixed(0))} random sequences is hazardous, so it needs that many iterations on average; within ${random.iterations} it finds nothing in ${share(random.miss_probability)} of runs` : ""],
     ]),
   ];
 }
@@ -54,15 +54,15 @@ function residual(r) {
   }
   const bounds =
     r.hazardous === 0
-      ? `below ${share(r.hazardous_share_below)}, one-sided`
-      : `${share(r.hazardous_share_interval[0])} to ${share(r.hazardous_share_interval[1])}, Clopper-Pearson`;
+      ? `below ${share(r.hazardous_share_below, Math.ceil)}, one-sided`
+      : `${share(r.hazardous_share_interval[0], Math.floor)} to ${share(r.hazardous_share_interval[1], Math.ceil)}, Clopper-Pearson`;
   const u = r.unlisted;
   return [
     h("h3", {}, "Residual: what is left, by random sequences alone"),
     definitions([
       ["random sequences", `${grouped(r.random_sequences)}, of these ${grouped(r.hazardous)} hazardous${r.not_evaluated > 0 ? `, ${grouped(r.not_evaluated)} not evaluated` : ""}`],
       ["hazardous share", `of all sequences: ${bounds}`],
-      ["not listed here", u ? `one more random sequence ends in a hazard not listed with probability below ${share(u.probability_below)} (${grouped(u.met_others)} of ${grouped(u.checked)} later ones did; Good-Turing estimate ${share(u.good_turing_estimate)})` : ""],
+      ["not listed here", u ? `one more random sequence ends in a hazard not listed with probability below ${share(u.probability_below, Math.ceil)} (${grouped(u.met_others)} of ${grouped(u.checked)} later ones did; Good-Turing estimate ${share(u.good_turing_estimate)})` : ""],
       ["confidence", `95 % each; for ${r.holds_for}`],
     ]),
   ];

@@ -1,5 +1,8 @@
 // The data of the page: read once, replays unpacked at once and decoded when they are first looked at.
 
+/** The form of the data that is read. */
+const FORMAT = 2;
+
 /** What a base64 text stands for. */
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 
@@ -22,6 +25,7 @@ function decode(replay, cell) {
     step: cell.step_s,
     links: floats(replay.links),
     body: floats(replay.body),
+    arms: floats(replay.arms),
   };
   for (const key of ["time_s", "distance_m", "speed_m_s", "force_ratio"]) {
     decoded[key] = floats(replay[key]);
@@ -32,16 +36,28 @@ function decode(replay, cell) {
 /** Reads the data of the page. */
 export async function readData() {
   const data = JSON.parse(document.getElementById("data").textContent);
-  if (data.format !== 1) {
-    throw new Error(`data of format ${data.format}, but this viewer reads format 1`);
+  if (data.format !== FORMAT) {
+    throw new Error(`data of format ${data.format}, but this viewer reads format ${FORMAT}`);
   }
   const replays = await unpacked(data.replays);
   const raw = new Map(replays.map((replay) => [replay.id, replay]));
   const decoded = new Map();
   const hazards = new Map(data.scan.hazards.map((hazard) => [hazard.id, hazard]));
+  const causes = data.scan.causes ?? [];
+  const byId = new Map(causes.map((cause, index) => [cause.id, { ...cause, number: index + 1 }]));
+  const causeOf = new Map([...byId.values()].flatMap((cause) => cause.hazards.map((id) => [id, cause])));
+  const without = data.scan.hazards.filter(({ id }) => !causeOf.has(id));
+  if (without.length > 0) {
+    // Cards show causes only: a hazard in none of them would go unseen.
+    throw new Error(`${without[0].id} is in no cause`);
+  }
   return {
     ...data,
     replays,
+    /** Causes, worst first, with the numbers that cards, map and paper call them by. */
+    causes: [...byId.values()],
+    cause: (id) => byId.get(id),
+    causeOf: (id) => causeOf.get(id),
     hazard: (id) => hazards.get(id),
     /** The replay of a hazard, or undefined if the report carries none. */
     replay(id) {

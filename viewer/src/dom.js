@@ -24,6 +24,11 @@ export function svg(tag, attributes = {}, ...children) {
   return fill(document.createElementNS(SVG, tag), attributes, children);
 }
 
+/** Says of an element whether it is the one that is selected. */
+export function current(element, on) {
+  on ? element.setAttribute("aria-current", "true") : element.removeAttribute("aria-current");
+}
+
 /** A section of the report with its heading. */
 export function section(id, title, ...children) {
   return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);

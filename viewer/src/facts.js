@@ -7,40 +7,54 @@ import * as words from "./words.js";
 function formula(hazard) {
   const { speed_m_s: v, safe_below_m_s: safe, limit_n: limit, force_n: f, effective_mass_kg: mass } = hazard;
   const factor = safe > 0 ? `${words.speed(v)} × ${(limit / safe).toFixed(0)} N/(m/s) = ` : "";
-  return `F = v √(μ k) = ${factor}${words.force(f)}; limit ${words.force(limit)}, met at ${words.speed(safe)}. Effective mass of the robot ${mass.toFixed(2)} kg; v is the absolute speed of the robot point.`;
+  return `F = v √(μ k) = ${factor}${words.force(f)}; limit ${words.force(limit)}, met at ${words.speed(safe)}. Effective mass of the robot ${mass.toFixed(2)} kg; v is the robot's own speed.`;
 }
 
-function sequence(actions) {
-  return h("ol", { class: "sequence" }, actions.map((name) => h("li", { title: words.action(name) }, name)));
+/** Both forces, which one decides, and a word where they are far apart. */
+function bothForces(hazard, settings) {
+  const { own, approach, decides, apart } = words.forces(hazard, settings);
+  const line = (one) => h("li", { class: one === decides ? "decides" : null }, `${one.name}, ${words.speed(one.speed)}: ${words.force(one.force)}, ${words.ratio(one.ratio)} the limit`, one === decides ? h("b", {}, " (decides)") : null);
+  return h(
+    "div",
+    { "data-test": "forces" },
+    h("ul", { class: "plain-list" }, line(own), line(approach)),
+    apart ? h("p", { class: "flag", "data-test": "apart" }, `${words.APART_TEXT} ${own.ratio > approach.ratio ? "Most of the robot's speed is not towards the person." : "Most of the speed is the person's own walking."}`) : null,
+  );
 }
 
-function what(hazard) {
-  const text = `The robot's ${hazard.robot_link} meets the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(hazard.ratio)} the limit.`;
+const sequence = (actions, each) => h("ol", { class: "sequence" }, words.sequence(actions, each).map((text) => h("li", {}, text)));
+
+function what(hazard, settings) {
+  const { decides } = words.forces(hazard, settings);
+  const text = `The robot's ${hazard.robot_link} hits the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(decides.ratio)} the limit.`;
   return words.permitsNoContact(hazard.body_region) ? `${text} A moving robot may not touch it at all, whatever the force.` : text;
 }
 
-/** The facts about a hazard. */
-export function facts(hazard) {
+/** The facts about a hazard; in short those that a printed page has room for. */
+export function facts(hazard, settings, { short = false } = {}) {
+  const each = settings.action_s;
   const same = hazard.shortest.actions.join() === hazard.actions.join();
   const bend = hazard.bend_fraction < 1 ? `, bent as far as obstacles leave it (${(100 * hazard.bend_fraction).toFixed(0)} %)` : "";
   const list = definitions([
-    ["what", what(hazard)],
+    ["what", what(hazard, settings)],
     ["where", `contact at ${words.point(hazard.contact_point_m)}; the person stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
-    ["force", formula(hazard)],
-    ["approach", `${words.speed(hazard.approach_m_s)} along the contact normal; with this speed alone ${words.force(hazard.directed_force_n)}`],
-    ["arm", hazard.arm ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
+    ["force", bothForces(hazard, settings)],
+    ["how computed", short ? "" : formula(hazard)],
+    ["arm", hazard.arm && !short ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
     ["way of the arm", hazard.through.map((plane) => `past ${plane.sensor} ${words.time(plane.since_s)} before the contact${plane.until_s > 0 ? ", ahead of the body" : ""}; the robot is where it is when that reports it`).join("; ")],
     ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
-    ["programme phase", hazard.phase === null ? "" : String(hazard.phase)],
-    ["found", `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],
+    ["programme phase", hazard.phase === null || short ? "" : String(hazard.phase)],
+    ["found", short ? "" : `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],
     ["confirmed", `by a fresh instance without any restore: ${words.confirmed(hazard.confirmed)}`],
-    ["worst sequence", sequence(hazard.actions)],
+    ["worst sequence", sequence(hazard.actions, each)],
     [
       "shortest and calmest",
-      same ? "the same sequence" : [`${words.ratio(hazard.shortest.ratio)}, ${words.force(hazard.shortest.force_n)} at ${words.time(hazard.shortest.time_s)}; confirmed: ${words.confirmed(hazard.shortest.confirmed)}`, sequence(hazard.shortest.actions)],
+      short ? "" : same ? "the same sequence" : [`${words.ratio(hazard.shortest.ratio)}, ${words.force(hazard.shortest.force_n)} at ${words.time(hazard.shortest.time_s)}; confirmed: ${words.confirmed(hazard.shortest.confirmed)}`, sequence(hazard.shortest.actions, each)],
     ],
-    ["reproduce", [command(`fmi-hazard replay scan.json ${hazard.id}`), " in the folder with this report"]],
+    ["replay it", short ? "" : [command(`fmi-hazard replay scan.json ${hazard.id}`), " in the folder with this report"]],
   ]);
-  list.setAttribute("data-test", "facts");
+  if (!short) {
+    list.setAttribute("data-test", "facts");
+  }
   return list;
 }

@@ -11,6 +11,31 @@ export function bodyAt(replay, cell, frame, part) {
   return { a: three(replay.body, at), b: three(replay.body, at + 3), radius: cell.body[part].radius_m };
 }
 
+/** The sides of the arms, in their order in the replays. */
+export const SIDES = ["left", "right"];
+
+/** Shoulder, elbow and wrist of an arm at a frame; 0 is the left one. */
+export function armAt(replay, frame, side) {
+  const at = 9 * (2 * frame + side);
+  return [0, 3, 6].map((joint) => three(replay.arms, at + joint));
+}
+
+/** Where the person looks at a frame, in the plane: across the shoulders. */
+export function headingAt(replay, hazard, frame) {
+  const [[left], [right]] = SIDES.map((_, side) => armAt(replay, frame, side));
+  const [x, y] = [left[0] - right[0], left[1] - right[1]];
+  const length = Math.hypot(x, y);
+  if (length < 0.02) {
+    // Shoulders above each other tell nothing.
+    const angle = (hazard.person_heading_deg * Math.PI) / 180;
+    return [Math.cos(angle), Math.sin(angle), 0];
+  }
+  return [y / length, -x / length, 0];
+}
+
+/** Limb of an arm that a region names: 0 is the upper arm, 1 the forearm, 2 the hand; undefined for the rest of the body. */
+export const limbOf = (region) => ({ upper_arm: 0, lower_arm: 1, hand: 2 })[region];
+
 /** A link at a frame: end points of a capsule, or the pose of a hull or mesh. */
 export function linkAt(replay, cell, frame, index) {
   const at = 7 * (frame * cell.links.length + index);
@@ -62,10 +87,15 @@ export function hittingLink(replay, cell, hazard) {
   return nearest(named.length > 0 ? named : [...cell.links.keys()], distance);
 }
 
-/** Middle of the feet at each frame: the lowest parts of the body. */
-export function path(replay, cell) {
+/** Indices of the lower legs; without any, of the last part. */
+export function shanks(cell) {
   const legs = [...cell.body.keys()].filter((part) => cell.body[part].region.endsWith("shank"));
-  const parts = legs.length > 0 ? legs : [cell.body.length - 1];
+  return legs.length > 0 ? legs : [cell.body.length - 1];
+}
+
+/** Middle of the feet at each frame. */
+export function path(replay, cell) {
+  const parts = shanks(cell);
   return Array.from({ length: replay.frames }, (_, frame) => {
     const feet = parts.map((part) => bodyAt(replay, cell, frame, part).b);
     return [0, 1].map((axis) => feet.reduce((sum, foot) => sum + foot[axis], 0) / feet.length);

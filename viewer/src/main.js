@@ -3,6 +3,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { makeAssessments } from "./assessments.js";
+import { causesSection } from "./causes.js";
 import { coverage } from "./coverage.js";
 import { readData } from "./data.js";
 import { h, section } from "./dom.js";
@@ -10,7 +11,7 @@ import { assessmentForm } from "./form.js";
 import { map } from "./map.js";
 import { printPart } from "./print.js";
 import { provenance } from "./provenance.js";
-import { replaySection } from "./replay.js";
+import { makeReplay } from "./replay.js";
 import { makeSelection } from "./selection.js";
 import { hazardTable } from "./table.js";
 import { verdict } from "./verdict.js";
@@ -28,19 +29,20 @@ function unknownNote(selection) {
 
 async function build(root) {
   const data = await readData();
-  const { hazards } = data.scan;
   root.append(verdict(data));
-  const selection = makeSelection(hazards.map((hazard) => hazard.id));
+  const selection = makeSelection(data.causes);
   root.append(unknownNote(selection));
-  if (hazards.length > 0) {
+  if (data.causes.length > 0) {
     const assessments = makeAssessments(data);
-    const table = hazardTable(data, selection, assessments);
-    const replay = replaySection(data, selection);
+    const replay = makeReplay(data, selection);
+    const table = hazardTable(data, selection, assessments, () => replay.picture.scrollIntoView({ block: "start" }));
+    const form = assessmentForm(data, selection, assessments);
     root.append(
-      table.element,
-      replay.element,
       printPart(data, assessments),
-      h("div", { class: "pair" }, map(data, selection, table.setBin), assessmentForm(data, selection, assessments)),
+      causesSection(data, selection, assessments, { picture: replay.picture, assess: form.show }),
+      replay.element,
+      h("div", { class: "pair" }, map(data, selection, table.setBin), form.element),
+      table.element,
     );
     replay.start();
   } else {

@@ -1,4 +1,4 @@
-// Plane geometry for the map: outlines of turned boxes seen from above.
+// Plane geometry: outlines of turned boxes and of other points seen from above.
 
 /** Turns a vector by a quaternion [x, y, z, w]. */
 export function turned([x, y, z, w], [a, b, c]) {
@@ -7,7 +7,7 @@ export function turned([x, y, z, w], [a, b, c]) {
 }
 
 /** Convex hull of points in the plane, by the monotone chain. */
-function hull(points) {
+export function hull(points) {
   const all = [...points].sort(([a, b], [c, d]) => a - c || b - d);
   const half = (ordered) => {
     const chain = [];
@@ -31,4 +31,12 @@ export function outline({ centre_m: centre, size_m: size, quaternion }) {
   const signs = [-0.5, 0.5];
   const corners = signs.flatMap((i) => signs.flatMap((j) => signs.map((k) => [i * size[0], j * size[1], k * size[2]])));
   return hull(corners.map((corner) => turned(quaternion, corner)).map(([x, y]) => [centre[0] + x, centre[1] + y]));
+}
+
+/** Whether a point lies in a convex outline that runs anticlockwise. */
+export function inside([x, y], polygon) {
+  return polygon.every(([ax, ay], index) => {
+    const [bx, by] = polygon[(index + 1) % polygon.length];
+    return (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0;
+  });
 }

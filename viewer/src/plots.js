@@ -8,13 +8,13 @@ export const GUTTER_PX = 92;
 /** Room right of them, for half of the last tick's text. */
 export const RIGHT_PX = 14;
 
-const HEIGHT_PX = 112;
+const HEIGHT_PX = 132;
 const SYNC = "replay";
 
 const GRAPHS = [
-  { key: "force_ratio", title: "force / limit", unit: "x", limit: 1, colour: "--hitting" },
-  { key: "distance_m", title: "distance", unit: "m", limit: 0, colour: "--accent" },
-  { key: "speed_m_s", title: "speed", unit: "m/s", colour: "--path" },
+  { key: "force_ratio", title: "a hit at this speed would be", unit: "x", of: "x the limit", limit: 1, colour: "--hitting" },
+  { key: "distance_m", title: "gap to what is hit", unit: "m", limit: 0, colour: "--accent" },
+  { key: "speed_m_s", title: "speed of the link", unit: "m/s", colour: "--path" },
 ];
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -31,6 +31,24 @@ function level(value) {
     ctx.moveTo(bbox.left, y);
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
+    ctx.restore();
+  };
+}
+
+/** Upright lines where something happens: sensors begin to report, contact, rest. */
+function upright(events) {
+  return (u) => {
+    const { ctx, bbox } = u;
+    ctx.save();
+    for (const { frame, kind } of events()) {
+      const x = u.valToPos(u.data[0][frame], "x", true);
+      ctx.strokeStyle = style(`--event-${kind}`);
+      ctx.lineWidth = 1.5 * devicePixelRatio;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+    }
     ctx.restore();
   };
 }
@@ -54,6 +72,7 @@ export function makePlots(seek) {
   });
   const element = h("div", { class: "plots", "data-test": "plots" }, figures.map((figure) => figure.element));
   let replay = null;
+  let events = [];
   let frame = 0;
 
   const last = () => Math.max(replay.frames - 1, 1);
@@ -72,7 +91,7 @@ export function makePlots(seek) {
         { ...axis, size: GUTTER_PX, gap: 4, space: 24, values: (_, ticks) => ticks.map((tick) => `${+tick.toFixed(2)} ${unit}`) },
       ],
       series: [{}, { stroke: style(colour), width: 2, points: { show: false } }],
-      hooks: { draw: limit === undefined ? [] : [level(limit)] },
+      hooks: { draw: [upright(() => events), ...(limit === undefined ? [] : [level(limit)])] },
     };
   }
 
@@ -103,10 +122,10 @@ export function makePlots(seek) {
 
   function show(to) {
     frame = to;
-    for (const { plot, key, value, unit } of figures) {
+    for (const { plot, key, value, unit, of } of figures) {
       plot.now.style.left = `${(100 * frame) / last()}%`;
       const number = replay[key][frame];
-      value.textContent = Number.isFinite(number) ? `${number.toFixed(2)}${unit === "x" ? "" : " "}${unit}` : "none";
+      value.textContent = Number.isFinite(number) ? `${number.toFixed(2)}${of ?? ` ${unit}`}` : "none";
     }
   }
 
@@ -119,8 +138,8 @@ export function makePlots(seek) {
 
   return {
     element,
-    load(next) {
-      [replay, frame] = [next, 0];
+    load(next, marked) {
+      [replay, events, frame] = [next, marked, 0];
       build();
     },
     show,

@@ -1,32 +1,89 @@
-// What is printed in place of the scene: for each hazard with a replay its drawing from above, facts and assessment.
+// What is printed in place of the screen: a page to sign, then a page for each cause.
 
-import { FIELDS } from "./assessments.js";
+import { FIELDS, requiredLevel } from "./assessments.js";
+import { bodyOutline } from "./body.js";
+import { badge, figures, otherForce, remedy } from "./card.js";
 import { definitions, drawing, h } from "./dom.js";
 import { facts } from "./facts.js";
-import { ratio, region } from "./words.js";
+import { summary } from "./verdict.js";
+import * as words from "./words.js";
+
+/** Lines of a cause that have room on its page. */
+const LINES = 8;
+
+const table = (heads, rows, kind) =>
+  h("table", { class: `plain ${kind}` }, h("thead", {}, h("tr", {}, heads.map((title) => h("th", { scope: "col" }, title)))), h("tbody", {}, rows.map((cells) => h("tr", {}, cells.map((cell) => h("td", {}, cell))))));
+
+function covered({ scan }) {
+  const { certificate: c, spent } = scan;
+  return c?.complete
+    ? `All ${words.grouped(c.sequences)} sequences of ${c.horizon} actions, ${words.time(scan.settings.action_s)} each, in this model.`
+    : `${words.count(spent.iterations, "sequence")} of actions; the search is not complete.`;
+}
+
+/** The first page: what it is about, what was found and decided, who says so. */
+function firstPage(data, assessments) {
+  const { scan, cell } = data;
+  const { sentence, scope } = summary(scan);
+  const rows = data.causes.map((cause) => [badge(cause), cause.sentence, words.severity(cause)[0], remedyLine(cause), assessments.ofCause(cause.id), requiredLevel(assessments.of(cause.id)) ?? "–"]);
+  return h(
+    "article",
+    { class: "first", "data-test": "print-first" },
+    h("p", { class: "kicker" }, `${scan.tool} · hazard report`),
+    h("h1", {}, cell.name),
+    h("p", { class: "verdict" }, sentence),
+    h("p", {}, h("strong", {}, scope[0]), ` ${scope[1]}`),
+    h("h3", {}, "Causes, worst first"),
+    table(["", "cause", "worst", "what to change", "decision", "PL r"], rows, "causes"),
+    h("h3", {}, "What the search covered"),
+    definitions([
+      ["cell file", [scan.subject.cell_found, "; SHA-256 ", h("code", {}, scan.subject.cell_sha256)]],
+      ["FMU", scan.subject.fmus.flatMap((fmu, index) => [index > 0 ? "; " : "", `${fmu.unit ? `${fmu.unit}: ` : ""}${fmu.model_name}; SHA-256 `, h("code", {}, fmu.sha256)])],
+      ["looked at", covered(data)],
+      ["made again by", h("code", {}, data.reproduce)],
+    ]),
+    h("h3", {}, "Assessed by"),
+    h("div", { class: "sign" }, ["Name", "Date", "Signature"].map((text) => h("p", {}, text))),
+    h("p", { class: "note" }, "A hazard is a way, found in the model, for a person to be hit harder than ISO/TS 15066 allows. This report helps an assessment; it does not show that the cell is safe."),
+  );
+}
+
+const remedyLine = ({ advice }) => advice?.changes[0]?.change ?? (advice ? "no single change found" : "not looked for");
+
+function causePage(data, cause, assessments) {
+  const hazard = data.hazard(cause.worst);
+  const [worst, sizes] = words.severity(cause);
+  const outline = bodyOutline(cause);
+  outline.mark(hazard.body_region);
+  const view = data.topView(cause.worst);
+  const given = assessments.of(cause.id);
+  const apart = cause.hazards.filter((id) => assessments.own(id) !== null);
+  const lines = cause.lines.map(({ body_region: region, robot_link: link, ratio, hazards }) => [words.region(region), link, words.ratioOf(region, ratio), words.grouped(hazards.length)]);
+  return h(
+    "article",
+    { "data-test": "print-cause", "data-id": cause.id },
+    h("h2", {}, badge(cause), ` ${cause.sentence}`),
+    h("p", { class: "severity" }, h("b", {}, worst), ` ${sizes}`),
+    otherForce(data, cause),
+    h("p", {}, [...figures(cause).map(([, text]) => text), cause.id].join(" · ")),
+    h("div", { class: "print-pictures" }, view ? drawing(view) : h("p", { class: "note" }, "This report carries no drawing of its worst way."), outline.element),
+    h("div", { class: "print-columns" }, h("div", {}, remedy(cause)), h("div", {}, h("h4", {}, "Assessment (ISO 12100)"), definitions([
+      ...FIELDS.map(({ key, label }) => [label.split(":")[0].toLowerCase(), key === "decision" ? assessments.ofCause(cause.id) : given[key]]),
+      ["PL r", requiredLevel(given) ?? ""],
+      ["decided apart", apart.map((id) => `${id}: ${assessments.own(id)}`).join(", ")],
+    ]))),
+    h("h4", {}, `Its worst way, ${cause.worst}`),
+    facts(hazard, data.scan.settings, { short: true }),
+    h("h4", {}, "Ways by region and link"),
+    table(["body region", "hit by", "worst", "ways"], lines.slice(0, LINES), "lines"),
+    lines.length > LINES ? h("p", { class: "note" }, `And ${words.count(lines.length - LINES, "other pair")} of region and link, less bad; scan.json has them all.`) : null,
+  );
+}
 
 /** The part for paper; it is filled when the page is printed, and empty on the screen. */
 export function printPart(data, assessments) {
   const element = h("section", { class: "print-only", id: "print" });
-  addEventListener("beforeprint", () => {
-    if (element.childElementCount > 0) {
-      return;
-    }
-    element.append(
-      h("h2", {}, "Hazards one by one"),
-      ...data.replays.map(({ id, top_view: view }) => {
-        const hazard = data.hazard(id);
-        return h(
-          "article",
-          {},
-          h("h3", {}, `${id}: ${hazard.robot_link} meets ${region(hazard.body_region)}, ${ratio(hazard.ratio)}`),
-          view ? drawing(view) : null,
-          facts(hazard),
-          definitions(FIELDS.map(({ key, label }) => [label.toLowerCase(), assessments.of(id)[key]])),
-        );
-      }),
-    );
-  });
+  addEventListener("beforeprint", () => element.replaceChildren(firstPage(data, assessments), ...data.causes.map((cause) => causePage(data, cause, assessments))));
   addEventListener("afterprint", () => element.replaceChildren());
   return element;
 }

@@ -1,6 +1,7 @@
 // What was scanned, with what, and under which assumptions; licences of the libraries in this page.
 
 import { command, definitions, h, section } from "./dom.js";
+import { criterion } from "./words.js";
 
 const hash = (value) => h("code", { class: "hash" }, value);
 
@@ -44,7 +45,7 @@ const label = (key) => key.replaceAll("_", " ");
 
 function settings(all) {
   const pairs = Object.entries(all).map(([key, value]) => {
-    const shown = typeof value === "boolean" ? (value ? "yes" : "no") : String(value);
+    const shown = key === "speed_criterion" ? criterion(all) : typeof value === "boolean" ? (value ? "yes" : "no") : String(value);
     const unit = { s: " s", m: " m" }[key.split("_").at(-1)] ?? "";
     return [label(unit ? key.replace(/_[sm]$/, "") : key), `${shown}${unit}`];
   });

@@ -3,35 +3,34 @@
 import {
   Color,
   DirectionalLight,
-  GridHelper,
   HemisphereLight,
   LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
   PerspectiveCamera,
-  PlaneGeometry,
   Raycaster,
   RingGeometry,
   Scene,
-  ShadowMaterial,
   SphereGeometry,
   Vector2,
-  Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { viewpoint } from "./camera.js";
-import { bodyAt, headPart, hittingLink, linkAt, linkPoints, path, touchedPart } from "./instant.js";
-import { toSegment } from "./near.js";
+import { Axes, grid as floorGrid, ground, pedestals, robotBases } from "./floor.js";
+import { hittingLink, linkAt, path } from "./instant.js";
+import { namesFor } from "./names.js";
+import { Person, PERSON } from "./person.js";
 import { Capsule, Hull, obstacle, ribbon, Zone } from "./shapes.js";
+import { subjectOf } from "./subject.js";
 
 /** Colours that the legend names too. */
 export const COLOURS = {
-  robot: "#6f8fb3",
+  robot: "#7894b4",
   hitting: "#e4572e",
-  person: "#d9b08c",
-  touched: "#c2185b",
+  person: PERSON.shirt,
+  touched: PERSON.touched,
   contact: "#ffffff",
   path: "#2a9d8f",
   mat: "#d9a400",
@@ -43,19 +42,16 @@ export const COLOURS = {
 };
 
 const THEMES = {
-  light: { sky: "#eef1f5", grid: "#b9c1cc", axis: "#8d97a5" },
-  dark: { sky: "#1b2027", grid: "#3a434f", axis: "#596574" },
+  light: { sky: "#eef1f5", grid: "#b9c1cc", axis: "#b9c1cc", mark: "#4d5866" },
+  dark: { sky: "#1b2027", grid: "#3a434f", axis: "#3a434f", mark: "#a3afbd" },
 };
 
-const GRID_M = 20;
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 const solid = (color) => new MeshLambertMaterial({ color });
 const MATERIALS = {
   robot: solid(COLOURS.robot),
   hitting: solid(COLOURS.hitting),
-  person: solid(COLOURS.person),
-  touched: solid(COLOURS.touched),
   obstacle: new MeshLambertMaterial({ color: COLOURS.obstacle, transparent: true, opacity: 0.22, depthWrite: false }),
   edge: new LineBasicMaterial({ color: COLOURS.obstacle }),
   path: new MeshBasicMaterial({ color: COLOURS.path }),
@@ -86,7 +82,7 @@ function contactMark() {
 }
 
 /** Makes the scene in a canvas; throws where there is no WebGL. */
-export function makeScene(canvas, cell, tellName) {
+export function makeScene(canvas, cell, labels, tellName) {
   const renderer = new WebGLRenderer({ canvas, antialias: true });
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.shadowMap.enabled = true;
@@ -103,11 +99,11 @@ export function makeScene(canvas, cell, tellName) {
     return object;
   };
 
-  const floor = new Mesh(new PlaneGeometry(GRID_M, GRID_M), new ShadowMaterial({ opacity: 0.18 }));
-  floor.receiveShadow = true;
-  floor.position.z = 0.002;
   const mark = contactMark();
-  scene.add(floor, mark);
+  const axes = new Axes();
+  const columns = pedestals(cell);
+  named.push(...columns);
+  scene.add(ground(), axes, mark, ...columns);
   for (const item of cell.obstacles) {
     scene.add(name(obstacle(item, MATERIALS.obstacle, MATERIALS.edge), item.name));
   }
@@ -117,15 +113,15 @@ export function makeScene(canvas, cell, tellName) {
     const shape = link.shape === "capsule" ? new Capsule(radius, MATERIALS.robot) : new Hull(points, triangles, MATERIALS.robot);
     return name(shape, cell.links.some((other) => other.robot !== link.robot) ? `${link.robot}/${link.name}` : link.name);
   });
-  const body = cell.body.map((part) => name(new Capsule(part.radius_m, MATERIALS.person), part.region.replaceAll("_", " ")));
-  scene.add(...zones, ...links, ...body);
+  const person = new Person(cell, name);
+  scene.add(...zones, ...links, person);
 
   let grid = null;
   let replay = null;
-  let arm = [];
   let way = null;
+  let hitting = 0;
+  let bases = null;
   let subject = null;
-  let head = 0;
   let frame = 0;
   let view = "overview";
   let pending = false;
@@ -139,19 +135,20 @@ export function makeScene(canvas, cell, tellName) {
         // About as large on the picture from near and far.
         mark.scale.setScalar(Math.max(0.25, Math.min(2, camera.position.distanceTo(mark.position) / 3.5)));
         renderer.render(scene, camera);
+        labels.place({ camera, width: canvas.clientWidth, height: canvas.clientHeight, free: replay ? [replay.contact_m, ...person.spots(frame)] : [] });
       });
     }
   }
 
   function theme() {
-    const { sky, grid: line, axis } = dark.matches ? THEMES.dark : THEMES.light;
-    scene.background = new Color(sky);
+    const colours = dark.matches ? THEMES.dark : THEMES.light;
+    scene.background = new Color(colours.sky);
+    axes.colour = colours.mark;
     if (grid) {
       scene.remove(grid);
       grid.dispose();
     }
-    grid = new GridHelper(GRID_M, GRID_M, axis, line);
-    grid.rotation.x = Math.PI / 2;
+    grid = floorGrid(colours);
     scene.add(grid);
     draw();
   }
@@ -166,48 +163,24 @@ export function makeScene(canvas, cell, tellName) {
     }
   }
 
-  /** What the camera has to show of a replay: person and robot at the contact. */
-  function subjectOf(hazard) {
-    const at = replay.contact_frame;
-    const capsules = [];
-    const points = [];
-    const take = (list, radius) => list.forEach((p) => points.push({ p: new Vector3(...p), radius }));
-    cell.body.forEach((_, part) => {
-      const capsule = bodyAt(replay, cell, at, part);
-      capsules.push(capsule);
-      take([capsule.a, capsule.b], capsule.radius);
-    });
-    const robot = [0, 0];
-    cell.links.forEach((link, index) => {
-      const reach = linkPoints(replay, cell, at, index);
-      const pose = linkAt(replay, cell, at, index);
-      if (!pose.position) {
-        capsules.push(pose);
-      }
-      take(reach, link.radius_m ?? 0);
-      robot.forEach((_, axis) => (robot[axis] += reach[0][axis] / cell.links.length));
-    });
-    take([replay.contact_m], 0.1);
-    take(replay.arm?.points_m ?? [], 0.1);
-    // The touching shapes themselves always lie at the contact; they do not count as hiding it.
-    const hiding = capsules.filter(({ a, b, radius }) => toSegment(replay.contact_m, a, b) > radius + 0.03);
-    return { points, capsules: hiding, contact: replay.contact_m, person: hazard.person_xy_m, robot };
-  }
-
   function look(preset) {
     view = preset;
     resize();
-    const camAt = viewpoint(view, { ...subject, head: bodyAt(replay, cell, frame, head).a }, camera);
+    aim();
+  }
+
+  /** Puts the camera where the view wants it. */
+  function aim() {
+    const camAt = viewpoint(view, { ...subject, head: person.eye(frame) }, camera);
     camera.position.copy(camAt.position);
     controls.target.copy(camAt.target);
     controls.update();
-    headVisible();
+    person.headless = view === "eye";
+    if (view !== "eye") {
+      const marks = axes.fit(subject.bounds, camera.position);
+      labels.set(namesFor({ replay, cell, hazard: person.hazard, hitting, marks, colours: COLOURS, frame: () => frame }));
+    }
     draw();
-  }
-
-  /** From the person's own eyes the head would hide everything. */
-  function headVisible() {
-    body[head].visible = view !== "eye";
   }
 
   const pointer = new Vector2();
@@ -216,7 +189,7 @@ export function makeScene(canvas, cell, tellName) {
     const { left, top, width, height } = canvas.getBoundingClientRect();
     pointer.set((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height);
     raycaster.setFromCamera(pointer, camera);
-    const hits = raycaster.intersectObjects([...named, ...arm], true);
+    const hits = raycaster.intersectObjects(named.filter((object) => object.visible), true);
     // What is solid is meant first, then what one sees through.
     const hit = hits.find(({ object }) => object.material && !object.material.transparent && object.isMesh) ?? hits.find(({ object }) => object.isMesh);
     let object = hit?.object;
@@ -228,15 +201,19 @@ export function makeScene(canvas, cell, tellName) {
 
   controls.addEventListener("change", draw);
   controls.addEventListener("start", () => {
-    if (view === "eye") {
-      view = "free";
-      headVisible();
-    }
+    // From now on the reader says where the camera stands.
+    view = "free";
+    person.headless = false;
   });
   canvas.addEventListener("pointermove", (event) => event.buttons === 0 && point(event));
   canvas.addEventListener("pointerleave", () => tellName(""));
   dark.addEventListener("change", theme);
-  new ResizeObserver(resize).observe(canvas);
+  new ResizeObserver(() => {
+    resize();
+    if (subject && view !== "free") {
+      aim();
+    }
+  }).observe(canvas);
   resize();
   theme();
 
@@ -244,31 +221,22 @@ export function makeScene(canvas, cell, tellName) {
     /** Puts another replay into the scene. */
     load(next, hazard) {
       replay = next;
-      scene.remove(...arm);
       if (way) {
         scene.remove(way);
         way.geometry.dispose();
       }
-      const hitting = hittingLink(replay, cell, hazard);
+      hitting = hittingLink(replay, cell, hazard);
       links.forEach((shape, index) => (shape.material = index === hitting ? MATERIALS.hitting : MATERIALS.robot));
-      const touched = replay.arm ? -1 : touchedPart(replay, cell, hazard);
-      body.forEach((shape, part) => (shape.material = part === touched ? MATERIALS.touched : MATERIALS.person));
-      arm = [];
-      if (replay.arm) {
-        const { points_m: points, radius_m: radius, side } = replay.arm;
-        arm = points.slice(1).map((to, index) => {
-          const part = new Capsule(radius, MATERIALS.touched);
-          part.userData.name = `${side} ${index === 0 ? "upper arm" : "lower arm and hand"}`;
-          part.place(points[index], to);
-          return part;
-        });
-        scene.add(...arm);
-      }
+      person.load(replay, hazard);
       way = ribbon(path(replay, cell), 0.03, MATERIALS.path);
       scene.add(way);
       mark.position.set(...replay.contact_m);
-      head = headPart(replay, cell);
-      subject = subjectOf(hazard);
+      if (bases === null) {
+        bases = robotBases(cell, replay);
+        bases.forEach((base) => scene.add(base));
+        named.push(...bases);
+      }
+      subject = subjectOf(replay, cell, hazard);
       sun.position.set(replay.contact_m[0] - 3, replay.contact_m[1] - 4, 9);
       sun.target.position.set(replay.contact_m[0], replay.contact_m[1], 0);
     },
@@ -279,12 +247,8 @@ export function makeScene(canvas, cell, tellName) {
         const pose = linkAt(replay, cell, frame, index);
         pose.position ? shape.place(pose.position, pose.quaternion) : shape.place(pose.a, pose.b);
       });
-      body.forEach((shape, part) => {
-        const { a, b } = bodyAt(replay, cell, frame, part);
-        shape.place(a, b);
-      });
+      person.place(frame);
       const touching = frame >= replay.contact_frame;
-      arm.forEach((part) => (part.visible = touching));
       mark.materials.forEach((material) => (material.opacity = touching ? 1 : 0.35));
       zones.forEach((zone, index) => {
         const sensor = replay.sensors.find((item) => item.name === cell.zones[index].name);
@@ -296,5 +260,15 @@ export function makeScene(canvas, cell, tellName) {
       draw();
     },
     look,
+    draw,
+    /** What is drawn, for tests: of the person, how many pedestals, how much of what must be seen is outside of the picture. */
+    get drawn() {
+      camera.updateMatrixWorld();
+      const outside = subject.points.filter(({ p }) => {
+        const { x, y, z } = p.clone().project(camera);
+        return Math.abs(x) > 1 || Math.abs(y) > 1 || z > 1;
+      }).length;
+      return { ...person.drawn, pedestals: columns.length, outside };
+    },
   };
 }

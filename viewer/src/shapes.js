@@ -22,7 +22,8 @@ import {
 } from "three";
 import { ConvexGeometry } from "three/addons/geometries/ConvexGeometry.js";
 
-const BALL = new SphereGeometry(1, 28, 18);
+/** A ball of radius 1. */
+export const BALL = new SphereGeometry(1, 28, 18);
 const TUBE = new CylinderGeometry(1, 1, 1, 28, 1, true);
 const TUBE_AXIS = new Vector3(0, 1, 0);
 

@@ -18,9 +18,9 @@ export function actionAt(actions, frame) {
 export function makeStrips(seek) {
   const element = h("div", { class: "strips", style: `--gutter:${GUTTER_PX}px; --right:${RIGHT_PX}px`, onclick: click });
   let last = 1;
-  let replay = null;
   let parts = [];
 
+  const lines = (events) => events.map(({ frame, kind, text }) => h("div", { class: `event ${kind}`, style: `left:${(100 * frame) / last}%`, title: text }));
   const place = (from, to) => `left:${(100 * from) / last}%;width:${(100 * (Math.min(to, last) - from)) / last}%`;
 
   function click(event) {
@@ -31,29 +31,41 @@ export function makeStrips(seek) {
     }
   }
 
-  function strip(label, kind, content) {
-    return h("div", { class: `strip ${kind}` }, h("span", { class: "label", title: label }, label), h("div", { class: "track" }, content, h("div", { class: "now" })));
+  function strip(label, kind, content, events) {
+    return h("div", { class: `strip ${kind}` }, h("span", { class: "label", title: label }, label), h("div", { class: "track" }, content, lines(events), h("div", { class: "now" })));
+  }
+
+  /** Actions from frame to frame, equal ones in a row as one. */
+  function runs(actions) {
+    const all = [];
+    actions.forEach(({ name, frame }, index) => {
+      const to = actions[index + 1]?.frame ?? last;
+      if (all.at(-1)?.name === name) {
+        all.at(-1).to = to;
+      } else {
+        all.push({ name, from: frame, to });
+      }
+    });
+    return all;
   }
 
   return {
     element,
-    load(next) {
-      replay = next;
-      last = Math.max(replay.frames - 1, 1);
-      const sensors = replay.sensors.map(({ name, detected }) =>
-        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports the person` }))),
+    load(next, events) {
+      last = Math.max(next.frames - 1, 1);
+      const sensors = next.sensors.map(({ name, detected }) =>
+        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports the person` })), events),
       );
-      parts = replay.actions.map(({ name, frame }, index) => {
-        const [walk, posture = ""] = name.split("/");
-        const end = replay.actions[index + 1]?.frame ?? last;
-        return h("div", { class: "action", style: place(frame, end), title: action(name) }, h("span", {}, walk), h("span", {}, posture));
+      parts = runs(next.actions).map(({ name, from, to }) => {
+        const [walk, posture = ""] = action(name).split(", ");
+        const block = h("div", { class: "action", style: place(from, to), title: action(name) }, h("span", {}, walk), h("span", {}, posture));
+        return { from, to, block };
       });
-      element.replaceChildren(...sensors, strip("actions", "actions", parts));
+      element.replaceChildren(...sensors, strip("the person", "actions", parts.map(({ block }) => block), events));
     },
     show(frame) {
       element.querySelectorAll(".now").forEach((line) => (line.style.left = `${(100 * frame) / last}%`));
-      const current = actionAt(replay.actions, frame);
-      parts.forEach((part, index) => part.classList.toggle("current", index === current));
+      parts.forEach(({ from, to, block }) => block.classList.toggle("current", frame >= from && (frame < to || to >= last)));
     },
   };
 }

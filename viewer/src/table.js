@@ -1,43 +1,48 @@
 // The table of hazards: sorted by column, filtered by text, region, link, decision and by a bin of the map.
 
-import { h, section } from "./dom.js";
+import { badge } from "./card.js";
+import { current, h, section } from "./dom.js";
 import * as words from "./words.js";
 
 /** Columns: title, what it is sorted by, what a cell holds, whether it is a number. */
-function columns({ decisionOf, worst, counted }) {
+function columns({ decisionOf, worst, counted, causeOf, settings }) {
   const number = true;
   const times = (z) => z.sequences ?? z.times_found;
+  const of = (z) => words.forces(z, settings);
   return [
     ["id", (z) => z.id, (z) => h("a", { href: `#${z.id}`, class: "id" }, z.id)],
-    ["ratio", (z) => z.ratio, (z) => bar(z, worst), number],
+    ["cause", (z) => causeOf(z.id).number, (z) => badge(causeOf(z.id)), number],
+    ["ratio", (z) => of(z).decides.ratio, (z) => bar(of(z), worst), number],
     ["body region", (z) => words.region(z.body_region), (z) => words.region(z.body_region)],
     ["hit by", (z) => z.robot_link, (z) => z.robot_link],
-    ["force / limit", (z) => z.force_n, words.forceOfLimit, number],
+    ["force: own speed", (z) => z.force_n, (z) => words.force(z.force_n), number],
+    ["force: approach", (z) => z.directed_force_n, (z) => words.force(z.directed_force_n), number],
+    ["limit", (z) => z.limit_n, words.limit, number],
     ["speed", (z) => z.speed_m_s, (z) => words.speed(z.speed_m_s), number],
     ["safe below", (z) => z.safe_below_m_s, words.safeBelow, number],
     ["time", (z) => z.time_s, (z) => words.time(z.time_s), number],
     [counted ? "sequences" : "times found", (z) => Number(times(z)), (z) => words.grouped(times(z)), number],
-    ["sensors at contact", (z) => words.sensors(z.sensors), (z) => words.sensors(z.sensors)],
+    ["report the person", (z) => words.reporting(z.sensors), (z) => words.reporting(z.sensors)],
     ["confirmed", (z) => words.confirmed(z.confirmed), (z) => words.confirmed(z.confirmed)],
     ["decision", (z) => decisionOf(z.id), (z) => decisionOf(z.id)],
   ];
 }
 
-/** A ratio with a bar; the mark stands at the limit. */
-function bar(hazard, worst) {
+/** A ratio with a bar; the mark stands at the limit. Where the two forces are far apart, a sign says so. */
+function bar({ decides: { ratio }, own, approach, apart }, worst) {
   const scale = Math.max(worst, 1.05);
   const part = (value) => `${((100 * value) / scale).toFixed(1)}%`;
-  const over = hazard.ratio >= 1;
   return h(
     "span",
     { class: "ratio" },
+    apart ? h("span", { class: "flag", "data-test": "apart", title: `${words.APART_TEXT} Own speed ${words.ratio(own.ratio)}, approach ${words.ratio(approach.ratio)}.` }, "differ") : null,
     h(
       "span",
       { class: "bar screen-only", "aria-hidden": "true" },
-      h("span", { class: over ? "over" : "under", style: `width:${part(hazard.ratio)}` }),
+      h("span", { class: ratio >= 1 ? "over" : "under", style: `width:${part(ratio)}` }),
       h("span", { class: "mark", style: `left:${part(1)}` }),
     ),
-    h("b", {}, words.ratio(hazard.ratio)),
+    h("b", {}, words.ratio(ratio)),
   );
 }
 
@@ -46,15 +51,16 @@ function choice(label, test, values, change) {
   return h("label", {}, `${label} `, h("select", { "data-test": test, onchange: change }, options));
 }
 
-/** The section with the table; `setBin` shows only the hazards of a bin of the map. */
-export function hazardTable(data, selection, assessments) {
+/** The section with the table; `setBin` shows only the hazards of a bin of the map, `toReplay` leads to the picture. */
+export function hazardTable(data, selection, assessments, toReplay) {
   const hazards = data.scan.hazards;
-  const worst = Math.max(...hazards.map((hazard) => hazard.ratio));
-  const decisionOf = (id) => assessments.of(id).decision || "open";
+  const { settings } = data.scan;
+  const worst = Math.max(...hazards.map((hazard) => words.forces(hazard, settings).decides.ratio));
+  const decisionOf = (id) => assessments.decision(id);
   const counted = hazards.some((hazard) => hazard.sequences !== null);
-  const shown = columns({ decisionOf, worst, counted });
+  const shown = columns({ decisionOf, worst, counted, causeOf: data.causeOf, settings });
   const distinct = (of) => [...new Set(hazards.map(of))].sort();
-  let sorted = { column: 1, descending: true };
+  let sorted = { column: 2, descending: true };
   let bin = null;
 
   const filter = h("input", { type: "search", placeholder: "any text", "data-test": "filter", oninput: show });
@@ -133,6 +139,7 @@ export function hazardTable(data, selection, assessments) {
     bin = chosen;
     binNote.hidden = bin === null;
     binNote.textContent = bin === null ? "" : `only ${bin.name} ✕`;
+    fold.open ||= bin !== null;
     show();
   }
 
@@ -145,24 +152,35 @@ export function hazardTable(data, selection, assessments) {
     show();
   }
 
-  assessments.follow(refresh);
-  refresh();
-  selection.follow((id) => {
-    for (const [other, element] of rows) {
-      element.setAttribute("aria-selected", other === id);
-      element.querySelector("a").toggleAttribute("aria-current", other === id);
-    }
-  });
-
   const bounded = data.scan.hazards.some((z) => z.class === "head_contact")
     ? h("p", { class: "note" }, "“None allowed”: a moving robot may not touch head or throat at all; the ratio is that to the force limit and may be below 1.")
     : null;
-  const element = section(
-    "hazards",
-    "Hazards",
+  const chosen = h("button", { type: "button", class: "to-replay screen-only", "data-test": "to-replay", onclick: toReplay });
+  const fold = h(
+    "details",
+    { "data-test": "ways" },
+    h("summary", {}, hazards.length === 1 ? "The one way, as a row" : `All ${words.grouped(hazards.length)} ways, one row each`),
     h("div", { class: "filters screen-only" }, h("label", {}, "filter ", filter), regions, links, decisions, binNote, number),
+    chosen,
     h("div", { class: "scroll", tabindex: 0 }, h("table", { class: "hazards" }, h("thead", {}, h("tr", {}, heads)), body)),
+    h("p", { class: "note" }, `Force with the robot's own speed, and with the speed of approach (the person's walking included); ${words.criterion(settings)} decides. “differ”: by more than a factor of 2.`),
     bounded,
   );
+
+  assessments.follow(refresh);
+  refresh();
+  selection.follow(({ hazard: id }) => {
+    chosen.textContent = `Show the replay of ${id}`;
+    for (const [other, element] of rows) {
+      element.setAttribute("aria-selected", other === id);
+      current(element.querySelector("a"), other === id);
+    }
+  });
+
+  // A link to one hazard leads to its row, too.
+  const open = () => (fold.open ||= selection.namesHazard);
+  addEventListener("hashchange", open);
+  open();
+  const element = section("hazards", "Every way by itself", fold);
   return { element, setBin };
 }

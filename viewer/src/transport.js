@@ -1,6 +1,7 @@
 // The controls of a replay: play, steps, scrubber, speed, views, and their keys.
 
 import { h } from "./dom.js";
+import { time } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1];
 const VIEWS = [
@@ -33,10 +34,13 @@ export function makeTransport(player, { look, inView }) {
     SPEEDS.map((value) => h("option", { value, selected: value === 0.5 }, `${value}x`)),
   );
   const views = VIEWS.map(([view, text]) => button(`view-${view}`, text, `View: ${text}`, () => look(view)));
+  const ticks = h("div", { class: "ticks", "aria-hidden": "true" });
+  const chips = h("ol", { class: "events", "data-test": "events", "aria-label": "what happens" });
   const element = h(
     "div",
     { class: "transport screen-only" },
-    h("div", { class: "row" }, play, button("back", "◀|", "One frame back (left)", step(-1)), button("forward", "|▶", "One frame on (right)", step(1)), scrub, button("to-contact", "Contact", "Jump to the contact", jump(() => contact)), h("label", {}, "speed ", speed)),
+    h("div", { class: "row" }, play, button("back", "◀|", "One frame back (left)", step(-1)), button("forward", "|▶", "One frame on (right)", step(1)), h("div", { class: "scrubber" }, ticks, scrub), button("to-contact", "Contact", "Jump to the contact", jump(() => contact)), h("label", {}, "speed ", speed)),
+    chips,
   );
   const viewRow = h("div", { class: "row views screen-only", role: "group", "aria-label": "views" }, views);
 
@@ -58,9 +62,13 @@ export function makeTransport(player, { look, inView }) {
   return {
     element,
     views: viewRow,
-    load(replay) {
+    load(replay, events) {
       [frames, contact] = [replay.frames, replay.contact_frame];
       scrub.max = frames - 1;
+      ticks.replaceChildren(...events.map(({ frame, kind }) => h("i", { class: kind, style: `left:${(100 * frame) / Math.max(frames - 1, 1)}%` })));
+      chips.replaceChildren(
+        ...events.map(({ frame, kind, text }) => h("li", {}, h("button", { type: "button", class: kind, title: `Go to ${time(frame * replay.step)}`, onclick: () => player.seek(frame) }, h("b", {}, time(frame * replay.step)), ` ${text}`))),
+      );
     },
   };
 }

@@ -7,8 +7,11 @@ function sentence(scan) {
   const number = scan.hazards.length;
   const sure = scan.hazards.filter((hazard) => hazard.confirmed).length;
   switch (scan.verdict) {
-    case "hazards_found":
-      return `${count(number, "possible hazard")} found, ${sure === number ? (number === 1 ? "confirmed" : "all confirmed") : `${sure} confirmed`} by a fresh replay.`;
+    case "hazards_found": {
+      const causes = scan.causes?.length ?? 0;
+      const confirmed = sure === number ? (number === 1 ? "confirmed" : "all confirmed") : `${grouped(sure)} confirmed`;
+      return `A person can be hit harder than allowed: ${count(causes, "cause")}, ${count(number, "way")}, ${confirmed} by a fresh replay.`;
+    }
     case "none_found":
       return "No hazard found in this model.";
     case "inconclusive":
@@ -46,14 +49,16 @@ function scope(scan) {
   return ["Not complete.", `Looked at: ${lookedAt(scan)}. Not finding more is not proof of safety.${left}`];
 }
 
+/** The verdict in one sentence, and what it covers in two parts. */
+export const summary = (scan) => ({ sentence: sentence(scan), scope: scope(scan) });
+
 /** The head of the report. */
 export function verdict({ scan, cell }) {
   const [word, meaning] = scope(scan);
   return h(
     "header",
-    {},
-    h("p", { class: "kicker" }, `${scan.tool} · hazard report`),
-    h("h1", {}, cell.name),
+    { class: "top" },
+    h("div", { class: "title" }, h("h1", {}, cell.name), h("p", { class: "kicker" }, `${scan.tool} · hazard report`)),
     h("p", { class: `verdict ${scan.verdict}`, "data-test": "verdict" }, sentence(scan)),
     h("p", { class: "scope", "data-test": "scope" }, h("strong", {}, word), ` ${meaning}`),
     h(

@@ -48,13 +48,43 @@ export const grouped = (digits) => String(digits).replace(/\B(?=(\d{3})+(?!\d))/
 /** A count with its noun. */
 export const count = (number, noun) => `${grouped(number)} ${noun}${Number(number) === 1 ? "" : "s"}`;
 
-/** A small share, with its percentage. */
-export const share = (value) => (value === 0 ? "0" : `${value.toExponential(2)} (${(100 * value).toPrecision(2)} %)`);
+/**
+ * A share as a percentage that nobody has to decode: "12.3 %", "1.0 %", "0.52 %", "0.004 %". `to` rounds: up for a bound
+ * from above, down for one from below.
+ */
+export function share(value, to = Math.round) {
+  const percent = 100 * value;
+  if (percent === 0) {
+    return "0 %";
+  }
+  if (percent < 1e-6) {
+    return "less than 0.000001 %";
+  }
+  const digits = percent >= 0.995 ? 1 : Math.min(7, 1 - Math.floor(Math.log10(percent)));
+  const part = 10 ** digits;
+  const rounded = to(percent * part) / part;
+  // What is not all must not read as all.
+  const shown = rounded >= 100 && value < 1 ? 99.9 : rounded;
+  return `${shown.toFixed(digits).replace(/(\.\d*?[1-9])0+$/, "$1")} %`;
+}
 
 /** An action in words: "walks straight ahead, bent forward". */
 export function action(name) {
   const [walk, posture] = name.split("/");
   return posture === undefined ? name : `${WALKS[walk] ?? walk}, ${POSTURES[posture] ?? posture}`;
+}
+
+/** Actions in words, equal ones in a row as one: "3 x walks straight ahead, upright, 0.6 s"; `each` is how long one takes. */
+export function sequence(actions, each) {
+  const groups = [];
+  for (const name of actions) {
+    if (groups.at(-1)?.name === name) {
+      groups.at(-1).times += 1;
+    } else {
+      groups.push({ name, times: 1 });
+    }
+  }
+  return groups.map(({ name, times }) => `${times > 1 ? `${times} x ` : ""}${action(name)}, ${+(times * each).toFixed(2)} s`);
 }
 
 /** Whether no moving robot may touch the region: the head, and the front of the neck. */
@@ -65,9 +95,41 @@ export function safeBelow(hazard) {
   return permitsNoContact(hazard.body_region) ? "none" : speed(hazard.safe_below_m_s);
 }
 
-/** Force and limit of a hazard; a moving robot may not touch a head or a throat at all, whatever the force. */
-export function forceOfLimit(hazard) {
-  return `${force(hazard.force_n)} / ${hazard.class === "head_contact" ? "none allowed" : force(hazard.limit_n)}`;
+/** The force that a contact may have at most; a moving robot may not touch a head or a throat at all. */
+export const limit = (hazard) => (hazard.class === "head_contact" ? "none allowed" : force(hazard.limit_n));
+
+/** Forces further apart than this are worth a second look. */
+const APART = 2;
+
+/** What is said where they are. */
+export const APART_TEXT = `The two differ by more than a factor of ${APART}.`;
+
+/** Both forces of a hazard: by the robot's own speed and by the speed of approach, and which of them decides. */
+export function forces(hazard, { speed_criterion: criterion }) {
+  const byApproach = criterion === "approach";
+  const own = { name: "with the robot's own speed", force: hazard.force_n, ratio: hazard.force_n / hazard.limit_n, speed: hazard.speed_m_s, decides: !byApproach };
+  const approach = {
+    name: "with the speed of approach (the person's walking included)",
+    force: hazard.directed_force_n,
+    ratio: hazard.directed_ratio,
+    speed: hazard.approach_m_s,
+    decides: byApproach,
+  };
+  const [less, more] = [own.ratio, approach.ratio].sort((a, b) => a - b);
+  return { own, approach, decides: byApproach ? approach : own, apart: more > APART * less };
+}
+
+/** A ratio of a region; below 1 it would read as harmless where no contact is allowed. */
+export const ratioOf = (region, times) => (times < 1 && permitsNoContact(region) ? `no contact allowed (${ratio(times)})` : ratio(times));
+
+/** Which force decides, in words. */
+export const criterion = ({ speed_criterion: name }) =>
+  name === "approach" ? "the speed of approach (the person's walking included)" : "the robot's own speed";
+
+/** How bad it is, in two parts: as many times the limit, and the force beside it. */
+export function severity({ class: kind, ratio: times, force_n: newtons, limit_n: most }) {
+  const sizes = `${force(newtons)}, limit ${force(most)}`;
+  return kind === "head_contact" ? ["no contact allowed", `${sizes} (${ratio(times)})`] : [`${ratio(times)} the limit`, sizes];
 }
 
 /** Whether a fresh instance gave the same contact. */
@@ -77,7 +139,14 @@ export function confirmed(value) {
 
 /** Sensors at a contact. */
 export function sensors(states) {
-  return states.map((s) => `${s.name}: ${s.person_detected ? "person" : "clear"}`).join(", ") || "no sensor";
+  const state = (s) => (s.person_detected ? `reports the person${typeof s.since_s === "number" ? ` for ${time(s.since_s)}` : ""}` : "does not report the person");
+  return states.map((s) => `${s.name} ${state(s)}`).join(", ") || "no sensor";
+}
+
+/** Sensors that report the person at a contact, and for how long they have. */
+export function reporting(states) {
+  const names = states.filter((s) => s.person_detected).map((s) => (typeof s.since_s === "number" ? `${s.name} ${time(s.since_s)}` : s.name));
+  return names.join(", ") || "none";
 }
 
 /** How often a hazard was found, and how that is counted. */

@@ -10,6 +10,9 @@ import { chromium } from "playwright-core";
 const EXECUTABLE = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const SOFTWARE_GL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const VIEWPORT = { width: 1400, height: 1000 };
+/** A common screen of an office, and one of a phone. */
+const OFFICE = { width: 1440, height: 900 };
+const PHONE = { width: 390, height: 844 };
 
 /** Starts a browser, with or without 3-D graphics. */
 export function launch({ graphics = true } = {}) {
@@ -87,6 +90,19 @@ const setScrub = (page, frame) =>
   }, frame);
 
 const frameOf = async (page) => Number(await page.locator(test("scrub")).inputValue());
+/** Pages of a PDF that Chromium wrote. */
+const pagesOf = (pdf) => (pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g) ?? []).length;
+
+/** Opens the folded table. */
+const unfold = (page) => page.locator(test("ways")).evaluate((details) => (details.open = true));
+
+/** What the scene says that it draws. */
+const drawn = async (page) => JSON.parse(await page.locator(test("scene")).getAttribute("data-drawn"));
+
+const card = (page, id) => page.locator(`${test("cause")}[data-id="${id}"]`);
+const chosenCard = (page) => page.locator(`${test("cause")}[aria-current]`).getAttribute("data-id");
+const causeOf = (data, id) => data.scan.causes.find((cause) => cause.hazards.includes(id));
+
 const rows = (page) => page.locator(test("row"));
 const selected = (page) => page.locator(`${test("row")}[aria-selected="true"]`).getAttribute("data-id");
 const replayed = (data) => data.scan.hazards.map((z) => z.id).filter((id) => data.replays.some((replay) => replay.id === id));
@@ -138,7 +154,9 @@ export const CHECKS = [
     name: "has a row for each hazard, and the filter leaves some out",
     needs: hazards(1),
     async run({ page, data }) {
+      assert.equal(await page.locator(test("ways")).evaluate((details) => details.open), false);
       assert.equal(await rows(page).count(), data.scan.hazards.length);
+      await unfold(page);
       const { id } = data.scan.hazards.at(-1);
       await page.locator(test("filter")).fill(id);
       assert.equal(await rows(page).count(), 1);
@@ -152,10 +170,11 @@ export const CHECKS = [
     name: "sorts by each column, both ways",
     needs: hazards(2),
     async run({ page }) {
+      await unfold(page);
       const buttons = page.locator("[data-test^=sort-]");
       for (let index = 0; index < (await buttons.count()); index++) {
         await buttons.nth(index).click();
-        const head = page.locator("th").nth(index);
+        const head = page.locator(".hazards th").nth(index);
         const first = await head.getAttribute("aria-sort");
         await buttons.nth(index).click();
         assert.deepEqual([first, await head.getAttribute("aria-sort")].sort(), ["ascending", "descending"]);
@@ -205,8 +224,10 @@ export const CHECKS = [
       const before = await picture(page);
       const length = await page.evaluate(() => history.length);
       const id = replayed(data).at(-1);
+      await unfold(page);
       await page.locator(`${test("row")}[data-id="${id}"] a`).click();
       assert.equal(await selected(page), id);
+      assert.equal(await chosenCard(page), causeOf(data, id).id);
       assert.equal(await page.evaluate(() => location.hash), `#${id}`);
       assert.equal(await page.evaluate(() => history.length), length);
       assert.match(await page.locator("#replay-title").textContent(), new RegExp(id));
@@ -218,8 +239,9 @@ export const CHECKS = [
     needs: (data) => data.scan.hazards.length > replayed(data).length,
     async run({ page, data }) {
       const missing = data.scan.hazards.find((z) => !replayed(data).includes(z.id));
+      await unfold(page);
       await page.locator(`${test("row")}[data-id="${missing.id}"] a`).click();
-      assert.match(await page.locator(test("no-replay")).textContent(), new RegExp(`fmi-hazard replay scan.json ${missing.id}`));
+      assert.match(await page.locator(test("no-replay")).textContent(), new RegExp(`fmi-hazard report \\. --hazard ${missing.id}`));
       assert.match(await page.locator(test("facts")).textContent(), /F = v/);
     },
   },
@@ -231,6 +253,7 @@ export const CHECKS = [
       const id = data.scan.hazards.at(-1).id;
       const linked = await open(browser, file, `#${id}`);
       assert.equal(await selected(linked.page), id);
+      assert.equal(await linked.page.locator(test("ways")).evaluate((details) => details.open), true);
       const first = data.scan.hazards[0].id;
       await linked.page.evaluate((to) => (location.hash = to), first);
       await settle(linked.page);
@@ -238,6 +261,11 @@ export const CHECKS = [
       await linked.page.evaluate(() => (location.hash = "H-none"));
       await linked.page.locator(test("unknown-id")).waitFor();
       assert.equal(await selected(linked.page), first);
+      const cause = data.scan.causes.at(-1);
+      await linked.page.evaluate((to) => (location.hash = to), cause.id);
+      await settle(linked.page);
+      assert.equal(await chosenCard(linked.page), cause.id);
+      assert.equal(await selected(linked.page), cause.worst);
       assert.deepEqual(linked.said, []);
       await linked.close();
     },
@@ -298,6 +326,7 @@ export const CHECKS = [
       const number = Number(told.match(/: (\d+) hazard/)[1]);
       await page.keyboard.press("Enter");
       assert.equal(await rows(page).count(), number);
+      assert.equal(await page.locator(test("ways")).evaluate((details) => details.open), true);
       await page.locator(test("clear-bin")).click();
       assert.equal(await rows(page).count(), data.scan.hazards.length);
     },
@@ -307,13 +336,35 @@ export const CHECKS = [
     main: true,
     needs: hazards(1),
     async run({ page, data }) {
-      const { id } = data.scan.hazards[0];
+      const [cause] = data.scan.causes;
+      const { id } = cause;
+      const rowDecision = (hazard) => page.locator(`${test("row")}[data-id="${hazard}"] td`).last();
       const measure = 'close the gap, "check" it <again>';
+      await page.locator(test("assess-task")).fill("clears jams");
       await page.locator(test("assess-severity")).selectOption("S2");
+      await page.locator(test("assess-exposure")).selectOption("F1");
+      assert.doesNotMatch(await page.locator(test("plr")).textContent(), /PL r: [a-e]$/);
+      await page.locator(test("assess-avoidance")).selectOption("P2");
+      assert.match(await page.locator(test("plr")).textContent(), /PL r: d$/);
       await page.locator(test("assess-measure")).fill(measure);
       await page.locator(test("assess-decision")).selectOption("reduce");
-      assert.match(await page.locator(test("unsaved")).textContent(), /1 hazard/);
-      assert.equal(await page.locator(`${test("row")}[data-id="${id}"] td`).last().textContent(), "reduce");
+      assert.match(await page.locator(test("unsaved")).textContent(), /1 cause\./);
+      assert.match(await card(page, id).locator(test("cause-decision")).textContent(), /reduce · PL r: d/);
+      for (const hazard of cause.hazards.slice(0, 3)) {
+        const own = data.assessments[hazard]?.decision;
+        assert.equal(await rowDecision(hazard).textContent(), own || "reduce");
+      }
+      // One row by itself: its own decision goes before that of the cause.
+      await page.locator(test("assess-scope")).check();
+      await page.locator(test("assess-decision")).selectOption("accepted");
+      assert.match(await page.locator(test("unsaved")).textContent(), /1 cause and 1 single way\./);
+      assert.equal(await rowDecision(cause.worst).textContent(), "accepted");
+      await page.locator(test("assess-scope")).uncheck();
+      assert.equal(await page.locator(test("assess-decision")).inputValue(), "reduce");
+      await unfold(page);
+      await page.locator(test("filter-decision")).selectOption("accepted");
+      assert.ok((await rows(page).count()) >= 1);
+      await page.locator(test("filter-decision")).selectOption("");
       const [download] = await Promise.all([page.waitForEvent("download"), page.locator(test("save")).click()]);
       assert.equal(download.suggestedFilename(), "assessments.json");
       const text = await readFile(await download.path(), "utf8");
@@ -321,9 +372,10 @@ export const CHECKS = [
       assert.equal(saved.format, 1);
       assert.equal(saved.cell, data.cell.name);
       const edited = saved.assessments[id];
-      assert.deepEqual([edited.severity, edited.measure, edited.decision], ["S2", measure, "reduce"]);
+      assert.deepEqual([edited.task, edited.severity, edited.measure, edited.decision], ["clears jams", "S2", measure, "reduce"]);
+      assert.equal(saved.assessments[cause.worst].decision, "accepted");
       for (const [other, fields] of Object.entries(data.assessments)) {
-        if (other !== id) {
+        if (other !== id && other !== cause.worst) {
           assert.deepEqual(saved.assessments[other], fields);
         }
       }
@@ -333,15 +385,151 @@ export const CHECKS = [
     },
   },
   {
-    name: "prints a drawing and the facts for each replayed hazard",
+    name: "prints a page to sign and a page for each cause, and few others",
+    needs: hazards(1),
+    async run({ page, data }) {
+      const number = data.scan.causes.length;
+      const pages = pagesOf(await page.pdf({ preferCSSPageSize: true }));
+      assert.ok(pages > number && pages <= 4 + number, `${pages} pages for ${number} causes`);
+      assert.equal(await page.locator("#print > *").count(), 0, "nothing is left of the printed part");
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      const first = await page.locator(test("print-first")).textContent();
+      for (const text of [data.cell.name, "Signature", ...data.scan.causes.map((cause) => cause.sentence)]) {
+        assert.ok(first.includes(text), text);
+      }
+      assert.equal(await page.locator(test("print-cause")).count(), number);
+      const worst = new Set(data.scan.causes.map((cause) => cause.worst));
+      const drawings = data.replays.filter(({ id, top_view: view }) => worst.has(id) && view).length;
+      assert.equal(await page.locator(".print-pictures > svg").count(), drawings);
+    },
+  },
+  {
+    name: "shows verdict, worst cause, its picture and its remedy on the first screen",
+    main: true,
     needs: replays(1),
     async run({ page, data }) {
-      const pdf = await page.pdf({ format: "A4" });
-      assert.ok(pdf.length > 10_000);
-      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-      assert.equal(await page.locator("#print article").count(), data.replays.length);
-      const drawings = data.replays.filter((replay) => replay.top_view).length;
-      assert.equal(await page.locator("#print article > svg").count(), drawings);
+      await page.setViewportSize(OFFICE);
+      await settle(page);
+      const [cause] = data.scan.causes;
+      assert.equal(await chosenCard(page), cause.id);
+      const worst = card(page, cause.id);
+      assert.equal(await worst.locator(test("cause-sentence")).textContent(), cause.sentence);
+      const changes = cause.advice?.changes.length ?? 0;
+      assert.equal(await worst.locator(test("change")).count(), changes);
+      const parts = [page.locator(test("verdict")), worst.locator(test("cause-sentence")), page.locator(test("scene"))];
+      const remedy = changes > 0 ? worst.locator(test("change")).first() : worst.locator(".remedy");
+      for (const part of [...parts, remedy, worst.locator(test("body-outline"))]) {
+        const { x, y, width, height } = await part.boundingBox();
+        assert.ok(x >= 0 && y >= 0 && x + width <= OFFICE.width && y + height <= OFFICE.height, `${await part.evaluate((e) => e.outerHTML.slice(0, 80))}: ${y + height}`);
+      }
+    },
+  },
+  {
+    name: "has a card for each cause, its ways folded, and selects them",
+    main: true,
+    needs: hazards(1),
+    async run({ page, data }) {
+      const { causes } = data.scan;
+      assert.equal(await page.locator(test("cause")).count(), causes.length);
+      for (const cause of causes.slice(-2)) {
+        await card(page, cause.id).locator(`${test("cause-sentence")} a`).click();
+        assert.equal(await chosenCard(page), cause.id);
+        assert.equal(await selected(page), cause.worst);
+        assert.equal(await page.evaluate(() => location.hash), `#${cause.id}`);
+        const text = await card(page, cause.id).textContent();
+        assert.doesNotMatch(text.replaceAll(/[CH]-[0-9a-f]+/g, ""), /\de[-+]\d/, "a number in a notation to decode");
+        if (typeof cause.share === "number") {
+          assert.match(text, /% of all sequences/);
+        }
+        const size = await card(page, cause.id).locator(".severity").textContent();
+        assert.equal(size.includes("no contact allowed"), cause.class === "head_contact");
+        assert.equal(await card(page, cause.id).locator(test("way")).count(), cause.hazards.length);
+        assert.equal(await card(page, cause.id).locator(test("way")).first().isVisible(), false);
+        const { body_region: region } = data.scan.hazards.find((z) => z.id === cause.worst);
+        assert.ok((await card(page, cause.id).locator(`${test("body-outline")} .hit.selected[data-region="${region}"]`).count()) > 0, region);
+        const label = await card(page, cause.id).locator(`${test("body-outline")} svg`).getAttribute("aria-label");
+        assert.match(label, /Hit, times the limit: .*x/);
+        const id = cause.hazards.at(-1);
+        await card(page, cause.id).locator(`${test("lines")} > summary`).click();
+        const line = card(page, cause.id).locator(test("line")).filter({ has: page.locator(`[data-id="${id}"]`) });
+        await line.locator("summary").click();
+        await line.locator(`[data-id="${id}"]`).click();
+        assert.equal(await selected(page), id);
+        assert.equal(await chosenCard(page), cause.id);
+      }
+    },
+  },
+  {
+    name: "draws the person with arms of the model's size, in the picture from the first frame on",
+    needs: replays(1),
+    async run({ page, data }) {
+      await page.setViewportSize(OFFICE);
+      await settle(page);
+      for (const id of replayed(data).slice(0, 4)) {
+        await page.evaluate((to) => (location.hash = to), id);
+        await settle(page);
+        const { arm, contact_frame: contact } = data.replays.find((replay) => replay.id === id);
+        const { body_region: region } = data.scan.hazards.find((z) => z.id === id);
+        const now = await drawn(page);
+        assert.equal(now.upper_arm_radius_m, data.cell.arm.upper_arm_radius_m);
+        assert.equal(now.forearm_radius_m, data.cell.arm.forearm_radius_m);
+        assert.equal(now.hand_sphere_m, arm && region === "hand" ? data.cell.arm.hand_radius_m : null);
+        assert.equal(now.touched === "body", arm === null);
+        assert.equal(now.outside, 0, "what must be seen is in the picture");
+        await setScrub(page, 0);
+        const { outside, hand_sphere_m: sphere } = await drawn(page);
+        assert.equal(outside, 0);
+        assert.equal(sphere, contact === 0 ? now.hand_sphere_m : null);
+      }
+    },
+  },
+  {
+    name: "names link, obstacles and zones over the scene, until they are switched off",
+    needs: replays(1),
+    async run({ page, data }) {
+      const names = page.locator(test("labels"));
+      const text = await names.textContent();
+      const { robot_link: link } = data.scan.hazards.find((z) => z.id === replayed(data)[0]);
+      for (const name of [link.split("/").at(-1), ...data.cell.zones.map((zone) => zone.name)]) {
+        assert.ok(text.includes(name), name);
+      }
+      assert.equal(await names.locator(".hitting").isVisible(), true);
+      await page.locator(test("names")).click();
+      assert.equal(await names.isVisible(), false);
+      await page.locator(test("names")).click();
+      assert.equal(await names.isVisible(), true);
+    },
+  },
+  {
+    name: "tells both forces, which of them decides, and what happens when",
+    needs: replays(1),
+    async run({ page, data }) {
+      const hazard = data.scan.hazards.find((z) => z.id === replayed(data)[0]);
+      const forces = await page.locator(test("forces")).textContent();
+      for (const text of ["with the robot's own speed", "with the speed of approach", `${hazard.force_n.toFixed(0)} N`, `${hazard.directed_force_n.toFixed(0)} N`, "(decides)"]) {
+        assert.ok(forces.includes(text), text);
+      }
+      const own = hazard.force_n / hazard.limit_n;
+      const apart = Math.max(own, hazard.directed_ratio) > 2 * Math.min(own, hazard.directed_ratio);
+      assert.equal(await page.locator(`${test("forces")} ${test("apart")}`).count(), apart ? 1 : 0);
+      const replay = data.replays.find((item) => item.id === hazard.id);
+      const events = page.locator(`${test("events")} button`);
+      const reports = replay.sensors.filter((sensor) => sensor.detected.includes("1")).length;
+      assert.ok((await events.count()) >= 1 + reports);
+      await setScrub(page, 0);
+      await page.locator(`${test("events")} .contact`).click();
+      assert.equal(await frameOf(page), replay.contact_frame);
+    },
+  },
+  {
+    name: "fits a phone",
+    main: true,
+    needs: any,
+    async run({ page }) {
+      await page.setViewportSize(PHONE);
+      await settle(page);
+      const width = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(width <= PHONE.width, `${width} px wide`);
     },
   },
   {
@@ -353,7 +541,10 @@ export const CHECKS = [
       await page.locator(".flat svg").waitFor();
       await setScrub(page, 0);
       assert.match(await page.locator(test("instant")).textContent(), /^0\.00 s/);
+      const { bottom } = await page.locator(".flat svg").evaluate((drawing) => drawing.getBoundingClientRect());
+      assert.ok(bottom <= OFFICE.height, `the drawing ends at ${bottom} px`);
       const id = replayed(data).at(-1);
+      await unfold(page);
       await page.locator(`${test("row")}[data-id="${id}"] a`).click();
       assert.equal(await selected(page), id);
       assert.equal(await page.locator(`${test("plots")} canvas`).count(), 3);

@@ -2,7 +2,10 @@
 
 const STEP_S = 0.02;
 const FRAMES = 81;
-const LIMITS = { skull_forehead: 130, chest: 280, hand: 280 };
+const LIMITS = { skull_forehead: 130, face: 65, chest: 280, hand: 280, lower_arm: 320, upper_arm: 300 };
+const ARM = { upper_arm_radius_m: 0.055, forearm_radius_m: 0.045, hand_radius_m: 0.23 };
+/** Of each kind of hazard a few regions, so that causes have several lines. */
+const REGIONS = { body: ["skull_forehead", "face", "skull_forehead"], arm: ["hand", "lower_arm", "hand", "upper_arm"] };
 
 const add = (...all) => [0, 1, 2].map((i) => all.reduce((sum, v) => sum + v[i], 0));
 const scaled = (v, s) => v.map((value) => value * s);
@@ -22,7 +25,7 @@ function random(seed) {
 }
 
 const BODY = [
-  ["skull_forehead", 0.105], ["neck", 0.06], ["chest", 0.13], ["chest", 0.14], ["abdomen", 0.13],
+  ["head", 0.11], ["neck", 0.06], ["upper_chest", 0.13], ["lower_chest", 0.14], ["abdomen", 0.13],
   ["pelvis", 0.14], ["left_thigh", 0.08], ["right_thigh", 0.08], ["left_shank", 0.055], ["right_shank", 0.055],
 ];
 
@@ -33,8 +36,8 @@ function body([x, y], heading, bend) {
   const hip = [x, y, 0.92];
   const trunk = (up, out = 0) => add(hip, scaled(forward, up * Math.sin(bend)), [0, 0, up * Math.cos(bend)], scaled(left, out));
   const leg = (out, z) => add([x, y, z], scaled(left, out));
-  return [
-    [trunk(0.72), trunk(0.72)],
+  const parts = [
+    [trunk(0.73), trunk(0.73)],
     [trunk(0.52), trunk(0.62)],
     [trunk(0.4, 0.08), trunk(0.4, -0.08)],
     [trunk(0.25, 0.08), trunk(0.25, -0.08)],
@@ -45,7 +48,16 @@ function body([x, y], heading, bend) {
     [leg(0.09, 0.49), leg(0.09, 0.055)],
     [leg(-0.09, 0.49), leg(-0.09, 0.055)],
   ];
+  return { parts, shoulders: [trunk(0.48, 0.19), trunk(0.48, -0.19)], forward };
 }
+
+/** An arm that hangs from its shoulder, a little bent. */
+function hanging(shoulder, forward) {
+  const elbow = add(shoulder, [0, 0, -0.3], scaled(forward, -0.01));
+  return [shoulder, elbow, add(elbow, [0, 0, -0.31], scaled(forward, 0.07))];
+}
+
+const between = (a, b, t) => a.map((value, i) => value + t * (b[i] - value));
 
 /** Triangles of the gripper: its corners go round below and above. */
 const GRIPPER = [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], ...[0, 1, 2, 3].flatMap((i) => [[i, (i + 1) % 4, 4 + ((i + 1) % 4)], [i, 4 + ((i + 1) % 4), 4 + i]])];
@@ -60,6 +72,7 @@ const LINKS = (hitting) => [
 ];
 
 const BASE = [0, 0.75, 0.9];
+const SIDES = ["left", "right"];
 
 /** Links of a robot whose tool is at `tip`. */
 function robot(tip) {
@@ -106,42 +119,60 @@ function episode(index, next, { arm, hitting }) {
   const poses = Array.from({ length: FRAMES }, (_, frame) => body(place(frame), heading(frame), bend(frame)));
 
   const touched = poses[contactFrame];
-  const head = touched[0][0];
-  const shoulder = add(touched[2][0], [0, 0, 0.02]);
-  const wrist = add(shoulder, [0.05, 0.5, -0.1]);
-  const armPose = withArm ? { side: "left", points_m: [shoulder, add(shoulder, [0.1, 0.25, -0.22]), wrist].map(rounded), radius_m: 0.045 } : null;
-  const region = withArm ? "hand" : "skull_forehead";
-  const bodyPoint = withArm ? wrist : add(head, [0, 0.1, 0.02]);
+  const head = touched.parts[0][0];
+  const [shoulder] = touched.shoulders;
+  const armPose = withArm ? { side: "left", points_m: [shoulder, add(shoulder, [0.1, 0.2, -0.2]), add(shoulder, [0.04, 0.46, -0.06])].map(rounded) } : null;
+  const kind = withArm ? "arm" : "body";
+  const region = REGIONS[kind][index % REGIONS[kind].length];
+  const [, elbow, wrist] = armPose?.points_m ?? [];
+  const bodyPoint = {
+    hand: () => add(wrist, [0.03, 0.16, 0.02]),
+    lower_arm: () => add(between(elbow, wrist, 0.6), [0, 0, ARM.forearm_radius_m]),
+    upper_arm: () => add(between(shoulder, elbow, 0.7), [0, 0, ARM.upper_arm_radius_m]),
+    face: () => add(head, [0, 0.1, -0.03]),
+    skull_forehead: () => add(head, [0, 0.09, 0.06]),
+  }[region]();
   const contact = add(bodyPoint, [0, 0.01, 0]);
   const tip = (frame) => add(contact, [0.9 * Math.sin((frame - contactFrame) * 0.03), 0.07 + 0.15 * (1 - Math.cos((frame - contactFrame) * 0.05)), 0]);
+  /** Both arms hang; the one that touches comes up in the last 0.4 s. */
+  const arms = (frame) =>
+    SIDES.map((side, at) => {
+      const { shoulders, forward } = poses[frame];
+      const down = hanging(shoulders[at], forward);
+      const raised = armPose?.side === side ? Math.max(0, Math.min(1, 1 - ((contactFrame - frame) * STEP_S) / 0.4)) : 0;
+      return down.map((joint, i) => (raised > 0 ? between(joint, armPose.points_m[i], raised) : joint));
+    });
 
   const limit = LIMITS[region];
   const slow = index % 7 === 6 && !withArm;
+  const stops = index % 4 === 0;
   const ratio = slow ? 0.55 : 1.05 + 1.2 * next();
   const speed = 0.2 + next();
   const timeS = contactFrame * STEP_S;
   const now = place(contactFrame);
-  const reports = Object.entries(sensors(now)).map(([name, on]) => ({ name, person_detected: on }));
+  const reports = Object.entries(sensors(now)).map(([name, on]) => ({ name, person_detected: on, since_s: on && name !== "curtain" ? 0.2 + 0.02 * index : null }));
+  const directed = (index % 5 === 2 ? 0.3 : 0.8) * ratio;
   const hazard = {
     id, confirmed: index % 11 === 10 ? null : true, class: slow ? "head_contact" : "force", body_region: region, robot_link: index % 2 ? "gripper" : hitting,
-    force_n: ratio * limit, limit_n: limit, ratio, directed_force_n: 0.8 * ratio * limit, speed_m_s: speed, approach_m_s: 0.9 * speed,
+    force_n: ratio * limit, limit_n: limit, ratio, directed_force_n: directed * limit, directed_ratio: directed, speed_m_s: speed, approach_m_s: 0.9 * speed,
     safe_below_m_s: speed / ratio, effective_mass_kg: 11.85, time_s: timeS, contact_point_m: rounded(contact), body_point_m: rounded(bodyPoint),
-    distance_m: -0.01, person_xy_m: now, person_heading_deg: 90, bend_fraction: withArm ? 1 : 0.9375,
+    distance_m: 0, person_xy_m: now, person_heading_deg: 90, bend_fraction: withArm ? 1 : 0.9375,
     arm: armPose && { side: "left", shoulder_m: armPose.points_m[0], elbow_m: armPose.points_m[1], wrist_m: armPose.points_m[2] },
     sensors: reports, phase: 1, through: withArm ? [{ sensor: "curtain", since_s: 0.12, until_s: 0 }] : [], actions: ACTIONS.slice(0, Math.ceil(timeS / 0.2)),
     first_iteration: index + 1, times_found: 1 + Math.floor(40 * next()), earliest_time_s: timeS - 0.1, sequences: null,
     shortest: { actions: ACTIONS.slice(0, 7).map((name) => name.replace("bend-left", "upright")), time_s: timeS - 0.1, force_n: ratio * limit, ratio, confirmed: true },
   };
   const frames = [...poses.keys()];
-  const distance = (frame) => Math.hypot(...[0, 1, 2].map((i) => tip(frame)[i] - (withArm ? poses[frame][2][0] : poses[frame][0][0])[i])) - 0.16;
+  const distance = (frame) => Math.hypot(...[0, 1, 2].map((i) => tip(frame)[i] - (withArm ? poses[frame].parts[2][0] : poses[frame].parts[0][0])[i])) - 0.16;
   const replay = {
     id, frames: FRAMES, contact_frame: contactFrame,
     links: base64(frames.map((frame) => robot(tip(frame)))),
-    body: base64(poses),
+    body: base64(poses.map(({ parts }) => parts)),
+    arms: base64(frames.map(arms)),
     arm: armPose, contact_m: rounded(contact),
     time_s: base64(frames.map((frame) => frame * STEP_S)),
-    distance_m: base64(frames.map(distance)),
-    speed_m_s: base64(frames.map((frame) => speed * (1 - 0.01 * Math.abs(frame - contactFrame)))),
+    distance_m: base64(frames.map((frame) => (frame >= contactFrame ? 0 : Math.max(0, distance(frame))))),
+    speed_m_s: base64(frames.map((frame) => (stops && frame > contactFrame + 3 ? 0 : speed * (1 - 0.01 * Math.abs(frame - contactFrame))))),
     force_ratio: base64(frames.map((frame) => (Math.abs(frame - contactFrame) > 25 ? NaN : ratio * (1 - 0.015 * Math.abs(frame - contactFrame))))),
     sensors: reports.map(({ name }) => ({ name, detected: frames.map((frame) => (sensors(place(frame))[name] ? "1" : "0")).join("") })),
     actions: ACTIONS.map((name, action) => ({ name, frame: 10 * action })),
@@ -151,6 +182,46 @@ function episode(index, next, { arm, hitting }) {
 }
 
 const exact = { result: "exact" };
+
+/** Causes: what hits the body, and what hits an arm; of arms hit by the gripper and by another link one each. */
+function causes(hazards, exhaustive) {
+  const groups = new Map();
+  for (const hazard of hazards) {
+    const part = hazard.arm ? "arm" : "body";
+    const key = part === "arm" ? `arm ${hazard.robot_link}` : part;
+    groups.set(key, [...(groups.get(key) ?? []), hazard]);
+  }
+  return [...groups.values()].map((group, index) => {
+    const [worst] = group;
+    const part = worst.arm ? "arm" : "body";
+    const lines = new Map();
+    for (const { body_region, robot_link, ratio, id } of group) {
+      const key = `${body_region} ${robot_link}`;
+      const line = lines.get(key) ?? { body_region, robot_link, ratio, hazards: [] };
+      line.hazards.push(id);
+      lines.set(key, line);
+    }
+    const share = [0.00997, 0.0000431, 0.0012][index % 3];
+    return {
+      id: `C-${(0xb00001 + index * 70001).toString(16).slice(0, 6)}`,
+      sentence:
+        part === "body"
+          ? `field has reported the person for 0.24 s; the ${worst.robot_link} goes on at ${worst.speed_m_s.toFixed(2)} m/s and hits the head.`
+          : `No sensor has reported the person: past the curtain an arm reaches the ${worst.robot_link}, which moves at ${worst.speed_m_s.toFixed(2)} m/s.`,
+      robot: "r1", part, worst: worst.id, ratio: worst.ratio, force_n: worst.force_n, limit_n: worst.limit_n, class: worst.class,
+      earliest_time_s: Math.min(...group.map((z) => z.earliest_time_s)),
+      sequences: exhaustive ? String(Math.round(share * 2821109907456)) : null, share: exhaustive ? share : null,
+      confirmed: group.filter((z) => z.confirmed).length, hazards: group.map((z) => z.id), lines: [...lines.values()],
+      advice: index % 3 === 2 ? null : {
+        changes: part === "body" ? [
+          { change: "zone of field 0.45 m larger (sensor.field.zone)", checked: "all 2,821,109,907,456 sequences of 8 actions; 24 known sequences and 20 new ones", complete: true, removes_all: index === 0 && groups.size === 1, less: "One step less: 1.02x face <- gripper after 1.40 s." },
+          { change: "speed of r1 0.05 m/s while field reports the person (robot.r1.slow_speed)", checked: "24 known sequences and 20 new ones", complete: false, removes_all: false, less: "" },
+        ] : [],
+        note: "Tried 14 changes; each was held against the known sequences and some new ones. No proof: a changed cell must be scanned again.",
+      },
+    };
+  });
+}
 
 function scan(hazards, { exhaustive, faults }) {
   const residual = {
@@ -172,9 +243,10 @@ function scan(hazards, { exhaustive, faults }) {
     },
     settings: {
       strategy: exhaustive ? "exhaustive" : "hybrid", seed: 1, iterations: 320, stop_at_first: false, posture_sweep: true, actions_per_sequence: 8, action_s: 0.2,
-      contact_check_interval_s: STEP_S, reach_tolerance_m: 0.02, speed_criterion: "absolute speed of the robot point (conservative, as in the paper)",
+      contact_check_interval_s: STEP_S, reach_tolerance_m: 0.02, speed_criterion: "absolute",
     },
     hazards,
+    causes: causes(hazards, exhaustive),
     certificate: exhaustive ? certificate : null,
     residual: exhaustive ? null : residual,
     coverage: {
@@ -199,12 +271,12 @@ function scan(hazards, { exhaustive, faults }) {
 const QUARTER = Math.SQRT1_2;
 
 /** Data of a report with so many hazards, of which the first `replays` can be replayed. */
-export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, assessments = {}, name = "invented-cell" } = {}) {
+export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, pedestal = false, assessments = {}, name = "invented-cell" } = {}) {
   const next = random(7 + hazards);
   const episodes = Array.from({ length: hazards }, (_, index) => episode(index, next, { arm, hitting }));
   episodes.sort((a, b) => b.hazard.ratio - a.hazard.ratio);
   return {
-    format: 1,
+    format: 2,
     scan: scan(episodes.map(({ hazard }) => hazard), { exhaustive, faults }),
     reproduce: "fmi-hazard scan cell.toml --strategy hybrid --seed 1 --iterations 320",
     assumptions: [
@@ -228,6 +300,8 @@ export function report({ hazards = 8, replays = 50, arm = "some", hitting = "too
         { name: "curtain", kind: "curtain", polygon_m: [[-1.1, -0.55], [1.1, -0.55]], z_m: [0.3, 1.8] },
       ],
       links: LINKS(hitting),
+      arm: ARM,
+      robots: [{ name: "r1", base_m: pedestal ? [0.4, 1.3, 0.9] : BASE, upright: true }],
       body: BODY.map(([region, radius_m]) => ({ region, radius_m })),
       start: { xy_m: [1.6, -2.2], heading_deg: 135 },
     },

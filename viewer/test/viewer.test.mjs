@@ -5,6 +5,8 @@ import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { requiredLevel } from "../src/assessments.js";
+import { sequence, share } from "../src/words.js";
 import { page } from "./page.mjs";
 import { checkReport, launch } from "./report.mjs";
 import { report } from "./synthetic.mjs";
@@ -68,7 +70,7 @@ test("names from strangers stay text", async () => {
   assert.equal(await tab.locator("#report img").count(), 0);
   assert.notEqual(await tab.title(), "run");
   assert.equal(await tab.locator("h1").textContent(), SCRIPT);
-  assert.ok((await tab.locator('[data-test="row"] td:nth-child(4)').allTextContents()).includes(SCRIPT));
+  assert.ok((await tab.locator('[data-test="row"] td:nth-child(5)').allTextContents()).includes(SCRIPT));
   await tab.close();
 });
 
@@ -87,9 +89,50 @@ test("a drawing's scripts are left out", async () => {
 
 test("data of another format is refused in words", async () => {
   const file = path.join(folder, "format.html");
-  await writeFile(file, await page({ ...report({ hazards: 1 }), format: 2 }));
+  await writeFile(file, await page({ ...report({ hazards: 1 }), format: 1 }));
   const tab = await browsers.plain.newPage();
   await tab.goto(`file://${file}`);
-  assert.match(await tab.locator(".notice").textContent(), /format 2/);
+  assert.match(await tab.locator(".notice").textContent(), /format 1/);
   await tab.close();
+});
+
+test("a hazard that is in no cause is never passed over", async () => {
+  const data = report({ hazards: 2, arm: "none" });
+  data.scan.causes = [];
+  const file = path.join(folder, "no-cause.html");
+  await writeFile(file, await page(data));
+  const tab = await browsers.plain.newPage();
+  await tab.goto(`file://${file}`);
+  assert.match(await tab.locator(".notice").textContent(), /in no cause/);
+  assert.equal(await tab.locator('[data-test="none"]').count(), 0);
+  await tab.close();
+});
+
+test("shares are percentages that nobody has to decode", () => {
+  const shown = [0, 1, 0.99997, 0.00997, 0.0052741, 0.0000431, 0.00004, 1e-12].map((value) => share(value));
+  assert.deepEqual(shown, ["0 %", "100.0 %", "99.9 %", "1.0 %", "0.53 %", "0.0043 %", "0.004 %", "less than 0.000001 %"]);
+  // A bound from above must not be rounded down.
+  assert.equal(share(0.0193, Math.ceil), "2.0 %");
+});
+
+test("actions are told in words, equal ones in a row once", () => {
+  const actions = ["forward/upright", "forward/upright", "forward/upright", "left90/bend-forward", "forward/upright"];
+  assert.deepEqual(sequence(actions, 0.2), ["3 x walks straight ahead, upright, 0.6 s", "turns left by 90° and walks, bent forward, 0.2 s", "walks straight ahead, upright, 0.2 s"]);
+});
+
+test("the required performance level follows the risk graph of ISO 13849-1", () => {
+  const levels = ["S1", "S2"].flatMap((severity) => ["F1", "F2"].flatMap((exposure) => ["P1", "P2"].map((avoidance) => requiredLevel({ severity, exposure, avoidance }))));
+  assert.equal(levels.join(""), "abbccdde");
+  assert.equal(requiredLevel({ severity: "S2", exposure: "", avoidance: "P1" }), null);
+});
+
+test("a robot that stands high on nothing gets a pedestal, one on its table does not", async () => {
+  for (const [pedestal, number] of [[true, 1], [false, 0]]) {
+    const file = await written(`pedestal ${number}`, { hazards: 1, pedestal });
+    const tab = await browsers.graphics.newPage();
+    await tab.goto(`file://${file}`);
+    await tab.locator("[data-drawn]").waitFor();
+    assert.equal(JSON.parse(await tab.locator("[data-drawn]").getAttribute("data-drawn")).pedestals, number);
+    await tab.close();
+  }
 });

@@ -130,6 +130,12 @@ impl Reader {
         Self { terms: Vec::new(), offset }
     }
 
+    /// Whether it reads anything that may change.
+    #[must_use]
+    pub const fn varies(&self) -> bool {
+        !self.terms.is_empty()
+    }
+
     /// The outputs that it reads, by their columns, where it reads nothing that is derived.
     #[must_use]
     pub fn given(&self) -> Option<Vec<usize>> {

@@ -1,0 +1,303 @@
+//! A cause as it stands in `scan.json`: what is wrong in one sentence, how bad it is, and the hazards under it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_bigint::BigUint;
+use num_traits::ToPrimitive as _;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::advice::{Outcome, Remedy};
+use super::model::{Hazard, SensorState};
+use crate::hazard::Class;
+use crate::hazard::cause::{LONG_S, Part};
+use crate::standards::BodyRegion;
+
+/// Hazards that are one flaw.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Cause {
+    /// Stable id.
+    pub id: String,
+    /// What is wrong, in one plain sentence.
+    pub sentence: String,
+    /// The robot.
+    pub robot: String,
+    /// What of the person is hit.
+    pub part: Part,
+    /// The sensors at the contact of its worst hazard.
+    pub sensors: Vec<SensorState>,
+    /// Id of its worst hazard.
+    pub worst: String,
+    /// Why that is one.
+    pub class: Class,
+    /// Force of it, N.
+    pub force_n: f64,
+    /// Limit, N.
+    pub limit_n: f64,
+    /// `force_n / limit_n`.
+    pub ratio: f64,
+    /// Earliest contact over all its hazards, s.
+    pub earliest_time_s: f64,
+    /// Sequences of full length that begin with one of its hazards, in decimal, where all were looked at.
+    pub sequences: Option<String>,
+    /// The same as a part of all sequences.
+    pub share: Option<f64>,
+    /// How many of its hazards a fresh replay confirmed.
+    pub confirmed: usize,
+    /// Ids of its hazards, worst first.
+    pub hazards: Vec<String>,
+    /// The same by what is hit by what, worst first.
+    pub lines: Vec<Line>,
+    /// What would be enough against it; none if that was not looked for.
+    pub advice: Option<CauseAdvice>,
+}
+
+/// The hazards of a cause in which one link hits one region.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Line {
+    /// What is hit.
+    pub body_region: BodyRegion,
+    /// By what.
+    pub robot_link: String,
+    /// The highest force over its limit.
+    pub ratio: f64,
+    /// Their ids, worst first.
+    pub hazards: Vec<String>,
+}
+
+/// What was found against a cause.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CauseAdvice {
+    /// The smallest changes that help, the surest first.
+    pub changes: Vec<Change>,
+    /// What was tried, and what that is worth.
+    pub note: String,
+}
+
+/// A change of the cell that helps against a cause.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Change {
+    /// In words.
+    pub change: String,
+    /// What it was held against, in words.
+    pub checked: String,
+    /// Whether every sequence of the changed cell was looked at.
+    pub complete: bool,
+    /// Whether nothing in the cell is hazardous with it; else only this cause is gone.
+    pub removes_all: bool,
+    /// What the next smaller change leads to, in words.
+    pub less: String,
+}
+
+/// What is known of the worst hazard of a cause besides its record: from its sequence once more, and from the cell.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Circumstances {
+    /// Whether the link had become slower since the first sensor reported the person.
+    pub slowed: bool,
+    /// How far the person stands outside of the zones of sensors that report nobody, m, by name.
+    pub outside: Vec<(String, f64)>,
+    /// For an arm: what it reaches over on its way from the shoulder to the contact.
+    pub over: Option<String>,
+    /// And what it reaches under.
+    pub under: Option<String>,
+    /// What the robot carries, kg, where the FMU tells it.
+    pub payload_kg: Option<f64>,
+}
+
+impl Cause {
+    /// A cause without advice. `hazards` are its members, worst first; `all` is how many sequences there are, if they were
+    /// counted.
+    ///
+    /// # Panics
+    /// Never: a cause has a member.
+    #[must_use]
+    pub fn new(
+        id: String,
+        (robot, part): (String, Part),
+        hazards: &[&Hazard],
+        around: &Circumstances,
+        all: Option<&BigUint>,
+    ) -> Self {
+        let worst = hazards[0];
+        let mut lines: Vec<Line> = Vec::new();
+        for hazard in hazards {
+            let same =
+                |line: &&mut Line| line.body_region == hazard.body_region && line.robot_link == hazard.robot_link;
+            match lines.iter_mut().find(same) {
+                Some(line) => line.hazards.push(hazard.id.clone()),
+                None => lines.push(Line {
+                    body_region: hazard.body_region,
+                    robot_link: hazard.robot_link.clone(),
+                    ratio: hazard.ratio,
+                    hazards: vec![hazard.id.clone()],
+                }),
+            }
+        }
+        let counted: Option<BigUint> =
+            hazards.iter().map(|hazard| hazard.sequences.as_ref()?.parse::<BigUint>().ok()).sum();
+        let share = counted.as_ref().zip(all).and_then(|(part, all)| Some(part.to_f64()? / all.to_f64()?));
+        Self {
+            id,
+            sentence: sentence(worst, around),
+            robot,
+            part,
+            sensors: worst.sensors.clone(),
+            worst: worst.id.clone(),
+            class: worst.class,
+            force_n: worst.force_n,
+            limit_n: worst.limit_n,
+            ratio: worst.ratio,
+            earliest_time_s: hazards.iter().map(|hazard| hazard.earliest_time_s).fold(f64::INFINITY, f64::min),
+            sequences: counted.as_ref().map(ToString::to_string),
+            share,
+            confirmed: hazards.iter().filter(|hazard| hazard.confirmed == Some(true)).count(),
+            hazards: hazards.iter().map(|hazard| hazard.id.clone()).collect(),
+            lines,
+            advice: None,
+        }
+    }
+
+    /// Force and limit of the worst hazard, in words.
+    #[must_use]
+    pub fn force_words(&self) -> String {
+        match self.class {
+            Class::Force => format!("{:.0} N, {:.2}x the limit of {:.0} N", self.force_n, self.ratio, self.limit_n),
+            Class::HeadContact => format!("{:.0} N; a moving robot may not touch it at all", self.force_n),
+        }
+    }
+}
+
+/// A cause with its hazards, of a scan of any version.
+#[derive(Clone, Debug)]
+pub struct Grouped<'a> {
+    /// Its id.
+    pub id: &'a str,
+    /// What hits what, in few words.
+    pub what: String,
+    /// What is wrong.
+    pub sentence: String,
+    /// Its hazards, worst first.
+    pub hazards: Vec<&'a Hazard>,
+}
+
+impl Grouped<'_> {
+    /// As a title: the id, and what hits what.
+    #[must_use]
+    pub fn title(&self) -> String {
+        format!("{} {}", self.id, self.what)
+    }
+}
+
+/// The hazards of a scan by cause. Those of older versions, which knew no causes, are one each.
+#[must_use]
+pub fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a>> {
+    let by_id: BTreeMap<&str, &Hazard> = hazards.iter().map(|hazard| (hazard.id.as_str(), hazard)).collect();
+    let mut all: Vec<Grouped<'_>> = causes
+        .iter()
+        .map(|cause| Grouped {
+            id: &cause.id,
+            what: format!("{} hit by {}", cause.part.words(), cause.robot),
+            sentence: cause.sentence.clone(),
+            hazards: cause.hazards.iter().filter_map(|id| by_id.get(id.as_str()).copied()).collect(),
+        })
+        .filter(|cause| !cause.hazards.is_empty())
+        .collect();
+    let known: BTreeSet<&str> = causes.iter().flat_map(|cause| &cause.hazards).map(String::as_str).collect();
+    let alone = hazards.iter().filter(|hazard| !known.contains(hazard.id.as_str()));
+    all.extend(alone.map(|hazard| Grouped {
+        id: &hazard.id,
+        what: format!("{} <- {}", hazard.body_region, hazard.robot_link),
+        sentence: hazard.sentence(),
+        hazards: vec![hazard],
+    }));
+    all
+}
+
+/// What happens in the worst hazard of a cause, and what the safeguards did about it.
+fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
+    let region = hazard.body_region.words();
+    let speed = hazard.speed_m_s;
+    // Of several robots the link's name says which.
+    let link = match hazard.robot_link.split_once('/') {
+        Some((robot, link)) => format!("{robot}'s {link}"),
+        None => hazard.robot_link.clone(),
+    };
+    let load = match around.payload_kg {
+        Some(kg) if kg > 0.0 => format!(", with a load of {kg:.1} kg,"),
+        _ => String::new(),
+    };
+    let reach = match (&around.over, &around.under) {
+        (Some(over), Some(under)) => format!(" that reaches in between {over} and {under}"),
+        (Some(over), None) => format!(" that reaches over {over}"),
+        (None, Some(under)) => format!(" that reaches under {under}"),
+        (None, None) => String::new(),
+    };
+    let reporting: Vec<&SensorState> = hazard.sensors.iter().filter(|sensor| sensor.person_detected).collect();
+    if !reporting.is_empty() {
+        let longest = reporting.iter().filter_map(|sensor| sensor.since_s).fold(0.0, f64::max);
+        let names: Vec<&str> = reporting.iter().map(|sensor| sensor.name.as_str()).collect();
+        let has = if names.len() == 1 { "has" } else { "have" };
+        let for_so_long = match longest {
+            s if s > LONG_S => format!(" for {s:.2} s"),
+            s if s > 0.0 => format!(" for only {s:.2} s"),
+            _ => String::new(),
+        };
+        let robot = if around.slowed {
+            format!("{link}{load} is slower but not at rest: at {speed:.2} m/s it hits")
+        } else {
+            format!("{link}{load} goes on at {speed:.2} m/s and hits")
+        };
+        return format!("{} {has} reported the person{for_so_long}, but {robot} the {region}{reach}.", joined(&names));
+    }
+    let hit = format!("{link}{load} moves at {speed:.2} m/s and hits the {region}{reach}");
+    match (hazard.sensors.len(), around.outside.iter().min_by(|a, b| a.1.total_cmp(&b.1))) {
+        (0, _) => format!("No sensor watches over this: {hit}."),
+        (_, Some((name, metres))) => {
+            format!("No sensor reports the person, who stands {metres:.2} m outside of {name}: {hit}.")
+        }
+        (1, None) => format!("{} does not report the person: {hit}.", hazard.sensors[0].name),
+        (_, None) => format!("No sensor reports the person: {hit}."),
+    }
+}
+
+/// "a", "a and b", "a, b and c".
+fn joined(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+impl Change {
+    /// A change that helps; nothing if it does not.
+    fn of(remedy: &Remedy) -> Option<Self> {
+        let (checked, complete, removes_all) = match &remedy.outcome {
+            Outcome::Sufficient(checked) => (checked, true, true),
+            Outcome::NotMet(checked) => (checked, false, true),
+            _ => return None,
+        };
+        let change = remedy.change.clone();
+        Some(Self { change, checked: checked.words(), complete, removes_all, less: checked.one_less() })
+    }
+}
+
+impl CauseAdvice {
+    /// From what came of the changes that were tried.
+    #[must_use]
+    pub fn of(remedies: &[Remedy]) -> Self {
+        let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
+        changes.sort_by_key(|change| (!change.removes_all, !change.complete));
+        let tried = remedies.len();
+        let s = if tried == 1 { "" } else { "s" };
+        let worth = "This is about the model, from the starts and for the times said here: no proof for the real cell. Whether \
+                     a change can be built, and what it does to the work, is for people to judge";
+        let note = match changes.is_empty() {
+            false => format!("{tried} change{s} tried. {worth}."),
+            true => {
+                format!("{tried} change{s} tried, and none of them alone is enough. fmi-hazard explain tells of each.")
+            }
+        };
+        Self { changes, note }
+    }
+}

@@ -1,0 +1,112 @@
+//! The causes of the hazards of a scan: which hazards belong together, and what there is to say about the worst of each.
+
+use num_bigint::BigUint;
+
+use super::explain::outside;
+use super::film;
+use super::hosting::StateChoice;
+use super::outline::{flat, heights, outline};
+use super::prepare::Prepared;
+use crate::geometry::polygon::contains;
+use crate::geometry::{Cuboid, Vec3};
+use crate::hazard::cause::{self, Kind, Member, Part};
+use crate::host::Hosted;
+use crate::host::selftest::Rung;
+use crate::report::cause::{Cause, Circumstances};
+use crate::report::model::{Certificate, Hazard};
+use crate::sim::Simulation;
+
+/// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.
+const ALONG_M: f64 = 0.005;
+
+/// A hazard as causes see it. Of a link that the cell does not have, the robot is not known.
+#[must_use]
+pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
+    let cell = &prepared.cell;
+    let link = cell.links.iter().find(|link| link.name == hazard.robot_link);
+    let reporting = hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.clone()).collect();
+    let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).fold(0.0, f64::max);
+    let kind = Kind {
+        robot: link.map_or_else(String::new, |link| cell.robots[link.robot].name.clone()),
+        part: Part::of(hazard.body_region),
+        reporting,
+        long: since > cause::LONG_S,
+    };
+    let [x, y, _] = hazard.contact_point_m;
+    Member { kind, person_m: hazard.person_xy_m, contact_m: [x, y] }
+}
+
+/// The causes of hazards, which are given worst first. The sequence of the worst of each is run once more, as plainly as
+/// `rung` asks; where that cannot be done, less is said about it.
+#[must_use]
+pub fn causes(prepared: &Prepared, rung: Rung, hazards: &[Hazard], certificate: Option<&Certificate>) -> Vec<Cause> {
+    let members: Vec<Member> = hazards.iter().map(|hazard| member(prepared, hazard)).collect();
+    if members.is_empty() {
+        return Vec::new();
+    }
+    let plainly = if rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
+    let mut simulation = prepared.simulation(plainly, false).ok();
+    let all: Option<BigUint> = certificate.and_then(|certificate| certificate.sequences.parse().ok());
+    let found = cause::causes(&members);
+    let causes = found.into_iter().map(|cause::Cause { id, kind, members }| {
+        let worst = &hazards[members[0]];
+        let around =
+            simulation.as_mut().map(|simulation| circumstances(prepared, simulation, worst)).unwrap_or_default();
+        let hazards: Vec<&Hazard> = members.iter().map(|&member| &hazards[member]).collect();
+        Cause::new(id, (kind.robot, kind.part), &hazards, &around, all.as_ref())
+    });
+    causes.collect()
+}
+
+fn circumstances(prepared: &Prepared, simulation: &mut Simulation<Hosted>, hazard: &Hazard) -> Circumstances {
+    let cell = &prepared.cell;
+    let (over, under) = past(prepared, hazard);
+    let link = cell.links.iter().position(|link| link.name == hazard.robot_link);
+    let mut around = Circumstances { over, under, ..Circumstances::default() };
+    // An FMU that does not repeat itself, or none any more: what is known without it is told all the same.
+    let Ok(watched) = film::watch(simulation, prepared, hazard) else { return around };
+    let contact = film::contact_frame(prepared, hazard, &watched);
+    let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).reduce(f64::max);
+    if let (Some(link), Some(since_s)) = (link, since) {
+        let first = contact.saturating_sub(film::steps(prepared, since_s));
+        let fastest = |frame: usize| watched.instants[frame].frame.speed_bounds[link];
+        around.slowed = fastest(contact) < SLOWED * fastest(first);
+    }
+    around.outside = outside(prepared, hazard, &watched.instants[contact].readings)
+        .map(|outside| (outside.name, outside.distance_m))
+        .collect();
+    if let Some(link) = link {
+        let frame = &watched.instants[contact].frame;
+        let robot = cell.links[link].robot;
+        let varies = prepared.binding.robots[robot].payload.varies();
+        around.payload_kg =
+            varies.then(|| frame.strike(link).effective_mass_kg - 0.5 * cell.robots[robot].moving_mass_kg);
+    }
+    around
+}
+
+/// A robot that has less than this part of its speed has become slower.
+const SLOWED: f64 = 0.9;
+
+/// What an arm that touches reaches over and under on its way, of several the highest.
+fn past(prepared: &Prepared, hazard: &Hazard) -> (Option<String>, Option<String>) {
+    let Some(arm) = &hazard.arm else { return (None, None) };
+    let way = [arm.shoulder_m, arm.elbow_m, arm.wrist_m, hazard.contact_point_m].map(Vec3::from_array);
+    let mut points = Vec::new();
+    for pair in way.windows(2) {
+        let [from, to] = [pair[0], pair[1]];
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
+        let steps = ((to - from).length() / ALONG_M).ceil().max(1.0) as u32;
+        points.extend((0..=steps).map(|step| from + (to - from) * (f64::from(step) / f64::from(steps))));
+    }
+    let highest = |passes: &dyn Fn(f64, [f64; 2]) -> bool| {
+        let passed = |c: &Cuboid| {
+            let (floor, between) = (outline(c), heights(c));
+            points.iter().any(|point| contains(&floor, flat(*point)) && passes(point.z, between))
+        };
+        let extent = |c: &Cuboid| heights(c)[1] - heights(c)[0];
+        let all = prepared.cell.obstacles.iter().filter(|(_, c)| passed(c));
+        all.max_by(|(_, a), (_, b)| extent(a).total_cmp(&extent(b))).map(|(name, _)| name.clone())
+    };
+    (highest(&|z, [_, top]| z > top), highest(&|z, [bottom, _]| z < bottom))
+}
