@@ -41,7 +41,7 @@ fn touches_as_drawn(hazard: &Hazard, contact: usize, drawn: &Replay) {
     for (drawn, found) in [shoulder, elbow, wrist].iter().zip(&found) {
         assert!((*drawn - *found).length() < 1e-9, "{}: {drawn} is not {found}", hazard.id);
     }
-    // The limb that is hit is within its radius of the link; the point of the contact is on its axis, that of a hand on the
+    // The limb that is hit is within its radius of the link; the point of the contact is on its surface, that of a hand on the
     // link. An elbow, of which both limbs have a part, counts as upper arm.
     let (link, body) = (Vec3::from_array(hazard.contact_point_m), Vec3::from_array(hazard.body_point_m));
     let upper = (shoulder, elbow, model.upper_arm_radius_m);
@@ -52,8 +52,9 @@ fn touches_as_drawn(hazard: &Hazard, contact: usize, drawn: &Replay) {
     };
     let hand = hazard.body_region == BodyRegion::Hand;
     let is_hit = |(a, b, radius): (Vec3, Vec3, f64)| {
-        let axis = if hand { 0.0 } else { point_segment(body, a, b).distance };
-        axis < 1e-9 && point_segment(link, a, b).distance <= radius + 1e-9
+        // Seen from the contact on the person, the axis of the limb lies behind the contact on the robot.
+        let axis = if hand { body } else { body + (link - body).normalize() * radius };
+        (hand || point_segment(axis, a, b).distance < 1e-9) && point_segment(link, a, b).distance <= radius + 1e-9
     };
     assert!(limbs.into_iter().any(is_hit), "{}: {link} on the robot, {body} on the person", hazard.id);
 }
@@ -63,6 +64,7 @@ fn the_robot_is_where_the_contact_is() {
     let dir = examples();
     let dir = dir.path();
     let slow = ("active = false", "active = false\ndelay_ms = 100");
+    let mut approaching = 0;
     for (example, actions, through, change) in [
         ("light-curtain", 3, true, ("", "")),
         ("light-curtain", 3, true, slow),
@@ -91,7 +93,16 @@ fn the_robot_is_where_the_contact_is() {
             let at = links.map(|(link, _)| (instant.frame.links[link].point_distance(point).distance.abs(), link));
             let (distance, link) = at.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
             assert!(distance < 1e-9, "{example} {}: {distance} m beside the link", hazard.id);
-            let speed = instant.frame.velocity(link, point).length();
+            let velocity = instant.frame.velocity(link, point);
+            if hazard.arm.is_some() && hazard.body_region != BodyRegion::Hand {
+                // How fast robot and person come towards each other: the limb overlaps the link, so its surface is within.
+                let walked = instant.position - watched.instants[contact - 1].position;
+                let apart = (point - Vec3::from_array(hazard.body_point_m)).normalize();
+                let approach = (velocity - walked / prepared.cell.step_s).dot(apart).max(0.0);
+                assert!((hazard.approach_m_s - approach).abs() < 1e-6, "{example} {}: {approach} m/s", hazard.id);
+                approaching += usize::from(approach > 0.5);
+            }
+            let speed = velocity.length();
             assert!((speed - hazard.speed_m_s).abs() < 1e-9, "{example} {}: {speed}", hazard.id);
             let recorded: Vec<bool> = hazard.sensors.iter().map(|sensor| sensor.person_detected).collect();
             assert_eq!(instant.readings, recorded, "{example} {}", hazard.id);
@@ -100,4 +111,5 @@ fn the_robot_is_where_the_contact_is() {
         }
         std::fs::remove_dir_all(dir.join("out")).unwrap();
     }
+    assert!(approaching > 0, "no limb of an arm that the robot comes towards");
 }

@@ -2,8 +2,8 @@
 //!
 //! Of one cause are hazards of the same robot, at the body or at an arm, of which the same sensors report the person at the
 //! contact, all of them only just or one for long, and whose places hang together. So a sensor that does not see, one that
-//! sees too late, and a robot that does not heed it are three causes, and two openings of a fence are two. The region of the body, the link and the phase of the programme are left out: one
-//! flaw shows itself at many. `docs/src/method.md` compares this with other definitions.
+//! sees too late, and a robot that does not heed it are three causes, and two openings of a fence are two. The region of the
+//! body, the link and the phase of the programme are left out: one flaw shows itself at many. `docs/src/method.md` compares this with other definitions.
 
 use std::collections::BTreeMap;
 
@@ -75,7 +75,7 @@ pub struct Member {
     pub kind: Kind,
     /// Where the person stands at the contact, floor plan, m.
     pub person_m: [f64; 2],
-    /// Where that is, floor plan, m.
+    /// Where the robot touches them, floor plan, m.
     pub contact_m: [f64; 2],
 }
 
@@ -163,8 +163,8 @@ fn square(all: &[Member], members: &[usize]) -> [i64; 2] {
 fn id(kind: &Kind, square: Option<[i64; 2]>) -> String {
     let part = kind.part.words();
     let place = square.map_or_else(String::new, |[x, y]| format!("{x},{y}"));
-    // Names may hold any character but this one.
     let long = if kind.long { "long" } else { "" };
+    // Names may hold any character but this one.
     let text = format!("{}\0{part}\0{}\0\0{long}\0{place}", kind.robot, kind.reporting.join("\0"));
     let hash = Sha256::digest(text.as_bytes());
     format!("C-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])

@@ -91,9 +91,13 @@ pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
             continue;
         };
         let of = members.len();
-        let (word, rest) = match fixed == of {
-            true => ("fixed        ", format!("{}: the sequences of all {of} end without an unsafe contact", cause.id)),
-            false => ("STILL THERE  ", format!("{}: {} of {of} hazards", cause.id, of - fixed)),
+        let there = members.iter().filter(|one| matches!(one.outcome, Outcome::StillThere { .. })).count();
+        let (word, rest) = match (fixed == of, there) {
+            (true, _) => {
+                ("fixed        ", format!("{}: the sequences of all {of} end without an unsafe contact", cause.id))
+            }
+            (false, 0) => ("NOT RUN      ", format!("{}: the FMU failed in {} of {of} hazards", cause.id, of - fixed)),
+            (false, there) => ("STILL THERE  ", format!("{}: {there} of {of} hazards", cause.id)),
         };
         let _ = writeln!(out, " {word}{rest}");
         let _ = write!(out, "{}", wrapped(&format!("was: {}", cause.sentence), "              "));

@@ -306,15 +306,15 @@ impl Touched {
             return Self::Body(nearest.map_or(0, |(number, _)| number));
         };
         let joints = [arm.shoulder_m, arm.elbow_m, arm.wrist_m].map(Vec3::from_array);
-        // The contact is on the axis of the limb. An elbow counts as upper arm, on both sides of the joint.
-        let off = |limb: Limb| {
+        // The contact is on the surface of the limb. An elbow counts as upper arm, on both sides of the joint.
+        let off = |limb: Limb, radius: f64| {
             let (a, b) = limb.ends(joints);
-            point_segment(at, a, b).distance
+            (point_segment(at, a, b).distance - radius).abs()
         };
+        let upper_arm = off(Limb::UpperArm, shape.upper_arm_radius_m);
+        let forearm = off(Limb::Forearm, shape.forearm_radius_m);
         let (limb, radius) = match hazard.body_region {
-            BodyRegion::UpperArm if off(Limb::UpperArm) <= off(Limb::Forearm) => {
-                (Limb::UpperArm, shape.upper_arm_radius_m)
-            }
+            BodyRegion::UpperArm if upper_arm <= forearm => (Limb::UpperArm, shape.upper_arm_radius_m),
             BodyRegion::UpperArm | BodyRegion::LowerArm => (Limb::Forearm, shape.forearm_radius_m),
             _ => (Limb::Hand, shape.hand_radius_m),
         };

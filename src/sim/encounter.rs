@@ -337,7 +337,7 @@ impl Encounter {
             coverage.arm_boxes += u64::from(outcome.boxes);
             coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete && !self.stop.is_due());
             let Some(found) = outcome.best else { continue };
-            let contact = arm_touch(person, frame, &found);
+            let contact = self.arm_touch(person, frame, &found);
             if worst.as_ref().is_none_or(|(w, _)| contact.ratio() > w.ratio()) {
                 let pose = ArmPose {
                     left: side == Side::Left,
@@ -349,6 +349,27 @@ impl Encounter {
             }
         }
         worst
+    }
+
+    /// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.
+    fn arm_touch(&self, person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact {
+        let radius = match found.segment {
+            // What is told of a hand is a point of it already.
+            ArmSegment::Hand => 0.0,
+            ArmSegment::Elbow | ArmSegment::Forearm => self.arm.forearm_radius_m,
+            ArmSegment::UpperArm => self.arm.upper_arm_radius_m,
+        };
+        let inside = found.signed_distance + radius < 0.0;
+        let touch = Touch {
+            region: arm_region(found.segment),
+            link: found.link,
+            on_robot: found.on_link,
+            on_body: on_surface(found.on_arm, found.on_link, inside, radius),
+            distance_m: found.signed_distance,
+            robot_velocity: frame.velocity(found.link, found.on_link),
+            human_velocity: person.velocity,
+        };
+        Contact::new(&touch, frame.strike(touch.link))
     }
 
     fn blocked(&self, from: Vec3, to: Vec3) -> bool {
@@ -378,14 +399,19 @@ fn touching(body: &PlacedBody, frame: &RobotFrame, closest_m: &mut f64) -> Vec<P
             let distance = near.distance - capsule.radius;
             *closest_m = closest_m.min(distance);
             if distance <= 0.0 {
-                let direction = (near.on_second - near.on_first).normalize_or_zero();
-                let outward = if near.distance < 0.0 { -direction } else { direction };
-                let on_body = near.on_first + outward * capsule.radius;
+                let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
                 pairs.push(Pair { distance, part, link, on_body, on_robot: near.on_second });
             }
         }
     }
     pairs
+}
+
+/// The point of a capsule's surface towards a point of a link, seen from the nearest point of its axis, which may be `inside`
+/// of the link.
+fn on_surface(on_axis: Vec3, on_link: Vec3, inside: bool, radius: f64) -> Vec3 {
+    let direction = (on_link - on_axis).normalize_or_zero();
+    on_axis + if inside { -direction } else { direction } * radius
 }
 
 fn body_contact(person: &Person, frame: &RobotFrame, pair: &Pair) -> Contact {
@@ -396,20 +422,6 @@ fn body_contact(person: &Person, frame: &RobotFrame, pair: &Pair) -> Contact {
         on_body: pair.on_body,
         distance_m: pair.distance,
         robot_velocity: frame.velocity(pair.link, pair.on_robot),
-        human_velocity: person.velocity,
-    };
-    Contact::new(&touch, frame.strike(touch.link))
-}
-
-/// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.
-fn arm_touch(person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact {
-    let touch = Touch {
-        region: arm_region(found.segment),
-        link: found.link,
-        on_robot: found.on_link,
-        on_body: found.on_arm,
-        distance_m: found.signed_distance,
-        robot_velocity: frame.velocity(found.link, found.on_link),
         human_velocity: person.velocity,
     };
     Contact::new(&touch, frame.strike(touch.link))
