@@ -9,11 +9,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::test_fmus;
-use fmi_hazard::report::advice::{Met, OneLess, Outcome, Remedy};
+use fmi_hazard::host::selftest::Rung;
+use fmi_hazard::report::advice::{Met, OneLess, Others, Outcome, Remedy};
 use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::options::{Method, Progress};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::remedy::{Effort, remedies};
+use fmi_hazard::scan::remedy::Effort;
 use fmi_hazard::scan::{Exhaustive, Prepared, ScanOptions, StateChoice, scan};
 use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::sim::expansion::Merge;
@@ -84,31 +86,44 @@ fn all(prepared: &Prepared, any: bool) -> ScanReport {
     scan(prepared, options, &mut tell).unwrap().report
 }
 
-/// What is advised against the worst hazard of a cell.
+/// More than the cells here need.
+const EFFORT: Effort =
+    Effort { iterations: 2, quick: 10_000_000, work: 300_000_000, states: 1_000_000, bytes: 2_000_000_000, workers: 2 };
+
+/// What is advised against the causes of a cell.
 struct Advised {
     prepared: Prepared,
+    report: ScanReport,
+    /// What came of changes against the worst cause.
     remedies: Vec<Remedy>,
-    /// Force over limit of that hazard.
-    ratio: f64,
+    /// And against others, where these do not fall with it.
+    others: Vec<(usize, Vec<Remedy>)>,
     _dir: TempDir,
 }
 
 fn advised(text: &str) -> Advised {
     let dir = TempDir::new().unwrap();
     std::fs::copy(test_fmus().join("guarded.fmu"), dir.path().join("guarded.fmu")).unwrap();
-    advised_in(dir, "cell.toml", text, 2)
+    advised_in(dir, "cell.toml", text, EFFORT.iterations)
 }
 
 fn advised_in(dir: TempDir, name: &str, text: &str, iterations: u32) -> Advised {
     let path = dir.path().join(name);
     std::fs::write(&path, text).unwrap();
     let prepared = prepare(&path, None).unwrap();
-    let report = all(&prepared, false);
-    assert!(report.certificate.unwrap().complete);
-    let [states, work, bytes] = [200_000, 100_000_000, 2_000_000_000];
-    let effort = Effort { iterations, work: work as u64, states, bytes, workers: 2 };
-    let remedies = remedies(&prepared, &report.hazards[0], &report.hazards, effort, &|_| {}).unwrap();
-    Advised { prepared, remedies, ratio: report.hazards[0].ratio, _dir: dir }
+    let mut report = all(&prepared, false);
+    assert!(report.certificate.as_ref().unwrap().complete);
+    let effort = Effort { iterations, ..EFFORT };
+    let found = advise(&prepared, prepared.rung, &mut report, effort, &|_| {}).unwrap();
+    Advised::new(prepared, report, found, dir)
+}
+
+impl Advised {
+    fn new(prepared: Prepared, report: ScanReport, mut found: Vec<(usize, Vec<Remedy>)>, dir: TempDir) -> Self {
+        let (worst, remedies) = found.remove(0);
+        assert_eq!(worst, 0);
+        Self { prepared, report, remedies, others: found, _dir: dir }
+    }
 }
 
 impl Advised {
@@ -151,12 +166,19 @@ impl Advised {
         found.is_some_and(|found| found.contact.region == met.body_region)
     }
 
-    /// Every change that is offered as enough is, and one step less is not. Returns how many there are.
+    /// Every change on the card of the worst cause that is offered as enough is, and one step less is not; those of the other
+    /// causes are the same. Returns how many there are.
     fn verified(&self) -> usize {
         let mut enough = 0;
+        let cards: Vec<_> = self.report.causes.iter().map(|cause| cause.advice.as_ref()).collect();
+        let on =
+            |card: usize| cards[card].iter().flat_map(|advice| &advice.changes).filter(|change| change.removes_all);
         for remedy in &self.remedies {
             let Outcome::Sufficient(checked) = &remedy.outcome else { continue };
             enough += 1;
+            for card in 0..cards.len() {
+                assert!(on(card).any(|change| change.change == remedy.change && change.complete), "{cards:#?}");
+            }
             for beginning in 0..self.prepared.cell.beginnings.len() {
                 assert!(!self.is_hazardous(&remedy.cell, beginning), "{}", remedy.change);
             }
@@ -200,6 +222,13 @@ fn a_mat_that_is_far_too_narrow_is_made_as_wide_as_it_has_to_be() {
     // until it stands. The bar is too slow to hurt some time before.
     let iso = 0.85 + 0.15 + 1.6 * 0.55 - 0.95;
     assert!((0.35..iso).contains(&wider), "{wider}");
+    // One thread, and every state by running the FMU again, give the same.
+    let mut plainly = advised.report.clone();
+    plainly.causes.iter_mut().for_each(|cause| cause.advice = None);
+    let alone = Effort { workers: 1, ..EFFORT };
+    let again = advise(&advised.prepared, Rung::Instances, &mut plainly, alone, &|_| {}).unwrap();
+    assert_eq!(again, [(0, advised.remedies.clone())]);
+    assert_eq!(plainly.causes, advised.report.causes);
     // What was once offered: a little wider, after which one of the sequences known is no hazard any more.
     assert!(advised.is_hazardous(&text.replace("-0.95]", "-1.02]"), 0));
 }
@@ -275,7 +304,8 @@ fn without_a_safeguard_the_speed_is_the_one_that_the_standard_allows() {
 #[test]
 fn what_removes_one_of_two_causes_is_not_enough() {
     // The mat is muted for a while, and too narrow.
-    let advised = advised(&cell(&mat(-1.1), "\"muting.enabled\" = true\n\"muting.hold_time\" = 2.0"));
+    let text = cell(&mat(-1.1), "\"muting.enabled\" = true\n\"muting.hold_time\" = 2.0");
+    let advised = advised(&text);
     assert!(advised.verified() >= 2, "{:#?}", advised.remedies);
     for words in ["FMU parameter muting", "zone of mat"] {
         assert!(advised.enough(words).is_none(), "{words}: {:#?}", advised.remedies);
@@ -283,6 +313,48 @@ fn what_removes_one_of_two_causes_is_not_enough() {
     // Each for itself is.
     assert!(advised.is_hazardous(&cell(&mat(-1.1), ""), 0));
     assert!(!advised.is_hazardous(&cell(&mat(-1.6), ""), 0));
+}
+
+/// Only the flaws can be mended: a mat that is muted, and one that leaves the left side open. What removes one of them is on
+/// its card, and leaves the other.
+#[test]
+fn what_removes_one_cause_and_leaves_another_says_so() {
+    let fixed =
+        ["drive.speed", "plc.t_react", "plc.t_ramp", "filter.tau", "muting.hold_time", "ssm.distance", "field.radius"];
+    let fixed: String = fixed.iter().map(|name| format!("\"{name}\" = {{ fixed = true }}\n")).collect();
+    let explain = format!("[explain]\nrobot = {{ bar = {{ fixed = true }} }}\n[explain.parameters]\n{fixed}");
+    let open = mat(-1.5).replace("[-3, ", "[0.2, ");
+    let text = cell(&open, "\"muting.enabled\" = true\n\"muting.hold_time\" = 20.0") + &explain;
+    let advised = advised(&text);
+    let causes = &advised.report.causes;
+    assert!(causes.len() > 1 && !advised.others.is_empty(), "{causes:#?}");
+    let found = std::iter::once((0, &advised.remedies)).chain(advised.others.iter().map(|(of, found)| (*of, found)));
+    let mut mended = Vec::new();
+    for (number, remedies) in found {
+        for remedy in remedies {
+            let Outcome::OthersRemain(Others { complete, checked, .. }) = &remedy.outcome else {
+                assert!(!matches!(remedy.outcome, Outcome::Sufficient(_)), "{remedy:#?}");
+                continue;
+            };
+            let card = causes[number].advice.as_ref().unwrap();
+            let change = card.changes.iter().find(|change| change.change == remedy.change).unwrap();
+            assert!(*complete && change.complete && !change.removes_all, "{remedy:#?}");
+            let left = |text: &str| all(&advised.prepared.changed(text).unwrap(), false);
+            let (with, same) = (left(&remedy.cell), |id: &str| causes[number].id == id);
+            assert!(!with.causes.is_empty() && with.causes.iter().all(|cause| !same(&cause.id)), "{:#?}", with.causes);
+            // One step less leads to it again.
+            let less = match &checked.one_less {
+                OneLess::Met(met) => left(&met.cell),
+                OneLess::AsItIs => continue,
+                OneLess::NotTried { cause } => panic!("{cause}"),
+            };
+            assert!(less.causes.iter().any(|cause| same(&cause.id)), "{:#?}", less.causes);
+            mended.push(number);
+        }
+    }
+    mended.dedup();
+    // Who steps onto the mat from its open side is hit at once: against that no single change helps.
+    assert_eq!(mended, [1], "{causes:#?}");
 }
 
 #[test]
@@ -384,7 +456,7 @@ fn advice_for_a_heavy_workpiece_is_true() {
     let advised = example("heavy-workpiece", [1.6, -1.2, 180.0, 0.0], 6);
     // By hand: the force grows with the speed, so the limit is about 1/ratio of the old one; not exactly, as the point that
     // touches is not the tool centre point whose speed is limited.
-    let (limit, expected) = (advised.value("plc.v_limit"), 0.48 / advised.ratio);
+    let (limit, expected) = (advised.value("plc.v_limit"), 0.48 / advised.report.hazards[0].ratio);
     assert!(limit < expected + 0.05 && limit > 0.6 * expected, "{limit} {expected}");
 }
 

@@ -171,7 +171,7 @@ fn names_and_references_that_stand_twice() {
     let dir = folder_with(&alias);
     let cell = faulty_cell("x.fmu", 0, 0).replace("[human]", "[inputs]\n\"push\" = 0.1\n[human]");
     write(dir.path(), "cell.toml", &cell);
-    let (code, _, stderr) = run(dir.path(), &["scan", "cell.toml"]);
+    let (code, _, stderr) = run(dir.path(), &["scan", "--no-advice", "cell.toml"]);
     let text = "Error: × `qd` and `push` are one variable in the FMU (value reference 4): reading the one gives what \
                 was written to the other ╭─[cell.toml:1:1] 1 schema = 1 · ─────┬──── · ╰── in this file 2 name = \"faulty\" \
                 ╰──── help: use another output, or have the FMU exported with a value reference for each";
@@ -192,7 +192,8 @@ fn units() {
         let unit = format!("variable = \"q\"{unit} }}");
         let cell = faulty_cell("x.fmu", 0, 0).replace("variable = \"q\", unit = \"rad\" }", &unit);
         write(dir.path(), "cell.toml", &cell.replace("iterations = 12", "iterations = 1"));
-        let (code, stdout, stderr) = run(dir.path(), &["scan", "cell.toml", "--strategy", "random", "--out", "o"]);
+        let (code, stdout, stderr) =
+            run(dir.path(), &["scan", "--no-advice", "cell.toml", "--strategy", "random", "--out", "o"]);
         (code, stdout + &stderr)
     };
     let in_mm = changed("<Real unit=\"rad\"/>", "<Real unit=\"mm\"/>");
@@ -278,7 +279,7 @@ fn start_values_and_limits() {
     let dir = folder_with(&with("min=\"-0.1\" max=\"0.1\" start=\"0\""));
     let cell = faulty_cell("x.fmu", 0, 0).replace("[human]", "[inputs]\n\"push\" = 0.5\n[human]");
     write(dir.path(), "cell.toml", &cell.replace("iterations = 12", "iterations = 1"));
-    let (_, _, stderr) = run(dir.path(), &["scan", "cell.toml", "--strategy", "random", "--out", "o"]);
+    let (_, _, stderr) = run(dir.path(), &["scan", "--no-advice", "cell.toml", "--strategy", "random", "--out", "o"]);
     assert!(stderr.contains("Warning `push` is set to 0.5, the FMU allows -0.1 to 0.1"), "{stderr}");
 }
 
@@ -405,7 +406,9 @@ fn names_that_steer_the_terminal_or_turn_text_around() {
     // Where a cell's mistake makes it be named, and in what a scan and a self-test print.
     let dir = folder_with(&all);
     write(dir.path(), "cell.toml", &faulty_cell("x.fmu", 0, 0).replace("\"q\"", "\"q\\u001b\""));
-    for arguments in [&["scan", "cell.toml"][..], &["selftest", "x.fmu"], &["selftest", "x.fmu", "--json"]] {
+    for arguments in
+        [&["scan", "--no-advice", "cell.toml"][..], &["selftest", "x.fmu"], &["selftest", "x.fmu", "--json"]]
+    {
         let output = common::fmi_hazard(dir.path()).args(arguments).output().unwrap();
         for bytes in [output.stdout, output.stderr] {
             let text = String::from_utf8(bytes).unwrap();

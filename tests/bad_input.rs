@@ -10,7 +10,7 @@ use common::{examples, faulty_cell, fmi_hazard, meshes, scan_json, test_fmus, wr
 /// Runs `scan` on `path`, expects `code` and all of `words` on stderr; returns stderr.
 fn fails(dir: &Path, path: &str, code: i32, words: &[&str]) -> String {
     let output = fmi_hazard(dir)
-        .args(["scan", path, "--out", "o", "--strategy", "random", "--iterations", "1"])
+        .args(["scan", "--no-advice", path, "--out", "o", "--strategy", "random", "--iterations", "1"])
         .assert()
         .code(code)
         .get_output()
@@ -349,7 +349,11 @@ fn an_fmu_that_fails_from_the_start_is_exit_code_3() {
 fn an_fmu_that_does_not_repeat_itself_in_a_process_gets_fresh_ones_or_is_refused() {
     let dir = faulty(5, 0);
     let scan = |extra: &[&str]| {
-        let output = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).args(extra).output().unwrap();
+        let output = fmi_hazard(dir.path())
+            .args(["scan", "--no-advice", "cell.toml", "--out", "o"])
+            .args(extra)
+            .output()
+            .unwrap();
         (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     let (code, text) = scan(&["--in-process"]);
@@ -366,7 +370,9 @@ fn a_state_that_lies_is_not_used_and_the_result_is_the_same() {
         .iter()
         .map(|&kind| {
             let dir = faulty(kind, 0);
-            let _ = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"]).output();
+            let _ = fmi_hazard(dir.path())
+                .args(["scan", "--no-advice", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"])
+                .output();
             let scan = scan_json(&dir.path().join("o"));
             let restore = scan["self_test"]["restore"]["result"].as_str().unwrap().to_owned();
             assert_eq!(restore == "exact", kind == 0 || kind == 8, "fault {kind}: {restore}");
@@ -386,7 +392,12 @@ fn a_cell_in_which_no_sensor_can_fire_is_inconclusive() {
     // The person starts too far away to reach the mat, or the robot, within the horizon.
     let cell = faulty_cell("faulty.fmu", 0, 0).replace("xy_m = [0, -1.6]", "xy_m = [0, -6]");
     write(dir.path(), "cell.toml", &cell);
-    let output = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--out", "o"]).assert().code(4).get_output().clone();
+    let output = fmi_hazard(dir.path())
+        .args(["scan", "--no-advice", "cell.toml", "--out", "o"])
+        .assert()
+        .code(4)
+        .get_output()
+        .clone();
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("no sensor ever reported the person") && text.contains("Inconclusive"), "{text}");
     assert_eq!(scan_json(&dir.path().join("o"))["verdict"], "inconclusive");

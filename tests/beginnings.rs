@@ -25,8 +25,8 @@ fn cell(dir: &Path, name: &str, human: &str) {
     write(dir, &format!("safety-fence/{name}.toml"), &text);
 }
 
-fn scan<'a>(name: &'a str, out: &'a str) -> [&'a str; 6] {
-    ["scan", name, "--strategy", "exhaustive", "--out", out]
+fn scan<'a>(name: &'a str, out: &'a str) -> [&'a str; 7] {
+    ["scan", "--no-advice", name, "--strategy", "exhaustive", "--out", out]
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
     let dir = dir.path();
     let human = |starts: &str| HUMAN.replace("other_starts = [", &format!("other_starts = [{starts}"));
     cell(dir, "many", HUMAN);
-    let few = ["scan", "safety-fence/many.toml", "--strategy", "random", "--iterations", "8"];
+    let few = ["scan", "--no-advice", "safety-fence/many.toml", "--strategy", "random", "--iterations", "8"];
     fmi_hazard(dir).args(few).args(["--out", "o"]).assert().code(1);
     // One more start in front: what was the third is the fourth.
     cell(dir, "more", &human("{ xy_m = [0.48, -0.75], heading_deg = 90 }, "));
@@ -100,7 +100,17 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
     let said = String::from_utf8_lossy(&verified.get_output().stdout).into_owned();
     assert!(!said.contains("fixed") || said.contains(" 0 fixed") || said.contains("0 of"), "{said}");
     // Known from where it was known; all of the new start's is new.
-    let more = ["scan", "safety-fence/more.toml", "--strategy", "random", "--iterations", "8", "--baseline", "o"];
+    let more = [
+        "scan",
+        "--no-advice",
+        "safety-fence/more.toml",
+        "--strategy",
+        "random",
+        "--iterations",
+        "8",
+        "--baseline",
+        "o",
+    ];
     fmi_hazard(dir).args(more).args(["--begin", "4", "--out", "four"]).assert().code(0);
     assert_eq!(scan_json(&dir.join("four"))["hazards"], known["hazards"]);
     let new = fmi_hazard(dir).args(more).args(["--begin", "2", "--out", "two"]).assert().get_output().clone();

@@ -114,7 +114,7 @@ fn ctrl_c_is_heard_at_any_moment() {
     for (number, (cell, more)) in scans.iter().enumerate() {
         for (moment, after) in moments(number as u64 + 1).enumerate() {
             let out = format!("o{number}-{moment}");
-            let arguments = [&["scan", cell, "--out", &out], *more].concat();
+            let arguments = [&["scan", "--no-advice", cell, "--out", &out], *more].concat();
             let (code, printed, took) = interrupted(dir, &arguments, "States", after);
             times.push(took);
             assert_eq!(code, Some(130), "{cell} after {after:?}: {printed}");
@@ -124,7 +124,17 @@ fn ctrl_c_is_heard_at_any_moment() {
         }
     }
     fmi_hazard(dir)
-        .args(["scan", "safety-fence/cell.toml", "--strategy", "hybrid", "--iterations", "10", "--out", "e"])
+        .args([
+            "scan",
+            "--no-advice",
+            "safety-fence/cell.toml",
+            "--strategy",
+            "hybrid",
+            "--iterations",
+            "10",
+            "--out",
+            "e",
+        ])
         .assert()
         .code(1);
     let id = scan_json(&dir.join("e"))["hazards"][0]["id"].as_str().unwrap().to_owned();
@@ -210,7 +220,7 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     let dir = examples();
     let dir = dir.path();
     let cell = ur5(dir).unwrap_or_else(|| "light-curtain/cell.toml".to_owned());
-    let output = fmi_hazard(dir).args(["scan", &cell, "--time", "6s", "--out", "o"]).output().unwrap();
+    let output = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "6s", "--out", "o"]).output().unwrap();
     let report = assert_valid(&dir.join("o"));
     let hazards = !report["hazards"].as_array().unwrap().is_empty();
     assert_eq!(output.status.code(), Some(if hazards { 1 } else { 4 }), "{}", String::from_utf8_lossy(&output.stderr));
@@ -224,7 +234,7 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     assert!(std::fs::read_to_string(dir.join("o/report.html")).unwrap().contains("its time ended the search"));
     assert!(json(&dir.join("o/run.json")).is_object());
     // Without any limit of its own a wrong one is told.
-    let wrong = fmi_hazard(dir).args(["scan", &cell, "--time", "soon"]).output().unwrap();
+    let wrong = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "soon"]).output().unwrap();
     assert!(wrong.status.code() == Some(2) && String::from_utf8_lossy(&wrong.stderr).contains("90s, 5m or 2h"));
 }
 
@@ -232,7 +242,7 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
 fn going_on_never_leaves_less_than_there_was() {
     let dir = examples();
     let dir = dir.path();
-    let scan = ["scan", "safety-fence/cell.toml", "--strategy", "hybrid", "--out", "o"];
+    let scan = ["scan", "--no-advice", "safety-fence/cell.toml", "--strategy", "hybrid", "--out", "o"];
     let (code, ..) = interrupted(dir, &scan, "32/320 iterations", Duration::from_millis(10));
     assert_eq!(code, Some(130));
     let before = ["scan.json", "hazards.jsonl"].map(|file| std::fs::read(dir.join("o").join(file)).unwrap());

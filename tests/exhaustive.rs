@@ -300,7 +300,7 @@ fn as_often_as_counted(dir: &Path, name: &str, hazardous: u64) {
 fn the_certificate_of_a_repaired_cell_and_the_same_bytes_with_any_number_of_workers() {
     let dir = examples();
     let run = |file: &str, workers: &str, code: i32| {
-        let arguments = ["scan", file, "--strategy", "exhaustive", "--workers", workers, "--out", "out"];
+        let arguments = ["scan", "--no-advice", file, "--strategy", "exhaustive", "--workers", workers, "--out", "out"];
         let output = fmi_hazard(dir.path()).args(arguments).assert().code(code).get_output().clone();
         let text = String::from_utf8(output.stdout).unwrap();
         (scan_json(&dir.path().join("out")), text.split_whitespace().collect::<Vec<_>>().join(" "))
@@ -330,8 +330,17 @@ fn the_certificate_of_a_repaired_cell_and_the_same_bytes_with_any_number_of_work
 fn a_spent_budget_is_said_and_what_was_found_stays() {
     let dir = examples();
     cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 5");
-    let arguments =
-        ["scan", "two-scanners/changed.toml", "--strategy", "exhaustive", "--max-states", "600", "--out", "out"];
+    let arguments = [
+        "scan",
+        "--no-advice",
+        "two-scanners/changed.toml",
+        "--strategy",
+        "exhaustive",
+        "--max-states",
+        "600",
+        "--out",
+        "out",
+    ];
     let output = fmi_hazard(dir.path()).args(arguments).assert().code(1).get_output().clone();
     let text = String::from_utf8(output.stdout).unwrap();
     let result = scan_json(&dir.path().join("out"));
@@ -347,7 +356,7 @@ fn no_strategy_meets_a_hazard_that_the_exhaustive_search_does_not() {
     let dir = examples();
     cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 4\nreach_tolerance_m = 0.05");
     let run = |strategy: &str, more: &[&str]| {
-        let arguments = ["scan", "two-scanners/changed.toml", "--strategy", strategy, "--out", "out"];
+        let arguments = ["scan", "--no-advice", "two-scanners/changed.toml", "--strategy", strategy, "--out", "out"];
         fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1);
         scan_json(&dir.path().join("out"))
     };

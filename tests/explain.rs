@@ -25,7 +25,7 @@ fn short(dir: &Path, example: &str, actions: u32) -> String {
 fn hazards(dir: &Path, example: &str, text: &str) -> Vec<(String, String)> {
     std::fs::write(dir.join(example).join("changed.toml"), text).unwrap();
     let cell = format!("{example}/changed.toml");
-    let (code, _, said) = ran(dir, &["scan", &cell, "--strategy", "exhaustive", "--out", "changed"]);
+    let (code, _, said) = ran(dir, &["scan", "--no-advice", &cell, "--strategy", "exhaustive", "--out", "changed"]);
     assert!(code.is_some_and(|code| code < 2), "{said}");
     let scan = json(&dir.join("changed/scan.json"));
     assert_eq!(scan["certificate"]["complete"], true);
@@ -143,7 +143,8 @@ fn a_scan_of_an_fmu_with_a_cell_file_elsewhere_is_explained_and_replayed_from_wh
     let text = short(dir, "head-collision", 5).replace("fmu = \"head-collision.fmu\"\n", "");
     std::fs::write(dir.join("mine.toml"), &text).unwrap();
     let fmu = "head-collision/head-collision.fmu";
-    let (code, _, said) = ran(dir, &["scan", fmu, "--cell", "mine.toml", "--strategy", "exhaustive", "--out", "first"]);
+    let (code, _, said) =
+        ran(dir, &["scan", "--no-advice", fmu, "--cell", "mine.toml", "--strategy", "exhaustive", "--out", "first"]);
     assert_eq!(code, Some(1), "{said}");
     let id = json(&dir.join("first/scan.json"))["hazards"][0]["id"].as_str().unwrap().to_owned();
     let (code, _, said) = ran(dir, &["explain", "first", &id, "--no-changes"]);
@@ -176,7 +177,7 @@ fn a_zone_that_reaches_the_start_and_one_that_stops_nothing_remove_nothing() {
     std::fs::copy(common::test_fmus().join("faulty.fmu"), dir.join("faulty.fmu")).unwrap();
     // A turning table with a mat beside which the person starts.
     std::fs::write(dir.join("cell.toml"), nearer(&faulty_cell("faulty.fmu", 0, 0))).unwrap();
-    let (code, _, said) = ran(dir, &["scan", "cell.toml", "--strategy", "hybrid", "--out", "out"]);
+    let (code, _, said) = ran(dir, &["scan", "--no-advice", "cell.toml", "--strategy", "hybrid", "--out", "out"]);
     assert_eq!(code, Some(1), "{said}");
     let id = json(&dir.join("out/scan.json"))["hazards"][0]["id"].as_str().unwrap().to_owned();
     let (code, text, said) = ran(dir, &["explain", "out", &id, "--format", "json"]);

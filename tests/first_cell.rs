@@ -185,7 +185,7 @@ fn check_tells_all_problems_at_once_and_draws_what_is_right() {
         assert!(said.contains(words), "`{words}`: {said}");
     }
     assert!(code == 2 && out.contains("types.toml: 9 problems"), "{out} {said}");
-    let (code, _, said) = run(dir.path(), &["scan", "sensor-mat/types.toml"]);
+    let (code, _, said) = run(dir.path(), &["scan", "--no-advice", "sensor-mat/types.toml"]);
     assert!(code == 2 && said.contains("integer `3`") && said.contains("no joint `joint_66`"), "{said}");
     // Unknown keys do not hide one another.
     let unknown = text.replacen("moving_mass_kg", "moving_mas_kg", 1).replacen("heading_deg", "heding_deg", 1);
@@ -239,7 +239,7 @@ fn a_wrong_polarity_is_told_before_a_scan() {
         let wrong = text.replacen("active = false", "active = true", 1);
         assert_ne!(text, wrong);
         write(&folder, "wrong.toml", &wrong);
-        let scan = ["scan", "wrong.toml", "--out", "o", "--iterations", "5", "--strategy", "random"];
+        let scan = ["scan", "--no-advice", "wrong.toml", "--out", "o", "--iterations", "5", "--strategy", "random"];
         let (_, _, said) = run(&folder, &scan);
         let (warned, searched) = (said.find("wrong polarity").unwrap(), said.find("iterations").unwrap());
         assert!(
@@ -258,7 +258,7 @@ fn a_wrong_polarity_is_told_before_a_scan() {
             "{out}"
         );
         // And not where it is right.
-        let right = ["scan", "cell.toml", "--out", "r", "--iterations", "5", "--strategy", "random"];
+        let right = ["scan", "--no-advice", "cell.toml", "--out", "r", "--iterations", "5", "--strategy", "random"];
         assert!(!run(&folder, &right).2.contains("wrong polarity"));
         assert!(!run(&folder, &["check", "cell.toml"]).2.contains("Warning"));
     }
@@ -309,7 +309,7 @@ fn a_packed_fmu_is_scanned_alone_and_is_otherwise_the_same() {
     std::fs::copy(folder.join("sensor-mat-packed.fmu"), alone.path().join("x.fmu")).unwrap();
     let budget = ["--iterations", "20", "--strategy", "random"];
     let scan = |dir: &Path, what: &str| {
-        let (code, _, said) = run(dir, &[&["scan", what, "--out", "o"], &budget[..]].concat());
+        let (code, _, said) = run(dir, &[&["scan", "--no-advice", what, "--out", "o"], &budget[..]].concat());
         assert!([0, 1, 4].contains(&code), "{said}");
         scan_json(&dir.join("o"))
     };

@@ -18,7 +18,10 @@ fn faulty(kind: i32, step: i32) -> tempfile::TempDir {
 }
 
 fn coverage(dir: &Path) -> serde_json::Value {
-    let _ = fmi_hazard(dir).args(["scan", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"]).output().unwrap();
+    let _ = fmi_hazard(dir)
+        .args(["scan", "--no-advice", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"])
+        .output()
+        .unwrap();
     scan_json(&dir.join("o"))["coverage"].clone()
 }
 
@@ -33,7 +36,7 @@ fn an_fmu_that_ends_the_simulation_or_lies_about_its_time_is_exit_code_3() {
     for (kind, words) in [(3, "iscard"), (11, "asked to end the simulation"), (13, "0.1")] {
         let dir = faulty(kind, 5);
         let output = fmi_hazard(dir.path())
-            .args(["scan", "cell.toml", "--strategy", "mcts-dpw"])
+            .args(["scan", "--no-advice", "cell.toml", "--strategy", "mcts-dpw"])
             .assert()
             .code(3)
             .get_output()
@@ -106,7 +109,10 @@ fn array_elements_can_be_bound_and_other_types_are_refused_in_words() {
     write(dir.path(), "array.toml", &angle("sized_array[1]"));
     let of = |file: &str| {
         let out = file.replace(".toml", "-out");
-        let _ = fmi_hazard(dir.path()).args(["scan", file, "--strategy", "mcts-dpw", "--out", &out]).output().unwrap();
+        let _ = fmi_hazard(dir.path())
+            .args(["scan", "--no-advice", file, "--strategy", "mcts-dpw", "--out", &out])
+            .output()
+            .unwrap();
         scan_json(&dir.path().join(out))["coverage"].clone()
     };
     // The first element is q itself.
@@ -118,7 +124,8 @@ fn array_elements_can_be_bound_and_other_types_are_refused_in_words() {
         ("Binary.output", "Binary"),
     ] {
         write(dir.path(), "wrong.toml", &angle(variable));
-        let output = fmi_hazard(dir.path()).args(["scan", "wrong.toml"]).assert().code(2).get_output().clone();
+        let output =
+            fmi_hazard(dir.path()).args(["scan", "--no-advice", "wrong.toml"]).assert().code(2).get_output().clone();
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(text.contains(words), "{variable}: {text}");
     }

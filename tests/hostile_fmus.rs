@@ -417,8 +417,10 @@ fn an_fmu_that_fails_on_the_way_leaves_valid_results_and_unevaluated_sequences()
     std::fs::write(dir.path().join("x.fmu"), with_binary(|_| library.clone())).unwrap();
     let cell = common::faulty_cell("x.fmu", 0, 0).replace("[parameters]\n\"fault.kind\" = 0\n\"fault.step\" = 0\n", "");
     common::write(dir.path(), "cell.toml", &cell.replace("iterations = 12", "iterations = 400"));
-    let output =
-        fmi_hazard(dir.path()).args(["scan", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"]).output().unwrap();
+    let output = fmi_hazard(dir.path())
+        .args(["scan", "--no-advice", "cell.toml", "--strategy", "mcts-dpw", "--out", "o"])
+        .output()
+        .unwrap();
     let scan = common::scan_json(&dir.path().join("o"));
     assert!(scan["coverage"]["episodes_not_evaluated"].as_u64().unwrap() > 0, "{}", scan["coverage"]);
     assert!(scan["faults"][0]["message"].as_str().unwrap().contains("fmi2DoStep"), "{}", scan["faults"]);
@@ -456,7 +458,7 @@ fn an_fmu_that_ends_a_scan_leaves_what_was_found_until_then() {
             let _ = std::fs::remove_dir_all(dir.join("o"));
             std::fs::write(&most, licence.to_string()).unwrap();
             let (code, stdout, stderr) =
-                run(dir, &["scan", "cell.toml", "--trust-fmu", "--strategy", strategy, "--out", "o"]);
+                run(dir, &["scan", "--no-advice", "cell.toml", "--trust-fmu", "--strategy", strategy, "--out", "o"]);
             (code, stdout, stderr, std::fs::metadata(&count).unwrap().len())
         };
         let (code, _, stderr, needed) = scan(u64::MAX / 2);

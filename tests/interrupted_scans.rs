@@ -21,7 +21,7 @@ fn an_exhaustive_search_goes_on_where_it_was() {
     let dir = dir.path();
     let cell = std::fs::read_to_string(dir.join("heavy-workpiece/cell.toml")).unwrap();
     std::fs::write(dir.join("heavy-workpiece/short.toml"), cell + "\n[search]\nactions = 7\n").unwrap();
-    let scan = |out| ["scan", "heavy-workpiece/short.toml", "--strategy", "exhaustive", "--out", out];
+    let scan = |out| ["scan", "--no-advice", "heavy-workpiece/short.toml", "--strategy", "exhaustive", "--out", out];
     fmi_hazard(dir).args(scan("whole")).assert().code(1);
     assert!(!dir.join("whole/resume.json").exists() && !dir.join("whole/journal.bin").exists());
     for (out, signal, code) in [("stopped", "-INT", Some(130)), ("killed", "-KILL", None)] {
@@ -55,7 +55,7 @@ fn an_exhaustive_search_goes_on_where_it_was() {
 fn a_changed_cell_is_not_gone_on_with() {
     let dir = examples();
     let dir = dir.path();
-    let scan = ["scan", "heavy-workpiece/cell.toml", "--strategy", "exhaustive", "--out", "o"];
+    let scan = ["scan", "--no-advice", "heavy-workpiece/cell.toml", "--strategy", "exhaustive", "--out", "o"];
     assert_eq!(interrupted(dir, &scan, "action 5 of 8", "-INT"), Some(130));
     let path = dir.join("heavy-workpiece/cell.toml");
     let cell = std::fs::read_to_string(&path).unwrap();
@@ -69,7 +69,9 @@ fn a_changed_cell_is_not_gone_on_with() {
 fn a_strategy_is_run_again_with_the_same_result() {
     let dir = examples();
     let dir = dir.path();
-    let scan = |out| ["scan", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "40", "--out", out];
+    let scan = |out| {
+        ["scan", "--no-advice", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "40", "--out", out]
+    };
     let code = fmi_hazard(dir).args(scan("whole")).assert().get_output().status.code();
     assert_eq!(interrupted(dir, &scan("stopped"), "States", "-INT"), Some(130));
     let again = fmi_hazard(dir).args(["scan", "--resume", "stopped"]).assert().get_output().status.code();
@@ -85,7 +87,7 @@ fn of_several_beginnings_those_that_ended_are_not_searched_again() {
     let cell = std::fs::read_to_string(dir.join("safety-fence/cell.toml")).unwrap();
     let several = "[search]\nactions = 4\n[human]\nbegins_s = [0, 0.8, 1.6]";
     std::fs::write(dir.join("safety-fence/many.toml"), cell.replace("[human]", several)).unwrap();
-    let scan = |out| ["scan", "safety-fence/many.toml", "--strategy", "exhaustive", "--out", out];
+    let scan = |out| ["scan", "--no-advice", "safety-fence/many.toml", "--strategy", "exhaustive", "--out", out];
     let code = fmi_hazard(dir).args(scan("whole")).assert().get_output().status.code();
     assert_eq!(interrupted(dir, &scan("stopped"), "Begins  2 of 3", "-INT"), Some(130));
     let again = fmi_hazard(dir).args(["scan", "--resume", "stopped"]).assert().get_output().clone();

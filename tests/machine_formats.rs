@@ -21,8 +21,16 @@ fn tables_cases_logs_and_traces_are_read_by_others() {
     let dir = examples();
     let dir = dir.path();
     for example in ["head-collision", "safety-fence", "two-scanners"] {
-        let code = scan(dir, &format!("{example}/cell.toml"), "out", &[]);
+        // One with advice, which is in all of them then.
+        let more: &[&str] = if example == "head-collision" { &[] } else { &["--no-advice"] };
+        let code = scan(dir, &format!("{example}/cell.toml"), "out", more);
         assert_eq!(code, Some(1));
+        let of_worst = &scan_json(&dir.join("out"))["causes"][0]["advice"];
+        assert_eq!(of_worst.is_null(), !more.is_empty());
+        if let Some(change) = of_worst["changes"][0]["change"].as_str() {
+            assert!(std::fs::read_to_string(dir.join("out/causes.csv")).unwrap().contains(change), "{change}");
+            assert!(std::fs::read_to_string(dir.join("out/report.html")).unwrap().contains(change), "{change}");
+        }
         let said = read_by_others(&dir.join("out"), Some(&dir.join(example).join(format!("{example}.fmu"))));
         assert!(!said.contains(": 0 "), "{said}");
         // Typed, too.
@@ -42,9 +50,9 @@ fn tables_cases_logs_and_traces_are_read_by_others() {
         std::fs::remove_dir_all(dir.join("out")).unwrap();
     }
     // No hazard, and several FMUs, which have no traces.
-    assert_eq!(scan(dir, "heavy-workpiece/fixed.toml", "none", &[]), Some(0));
+    assert_eq!(scan(dir, "heavy-workpiece/fixed.toml", "none", &["--no-advice"]), Some(0));
     read_by_others(&dir.join("none"), None);
-    assert!(scan(dir, "sensor-mat/coupled.toml", "coupled", &[]).is_some_and(|code| code < 2));
+    assert!(scan(dir, "sensor-mat/coupled.toml", "coupled", &["--no-advice"]).is_some_and(|code| code < 2));
     read_by_others(&dir.join("coupled"), None);
     let files = std::fs::read_dir(dir.join("coupled")).unwrap().flatten();
     assert!(files.map(|file| file.file_name()).all(|name| !name.to_string_lossy().contains(".inputs.")));
@@ -55,8 +63,8 @@ fn known_hazards_do_not_fail_a_pipeline_and_new_ones_do() {
     let dir = examples();
     let dir = dir.path();
     let cell = "head-collision/cell.toml";
-    assert_eq!(scan(dir, cell, "first", &[]), Some(1));
-    assert_eq!(scan(dir, cell, "again", &["--baseline", "first"]), Some(0));
+    assert_eq!(scan(dir, cell, "first", &["--no-advice"]), Some(1));
+    assert_eq!(scan(dir, cell, "again", &["--no-advice", "--baseline", "first"]), Some(0));
     let said = read_by_others(&dir.join("again"), None);
     assert!(said.contains(" 0 failures, 1 skipped"), "{said}");
     // A baseline that lacks one of them, and in which another was less hard.
@@ -66,7 +74,7 @@ fn known_hazards_do_not_fail_a_pipeline_and_new_ones_do() {
     let less = first["hazards"][0]["id"].as_str().unwrap().to_owned();
     first["hazards"][0]["ratio"] = serde_json::json!(0.5);
     std::fs::write(&path, first.to_string()).unwrap();
-    assert_eq!(scan(dir, cell, "again", &["--baseline", "first/scan.json"]), Some(1));
+    assert_eq!(scan(dir, cell, "again", &["--no-advice", "--baseline", "first/scan.json"]), Some(1));
     let cases = std::fs::read_to_string(dir.join("again/junit.xml")).unwrap();
     // They are of one cause, whose test case says what is new in it.
     let case = cases.split("<testcase").find(|case| case.contains("C-")).unwrap();
@@ -79,7 +87,7 @@ fn known_hazards_do_not_fail_a_pipeline_and_new_ones_do() {
     // A cause of which all that is there is known, but less hard.
     first["hazards"].as_array_mut().unwrap().insert(0, scan_json(&dir.join("again"))["hazards"][0].clone());
     std::fs::write(&path, first.to_string()).unwrap();
-    assert_eq!(scan(dir, cell, "again", &["--baseline", "first/scan.json"]), Some(1));
+    assert_eq!(scan(dir, cell, "again", &["--no-advice", "--baseline", "first/scan.json"]), Some(1));
     let cases = std::fs::read_to_string(dir.join("again/junit.xml")).unwrap();
     assert!(cases.contains("type=\"hazard that became worse\""), "{cases}");
 }

@@ -163,7 +163,7 @@ fn a_fence_from_a_file_has_the_hazards_of_the_fence_given_by_hand_and_travels_wi
     }
     write(&folder, "by-file.toml", &toml::to_string(&table).unwrap());
     let scan = |cell: &str, out: &str| {
-        let arguments = ["scan", cell, "--out", out, "--iterations", "30", "--strategy", "mcts-dpw"];
+        let arguments = ["scan", "--no-advice", cell, "--out", out, "--iterations", "30", "--strategy", "mcts-dpw"];
         fmi_hazard(&folder).args(arguments).assert().code(1);
         scan_json(&folder.join(out))
     };

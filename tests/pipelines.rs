@@ -112,7 +112,7 @@ fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
     let repository = repository();
     let dir = repository.path();
     let scan = |more: &[&str]| {
-        let arguments = ["scan", "cell/cell.toml", "--out", "out"];
+        let arguments = ["scan", "--no-advice", "cell/cell.toml", "--out", "out"];
         fmi_hazard(dir).args(arguments).args(more).output().unwrap().status.code()
     };
     assert_eq!(scan(&["--write-baseline"]), Some(1));
@@ -138,7 +138,8 @@ fn the_command_in_the_report_gives_the_same_result_in_its_folder() {
     let cell = dir.join("it's a cell.toml");
     let text = fs::read_to_string(dir.join("head-collision/cell.toml")).unwrap();
     fs::write(&cell, text.replace("fmu = \"head-collision.fmu\"\n", "") + "\n[search]\nactions = 4\n").unwrap();
-    let scan = ["scan", "head-collision/head-collision.fmu", "--cell", "it's a cell.toml", "--out", "first"];
+    let scan =
+        ["scan", "--no-advice", "head-collision/head-collision.fmu", "--cell", "it's a cell.toml", "--out", "first"];
     for more in [
         &["--strategy", "exhaustive", "--max-states", "50", "--merge", "history", "--workers", "1"][..],
         &["--strategy", "random", "--iterations", "30", "--seed", "7", "--paper-iterations", "--state", "replay"],
@@ -185,7 +186,7 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
     };
     // However the cell is named.
     let cell = first.join("cells/cell.toml").display().to_string();
-    let scan = ["scan", &cell, "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"];
+    let scan = ["scan", "--no-advice", &cell, "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"];
     let (code, _, text) = ran(&first, &scan);
     assert_eq!(code, Some(1), "{text}");
     let result = json(&first.join("results/a/scan.json"));
@@ -220,7 +221,7 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
     assert_eq!(code, Some(0), "{text}");
     // A scan that was interrupted before goes on there.
     let rest = serde_json::json!({
-        "arguments": ["cells/cell.toml", "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"],
+        "arguments": ["--no-advice", "cells/cell.toml", "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"],
         "folder": "../..",
     });
     fs::write(moved.join("results/a/resume.json"), rest.to_string()).unwrap();

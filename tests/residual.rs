@@ -78,7 +78,8 @@ fn the_figures_cover_what_the_exhaustive_search_counts() {
 fn only_random_sequences_of_a_search_that_ran_as_fixed_are_counted_each_by_its_own_end() {
     let dir = examples();
     let scan = |more: &[&str]| {
-        let arguments = ["scan", "heavy-workpiece/cell.toml", "--iterations", "100", "--out", "out", "--strategy"];
+        let arguments =
+            ["scan", "--no-advice", "heavy-workpiece/cell.toml", "--iterations", "100", "--out", "out", "--strategy"];
         let output = fmi_hazard(dir.path()).args(arguments).args(more).output().unwrap();
         (scan_json(&dir.path().join("out"))["residual"].clone(), String::from_utf8(output.stdout).unwrap())
     };
@@ -104,7 +105,7 @@ fn a_scan_by_default_says_whether_it_is_complete() {
     let near = text.replace("xy_m = [1.6, -1.2]", "xy_m = [1.3, -1.1]") + "\n[search]\nactions = 4\niterations = 50\n";
     write(&dir.path().join("heavy-workpiece"), "near.toml", &near);
     let scan = |more: &[&str]| {
-        let arguments = ["scan", "-v", "heavy-workpiece/near.toml", "--out", "out"];
+        let arguments = ["scan", "--no-advice", "-v", "heavy-workpiece/near.toml", "--out", "out"];
         let output = fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1).get_output().clone();
         let told = String::from_utf8(output.stderr).unwrap();
         let mut ids: Vec<&str> =

@@ -150,7 +150,7 @@ fn as_urdf(cell: &toml::Table) -> String {
 /// Who is hit where and how hard; not the names of links, which are others in a URDF.
 fn hits(dir: &Path, cell: &str) -> Vec<(String, f64, String)> {
     fmi_hazard(dir)
-        .args(["scan", cell, "--out", "out", "--iterations", "60", "--strategy", "mcts-dpw"])
+        .args(["scan", "--no-advice", cell, "--out", "out", "--iterations", "60", "--strategy", "mcts-dpw"])
         .assert()
         .code(1);
     let scan = scan_json(&dir.join("out"));
@@ -252,7 +252,8 @@ fn speeds_that_the_fmu_does_not_give_are_differentiated_and_marked() {
         }
         assert!(compared > 50, "{name}: {compared} instants");
         assert!(fastest > 0.5, "{name} moves: {fastest} m/s");
-        let arguments = ["scan", "bare.toml", "--out", "o", "--iterations", "40", "--strategy", "mcts-dpw"];
+        let arguments =
+            ["scan", "--no-advice", "bare.toml", "--out", "o", "--iterations", "40", "--strategy", "mcts-dpw"];
         let output = fmi_hazard(&folder).args(arguments).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(said.contains("differentiated"), "{said}");
@@ -331,7 +332,17 @@ fn a_box_taken_exactly_from_a_mesh_has_the_hazards_of_its_hull() {
     let shapes = [("hull", format!("hull_m = {corners:?}")), ("mesh", mesh("")), ("exact", mesh(", exact = true"))];
     let scans = shapes.map(|(name, shape)| {
         write(&folder, &format!("{name}.toml"), &text.replace(sphere, &shape));
-        let arguments = ["scan", &format!("{name}.toml"), "--out", name, "--iterations", "60", "--strategy", "random"];
+        let arguments = [
+            "scan",
+            "--no-advice",
+            &format!("{name}.toml"),
+            "--out",
+            name,
+            "--iterations",
+            "60",
+            "--strategy",
+            "random",
+        ];
         fmi_hazard(&folder).args(arguments).assert().code(1);
         scan_json(&folder.join(name))
     });

@@ -69,7 +69,7 @@ fn an_fmu_alone_carries_its_cell() {
     let dir = examples();
     let alone = dir.path().join("alone.fmu");
     std::fs::copy(dir.path().join("safety-fence/safety-fence.fmu"), &alone).unwrap();
-    let args = ["scan", "alone.fmu", "--stop-at", "first", "--out", "o", "--format", "json"];
+    let args = ["scan", "--no-advice", "alone.fmu", "--stop-at", "first", "--out", "o", "--format", "json"];
     let output = fmi_hazard(dir.path()).args(args).assert().code(1).get_output().clone();
     let scan: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(scan, scan_json(&dir.path().join("o")));
@@ -82,7 +82,8 @@ fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
     let mut near = f64::MAX;
     for seed in 1..=10 {
         let seed = seed.to_string();
-        let args = ["scan", "safety-fence/fixed.toml", "--strategy", "mcts-dpw", "--seed", &seed, "--out", "o"];
+        let args =
+            ["scan", "--no-advice", "safety-fence/fixed.toml", "--strategy", "mcts-dpw", "--seed", &seed, "--out", "o"];
         fmi_hazard(dir.path()).args(args).assert().code(0);
         let scan = scan_json(&dir.path().join("o"));
         let coverage = &scan["coverage"];
@@ -104,7 +105,7 @@ fn starts_right_at_the_repaired_slot_find_nothing_either() {
         assert_ne!(text, fixed);
         std::fs::write(dir.path().join("safety-fence/near.toml"), text).unwrap();
         for strategy in ["mcts-dpw", "random"] {
-            let args = ["scan", "safety-fence/near.toml", "--strategy", strategy, "--out", "o"];
+            let args = ["scan", "--no-advice", "safety-fence/near.toml", "--strategy", strategy, "--out", "o"];
             fmi_hazard(dir.path()).args(args).assert().code(0);
         }
     }

@@ -12,7 +12,7 @@ fn twice_the_same_scan_gives_the_same_bytes() {
     let dir = examples();
     for out in ["a", "b"] {
         fmi_hazard(dir.path())
-            .args(["scan", CELL, "--strategy", "mcts-dpw", "--iterations", "60", "--out", out])
+            .args(["scan", "--no-advice", CELL, "--strategy", "mcts-dpw", "--iterations", "60", "--out", out])
             .assert()
             .code(1);
     }
@@ -28,7 +28,19 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
     for strategy in ["mcts-dpw", "random"] {
         let scan = |state: &str, extra: &[&str]| {
             let out = format!("{strategy}-{state}");
-            let args = ["scan", CELL, "--iterations", "25", "--strategy", strategy, "--state", state, "--out", &out];
+            let args = [
+                "scan",
+                "--no-advice",
+                CELL,
+                "--iterations",
+                "25",
+                "--strategy",
+                strategy,
+                "--state",
+                state,
+                "--out",
+                &out,
+            ];
             fmi_hazard(dir.path()).args(args).args(extra).assert().code(1);
             let read = |file: &str| std::fs::read_to_string(dir.path().join(&out).join(file)).unwrap();
             (read("scan.json"), serde_json::from_str::<serde_json::Value>(&read("run.json")).unwrap())
@@ -45,7 +57,7 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
 fn every_recorded_hazard_replays_to_the_last_bit() {
     let dir = examples();
     fmi_hazard(dir.path())
-        .args(["scan", CELL, "--strategy", "mcts-dpw", "--iterations", "200", "--out", "o"])
+        .args(["scan", "--no-advice", CELL, "--strategy", "mcts-dpw", "--iterations", "200", "--out", "o"])
         .assert()
         .code(1);
     let scan = scan_json(&dir.path().join("o"));
@@ -73,7 +85,8 @@ fn the_number_of_workers_does_not_matter() {
 fn the_posture_sweep_changes_what_is_found_but_not_where_the_search_goes() {
     let dir = examples();
     let scan = |out: &str, extra: &[&str]| {
-        let args = ["scan", CELL, "--strategy", "random", "--iterations", "100", "--seed", "4", "--out", out];
+        let args =
+            ["scan", "--no-advice", CELL, "--strategy", "random", "--iterations", "100", "--seed", "4", "--out", out];
         let _ = fmi_hazard(dir.path()).args(args).args(extra).assert();
         let _ = fmi_hazard(dir.path()).args(args).args(extra).output();
         scan_json(&dir.path().join(out))

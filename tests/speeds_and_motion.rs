@@ -98,7 +98,7 @@ fn cell_with(fmu: &str, kind: i32, step: i32, speed: &str) -> String {
 /// Exit code, what is said, and `scan.json` of an exhaustive scan.
 fn scan(dir: &Path, cell: &str, state: &str) -> (i32, String, Value) {
     let mut scan = fmi_hazard(dir);
-    let scan = scan.args(["scan", cell, "--out", "out", "--strategy", "exhaustive", "--state", state]);
+    let scan = scan.args(["scan", "--no-advice", cell, "--out", "out", "--strategy", "exhaustive", "--state", state]);
     let output = scan.output().unwrap();
     let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
     (output.status.code().unwrap(), text, scan_json(&dir.join("out")))
@@ -281,8 +281,11 @@ fn sensors_are_tried_with_people_at_many_places_and_starts_in_a_field_are_told()
     let end = start + text[start..].find('\n').unwrap();
     let on_mat = text.replace(&text[start..end], "start = { xy_m = [0, -0.5], heading_deg = 90 }");
     write(&folder, "inside.toml", &on_mat);
-    for arguments in [&["check"][..], &["probe"], &["scan", "--iterations", "2", "--strategy", "random", "--out", "o"]]
-    {
+    for arguments in [
+        &["check"][..],
+        &["probe"],
+        &["scan", "--no-advice", "--iterations", "2", "--strategy", "random", "--out", "o"],
+    ] {
         let output = fmi_hazard(&folder).args(arguments).arg("inside.toml").output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(said.contains("the person starts at (0.00, -0.50) m where"), "{arguments:?}: {said}");

@@ -97,7 +97,7 @@ fn scan_in(dir: &Path, fmu: &str, lie: i32, more: &[&str]) -> Ran {
     std::fs::copy(test_fmus().join(fmu), dir.join("x.fmu")).unwrap();
     write(dir, "cell.toml", &cell(lie));
     let strategy = if more.contains(&"--strategy") { &[][..] } else { &["--strategy", "exhaustive"] };
-    let args = ["scan", "cell.toml", "--workers", "1", "--out", "o"];
+    let args = ["scan", "--no-advice", "cell.toml", "--workers", "1", "--out", "o"];
     let output = fmi_hazard(dir).args(args).args(strategy).args(more).output().unwrap();
     let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(dir.join("o/scan.json").is_file(), "{stderr}");

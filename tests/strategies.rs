@@ -17,7 +17,8 @@ fn each_finds_the_hazard_of_the_fence_and_repeats_itself() {
     for (strategy, iterations) in [("plan", "2"), ("hybrid", "6")] {
         let scan = |out: &str| {
             let out = format!("{strategy}-{out}");
-            let args = ["scan", CELL, "--strategy", strategy, "--iterations", iterations, "--paper-iterations"];
+            let args =
+                ["scan", "--no-advice", CELL, "--strategy", strategy, "--iterations", iterations, "--paper-iterations"];
             fmi_hazard(dir.path()).args(args).args(["--out", &out]).assert().code(1);
             std::fs::read(dir.path().join(out).join("scan.json")).unwrap()
         };
@@ -33,7 +34,17 @@ fn each_finds_the_hazard_of_the_fence_and_repeats_itself() {
 fn ways_of_bringing_states_back_do_not_change_what_is_imagined() {
     let dir = examples();
     let scan = |state: &str| {
-        let args = ["scan", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "8", "--state", state];
+        let args = [
+            "scan",
+            "--no-advice",
+            "sensor-mat/cell.toml",
+            "--strategy",
+            "hybrid",
+            "--iterations",
+            "8",
+            "--state",
+            state,
+        ];
         let _ = fmi_hazard(dir.path()).args(args).args(["--out", state]).output();
         scan_json(&dir.path().join(state))
     };

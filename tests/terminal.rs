@@ -9,7 +9,8 @@ use std::process::{Command, Output, Stdio};
 
 use common::{examples, fmi_hazard};
 
-const SCAN: [&str; 6] = ["scan", "head-collision/cell.toml", "--strategy", "hybrid", "--iterations", "10"];
+const SCAN: [&str; 7] =
+    ["scan", "--no-advice", "head-collision/cell.toml", "--strategy", "hybrid", "--iterations", "10"];
 
 fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let Output { status, stdout, stderr } = fmi_hazard(dir).args(arguments).output().unwrap();
@@ -42,7 +43,7 @@ fn quiet_says_results_and_warnings_only_and_verbose_says_more() {
     let (_, json, said) = ran(dir, &[&["-q"], &SCAN[..], &["--format", "json"]].concat());
     assert!(said.is_empty() && serde_json::from_str::<serde_json::Value>(&json).is_ok());
     // Errors are told all the same.
-    let (code, _, said) = ran(dir, &["-q", "scan", "nowhere.toml"]);
+    let (code, _, said) = ran(dir, &["-q", "scan", "--no-advice", "nowhere.toml"]);
     assert!(code == Some(2) && said.contains("nowhere.toml"), "{said}");
     let (code, _, said) = ran(dir, &["-q", "-v", "schema"]);
     assert!(code == Some(2) && said.contains("cannot be used with"), "{said}");
@@ -92,9 +93,9 @@ fn bars_and_colours_are_for_terminals_and_colours_only_if_wanted() {
     let shown = on_a_terminal(dir, &[&["-q"], &SCAN[..]].concat(), false);
     assert!(!shown.contains("Scanning [") && !shown.contains("Loaded") && shown.contains("confirmed by"), "{shown}");
     // An error is coloured, but not against the user's wish.
-    let wrong = ["scan", "head-collision/wrong.toml"];
+    let wrong = ["scan", "--no-advice", "head-collision/wrong.toml"];
     let cell = std::fs::read_to_string(dir.join("head-collision/cell.toml")).unwrap();
-    std::fs::write(dir.join(wrong[1]), cell.replace("moving_mass_kg", "moving_mas_kg")).unwrap();
+    std::fs::write(dir.join(wrong[2]), cell.replace("moving_mass_kg", "moving_mas_kg")).unwrap();
     let shown = on_a_terminal(dir, &wrong, false);
     assert!(coloured(&shown) && shown.contains("moving_mass_kg"), "{shown:?}");
     let plain = on_a_terminal(dir, &wrong, true);

@@ -46,7 +46,7 @@ fn with_variants() -> tempfile::TempDir {
 }
 
 fn scan(dir: &Path, cell: &str, out: &str) -> (Option<i32>, String) {
-    let (code, _, said) = ran(dir, &["scan", cell, "--strategy", "exhaustive", "--out", out]);
+    let (code, _, said) = ran(dir, &["scan", "--no-advice", cell, "--strategy", "exhaustive", "--out", out]);
     (code, said)
 }
 
@@ -355,7 +355,8 @@ fn scans_go_on_only_while_what_is_extended_is_the_same() {
     let dir = dir.path();
     let several = FLAWED.replace("[human]", "[human]\nbegins_s = [0, 0.4]");
     write(dir, "sensor-mat/variants/several.toml", &several);
-    let arguments = ["scan", "sensor-mat/variants/several.toml", "--strategy", "exhaustive", "--out", "o"];
+    let arguments =
+        ["scan", "--no-advice", "sensor-mat/variants/several.toml", "--strategy", "exhaustive", "--out", "o"];
     assert_eq!(ran(dir, &arguments).0, Some(1));
     let table = json(&dir.join("o/beginnings.json"));
     assert_eq!(table["files"][0]["path"], "../fixed.toml");
@@ -379,8 +380,8 @@ fn scans_go_on_only_while_what_is_extended_is_the_same() {
 fn on_page(page: &str) -> Vec<String> {
     let text =
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/src/howto").join(page)).unwrap();
-    let blocks = text.split("```toml\n").skip(1);
-    blocks.map(|block| block.split("```").next().unwrap().to_owned()).collect()
+    let blocks = text.split("```toml").skip(1).map(|block| block.split("```").next().unwrap());
+    blocks.map(|block| block.split_once('\n').unwrap().1.to_owned()).collect()
 }
 
 #[test]

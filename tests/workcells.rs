@@ -91,7 +91,7 @@ const FLAWS: [Flaw; 6] = [
 
 fn scan(dir: &Path, cell: &str, arguments: &[&str]) -> Value {
     let out = format!("out-{}", cell.replace(['/', '.'], "-"));
-    let _ = fmi_hazard(dir).args(["scan", cell, "--out", &out]).args(arguments).output().unwrap();
+    let _ = fmi_hazard(dir).args(["scan", "--no-advice", cell, "--out", &out]).args(arguments).output().unwrap();
     scan_json(&dir.join(out))
 }
 
@@ -274,7 +274,17 @@ fn an_fmu_for_one_instance_in_a_process_gives_the_same_hazards() {
     let dir = examples();
     std::fs::copy(test_fmus().join("sensor-mat-once.fmu"), dir.path().join("once.fmu")).unwrap();
     let scan = |fmu: &str, extra: &[&str]| {
-        let arguments = ["scan", fmu, "--cell", "sensor-mat/cell.toml", "--strategy", "hybrid", "--iterations", "15"];
+        let arguments = [
+            "scan",
+            "--no-advice",
+            fmu,
+            "--cell",
+            "sensor-mat/cell.toml",
+            "--strategy",
+            "hybrid",
+            "--iterations",
+            "15",
+        ];
         let output = fmi_hazard(dir.path()).args(arguments).args(["--out", "o"]).args(extra).output().unwrap();
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };

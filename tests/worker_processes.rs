@@ -33,7 +33,19 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
     let mut went: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
     for cell in cells {
         let results = ["fmu", "fork", "replay", "process"].map(|state| {
-            let args = ["scan", &cell, "--strategy", "mcts-dpw", "--iterations", "6", "--state", state, "--out", state];
+            let args = [
+                "scan",
+                "--no-advice",
+                &cell,
+                "--strategy",
+                "mcts-dpw",
+                "--iterations",
+                "6",
+                "--state",
+                state,
+                "--out",
+                state,
+            ];
             let code = fmi_hazard(dir.path()).args(args).output().unwrap().status.code();
             assert!(code == Some(0) || code == Some(1), "{cell} {state}: {code:?}");
             let effort = json(&dir.path().join(state).join("run.json"));
@@ -59,7 +71,17 @@ fn an_exhaustive_search_gives_the_same_certificate_on_every_rung() {
     let short = dir.path().join("heavy-workpiece/short.toml");
     std::fs::write(&short, cell + "\n[search]\nactions = 3\n").unwrap();
     let results = ["fmu", "fork", "replay", "process"].map(|state| {
-        let args = ["scan", "heavy-workpiece/short.toml", "--strategy", "exhaustive", "--state", state, "--out", state];
+        let args = [
+            "scan",
+            "--no-advice",
+            "heavy-workpiece/short.toml",
+            "--strategy",
+            "exhaustive",
+            "--state",
+            state,
+            "--out",
+            state,
+        ];
         let output = fmi_hazard(dir.path()).args(args).output().unwrap();
         assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{}", String::from_utf8_lossy(&output.stderr));
         std::fs::read_to_string(dir.path().join(state).join("scan.json")).unwrap()

@@ -1,18 +1,18 @@
 //! `fmi-hazard explain`: a hazard in plain words, its force with every number, and what would be enough against it.
 
 use std::path::PathBuf;
-use std::sync::Mutex;
 
+use super::changes::Telling;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
-use super::output::{Format, Progress};
+use super::output::Format;
 use super::{earlier, output, stopping};
 use crate::host::PlantError;
 use crate::report::advice::Remedy;
 use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
 use crate::scan::explain::explain;
-use crate::scan::remedy::{Effort, Told, remedies};
+use crate::scan::remedy::{Effort, Purse, remedies};
 use crate::scan::verify::verify;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 use crate::stop::Stop;
@@ -34,14 +34,14 @@ pub(super) struct Arguments {
     /// Sequences of each quick search that tries out a change
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: u32,
-    /// Most distinct states of each complete search
-    #[arg(long, default_value_t = 300_000, value_parser = clap::value_parser!(u32).range(1..))]
+    /// Most distinct states of all complete searches together
+    #[arg(long, default_value_t = 24_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_states: u32,
     /// Most memory for the states of each complete search, MB
     #[arg(long, default_value_t = 2_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_memory: u32,
-    /// Most work of the arm searches in each complete search, millions of joint-angle boxes
-    #[arg(long, default_value_t = 200)]
+    /// Most work of the arm searches in all complete searches together, millions of joint-angle boxes
+    #[arg(long, default_value_t = 5)]
     max_work: u32,
     /// Threads (default: one a core); the result is the same
     #[arg(long)]
@@ -92,6 +92,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if arguments.format == Format::Table {
         output::result(&explanation.render_hazard());
     }
+    if arguments.format == Format::Table
+        && let Some(advice) = recorded.advice_for(&hazard.id)
+    {
+        output::note(&format!(" The scan found against its cause\n{}", advice.render()));
+    }
     if !arguments.no_changes {
         output::note("  Trying changes of the cell. Ctrl-C ends that and keeps what is known by then");
         explanation.remedies = match changes(arguments, &prepared, hazard, &recorded.hazards) {
@@ -119,37 +124,15 @@ fn changes(
     hazard: &Hazard,
     known: &[Hazard],
 ) -> Result<Vec<Remedy>, PlantError> {
-    let cores = || std::thread::available_parallelism().map_or(1, Into::into);
+    let usual = Effort::usual();
     let effort = Effort {
         iterations: arguments.iterations,
         work: u64::from(arguments.max_work) * 1_000_000,
         states: if arguments.quick { 0 } else { arguments.max_states as usize },
         bytes: arguments.max_memory as usize * 1_000_000,
-        workers: arguments.workers.unwrap_or_else(cores),
+        workers: arguments.workers.unwrap_or(usual.workers),
+        ..usual
     };
-    // Threads tell of their progress, one after the other.
-    let progress: Mutex<Option<Progress>> = Mutex::new(None);
-    let tell = |told: Told<'_>| {
-        let Ok(mut progress) = progress.lock() else { return };
-        match told {
-            Told::Tried(done, of) => {
-                output::phase(&format!("trying changes: {done} of {of}"));
-                let bar = progress.get_or_insert_with(|| Progress::new(of as u64, "changes tried"));
-                bar.at(done as u64, "");
-                if done == of {
-                    bar.finish();
-                }
-            }
-            Told::Completely(number, of) => {
-                output::phase(&format!("looking at every sequence with change {number} of {of}"));
-                output::note(&format!("  change {number} of {of} that held so far: looking at every sequence"));
-            }
-            Told::Held(remedy) => {
-                let line = format!("   So far nothing is met with: {}", remedy.change);
-                progress.as_ref().map_or_else(|| output::note(&line), |bar| bar.line(&line));
-            }
-            Told::Done(remedy) => remedy.told().iter().for_each(|line| output::note(&format!("   {line}"))),
-        }
-    };
-    remedies(prepared, hazard, known, effort, &tell)
+    let telling = Telling::new(true);
+    remedies(prepared, hazard, known, effort, &mut Purse::new(&effort), &|told| telling.hear(&told))
 }

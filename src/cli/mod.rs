@@ -4,6 +4,7 @@ mod beginnings;
 mod bench;
 mod bench_format;
 mod bench_strategies;
+mod changes;
 mod check;
 mod compare;
 mod demo;

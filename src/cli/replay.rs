@@ -48,11 +48,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             }
         };
         still_there |= again.is_some();
-        let recorded = told(hazard.force_n, hazard.time_s, hazard.body_region, &hazard.robot_link);
+        let recorded = told(hazard.deciding_force_n(), hazard.time_s, hazard.body_region, &hazard.robot_link);
         let line = match &again {
             Some(f) => {
                 let link = &prepared.cell.links[f.contact.link].name;
-                let now = told(f.contact.force_n, f.time_s, f.contact.region, link);
+                let now = told(f.contact.deciding_force_n(), f.time_s, f.contact.region, link);
                 // Two links may hit equally hard.
                 let same = f.contact.force_n.to_bits() == hazard.force_n.to_bits()
                     && f.time_s.to_bits() == hazard.time_s.to_bits()

@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use clap::Parser as _;
 
+use super::changes::Telling;
 use super::exit::{self, Failure};
 use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
@@ -19,6 +20,7 @@ use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
 use crate::report::{moved, terminal};
+use crate::scan::advise::advise;
 use crate::scan::options::Method;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
@@ -257,7 +259,7 @@ impl Run<'_> {
             if stop.ends_search() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let began = Instant::now();
-        let scan::Scanned { report, rung, effort, remembered } =
+        let scan::Scanned { mut report, rung, effort, remembered } =
             scan::scan_with(prepared, options, journal, &mut tell)?;
         let searched = began.elapsed();
         progress.finish();
@@ -265,6 +267,20 @@ impl Run<'_> {
         if let Some(audit) = &audit {
             audit.finish();
         }
+        let advising = Instant::now();
+        if let Some(how) = arguments.advice(self.several).filter(|_| !stop.ends_search()) {
+            let telling = Telling::new(false);
+            if !report.causes.is_empty() {
+                output::note("   Looking for changes that would be enough. Ctrl-C ends that");
+            }
+            // The FMU may fail where nobody looked before: what was found stays.
+            if let Err(error) = advise(prepared, rung, &mut report, how, &|told| telling.hear(&told))
+                && !error.stopped
+            {
+                output::warning(&format!("changes were not looked for to the end: the FMU failed: {}", error.message));
+            }
+        }
+        let advised = advising.elapsed();
         output::phase("writing the results");
         let interrupted = stop.is_asked();
         if let Some(before) =
@@ -283,10 +299,12 @@ impl Run<'_> {
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
-        let (writing, calls) = (began.elapsed() - searched, effort.steps);
+        let (writing, calls) = (began.elapsed() - searched - advised, effort.steps);
         output::detail(&format!(
-            "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results",
+            "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to look for changes, {:.1} s to write the \
+             results",
             searched.as_secs_f64(),
+            advised.as_secs_f64(),
             writing.as_secs_f64()
         ));
         match arguments.format {
@@ -449,7 +467,7 @@ fn found(h: &Hazard) -> String {
         h.id,
         h.body_region,
         h.robot_link,
-        h.force_n,
+        h.deciding_force_n(),
         h.limit_n,
         h.ratio,
         h.actions.len(),

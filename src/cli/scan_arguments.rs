@@ -11,6 +11,7 @@ use super::hosting::HostingArguments;
 use super::output::Format;
 use crate::report::moved::seen_from;
 use crate::scan::options::Method;
+use crate::scan::remedy::Effort;
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::expansion::Merge;
@@ -26,7 +27,7 @@ pub(super) enum StopAt {
 }
 
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 23] = [
+const OTHERS: [&str; 24] = [
     "path",
     "cell",
     "begin",
@@ -40,6 +41,7 @@ const OTHERS: [&str; 23] = [
     "write_baseline",
     "time",
     "paper_iterations",
+    "no_advice",
     "state",
     "in_process",
     "trust_fmu",
@@ -100,6 +102,10 @@ pub(super) struct Arguments {
     /// Check only the posture of each sequence, so that iterations compare with the paper's
     #[arg(long)]
     pub(super) paper_iterations: bool,
+    /// Do not look for changes of the cell that would be enough against what is found. That takes up to a minute or two, and
+    /// is not done for cells with several beginnings
+    #[arg(long)]
+    pub(super) no_advice: bool,
     /// How FMU states are brought back. A complete scan has the same hazards and counts, as far as what the FMU did was run
     /// again from the start; its certificate says how far
     #[arg(long, value_enum, default_value_t)]
@@ -183,6 +189,13 @@ impl Arguments {
         if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
     }
 
+    /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
+    pub(super) fn advice(&self, several: bool) -> Option<Effort> {
+        let usual = Effort::usual();
+        let workers = self.exhaustive.workers.unwrap_or(usual.workers);
+        (!self.no_advice && !several).then_some(Effort { workers, ..usual })
+    }
+
     /// The longest time.
     pub(super) fn time(&self) -> Option<Duration> {
         self.time.or_else(|| (self.strategy == Choice::Auto).then_some(AUTO_TIME))
@@ -211,6 +224,9 @@ impl Arguments {
         }
         if !options.posture_sweep {
             add("--paper-iterations", None);
+        }
+        if self.no_advice {
+            add("--no-advice", None);
         }
         let (own, usual) = (&self.exhaustive, ExhaustiveArguments::default());
         if own.max_states != usual.max_states {
@@ -250,6 +266,7 @@ impl Arguments {
             write_baseline: false,
             time: None,
             paper_iterations: false,
+            no_advice: false,
             state: StateChoice::default(),
             hosting: HostingArguments::default(),
             exhaustive: ExhaustiveArguments::default(),

@@ -54,6 +54,12 @@ impl Twist {
         self.linear_at_origin + self.angular.cross(point)
     }
 
+    /// The same seen by somebody who moves at `velocity`, m/s.
+    #[must_use]
+    pub fn seen_from(&self, velocity: Vec3) -> Self {
+        Self { angular: self.angular, linear_at_origin: self.linear_at_origin - velocity }
+    }
+
     /// No body's point among these is faster, m/s: `|v + w x d| <= |v| + v/|v| (w x d) + |w x d|^2 / (2 |v|)`.
     #[must_use]
     pub fn speed_bound(&self, points: &Neighbourhood<'_>) -> f64 {

@@ -118,7 +118,9 @@ pub fn causes(all: &[Member]) -> Vec<Cause> {
     causes
 }
 
-fn apart(a: &Member, b: &Member) -> f64 {
+/// How far apart they are, m: where the persons stand, or where they are hit, whichever is farther.
+#[must_use]
+pub fn apart(a: &Member, b: &Member) -> f64 {
     let between = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
     between(a.person_m, b.person_m).max(between(a.contact_m, b.contact_m))
 }

@@ -12,6 +12,6 @@ pub mod danger;
 pub mod finding;
 pub mod group;
 
-pub use contact::{Class, Contact, Strike};
+pub use contact::{Class, Contact, Criterion, Strike};
 pub use finding::Finding;
 pub use group::{Group, Groups, Identity};

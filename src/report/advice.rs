@@ -32,7 +32,7 @@ pub enum Outcome {
     Sufficient(Checked),
     /// No hazard was met, but not everything was looked at.
     NotMet(Checked),
-    /// This hazard is not met any more, others are.
+    /// The cause of this hazard is gone, other causes of the scan are not.
     OthersRemain(Others),
     /// No hazard is met within the time that the cell file looks at, but later.
     OnlyLater(Met),
@@ -140,10 +140,14 @@ pub struct Begin {
 /// What is left after a change.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Others {
-    /// Different hazards that were met; there may be more.
+    /// Different hazards of other causes that were met; there may be more.
     pub at_least: usize,
-    /// The worst of them.
-    pub worst: Met,
+    /// The worst of them, if any was met.
+    pub worst: Option<Met>,
+    /// Whether every sequence was looked at for hazards that are of no other cause.
+    pub complete: bool,
+    /// What it was held against.
+    pub checked: Checked,
 }
 
 impl Met {
@@ -162,7 +166,8 @@ impl Met {
 
 impl Checked {
     /// What was looked at, in words.
-    pub(super) fn words(&self) -> String {
+    #[must_use]
+    pub fn words(&self) -> String {
         let mut words: Vec<String> = Vec::new();
         if self.complete.is_empty() {
             words.push("no search of every sequence".to_owned());
@@ -206,6 +211,7 @@ impl Remedy {
         match &self.outcome {
             Outcome::Sufficient(_) => Some(format!("{}: no hazard is left", self.change)),
             Outcome::NotMet(_) => Some(format!("{}: no hazard was met; not every sequence was looked at", self.change)),
+            Outcome::OthersRemain(_) => Some(format!("{}: this cause is gone, others remain", self.change)),
             _ => None,
         }
     }
@@ -257,13 +263,16 @@ pub fn render(remedies: &[Remedy]) -> String {
     });
     section(&mut out, "No hazard was met after these, but not every sequence was looked at", &not_met);
     let others = of(&|outcome| match outcome {
-        Outcome::OthersRemain(Others { at_least, worst }) => {
-            let s = if *at_least == 1 { "" } else { "s" };
-            Some(vec![format!("At least {at_least} hazard{s} left, worst {}.", worst.words())])
+        Outcome::OthersRemain(others) => {
+            let mut lines = vec![format!("Looked at: {}.", others.checked.words()), others.checked.one_less()];
+            if let (Some(worst), s) = (&others.worst, if others.at_least == 1 { "" } else { "s" }) {
+                lines.push(format!("Left, at least: {} hazard{s}, worst {}.", others.at_least, worst.words()));
+            }
+            Some(lines)
         }
         _ => None,
     });
-    section(&mut out, "Not enough: this hazard is not met after these, others remain", &others);
+    section(&mut out, "Smallest changes after which this cause is gone; other causes remain", &others);
     let later = of(&|outcome| match outcome {
         Outcome::OnlyLater(met) => Some(vec![format!("Met again: {}.", met.words())]),
         _ => None,

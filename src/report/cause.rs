@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::advice::{Outcome, Remedy};
 use super::model::{Hazard, SensorState};
+use super::paragraph::wrapped;
 use crate::hazard::Class;
 use crate::hazard::cause::{LONG_S, Part};
 use crate::standards::BodyRegion;
@@ -30,7 +31,7 @@ pub struct Cause {
     pub worst: String,
     /// Why that is one.
     pub class: Class,
-    /// Force of it, N.
+    /// Force of it that decides, N.
     pub force_n: f64,
     /// Limit, N.
     pub limit_n: f64,
@@ -144,7 +145,7 @@ impl Cause {
             sensors: worst.sensors.clone(),
             worst: worst.id.clone(),
             class: worst.class,
-            force_n: worst.force_n,
+            force_n: worst.deciding_force_n(),
             limit_n: worst.limit_n,
             ratio: worst.ratio,
             earliest_time_s: hazards.iter().map(|hazard| hazard.earliest_time_s).fold(f64::INFINITY, f64::min),
@@ -270,11 +271,24 @@ fn joined(names: &[&str]) -> String {
 }
 
 impl Change {
+    /// The change, and what is left then.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let left = match (self.removes_all, self.complete) {
+            (true, true) => "nothing is left, every sequence looked at",
+            (true, false) => "nothing was met any more, not every sequence looked at",
+            (false, true) => "this cause is gone, every sequence looked at; others are left",
+            (false, false) => "this cause was not met any more; others are left",
+        };
+        format!("{} ({left})", self.change)
+    }
+
     /// A change that helps; nothing if it does not.
     fn of(remedy: &Remedy) -> Option<Self> {
         let (checked, complete, removes_all) = match &remedy.outcome {
             Outcome::Sufficient(checked) => (checked, true, true),
             Outcome::NotMet(checked) => (checked, false, true),
+            Outcome::OthersRemain(others) => (&others.checked, others.complete, false),
             _ => return None,
         };
         let change = remedy.change.clone();
@@ -283,21 +297,38 @@ impl Change {
 }
 
 impl CauseAdvice {
-    /// From what came of the changes that were tried.
+    /// From what came of the changes that were tried, of which some may be missing if the search `was_stopped`.
     #[must_use]
-    pub fn of(remedies: &[Remedy]) -> Self {
+    pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
         changes.sort_by_key(|change| (!change.removes_all, !change.complete));
-        let tried = remedies.len();
-        let s = if tried == 1 { "" } else { "s" };
-        let worth = "This is about the model, from the starts and for the times said here: no proof for the real cell. Whether \
-                     a change can be built, and what it does to the work, is for people to judge";
-        let note = match changes.is_empty() {
-            false => format!("{tried} change{s} tried. {worth}."),
-            true => {
-                format!("{tried} change{s} tried, and none of them alone is enough. fmi-hazard explain tells of each.")
-            }
+        let tried = match remedies.len() {
+            0 => "Nothing in this cell can be changed step by step".to_owned(),
+            1 => "1 change tried".to_owned(),
+            n => format!("{n} changes tried"),
+        };
+        let stopped = if was_stopped { ", then stopped" } else { "" };
+        let note = if changes.is_empty() {
+            format!("{tried}{stopped}: none of them alone is known to be enough. fmi-hazard explain tells of each.")
+        } else {
+            format!("{tried}{stopped}. {NO_PROOF}")
         };
         Self { changes, note }
     }
+
+    /// For people: one line a change.
+    #[must_use]
+    pub fn render(&self) -> String {
+        self.changes.iter().map(|change| wrapped(&change.words(), "   ")).collect()
+    }
+
+    /// For a cause that is gone with a worse one.
+    #[must_use]
+    pub fn as_for_a_worse_one(changes: Vec<Change>) -> Self {
+        Self { changes, note: format!("The same changes as for a worse cause. {NO_PROOF}") }
+    }
 }
+
+/// What advice is worth.
+const NO_PROOF: &str = "Tried in the model only, from the starts and for the times said here: no proof for the real cell. \
+                        Whether a change can be built, and what it does to the work, is for people to judge.";

@@ -128,25 +128,35 @@ impl Explanation {
         let quasi_static = limits::quasi_static_limit_n(region);
         let factor = hazard.limit_n / quasi_static;
         let half = 0.5 * self.robot.moving_mass_kg;
+        let by_approach = hazard.is_by_approach();
+        let speed = if by_approach { hazard.approach_m_s } else { hazard.speed_m_s };
         let _ = writeln!(out, "\n Force, after {STANDARD_EDITION}");
         let _ = writeln!(
             out,
             "   F = v sqrt(mu k) = {:.3} m/s x sqrt({mu:.3} kg x {:.0} kN/m) = {:.0} N   limit {:.0} N   {:.2}x",
-            hazard.speed_m_s,
+            speed,
             k / 1000.0,
-            hazard.force_n,
+            hazard.deciding_force_n(),
             hazard.limit_n,
             hazard.ratio
         );
         let rows = [
             (
                 "v",
-                format!("{:.3} m/s", hazard.speed_m_s),
-                format!(
-                    "absolute speed of the robot's point, from the FMU; with the speed of approach alone, {:.3} m/s, it \
-                     would be {:.0} N",
-                    hazard.approach_m_s, hazard.directed_force_n
-                ),
+                format!("{speed:.3} m/s"),
+                if by_approach {
+                    format!(
+                        "speed of approach, the person's walking included, as the cell file asks; with the robot's own speed, \
+                         {:.3} m/s, it would be {:.0} N",
+                        hazard.speed_m_s, hazard.force_n
+                    )
+                } else {
+                    format!(
+                        "absolute speed of the robot's point, from the FMU; with the speed of approach alone, {:.3} m/s, it \
+                         would be {:.0} N",
+                        hazard.approach_m_s, hazard.directed_force_n
+                    )
+                },
             ),
             (
                 "m_R",
@@ -192,9 +202,10 @@ impl Explanation {
         } else {
             writeln!(
                 out,
-                "\n Safe below {:.2} m/s at this point: {:.0} % of the speed it has there",
+                "\n Safe below {:.2} m/s{} at this point: {:.0} % of the speed there",
                 hazard.safe_below_m_s,
-                100.0 * hazard.safe_below_m_s / hazard.speed_m_s
+                if by_approach { " of approach" } else { "" },
+                100.0 * hazard.safe_below_m_s / speed
             )
         };
     }

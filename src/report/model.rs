@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cause::Cause;
 use super::speeds::SpeedRecord;
-use crate::hazard::{Class, Group, finding};
+use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
 use crate::search::residual::Figures;
@@ -203,8 +203,8 @@ pub struct Settings {
     pub contact_check_interval_s: f64,
     /// Depth of contact that the arm check may miss, m.
     pub reach_tolerance_m: f64,
-    /// Speed that enters the force: the absolute speed of the robot point, as in the paper.
-    pub speed_criterion: &'static str,
+    /// Which speed makes the force that decides.
+    pub speed_criterion: Criterion,
 }
 
 /// What the search cost.
@@ -250,16 +250,17 @@ pub struct Hazard {
     pub force_n: f64,
     /// Limit, N.
     pub limit_n: f64,
-    /// `force_n / limit_n`.
+    /// The force that decides, by the criterion of the settings, over `limit_n`.
     pub ratio: f64,
-    /// Force with the approach speed instead of the absolute speed (criterion `directed`), N.
+    /// Force with the speed of approach instead of the robot's own, N.
     pub directed_force_n: f64,
     /// `directed_force_n / limit_n`.
     #[serde(default)]
     pub directed_ratio: f64,
     /// Absolute speed of the robot point, m/s.
     pub speed_m_s: f64,
-    /// Approach speed along the contact normal, m/s.
+    /// Speed of approach, the person's walking included, m/s: of body and legs along the contact normal, of arms in any
+    /// direction.
     pub approach_m_s: f64,
     /// Speed below which the force stays within the limit, m/s.
     pub safe_below_m_s: f64,
@@ -567,11 +568,24 @@ impl Hazard {
             shortest: Shortest {
                 actions: group.shortest.actions.clone(),
                 time_s: group.shortest.time_s,
-                force_n: group.shortest.contact.force_n,
+                force_n: group.shortest.contact.deciding_force_n(),
                 ratio: group.shortest.contact.ratio(),
                 confirmed: None,
             },
         }
+    }
+
+    /// The force that decides, N: the one that `ratio` is of.
+    #[must_use]
+    pub fn deciding_force_n(&self) -> f64 {
+        let off = |force: f64| (force / self.limit_n - self.ratio).abs();
+        if off(self.directed_force_n) < off(self.force_n) { self.directed_force_n } else { self.force_n }
+    }
+
+    /// Whether that is the force with the speed of approach.
+    #[must_use]
+    pub fn is_by_approach(&self) -> bool {
+        self.deciding_force_n().to_bits() != self.force_n.to_bits()
     }
 
     /// What happens, in words.
@@ -603,14 +617,14 @@ impl Hazard {
         match self.class {
             Class::Force => format!(
                 "{:.0} N on the {} (limit {:.0} N, {:.2}x): {described}",
-                self.force_n,
+                self.deciding_force_n(),
                 self.body_region.words(),
                 self.limit_n,
                 self.ratio
             ),
             Class::HeadContact => format!(
                 "{:.0} N on the {}, where no contact with a moving robot is allowed: {described}",
-                self.force_n,
+                self.deciding_force_n(),
                 self.body_region.words()
             ),
         }

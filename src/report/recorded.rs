@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::cause::Cause;
+use super::cause::{Cause, CauseAdvice};
 use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 use super::moved::found;
 
@@ -104,6 +104,13 @@ impl RecordedError {
 }
 
 impl Recorded {
+    /// What the scan found against the cause of a hazard, if it looked and found something.
+    #[must_use]
+    pub fn advice_for(&self, hazard: &str) -> Option<&CauseAdvice> {
+        let cause = self.causes.iter().find(|cause| cause.hazards.iter().any(|id| id == hazard))?;
+        cause.advice.as_ref().filter(|advice| !advice.changes.is_empty())
+    }
+
     /// Reads a `scan.json`, or the one in a folder.
     ///
     /// # Errors

@@ -98,7 +98,7 @@ fn result(report: &ScanReport, hazard: &Hazard, file: &CellFile, baseline: Optio
         "properties": {
             "id": hazard.id,
             "cause": cause,
-            "force_n": hazard.force_n,
+            "force_n": hazard.deciding_force_n(),
             "limit_n": hazard.limit_n,
             "ratio": hazard.ratio,
             "time_s": hazard.time_s,

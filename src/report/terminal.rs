@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::cause::{Cause, Line};
-use super::model::{Certificate, Residual, RunAgain, ScanReport, Verdict};
+use super::cause::{Cause, Change, Line};
+use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
 use super::paragraph::{WIDTH, wrapped_to};
 use crate::hazard::Class;
 use crate::human::Action;
@@ -72,6 +72,9 @@ pub fn render(report: &ScanReport, view: View) -> String {
     for cause in report.causes.iter().take(CAUSES) {
         out.push('\n');
         card(cause, view, &mut out);
+        if let Some(worst) = report.hazards.iter().find(|hazard| hazard.id == cause.worst) {
+            out += &other_force(worst, view);
+        }
     }
     if report.causes.len() > CAUSES {
         let _ = writeln!(out, "\n ... and {} more causes in the report", report.causes.len() - CAUSES);
@@ -114,15 +117,33 @@ fn card(cause: &Cause, view: View, out: &mut String) {
     let hit = |(region, links): &(String, Vec<&str>)| format!("{region} by {}", links.join(", "));
     let hit: Vec<String> = regions.iter().map(hit).collect();
     *out += &wrapped_to(view.width, "   Hit: ", &hit.join("; "));
-    for change in cause.advice.iter().flat_map(|advice| advice.changes.first()) {
-        let left = match (change.removes_all, change.complete) {
-            (true, true) => "then nothing in the cell is hazardous; every sequence was looked at",
-            (true, false) => "then nothing was met any more; not every sequence was looked at",
-            (false, _) => "then this cause is gone; others are left",
-        };
-        *out += &wrapped_to(view.width, "   What helps: ", &format!("{}: {left}", change.change));
-    }
+    let Some(advice) = &cause.advice else { return };
+    let helps: Vec<String> = advice.changes.iter().take(CHANGES).map(Change::words).collect();
+    let helps = if helps.is_empty() { "no single change that was tried".to_owned() } else { helps.join("; or ") };
+    *out += &wrapped_to(view.width, "   What helps: ", &helps);
 }
+
+/// The force with the other speed, where the two are far apart.
+fn other_force(worst: &Hazard, view: View) -> String {
+    let own = worst.force_n / worst.limit_n;
+    let [less, more] =
+        if own < worst.directed_ratio { [own, worst.directed_ratio] } else { [worst.directed_ratio, own] };
+    if more <= FAR_APART * less {
+        return String::new();
+    }
+    let other = if worst.is_by_approach() {
+        format!("with the robot's own speed {own:.2}x")
+    } else {
+        format!("with the speed of approach, the person's walking included, {:.2}x", worst.directed_ratio)
+    };
+    wrapped_to(view.width, "   But: ", &format!("{other} (criterion in the cell file says which decides)"))
+}
+
+/// Forces that differ by more than this factor are both told.
+const FAR_APART: f64 = 2.0;
+
+/// Most changes on a card.
+const CHANGES: usize = 3;
 
 /// A part of a whole, with the digits that mean something.
 pub(super) fn percent(part: f64) -> String {
@@ -147,10 +168,10 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
         return;
     }
     let header = ["id", "ratio", "body region", "hit by", "force / limit", "safe below", "time", "seen", "confirmed"];
-    let row = |h: &super::model::Hazard| {
+    let row = |h: &Hazard| {
         let force = match h.class {
-            Class::Force => format!("{:.0} N / {:.0} N", h.force_n, h.limit_n),
-            Class::HeadContact => format!("{:.0} N / none allowed", h.force_n),
+            Class::Force => format!("{:.0} N / {:.0} N", h.deciding_force_n(), h.limit_n),
+            Class::HeadContact => format!("{:.0} N / none allowed", h.deciding_force_n()),
         };
         [
             h.id.clone(),

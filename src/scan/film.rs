@@ -178,8 +178,12 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
                 _ if frame == contact_frame => [gap, hazard.speed_m_s, hazard.ratio],
                 Some(link) => {
                     let near = instant.frame.links[link].segment_distance(part.a, part.b);
-                    let speed = instant.frame.velocity(link, near.on_second).length();
-                    [gap, speed, instant.frame.strike(link).ratio(hazard.body_region, speed)]
+                    let velocity = instant.frame.velocity(link, near.on_second);
+                    let before = &instants[frame.saturating_sub(1)];
+                    let walking = (instant.position - before.position) / step_s;
+                    let strike = instant.frame.strike(link);
+                    let deciding = strike.deciding_speed(velocity, walking);
+                    [gap, velocity.length(), strike.ratio(hazard.body_region, deciding)]
                 }
                 None => [gap, f64::NAN, f64::NAN],
             }

@@ -24,7 +24,9 @@
 //! - [`verify`]: known hazards tried again
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
+//! - [`advise`]: such changes for the causes of a scan
 
+pub mod advise;
 mod arms;
 mod attempts;
 pub mod campaign;

@@ -33,7 +33,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
             hazard.robot_link,
             hazard.body_region.words(),
             hazard.time_s,
-            hazard.force_n,
+            hazard.deciding_force_n(),
             hazard.limit_n
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),

@@ -1,7 +1,7 @@
 //! The smallest change of a cell after which nothing in it is hazardous, for each thing that can be turned.
 //!
-//! Hazardous is any hazard, whatever region of the body and robot it is about: a change that removes one cause and leaves
-//! others is told apart, and never as enough. What is cheap comes first (`trial`, `looking`):
+//! Hazardous is any hazard, whatever region of the body and robot it is about: a change that removes one cause of a scan and
+//! leaves others is told apart (`aim`), and never as enough. What is cheap comes first (`trial`, `looking`):
 //!
 //! 1. **Against the change itself** (`behaviour`): the person would start inside a field, the robot would hardly move or
 //!    merely be elsewhere in its programme, or sensors and robot would answer later to the same walks: a safeguard made
@@ -10,13 +10,15 @@
 //! 3. **Quick searches**: from the start, for longer than the cell file says (a hazard that only comes later is not gone),
 //!    from the cell's other beginnings, and from places beside the start (`standpoint`): the person starts as precisely as
 //!    people do, and a gap is open to those who come from 3 cm beside.
-//! 4. **Every sequence**, from the start and the cell's other beginnings; from beside the start too where that is cheap. Each
-//!    of these searches has a budget of states and work, which do not depend on the machine, so what is said to be looked at
-//!    does not either.
+//! 4. **Every sequence**, from the start and the cell's other beginnings; from beside the start too where that is cheap.
+//!
+//! Trying a change, and all complete searches together, have budgets of work that do not depend on the machine, so what is said
+//! to be looked at does not either.
 //!
 //! A change that all this finds nothing against is offered as enough; where a budget ended a search, that is said, and how
 //! far it came.
 
+mod aim;
 mod behaviour;
 mod looking;
 mod standpoint;
@@ -25,34 +27,46 @@ mod trial;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use self::behaviour::{Behaviour, probes};
+use self::aim::{Aim, Whose};
+use self::behaviour::{Answers, Behaviour, Objection, probes};
 use self::looking::Known;
+pub use self::looking::Purse;
 use self::standpoint::{Standpoint, with_each_start};
 use self::trial::Trial;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use crate::cell::binding::BoundUnit;
 use crate::cell::knob::{Encounter, Knobs};
-use crate::hazard::Finding;
+use crate::hazard::cause::Member;
 use crate::host::PlantError;
 use crate::human::Action;
 use crate::report::advice::{Outcome, Remedy};
 use crate::report::model::Hazard;
-use crate::standards::BodyRegion;
 
 /// How hard a remedy is tried.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// Iterations of each quick search.
     pub iterations: u32,
-    /// Most work of each complete search, joint-angle boxes.
-    pub work: u64,
-    /// Most distinct states of each complete search; none means that there are no such searches.
+    /// Most work of trying one change without complete searches, in communication steps of an FMU, about.
+    pub quick: u64,
+    /// Most distinct states of all complete searches together; none means that there are no such searches.
     pub states: usize,
-    /// Most memory of each complete search, bytes, about.
+    /// Most work of them, joint-angle boxes.
+    pub work: u64,
+    /// Most memory of each of them, bytes, about.
     pub bytes: usize,
     /// Threads; the result is the same.
     pub workers: usize,
+}
+
+impl Effort {
+    /// What people wait for: less than a minute on two cores for the examples.
+    #[must_use]
+    pub fn usual() -> Self {
+        let workers = std::thread::available_parallelism().map_or(1, Into::into);
+        Self { iterations: 20, quick: 800_000, states: 24_000, work: 5_000_000, bytes: 2_000_000_000, workers }
+    }
 }
 
 /// What is told while changes are tried.
@@ -67,13 +81,6 @@ pub enum Told<'a> {
     Done(&'a Remedy),
 }
 
-/// The same hazard wherever it happens: this region of the body, hit by this robot.
-#[derive(Clone, Copy, PartialEq)]
-struct Kind {
-    region: BodyRegion,
-    robot: usize,
-}
-
 /// What a change shall do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Goal {
@@ -81,8 +88,8 @@ enum Goal {
     Lasting,
     /// Nothing is hazardous within the time that the cell file looks at.
     ForNow,
-    /// This hazard is not met from the start.
-    Hazard,
+    /// This cause is gone, from anywhere, and later too; from the start there are hazards of the scan's other causes only.
+    Cause,
 }
 
 /// Why a change is not tried any further.
@@ -94,6 +101,15 @@ enum Why {
     Smaller(String),
     /// It would help for a reason that does not count.
     NoAdvice(String),
+}
+
+impl From<Objection> for Why {
+    fn from(objection: Objection) -> Self {
+        match objection {
+            Objection::Smaller(cause) => Self::Smaller(cause),
+            Objection::Other(cause) => Self::NoAdvice(cause),
+        }
+    }
 }
 
 impl Why {
@@ -110,7 +126,8 @@ const KNOWN: usize = 24;
 struct Bench<'a> {
     prepared: &'a Prepared,
     text: toml::Table,
-    hazard: Kind,
+    aim: Aim,
+    robot: usize,
     effort: Effort,
     own: Standpoint,
     beginnings: Vec<Standpoint>,
@@ -123,6 +140,7 @@ struct Bench<'a> {
     /// For so many actions the person stands still to see what the robots do.
     rest: usize,
     before: Behaviour,
+    answers: Answers,
 }
 
 impl<'a> Bench<'a> {
@@ -138,9 +156,9 @@ impl<'a> Bench<'a> {
         let Some(text) = with_each_start(text, cell) else { return Ok(None) };
         let kind = |hazard: &Hazard| {
             let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
-            Some(Kind { region: hazard.body_region, robot: link.robot })
+            Some((hazard.body_region, link.robot))
         };
-        let Some(own) = kind(hazard) else { return Ok(None) };
+        let Some(own @ (_, robot)) = kind(hazard) else { return Ok(None) };
         // This hazard first, then in turns those of its kind and all of them, worst first as they stand in the scan.
         let alike: Vec<&Hazard> = known.iter().filter(|other| kind(other) == Some(own)).collect();
         let mut sequences: Vec<Vec<Action>> = Vec::new();
@@ -158,13 +176,16 @@ impl<'a> Bench<'a> {
         let actions = cell.search.actions as usize;
         let probes = probes(&sequences, actions, cell.search.seed);
         let rest = actions + 4;
-        let before = Behaviour::observe(&mut prepared.simulation(StateChoice::Auto, false)?, rest, &probes)?;
+        let mut simulation = prepared.simulation(StateChoice::Auto, false)?;
+        let before = Behaviour::observe(&mut simulation, rest)?;
+        let answers = Answers::observe(&mut simulation, &probes)?;
         let standpoint = Standpoint::own(prepared);
         let (beginnings, around) = Standpoint::others(prepared);
         let mut bench = Self {
             prepared,
             text,
-            hazard: own,
+            aim: Aim::new(prepared, hazard, known),
+            robot,
             effort,
             own: standpoint,
             beginnings,
@@ -176,6 +197,7 @@ impl<'a> Bench<'a> {
             probes,
             rest,
             before,
+            answers,
         };
         for place in around {
             if bench.is_like_the_start(&place)? {
@@ -188,7 +210,7 @@ impl<'a> Bench<'a> {
     /// Whether the person has room beside the start and no sensor reports them there that does not at the start.
     fn is_like_the_start(&self, place: &Standpoint) -> Result<bool, PlantError> {
         let Ok(prepared) = place.of(self.prepared, &self.text) else { return Ok(false) };
-        let there = Behaviour::observe(&mut prepared.simulation(StateChoice::Auto, false)?, self.rest, &[])?;
+        let there = Behaviour::observe(&mut prepared.simulation(StateChoice::Auto, false)?, self.rest)?;
         Ok(self.before.objection(&there, false, self.names()).is_none())
     }
 
@@ -198,22 +220,23 @@ impl<'a> Bench<'a> {
 
     /// Whether a goal is about sequences from there.
     fn is_from(&self, goal: Goal, standpoint: &Standpoint) -> bool {
-        match goal {
-            Goal::Lasting => true,
-            Goal::ForNow => standpoint.more == 0,
-            Goal::Hazard => *standpoint == self.own,
-        }
+        goal != Goal::ForNow || standpoint.more == 0
     }
 
-    /// Whether a finding counts against a goal.
-    fn counts(&self, goal: Goal, finding: &Finding) -> bool {
-        let robot = self.prepared.cell.links[finding.contact.link].robot;
-        goal != Goal::Hazard || Kind { region: finding.contact.region, robot } == self.hazard
+    /// Whether a hazard that is met from there counts against a goal.
+    fn counts(&self, goal: Goal, standpoint: &Standpoint, met: &Member) -> bool {
+        goal != Goal::Cause
+            || match self.aim.whose(met) {
+                Whose::Own => true,
+                Whose::Others => false,
+                // Elsewhere and later the scan has not looked: what it does not know may have been there before.
+                Whose::Nobodys => *standpoint == self.own,
+            }
     }
 }
 
 /// Looks for the smallest turn of each knob after which nothing is hazardous. `known` are all hazards of the scan that
-/// `hazard` is from. Nothing if the cell is not the one that was scanned.
+/// `hazard` is from; complete searches take from `purse`. Nothing if the cell is not the one that was scanned.
 ///
 /// # Errors
 /// When the FMU fails in the cell as it is.
@@ -222,14 +245,15 @@ pub fn remedies(
     hazard: &Hazard,
     known: &[Hazard],
     effort: Effort,
+    purse: &mut Purse,
     tell: &(dyn Fn(Told<'_>) + Sync),
 ) -> Result<Vec<Remedy>, PlantError> {
     let Some(bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
-    let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.hazard.robot };
+    let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.robot };
     let Knobs { turned: knobs, held: kept } = Knobs::of(&prepared.cell, &bench.text, &units, &encounter);
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_));
+    let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_) | Outcome::OthersRemain(_));
     let work = || {
         let mut mine = Vec::new();
         while let Some((number, knob)) =
@@ -261,10 +285,10 @@ pub fn remedies(
         if !held(remedy) {
             continue;
         }
-        if of > 0 {
+        if of > 0 && !purse.is_empty() {
             number += 1;
             tell(Told::Completely(number, of));
-            let complete = trial.complete(effort.workers);
+            let complete = trial.complete(purse, effort.workers);
             if prepared.stop().ends_search() {
                 break;
             }

@@ -169,6 +169,6 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         action_s: ACTION_S,
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
-        speed_criterion: "absolute speed of the robot point (conservative, as in the paper)",
+        speed_criterion: prepared.cell.search.criterion,
     }
 }

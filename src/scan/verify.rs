@@ -34,7 +34,7 @@ pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
     }
     let outcome = worst.map_or(Outcome::Fixed, |found| Outcome::StillThere {
         ratio: found.contact.ratio(),
-        force_n: found.contact.force_n,
+        force_n: found.contact.deciding_force_n(),
         body_region: found.contact.region.to_string(),
         robot_link: prepared.cell.links[found.contact.link].name.clone(),
         time_s: found.time_s,

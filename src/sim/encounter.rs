@@ -96,34 +96,36 @@ impl ArmSpace<'static> {
     pub const OPEN: Self = Self { walls: &[], links: None };
 }
 
-/// Force ratio of arm contacts with the robot of one frame, and which of its links count.
-struct ArmScore<'a>(&'a RobotFrame, Option<&'a [bool]>);
+/// Force ratio of arm contacts of a person who walks at some velocity with the robot of one frame, and which of its links
+/// count.
+struct ArmScore<'a>(&'a RobotFrame, Option<&'a [bool]>, Vec3);
 
 impl ContactScore for ArmScore<'_> {
     fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
         if self.1.is_some_and(|links| !links[link]) {
             return 0.0;
         }
-        self.0.ratio(arm_region(segment), link, self.0.speed_bounds[link])
+        self.0.ratio(arm_region(segment), link, self.0.deciding_speed_bound(link, self.2))
     }
 
     fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        self.0.ratio(arm_region(segment), link, self.0.speed_bound_near(link, points))
+        self.0.ratio(arm_region(segment), link, self.0.deciding_speed_bound_near(link, points, self.2))
     }
 
     fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
-        self.0.ratio(arm_region(segment), link, self.0.velocity(link, on_link).length())
+        let speed = self.0.strike(link).deciding_speed(self.0.velocity(link, on_link), self.2);
+        self.0.ratio(arm_region(segment), link, speed)
     }
 }
 
 /// The same for the robots of several instants.
-struct ManyScores<'a>(&'a [&'a RobotFrame], Option<&'a [bool]>);
+struct ManyScores<'a>(&'a [&'a RobotFrame], Option<&'a [bool]>, Vec3);
 
 impl ManyScores<'_> {
     /// The frame, and the link of it.
     fn at(&self, link: usize) -> (ArmScore<'_>, usize) {
         let per_instant = self.0[0].links.len();
-        (ArmScore(self.0[link / per_instant], None), link % per_instant)
+        (ArmScore(self.0[link / per_instant], None, self.2), link % per_instant)
     }
 }
 
@@ -228,7 +230,7 @@ impl Encounter {
                 world_from_shoulder: person.body.shoulder(side),
                 links: &links,
                 obstacles: &obstacles,
-                score: &ManyScores(frames, space.links),
+                score: &ManyScores(frames, space.links, person.velocity),
                 threshold: NO_HAZARD.threshold,
                 tolerance_m: self.reach_tolerance_m,
                 enough: NO_HAZARD.enough,
@@ -292,7 +294,7 @@ impl Encounter {
         aim: &Aim,
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
-        let arm_regions = [BodyRegion::Hand, BodyRegion::LowerArm, BodyRegion::UpperArm];
+        let segments = [ArmSegment::Hand, ArmSegment::Forearm, ArmSegment::UpperArm];
         let shoulders: Vec<(Side, Pose)> = person.arms.iter().map(|&s| (s, person.body.shoulder(s))).collect();
         let in_reach = |p: &Pose| {
             frame.links.iter().any(|l| {
@@ -304,9 +306,10 @@ impl Encounter {
             return None;
         }
         coverage.checks_with_robot_in_arm_reach += 1;
-        let may_matter = |link: usize, &r: &BodyRegion| frame.ratio(r, link, frame.speed_bounds[link]) > aim.threshold;
+        let score = ArmScore(frame, space.links, person.velocity);
+        let may_matter = |link: usize, &s: &ArmSegment| score.upper_bound(s, link) > aim.threshold;
         let counts = |link: &usize| space.links.is_none_or(|links| links[*link]);
-        if !(0..frame.links.len()).filter(counts).any(|link| arm_regions.iter().any(|r| may_matter(link, r))) {
+        if !(0..frame.links.len()).filter(counts).any(|link| segments.iter().any(|s| may_matter(link, s))) {
             return None;
         }
         let mut obstacles = Vec::new();
@@ -317,7 +320,6 @@ impl Encounter {
             obstacles.extend_from_slice(space.walls);
             &obstacles
         };
-        let score = ArmScore(frame, space.links);
         let mut worst: Option<Encountered> = None;
         for (side, world_from_shoulder) in shoulders {
             coverage.arm_checks += 1;

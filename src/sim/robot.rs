@@ -42,7 +42,9 @@ impl RobotFrame {
         let twists: Vec<Twist> = cell.links.iter().map(|l| of(l).1).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
-        let strike = |(robot, b): (&Robot, &RobotBinding)| Strike::new(robot.moving_mass_kg, b.payload.read(outputs));
+        let strike = |(robot, b): (&Robot, &RobotBinding)| {
+            Strike::new(robot.moving_mass_kg, b.payload.read(outputs), cell.search.criterion)
+        };
         #[expect(clippy::cast_possible_truncation, reason = "an FMI integer")]
         let phase = |b: &RobotBinding| b.phase.as_ref().map(|r| r.read(outputs) as i64);
         let strikes: Vec<Strike> = cell.robots.iter().zip(&binding.robots).map(strike).collect();
@@ -76,10 +78,23 @@ impl RobotFrame {
         }
     }
 
-    /// Upper bound on the speed of these points of shape `link`, m/s.
+    /// Upper bound on the speed that decides a contact of shape `link` with an arm of a person who walks at `human`, m/s: at any
+    /// of its points.
     #[must_use]
-    pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        self.twists[link].speed_bound(points).min(self.speed_bounds[link])
+    pub fn deciding_speed_bound(&self, link: usize, human: Vec3) -> f64 {
+        let relative = || speed_bound(&self.links[link], &self.twists[link].seen_from(human));
+        self.strike(link).deciding_speed_bound(self.speed_bounds[link], relative)
+    }
+
+    /// The same at these points.
+    #[must_use]
+    pub fn deciding_speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>, human: Vec3) -> f64 {
+        let bound = self.twists[link].speed_bound(points).min(self.speed_bounds[link]);
+        let relative = || {
+            let near = self.twists[link].seen_from(human).speed_bound(points);
+            near.min(self.deciding_speed_bound(link, human))
+        };
+        self.strike(link).deciding_speed_bound(bound, relative)
     }
 
     /// How hard the robot of shape `link` strikes.

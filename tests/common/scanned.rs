@@ -76,7 +76,7 @@ impl Place {
     /// Arguments of a scan, by tree search unless told otherwise.
     pub fn scan_arguments<'a>(more: &[&'a str]) -> Vec<&'a str> {
         let strategy = if more.contains(&"--strategy") { &[][..] } else { &["--strategy", "mcts-dpw"] };
-        [&["scan", CELL, "--out", "out"], strategy, more].concat()
+        [&["scan", "--no-advice", CELL, "--out", "out"], strategy, more].concat()
     }
 
     /// Scans, and looks that nothing is left.

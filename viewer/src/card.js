@@ -30,7 +30,10 @@ export function figures(cause) {
 }
 
 function change({ change: what, checked, complete, removes_all: all, less }) {
-  const effect = all ? "With it nothing in this cell is hazardous any more." : "It removes this cause; other causes are left.";
+  const effect = [
+    ["With it this cause was not met any more; other causes are left.", "It removes this cause; other causes are left."],
+    ["With it no hazard was met any more.", "With it nothing in this cell is hazardous any more."],
+  ][Number(all)][Number(complete)];
   return h(
     "li",
     { "data-test": "change", class: all ? "all" : null },

@@ -15,6 +15,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use toml::Spanned;
 
+use crate::hazard::Criterion;
+
 pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
 pub use person::{HumanTable, Sex, StartAreaTable, StartTable};
 pub use robot::{CapsuleTable, FrameTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable};
@@ -191,11 +193,14 @@ pub struct SearchTable {
     pub seed: u64,
     /// No contact deeper than this is missed by the arm check, m.
     pub reach_tolerance_m: f64,
+    /// Which speed makes the force that decides: the robot's own, as in the paper, or that of approach, the person's walking
+    /// included.
+    pub criterion: Criterion,
 }
 
 impl Default for SearchTable {
     fn default() -> Self {
-        Self { iterations: 320, actions: 8, seed: 1, reach_tolerance_m: 0.02 }
+        Self { iterations: 320, actions: 8, seed: 1, reach_tolerance_m: 0.02, criterion: Criterion::Absolute }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::search::Rng;
 use crate::sim::Simulation;
 use crate::sim::simulation::Instant;
 
-/// Answers to a person who stands at the start, and to some walks.
+/// What sensors and robots do while a person stands at the start.
 #[derive(Clone, Debug)]
 pub(super) struct Behaviour {
     /// Where the middles of the robots' links are at the start, m.
@@ -19,9 +19,11 @@ pub(super) struct Behaviour {
     at_start: Vec<bool>,
     /// Highest speed of each robot meanwhile, in the second half, m/s.
     speeds: Vec<f64>,
-    /// By walk.
-    walks: Vec<Answer>,
 }
+
+/// What they answer to walks.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Answers(Vec<Answer>);
 
 /// The answer to one walk: when it is first to be seen, in steps from the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,17 +62,12 @@ pub(super) fn probes(known: &[Vec<Action>], actions: usize, seed: u64) -> Vec<Ve
 }
 
 impl Behaviour {
-    /// The answers to a person who stands for `actions`, and to `probes`.
+    /// What they do while the person stands for `actions`.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn observe(
-        simulation: &mut Simulation<Hosted>,
-        actions: usize,
-        probes: &[Vec<Action>],
-    ) -> Result<Self, PlantError> {
-        let longest = probes.iter().map(Vec::len).max().unwrap_or(0).max(actions);
-        let rest = simulation.watch(&vec![Action::REST; longest], &[])?.instants;
+    pub fn observe(simulation: &mut Simulation<Hosted>, actions: usize) -> Result<Self, PlantError> {
+        let rest = simulation.watch(&vec![Action::REST; actions], &[])?.instants;
         let cell = &simulation.world().cell;
         let (sensors, robot_of) = (cell.sensors.len(), cell.links.iter().map(|link| link.robot).collect::<Vec<_>>());
         let mut speeds = vec![0.0_f64; cell.robots.len()];
@@ -79,26 +76,14 @@ impl Behaviour {
                 speeds[*robot] = speeds[*robot].max(*speed);
             }
         }
-        let first = |instants: &[Instant], is: &dyn Fn(usize, &Instant) -> bool| {
-            instants.iter().enumerate().position(|(i, instant)| is(i, instant))
-        };
-        let mut walks = Vec::with_capacity(probes.len());
-        for probe in probes {
-            let instants = simulation.watch(probe, &[])?.instants;
-            let reports = (0..sensors).map(|sensor| first(&instants, &|_, instant| instant.readings[sensor])).collect();
-            let bits = |instant: &Instant| instant.frame.speed_bounds.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-            let reacts = first(&instants, &|i, instant| bits(instant) != bits(&rest[i]));
-            walks.push(Answer { reports, reacts });
-        }
         Ok(Self {
             links: rest[0].frame.links.iter().map(|link| link.bounding_sphere().0).collect(),
             at_start: (0..sensors).map(|sensor| rest.iter().any(|instant| instant.readings[sensor])).collect(),
             speeds,
-            walks,
         })
     }
 
-    /// What a change from these answers to `after` says against it. `names` are those of sensors and robots.
+    /// What a change from this to `after` says against it. `names` are those of sensors and robots.
     pub fn objection(&self, after: &Self, is_time: bool, names: [&[&str]; 2]) -> Option<Objection> {
         let [sensors, robots] = names;
         let other = |text: String| Some(Objection::Other(text));
@@ -119,20 +104,50 @@ impl Behaviour {
         if is_time && self.links.iter().zip(&after.links).any(moved) {
             return other("it only changes where the robot is when the person begins".to_owned());
         }
-        for (before, now) in self.walks.iter().zip(&after.walks) {
+        None
+    }
+}
+
+impl Answers {
+    /// The answers to `probes`.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn observe(simulation: &mut Simulation<Hosted>, probes: &[Vec<Action>]) -> Result<Self, PlantError> {
+        let longest = probes.iter().map(Vec::len).max().unwrap_or(0);
+        let rest = simulation.watch(&vec![Action::REST; longest], &[])?.instants;
+        let sensors = simulation.world().cell.sensors.len();
+        let first = |instants: &[Instant], is: &dyn Fn(usize, &Instant) -> bool| {
+            instants.iter().enumerate().position(|(i, instant)| is(i, instant))
+        };
+        let mut walks = Vec::with_capacity(probes.len());
+        for probe in probes {
+            let instants = simulation.watch(probe, &[])?.instants;
+            let reports = (0..sensors).map(|sensor| first(&instants, &|_, instant| instant.readings[sensor])).collect();
+            let bits = |instant: &Instant| instant.frame.speed_bounds.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+            let reacts = first(&instants, &|i, instant| bits(instant) != bits(&rest[i]));
+            walks.push(Answer { reports, reacts });
+        }
+        Ok(Self(walks))
+    }
+
+    /// What says that a safeguard is smaller or slower if these answers become those in `after`. `sensors` are their names.
+    pub fn smaller(&self, after: &Self, sensors: &[&str]) -> Option<Objection> {
+        let smaller = |text: String| Some(Objection::Smaller(text));
+        for (before, now) in self.0.iter().zip(&after.0) {
             let later =
                 |(before, now): (&Option<usize>, &Option<usize>)| before.is_some_and(|b| now.is_none_or(|n| n > b));
             if let Some(sensor) = before.reports.iter().zip(&now.reports).position(later) {
-                let text = format!(
-                    "it makes a safeguard smaller: {} then reports the person later or not at all",
-                    sensors[sensor]
-                );
-                return Some(Objection::Smaller(text));
+                let name = sensors[sensor];
+                return smaller(format!(
+                    "it makes a safeguard smaller: {name} then reports the person later or not at all"
+                ));
             }
             if later((&before.reacts, &now.reacts)) {
-                let text =
-                    "it makes a safeguard smaller or slower: the robot then answers to the person later or not at all";
-                return Some(Objection::Smaller(text.to_owned()));
+                return smaller(
+                    "it makes a safeguard smaller or slower: the robot then answers to the person later or not at all"
+                        .to_owned(),
+                );
             }
         }
         None
@@ -143,9 +158,22 @@ impl Behaviour {
 mod tests {
     use super::*;
 
-    fn answers(reports: Option<usize>, reacts: Option<usize>) -> Behaviour {
-        let walks = vec![Answer { reports: vec![reports], reacts }];
-        Behaviour { links: vec![Vec3::ZERO], at_start: vec![false], speeds: vec![1.0], walks }
+    fn answers(reports: Option<usize>, reacts: Option<usize>) -> Answers {
+        Answers(vec![Answer { reports: vec![reports], reacts }])
+    }
+
+    #[test]
+    fn later_is_smaller_and_sooner_is_not() {
+        let before = answers(Some(5), Some(9));
+        let smaller = |before: &Answers, after: &Answers| before.smaller(after, &["mat"]);
+        assert_eq!(smaller(&before, &answers(Some(4), Some(9))), None);
+        for after in
+            [answers(Some(6), Some(9)), answers(None, Some(9)), answers(Some(5), Some(10)), answers(Some(5), None)]
+        {
+            assert!(matches!(smaller(&before, &after), Some(Objection::Smaller(_))), "{after:?}");
+        }
+        // Nobody was reported before.
+        assert_eq!(smaller(&answers(None, None), &answers(Some(3), Some(7))), None);
     }
 
     fn objection(before: &Behaviour, after: &Behaviour, is_time: bool) -> Option<Objection> {
@@ -153,21 +181,8 @@ mod tests {
     }
 
     #[test]
-    fn later_is_smaller_and_sooner_is_not() {
-        let before = answers(Some(5), Some(9));
-        assert_eq!(objection(&before, &answers(Some(4), Some(9)), true), None);
-        for after in
-            [answers(Some(6), Some(9)), answers(None, Some(9)), answers(Some(5), Some(10)), answers(Some(5), None)]
-        {
-            assert!(matches!(objection(&before, &after, false), Some(Objection::Smaller(_))), "{after:?}");
-        }
-        // Nobody was reported before.
-        assert_eq!(objection(&answers(None, None), &answers(Some(3), Some(7)), false), None);
-    }
-
-    #[test]
     fn who_starts_in_a_field_or_before_a_robot_that_stands_has_learnt_nothing() {
-        let before = answers(None, None);
+        let before = Behaviour { links: vec![Vec3::ZERO], at_start: vec![false], speeds: vec![1.0] };
         let says = |after: &Behaviour, is_time| match objection(&before, after, is_time) {
             Some(Objection::Other(text)) => text,
             other => panic!("{other:?}"),

@@ -2,14 +2,16 @@
 
 use std::ops::ControlFlow;
 
+use super::aim::member_of;
 use super::standpoint::Standpoint;
-use super::{Bench, Goal, Why};
+use super::{Bench, Effort, Goal, Why};
 use crate::cell::knob::Knob;
 use crate::hazard::{Finding, Groups};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
 use crate::report::advice::{Begin, Complete, Met};
 use crate::report::model::{Hazard, Verdict};
+use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
 use crate::scan::prepare::Prepared;
@@ -20,7 +22,7 @@ use crate::sim::Simulation;
 use crate::sim::expansion::Merge;
 use crate::standards::BodyRegion;
 
-use super::behaviour::{Behaviour, Objection};
+use super::behaviour::{Answers, Behaviour};
 
 /// A sequence that led to a hazard, and from where.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,12 +87,22 @@ impl<'a> Changed<'a> {
         let table = table.ok_or_else(|| not_tried("the cell file cannot be changed so".to_owned()))?;
         let own = Standpoint::own(bench.prepared).of(bench.prepared, &table).map_err(not_tried)?;
         let mut simulation = own.simulation(StateChoice::Auto, false).map_err(|e| not_tried(e.message))?;
-        let probes: &[Vec<Action>] = if knob.may_set_a_safeguard() { &bench.probes } else { &[] };
-        let after = Behaviour::observe(&mut simulation, bench.rest, probes).map_err(|e| not_tried(e.message))?;
+        let after = Behaviour::observe(&mut simulation, bench.rest).map_err(|e| not_tried(e.message))?;
         match bench.before.objection(&after, knob.is_time(), bench.names()) {
             None => Ok(Self { bench, table, own }),
-            Some(Objection::Smaller(cause)) => Err(Why::Smaller(cause)),
-            Some(Objection::Other(cause)) => Err(Why::NoAdvice(cause)),
+            Some(objection) => Err(objection.into()),
+        }
+    }
+
+    /// Whether a safeguard is smaller or slower in it.
+    pub fn smaller(&self) -> Option<Why> {
+        let mut simulation = match self.simulation(&self.own, false) {
+            Ok(simulation) => simulation,
+            Err(why) => return Some(why),
+        };
+        match Answers::observe(&mut simulation, &self.bench.probes) {
+            Ok(after) => self.bench.answers.smaller(&after, &self.bench.sensors).map(Why::from),
+            Err(error) => Some(Why::NotTried(error.message)),
         }
     }
 
@@ -131,8 +143,7 @@ impl<'a> Changed<'a> {
         &self,
         standpoint: Standpoint,
         sequences: impl Iterator<Item = &'s [Action]>,
-        goal: Goal,
-        others: &mut Groups,
+        pass: &mut Pass,
     ) -> Looked {
         let mut sequences = sequences.peekable();
         if sequences.peek().is_none() {
@@ -141,6 +152,7 @@ impl<'a> Changed<'a> {
         let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
         let mut simulation = self.simulation(&prepared, false)?;
         for actions in sequences {
+            let before = simulation.cost();
             simulation.reset().map_err(|e| Why::NotTried(e.message))?;
             for action in actions.iter().take(simulation.horizon()) {
                 match simulation.step(action.index()).map_err(|e| Why::NotTried(e.message))?.end {
@@ -149,30 +161,36 @@ impl<'a> Changed<'a> {
                     None => {}
                 }
             }
-            if let Some(witness) = self.sort(&mut simulation, standpoint, goal, others) {
+            pass.pay(simulation.cost() - before);
+            if let Some(witness) = self.sort(&mut simulation, standpoint, pass) {
                 return Ok(Some(witness));
             }
             if !simulation.is_evaluated() {
                 return Err(Why::NotTried(simulation.not_evaluated().message));
             }
+            pass.goes_on()?;
         }
         Ok(None)
     }
 
     /// A quick search from one place, which ends when it meets a hazard that counts.
-    pub fn search(&self, standpoint: Standpoint, iterations: u32, goal: Goal, others: &mut Groups) -> Looked {
+    pub fn search(&self, standpoint: Standpoint, iterations: u32, pass: &mut Pass) -> Looked {
         let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
         let mut simulation = self.simulation(&prepared, true)?;
-        let mut strategy = StrategyName::Hybrid.build();
+        // What a strategy that plans spends on imagining is more than these few sequences cost.
+        let mut strategy = StrategyName::MctsDpw.build();
         let mut rng = Rng::new(prepared.cell.search.seed);
         for _ in 0..iterations {
+            let before = simulation.cost();
             let iteration = strategy.iterate(&mut simulation, &mut rng).map_err(|e| Why::NotTried(e.message))?;
             if iteration.end == End::NotEvaluated {
                 return Err(Why::NotTried(simulation.not_evaluated().message));
             }
-            if let Some(witness) = self.sort(&mut simulation, standpoint, goal, others) {
+            pass.pay(simulation.cost() - before);
+            if let Some(witness) = self.sort(&mut simulation, standpoint, pass) {
                 return Ok(Some(witness));
             }
+            pass.goes_on()?;
         }
         Ok(None)
     }
@@ -182,32 +200,28 @@ impl<'a> Changed<'a> {
     }
 
     /// The first finding that counts; others are kept.
-    fn sort(
-        &self,
-        simulation: &mut Simulation<Hosted>,
-        standpoint: Standpoint,
-        goal: Goal,
-        others: &mut Groups,
-    ) -> Option<Witness> {
+    fn sort(&self, simulation: &mut Simulation<Hosted>, standpoint: Standpoint, pass: &mut Pass) -> Option<Witness> {
         for finding in simulation.take_findings() {
-            if self.bench.counts(goal, &finding) {
+            if self.bench.counts(pass.goal, &standpoint, &member_of(&self.own.cell, &finding)) {
                 return Some(Witness::new(&finding, standpoint));
             }
-            others.add(finding, 0, &self.bench.links);
+            pass.others.add(finding, 0, &self.bench.links);
         }
         None
     }
 
-    /// Looks at every sequence from one place, as far as `budget` goes; ends when it meets a hazard. Also says what it cost.
+    /// Looks at every sequence from one place, as far as what is left in `purse` goes; ends when it meets a hazard that
+    /// counts.
     pub fn all(
         &self,
         standpoint: Standpoint,
-        budget: Budget,
+        goal: Goal,
+        purse: &mut Purse,
         workers: usize,
-    ) -> Result<Result<(Complete, [u64; 2]), Witness>, Why> {
+    ) -> Result<Result<Complete, Witness>, Why> {
         let prepared =
             self.from(&standpoint).ok_or_else(|| Why::NotTried("the person has no room there".to_owned()))?;
-        let how = Exhaustive { budget, merge: Merge::Auto, workers };
+        let how = Exhaustive { budget: purse.budget(&self.bench.effort), merge: Merge::Auto, workers };
         let options = ScanOptions {
             method: Method::Exhaustive(how),
             seed: prepared.cell.search.seed,
@@ -216,28 +230,100 @@ impl<'a> Changed<'a> {
             posture_sweep: true,
             state: StateChoice::Auto,
         };
-        let mut tell = |event: Progress<'_>| match event {
-            Progress::Level { hazards, .. } if hazards > 0 => ControlFlow::Break(()),
-            _ => ControlFlow::Continue(()),
+        let counts = |hazard: &Hazard| self.bench.counts(goal, &standpoint, &member(&prepared, hazard));
+        let mut met = false;
+        let mut tell = |event: Progress<'_>| {
+            if let Progress::Found(hazard) = event {
+                met |= counts(hazard);
+            }
+            if met { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let report = scan(&prepared, options, &mut tell).map_err(|e| Why::NotTried(e.cause.message))?.report;
-        if let Some(hazard) = report.hazards.first() {
+        let states = report.certificate.as_ref().map_or(0, |certificate| certificate.states);
+        purse.pay(states, report.coverage.arm_boxes);
+        if let Some(hazard) = report.hazards.iter().find(|hazard| counts(hazard)) {
             return Ok(Err(Witness::of(hazard, &prepared, standpoint)));
         }
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
         match (report.verdict, report.certificate) {
             (Verdict::FmuFailed, _) | (_, None) => Err(Why::NotTried(failed())),
-            (_, Some(certificate)) => {
-                let complete = Complete {
-                    sequences: certificate.sequences,
-                    actions: certificate.horizon,
-                    looked_at: certificate.complete_for_actions,
-                    reasons: certificate.reasons,
-                };
-                Ok(Ok((complete, [certificate.states as u64, report.coverage.arm_boxes])))
-            }
+            (_, Some(certificate)) => Ok(Ok(Complete {
+                sequences: certificate.sequences,
+                actions: certificate.horizon,
+                looked_at: certificate.complete_for_actions,
+                reasons: certificate.reasons,
+            })),
         }
+    }
+}
+
+/// One go at a change without complete searches.
+pub(super) struct Pass {
+    /// What it shall reach.
+    pub goal: Goal,
+    /// Hazards that do not count.
+    pub others: Groups,
+    /// What may still be spent.
+    left: u64,
+}
+
+impl Pass {
+    pub fn new(goal: Goal, left: u64) -> Self {
+        Self { goal, others: Groups::default(), left }
+    }
+
+    /// What is left of it.
+    pub fn left(&self) -> u64 {
+        self.left
+    }
+
+    fn pay(&mut self, cost: u64) {
+        self.left = self.left.saturating_sub(cost);
+    }
+
+    fn goes_on(&self) -> Result<(), Why> {
+        if self.left == 0 { Err(Why::NotTried(SPENT.to_owned())) } else { Ok(()) }
+    }
+}
+
+/// Why a change was not tried to the end.
+pub(super) const SPENT: &str = "looking at it took more work than one change may take";
+
+/// What all complete searches together may still take.
+#[derive(Clone, Copy, Debug)]
+pub struct Purse {
+    states: usize,
+    work: u64,
+}
+
+impl Purse {
+    /// All of it.
+    #[must_use]
+    pub fn new(effort: &Effort) -> Self {
+        Self { states: effort.states, work: effort.work }
+    }
+
+    /// Whether there is nothing left.
+    pub(super) fn is_empty(&self) -> bool {
+        self.states == 0 || self.work == 0
+    }
+
+    /// That of the next search.
+    fn budget(&self, effort: &Effort) -> Budget {
+        // One change with much work of arms is not to take it all: those of fences are looked at with little.
+        Budget { states: self.states, bytes: effort.bytes, work: self.work.min(effort.work / 3), drop: true }
+    }
+
+    /// What so many more searches may take that cost as much as those since `before`, `done` of them, is left twice.
+    pub(super) fn has_twice(&self, before: &Self, done: usize, more: usize) -> bool {
+        let (states, work) = (before.states - self.states, before.work - self.work);
+        let more = |spent: u64| spent / done.max(1) as u64 * more as u64 * 2;
+        more(states as u64) <= self.states as u64 && more(work) <= self.work
+    }
+
+    fn pay(&mut self, states: usize, work: u64) {
+        (self.states, self.work) = (self.states.saturating_sub(states), self.work.saturating_sub(work));
     }
 }
 

@@ -7,14 +7,12 @@
 
 use std::collections::BTreeMap;
 
-use super::looking::{Changed, Known, SHIFTED, Witness, shifted};
+use super::looking::{Changed, Known, Pass, Purse, SHIFTED, SPENT, Witness, shifted};
 use super::standpoint::Standpoint;
 use super::{Bench, Goal, Why};
 use crate::cell::knob::Knob;
-use crate::hazard::Groups;
 use crate::human::action::ACTION_S;
-use crate::report::advice::{Checked, OneLess, Others, Outcome, Remedy};
-use crate::search::exhaustive::Budget;
+use crate::report::advice::{Checked, Met, OneLess, Others, Outcome, Remedy};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// After so many counterexamples steps grow.
@@ -31,8 +29,12 @@ pub(super) struct Trial<'a> {
     counterexamples: u32,
     /// Cells changed so far.
     changed: BTreeMap<u32, Result<Changed<'a>, Why>>,
-    /// Steps that held against everything but the complete search.
-    held: BTreeMap<u32, Checked>,
+    /// Whether a safeguard is smaller in them.
+    smaller: BTreeMap<u32, Option<Why>>,
+    /// What is to be reached.
+    goal: Goal,
+    /// Steps that held for it against everything but the complete search.
+    held: BTreeMap<u32, (Checked, Left)>,
     /// Most steps that the cell takes, and why not more.
     most: u32,
     limit: Option<Why>,
@@ -41,13 +43,22 @@ pub(super) struct Trial<'a> {
     below: OneLess,
     /// A hazard was met beyond the time that the cell file looks at.
     later: bool,
+    /// What may still be spent, but on complete searches.
+    left: u64,
+}
+
+/// Hazards that are left after a change, and are no reason against it.
+#[derive(Clone, Default)]
+struct Left {
+    at_least: usize,
+    worst: Option<Witness>,
 }
 
 /// What came of a step.
 enum Judged {
     Met(Witness),
     Impossible(Why),
-    Held(Checked, Groups),
+    Held(Box<(Checked, Left)>),
 }
 
 impl<'a> Trial<'a> {
@@ -58,74 +69,104 @@ impl<'a> Trial<'a> {
             known: bench.known.clone(),
             counterexamples: 0,
             changed: BTreeMap::new(),
+            smaller: BTreeMap::new(),
+            goal: Goal::Lasting,
             held: BTreeMap::new(),
             most: knob.steps,
             limit: knob.end().map(|end| Why::NotTried(end.to_owned())),
             low: 0,
             below: OneLess::AsItIs,
             later: false,
+            left: bench.effort.quick,
         }
     }
 
-    /// All but complete searches; what they are to confirm comes as [`Outcome::NotMet`].
+    /// All but complete searches; what they are to confirm comes as [`Outcome::NotMet`] or [`Outcome::OthersRemain`].
     pub fn quick(&mut self) -> Remedy {
         if let Some(outcome) = self.limited() {
             return self.remedy(self.most, outcome);
         }
-        self.attempt(None)
-    }
-
-    /// Goes on with complete searches from where [`Self::quick`] ended.
-    pub fn complete(&mut self, workers: usize) -> Remedy {
-        self.attempt(Some(workers))
-    }
-
-    fn remedy(&mut self, steps: u32, outcome: Outcome) -> Remedy {
-        let cell = self.changed(steps).map_or_else(|_| String::new(), |changed| changed.text().to_owned());
-        let ended = !matches!(outcome, Outcome::Sufficient(_) | Outcome::NotMet(_)) && self.most == self.knob.steps;
-        let limit = self.knob.end().filter(|_| ended).map(str::to_owned);
-        Remedy { change: self.knob.words(steps), cell, limit, outcome }
-    }
-
-    fn attempt(&mut self, workers: Option<usize>) -> Remedy {
-        if let Some((steps, checked, _)) = self.fewest(Goal::Lasting, workers) {
-            let checked = Checked { counterexamples: self.counterexamples, one_less: self.below.clone(), ..checked };
-            let all = !checked.complete.is_empty() && checked.complete.iter().all(|c| c.reasons.is_empty());
-            return self.remedy(steps, if all { Outcome::Sufficient(checked) } else { Outcome::NotMet(checked) });
+        if let Some((steps, checked, left)) = self.fewest(Goal::Lasting, None) {
+            return self.reached(steps, checked, left);
         }
-        // What is left is no advice: nothing of it needs a complete search.
-        if self.later {
-            (self.low, self.below) = (0, OneLess::AsItIs);
-            if let Some((steps, ..)) = self.fewest(Goal::ForNow, None)
-                && let Judged::Met(witness) = self.judge(steps, Goal::Lasting, None)
-                && let Ok(changed) = self.changed(steps)
-            {
-                let met = changed.met(&witness);
-                return self.remedy(steps, Outcome::OnlyLater(met));
-            }
+        // What is left then is no advice.
+        if self.later
+            && let Some((steps, ..)) = self.fewest(Goal::ForNow, None)
+            && let Some(met) = self.met_later(steps)
+            && !self.bench.aim.is_one_of_several()
+        {
+            return self.remedy(steps, Outcome::OnlyLater(met));
         }
-        (self.low, self.below) = (0, OneLess::AsItIs);
-        if let Some((steps, _, others)) = self.fewest(Goal::Hazard, None) {
-            let worst =
-                others.ranked().first().map(|group| Witness::new(&group.worst, Standpoint::own(self.bench.prepared)));
-            if let (Some(worst), Ok(changed)) = (worst, self.changed(steps)) {
-                let others = Others { at_least: others.len(), worst: changed.met(&worst) };
-                return self.remedy(steps, Outcome::OthersRemain(others));
-            }
+        if self.bench.aim.is_one_of_several()
+            && let Some((steps, checked, left)) = self.fewest(Goal::Cause, None)
+        {
+            return self.reached(steps, checked, left);
+        }
+        self.no_help()
+    }
+
+    fn no_help(&mut self) -> Remedy {
+        if self.left == 0 {
+            return self.remedy(self.most, Outcome::NotTried { cause: SPENT.to_owned() });
         }
         let limit = self.limit.as_ref().map(|why| why.cause().to_owned());
         self.remedy(self.most, Outcome::NoHelp { limit })
     }
 
+    /// Goes on with complete searches from where [`Self::quick`] ended with something that held.
+    pub fn complete(&mut self, purse: &mut Purse, workers: usize) -> Remedy {
+        // Its own share again: what the searches find is held against other steps.
+        self.left = self.bench.effort.quick;
+        let several = self.bench.aim.is_one_of_several();
+        for goal in [self.goal, Goal::Cause] {
+            if goal == Goal::Cause && !several {
+                continue;
+            }
+            if let Some((steps, checked, left)) = self.fewest(goal, Some((&mut *purse, workers))) {
+                return self.reached(steps, checked, left);
+            }
+        }
+        self.no_help()
+    }
+
+    /// The goal is reached.
+    fn reached(&mut self, steps: u32, checked: Checked, left: Left) -> Remedy {
+        let checked = Checked { counterexamples: self.counterexamples, one_less: self.below.clone(), ..checked };
+        let all = !checked.complete.is_empty() && checked.complete.iter().all(|c| c.reasons.is_empty());
+        if self.goal != Goal::Cause {
+            return self.remedy(steps, if all { Outcome::Sufficient(checked) } else { Outcome::NotMet(checked) });
+        }
+        let worst = left.worst.and_then(|worst| self.changed(steps).ok().map(|changed| changed.met(&worst)));
+        self.remedy(steps, Outcome::OthersRemain(Others { at_least: left.at_least, worst, complete: all, checked }))
+    }
+
+    fn remedy(&mut self, steps: u32, outcome: Outcome) -> Remedy {
+        let cell = self.changed(steps).map_or_else(|_| String::new(), |changed| changed.text().to_owned());
+        let reached = matches!(outcome, Outcome::Sufficient(_) | Outcome::NotMet(_) | Outcome::OthersRemain(_));
+        let limit = self.knob.end().filter(|_| !reached && self.most == self.knob.steps).map(str::to_owned);
+        Remedy { change: self.knob.words(steps), cell, limit, outcome }
+    }
+
+    /// The hazard that is met after so many steps later than the cell file looks.
+    fn met_later(&mut self, steps: u32) -> Option<Met> {
+        self.goal = Goal::Lasting;
+        let Judged::Met(witness) = self.judge(steps, &mut None) else { return None };
+        self.changed(steps).ok().map(|changed| changed.met(&witness))
+    }
+
     /// Finds out how far the knob can be turned; an outcome if that is not at all.
     fn limited(&mut self) -> Option<Outcome> {
         let (mut low, mut high) = (0, self.knob.steps);
-        if let Err(why) = self.changed(high) {
+        if let Err(why) = self.allowed(high) {
             self.limit = Some(why);
+            // What is turned the wrong way, or ends the FMU, does so from the first step: others are not tried.
+            if let Err(why) = self.allowed(1) {
+                (high, self.limit) = (1, Some(why));
+            }
             while high - low > 1 {
                 let middle = low + (high - low) / 2;
-                match self.changed(middle) {
-                    Ok(_) => low = middle,
+                match self.allowed(middle) {
+                    Ok(()) => low = middle,
                     Err(why) => {
                         high = middle;
                         self.limit = Some(why);
@@ -143,6 +184,23 @@ impl<'a> Trial<'a> {
         None
     }
 
+    /// Whether the cell takes so many steps, and no safeguard is smaller for it.
+    fn allowed(&mut self, steps: u32) -> Result<(), Why> {
+        self.changed(steps)?;
+        if !self.knob.may_set_a_safeguard() {
+            return Ok(());
+        }
+        let smaller = match self.smaller.get(&steps) {
+            Some(known) => known.clone(),
+            None => {
+                let smaller = self.changed(steps)?.smaller();
+                self.smaller.insert(steps, smaller.clone());
+                smaller
+            }
+        };
+        smaller.map_or(Ok(()), Err)
+    }
+
     fn changed(&mut self, steps: u32) -> Result<&Changed<'a>, Why> {
         let (bench, knob) = (self.bench, self.knob);
         self.changed.entry(steps).or_insert_with(|| Changed::new(bench, knob, steps)).as_ref().map_err(Clone::clone)
@@ -150,11 +208,16 @@ impl<'a> Trial<'a> {
 
     /// The fewest steps that reach a goal, what they were held against, and which hazards are left all the same. Leaves in
     /// `below` what one step less leads to.
-    fn fewest(&mut self, goal: Goal, workers: Option<usize>) -> Option<(u32, Checked, Groups)> {
-        let most = self.most_that_helps(goal)?;
+    fn fewest(&mut self, goal: Goal, mut completely: Option<(&mut Purse, usize)>) -> Option<(u32, Checked, Left)> {
+        if self.goal != goal {
+            self.goal = goal;
+            self.held.clear();
+            (self.low, self.below) = (0, OneLess::AsItIs);
+        }
+        let most = self.most_that_helps()?;
         let mut high = most;
         let mut misses = 0_u32;
-        let mut held: Option<(Checked, Groups)> = None;
+        let mut held: Option<(Checked, Left)> = None;
         loop {
             if self.low >= high {
                 return None;
@@ -166,15 +229,15 @@ impl<'a> Trial<'a> {
                     self.low + (high - self.low) / 2
                 }
                 None => {
-                    let least = self.least_for_known(goal, most);
+                    let least = self.least_for_known(most);
                     let growth = misses.saturating_sub(PATIENCE).min(6);
                     if growth > 0 { (least + (1 << growth)).min(most) } else { least }
                 }
             };
-            match self.judge(candidate, goal, workers) {
-                Judged::Held(checked, groups) => {
+            match self.judge(candidate, &mut completely) {
+                Judged::Held(kept) => {
                     high = candidate;
-                    held = Some((checked, groups));
+                    held = Some(*kept);
                 }
                 Judged::Met(witness) => {
                     self.fails(candidate, &witness);
@@ -200,10 +263,10 @@ impl<'a> Trial<'a> {
 
     /// Of all steps, their half, their quarter and so on the first that helps against the known sequences: fewer may where
     /// more do not, because they lead past the person.
-    fn most_that_helps(&mut self, goal: Goal) -> Option<u32> {
+    fn most_that_helps(&mut self) -> Option<u32> {
         let mut steps = self.most;
         while steps > self.low {
-            if matches!(self.known(steps, goal, &mut Groups::default()), Ok(None)) {
+            if matches!(self.known(steps), Ok(None)) {
                 return Some(steps);
             }
             steps /= 2;
@@ -212,11 +275,11 @@ impl<'a> Trial<'a> {
     }
 
     /// The fewest steps above those that fail with which no known sequence leads to a hazard, by halving.
-    fn least_for_known(&mut self, goal: Goal, most: u32) -> u32 {
+    fn least_for_known(&mut self, most: u32) -> u32 {
         let mut high = most;
         while high - self.low > 1 {
             let middle = self.low + (high - self.low) / 2;
-            match self.known(middle, goal, &mut Groups::default()) {
+            match self.known(middle) {
                 Ok(None) => high = middle,
                 Ok(Some(witness)) => self.fails(middle, &witness),
                 Err(why) => (self.low, self.below) = (middle, OneLess::NotTried { cause: why.cause().to_owned() }),
@@ -226,9 +289,17 @@ impl<'a> Trial<'a> {
     }
 
     /// What the known sequences lead to. One that leads to a hazard then stands first: it is likely to do so again.
-    fn known(&mut self, steps: u32, goal: Goal, others: &mut Groups) -> Result<Option<Witness>, Why> {
+    fn known(&mut self, steps: u32) -> Result<Option<Witness>, Why> {
+        let mut pass = Pass::new(self.goal, self.left);
+        let looked = self.known_with(steps, &mut pass);
+        self.left = pass.left();
+        looked
+    }
+
+    fn known_with(&mut self, steps: u32, pass: &mut Pass) -> Result<Option<Witness>, Why> {
+        let (bench, goal) = (self.bench, self.goal);
         let known: Vec<Known> =
-            self.known.iter().filter(|known| self.bench.is_from(goal, &known.standpoint)).cloned().collect();
+            self.known.iter().filter(|known| bench.is_from(goal, &known.standpoint)).cloned().collect();
         let changed = self.changed(steps)?;
         let mut standpoints: Vec<Standpoint> = Vec::new();
         for Known { standpoint, .. } in &known {
@@ -239,7 +310,7 @@ impl<'a> Trial<'a> {
         for standpoint in standpoints {
             let from =
                 known.iter().filter(|known| known.standpoint == standpoint).map(|known| known.actions.as_slice());
-            if let Some(witness) = changed.run(standpoint, from, goal, others)? {
+            if let Some(witness) = changed.run(standpoint, from, pass)? {
                 let led =
                     |known: &Known| known.standpoint == standpoint && known.actions.starts_with(&witness.known.actions);
                 if let Some(place) = self.known.iter().position(led) {
@@ -251,113 +322,131 @@ impl<'a> Trial<'a> {
         Ok(None)
     }
 
-    /// Tries a step; completely if there are `workers` for it.
-    fn judge(&mut self, steps: u32, goal: Goal, workers: Option<usize>) -> Judged {
-        let mut others = Groups::default();
-        let looked = self.known(steps, goal, &mut others).and_then(|met| match met {
-            Some(witness) => Ok(Err(witness)),
-            None => self.look(steps, goal, workers, &mut others),
+    /// Tries a step; completely if there is a purse for it.
+    fn judge(&mut self, steps: u32, completely: &mut Option<(&mut Purse, usize)>) -> Judged {
+        let looked = match self.held.get(&steps) {
+            Some(held) => Ok(Ok(held.clone())),
+            None => self.look_quickly(steps),
+        };
+        let looked = looked.and_then(|looked| match (looked, completely) {
+            (Ok(held), Some((purse, workers))) => self.look_completely(steps, held, purse, *workers),
+            (looked, _) => Ok(looked),
         });
         match looked {
-            Ok(Ok(checked)) => Judged::Held(checked, others),
+            Ok(Ok(held)) => Judged::Held(Box::new(held)),
             Ok(Err(witness)) => Judged::Met(witness),
             Err(why) => Judged::Impossible(why),
         }
     }
 
-    /// Everything but the known sequences.
-    fn look(
+    /// Everything but complete searches.
+    fn look_quickly(&mut self, steps: u32) -> Result<Result<(Checked, Left), Witness>, Why> {
+        let mut pass = Pass::new(self.goal, self.left);
+        let looked = match self.known_with(steps, &mut pass) {
+            Ok(None) => self.search(steps, &mut pass),
+            Ok(Some(witness)) => Ok(Err(witness)),
+            Err(why) => Err(why),
+        };
+        self.left = pass.left();
+        let checked = match looked? {
+            Ok(checked) => checked,
+            Err(witness) => return Ok(Err(witness)),
+        };
+        self.allowed(steps)?;
+        let worst = pass.others.ranked().first().map(|group| Witness::new(&group.worst, self.bench.own));
+        let held = (checked, Left { at_least: pass.others.len(), worst });
+        self.held.insert(steps, held.clone());
+        Ok(Ok(held))
+    }
+
+    /// Every sequence, as far as the purse goes: from the start and the cell's other beginnings, or, where only one cause is
+    /// to be gone, from the start.
+    fn look_completely(
         &mut self,
         steps: u32,
-        goal: Goal,
-        workers: Option<usize>,
-        others: &mut Groups,
-    ) -> Result<Result<Checked, Witness>, Why> {
-        let before = if goal == Goal::Lasting { self.held.get(&steps).cloned() } else { None };
-        let mut checked = match before {
-            Some(checked) => checked,
-            None => match self.look_quickly(steps, goal, others)? {
-                Ok(checked) => checked,
-                Err(witness) => return Ok(Err(witness)),
-            },
-        };
-        if goal == Goal::Lasting {
-            self.held.insert(steps, checked.clone());
-        }
-        let (Some(workers), bench) = (workers, self.bench) else { return Ok(Ok(checked)) };
+        (mut checked, left): (Checked, Left),
+        purse: &mut Purse,
+        workers: usize,
+    ) -> Result<Result<(Checked, Left), Witness>, Why> {
+        let (bench, goal) = (self.bench, self.goal);
         let changed = self.changed(steps)?;
-        let (states, work) = (bench.effort.states, bench.effort.work);
-        let budget = Budget { states, bytes: bench.effort.bytes, work, drop: true };
-        let mut spent = [0, 0];
-        for standpoint in std::iter::once(&bench.own).chain(&bench.beginnings) {
-            match changed.all(*standpoint, budget, workers)? {
-                Ok((complete, cost)) => {
-                    checked.complete.push(complete);
-                    spent = [spent[0] + cost[0], spent[1] + cost[1]];
-                }
+        let before = *purse;
+        let beginnings = if goal == Goal::Cause { &[][..] } else { &bench.beginnings };
+        for standpoint in std::iter::once(&bench.own).chain(beginnings) {
+            if purse.is_empty() {
+                checked.complete.clear();
+                return Ok(Ok((checked, left)));
+            }
+            match changed.all(*standpoint, goal, purse, workers)? {
+                Ok(complete) => checked.complete.push(complete),
                 Err(witness) => return Ok(Err(witness)),
             }
         }
         // From beside the start as well, where that is cheap.
-        let (done, left) = (checked.complete.len() as u64, bench.around.len() as u64);
-        let enough = |spent: u64, budget: u64| spent / done.max(1) * left * 2 <= budget;
         let complete = checked.complete.iter().all(|complete| complete.reasons.is_empty());
-        if complete && enough(spent[0], states as u64) && enough(spent[1], work) {
+        let around = if goal == Goal::Cause { &[][..] } else { &bench.around };
+        if complete && !around.is_empty() && purse.has_twice(&before, checked.complete.len(), around.len()) {
             checked.around_complete = true;
-            for standpoint in &bench.around {
-                match changed.all(*standpoint, budget, workers)? {
-                    Ok((complete, _)) => checked.around_complete &= complete.reasons.is_empty(),
+            for standpoint in around {
+                match changed.all(*standpoint, goal, purse, workers)? {
+                    Ok(complete) => checked.around_complete &= complete.reasons.is_empty(),
                     Err(witness) => return Ok(Err(witness)),
                 }
             }
         }
-        Ok(Ok(checked))
+        Ok(Ok((checked, left)))
     }
 
     /// Quick searches from everywhere.
-    fn look_quickly(&mut self, steps: u32, goal: Goal, others: &mut Groups) -> Result<Result<Checked, Witness>, Why> {
-        let (bench, knob, known) = (self.bench, self.knob, self.known.clone());
+    fn search(&mut self, steps: u32, pass: &mut Pass) -> Result<Result<Checked, Witness>, Why> {
+        let (bench, known) = (self.bench, self.known.clone());
         let known_sequences = bench.known.len();
         let changed = self.changed(steps)?;
         let iterations = bench.effort.iterations;
         let mut checked = Checked { known_sequences, searched: iterations, ..Checked::default() };
-        if let Some(witness) = changed.search(bench.own, iterations, goal, others)? {
+        if let Some(witness) = changed.search(bench.own, iterations, pass)? {
             return Ok(Err(witness));
         }
-        if goal == Goal::Lasting {
-            // A slower robot is where it was so much later.
-            let actions = bench.prepared.cell.search.actions;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to twice the actions")]
-            let slower =
-                |left: f64| (f64::from(actions) * (1.0 / left.max(0.1) - 1.0)).ceil().min(f64::from(actions)) as u32;
-            // And a robot that is farther away is reached so much later.
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few")]
-            let way = (knob.farther_m(steps) / (WALKING_SPEED_M_S * ACTION_S)).ceil() as u32;
-            let more = LATER + knob.speed_left(steps).map_or(0, slower) + way;
-            let later = bench.own.longer(more);
-            let sequences = shifted(&known, actions as usize, more as usize);
-            let met = changed.run(later, sequences.iter().map(Vec::as_slice), goal, others)?;
-            if let Some(witness) = match met {
-                None => changed.search(later, iterations, goal, others)?,
+        if pass.goal != Goal::ForNow
+            && let Some(witness) = self.search_later(steps, &mut checked, pass)?
+        {
+            return Ok(Err(witness));
+        }
+        let changed = self.changed(steps)?;
+        for standpoint in bench.beginnings.iter().chain(&bench.around) {
+            let worst = known.iter().filter(|known| known.standpoint == bench.own).take(SHIFTED / 2);
+            let worst = worst.map(|known| known.actions.as_slice());
+            if let Some(witness) = match changed.run(*standpoint, worst, pass)? {
+                None => changed.search(*standpoint, iterations.div_ceil(2), pass)?,
                 met => met,
             } {
                 return Ok(Err(witness));
             }
-            checked.longest_s = f64::from(actions + more) * ACTION_S;
         }
-        if goal != Goal::Hazard {
-            for standpoint in bench.beginnings.iter().chain(&bench.around) {
-                let worst = known.iter().filter(|known| known.standpoint == bench.own).take(SHIFTED / 2);
-                let worst = worst.map(|known| known.actions.as_slice());
-                if let Some(witness) = match changed.run(*standpoint, worst, goal, others)? {
-                    None => changed.search(*standpoint, iterations.div_ceil(2), goal, others)?,
-                    met => met,
-                } {
-                    return Ok(Err(witness));
-                }
-            }
-            checked.around = bench.around.len();
-        }
+        checked.around = bench.around.len();
         Ok(Ok(checked))
+    }
+
+    /// Quick searches for longer than the cell file says.
+    fn search_later(&mut self, steps: u32, checked: &mut Checked, pass: &mut Pass) -> Result<Option<Witness>, Why> {
+        let (bench, knob, known) = (self.bench, self.knob, self.known.clone());
+        let changed = self.changed(steps)?;
+        // A slower robot is where it was so much later.
+        let actions = bench.prepared.cell.search.actions;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to twice the actions")]
+        let slower =
+            |left: f64| (f64::from(actions) * (1.0 / left.max(0.1) - 1.0)).ceil().min(f64::from(actions)) as u32;
+        // And a robot that is farther away is reached so much later.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few")]
+        let way = (knob.farther_m(steps) / (WALKING_SPEED_M_S * ACTION_S)).ceil() as u32;
+        let more = LATER + knob.speed_left(steps).map_or(0, slower) + way;
+        let later = bench.own.longer(more);
+        let sequences = shifted(&known, actions as usize, more as usize);
+        let met = match changed.run(later, sequences.iter().map(Vec::as_slice), pass)? {
+            None => changed.search(later, bench.effort.iterations, pass)?,
+            met => met,
+        };
+        checked.longest_s = f64::from(actions + more) * ACTION_S;
+        Ok(met)
     }
 }

@@ -5,7 +5,7 @@
 //! divided, and a part is left where no pose of it can touch, by the most that a point of the arm moves within it: if all parts
 //! are left, there is none. What neither decides is uncertain.
 
-use super::force::{Region, class, safe_speed};
+use super::force::{Criterion, Region, Speeds, class, safe_speed};
 use super::geometry::{M3, Solid, V3, about, add, between, length, product, scaled, sub, turned};
 use super::robot::{Link, Robot};
 
@@ -109,6 +109,9 @@ pub struct Question<'a> {
     pub trunk: M3,
     /// 1 for the left arm, -1 for the right one.
     pub side: f64,
+    /// The velocity at which the person walks.
+    pub walking: V3,
+    pub criterion: Criterion,
     pub robot: &'a Robot,
     pub solids: &'a [Solid],
     /// By how much the arm may move at a certain contact, m: no less than the program's tolerance.
@@ -121,7 +124,7 @@ pub struct Touch {
     pub region: Region,
     pub link: String,
     pub point: V3,
-    pub speed: f64,
+    pub speeds: Speeds,
 }
 
 impl Question<'_> {
@@ -155,12 +158,17 @@ impl Question<'_> {
         if gap < 0.0 { (wrist, 0.0) } else { (point, gap) }
     }
 
+    /// Of a point that an arm touches: how the arm itself moves is not known, so the direction does not count.
+    fn speeds(&self, link: &Link, point: V3) -> Speeds {
+        Speeds { own: link.speed(point), towards: length(sub(link.moves(point), self.walking)) }
+    }
+
     fn touches(&self, pose: &Pose) -> Vec<Touch> {
         let mut all = Vec::new();
         let mut offer = |region: Region, link: &Link, point: V3| {
-            let speed = link.speed(point);
-            if class(region, self.robot.effective_mass, speed).is_some() {
-                all.push(Touch { region, link: link.name.clone(), point, speed });
+            let speeds = self.speeds(link, point);
+            if class(region, self.robot.effective_mass, speeds, self.criterion).is_some() {
+                all.push(Touch { region, link: link.name.clone(), point, speeds });
             }
         };
         for link in &self.robot.links {
@@ -187,6 +195,8 @@ impl Question<'_> {
     /// Pieces of links that are fast enough for a region and within reach of the shoulder.
     fn near(&self, region: Region, reach: f64) -> Vec<(usize, Vec<[V3; 2]>)> {
         let safe = safe_speed(region, self.robot.effective_mass);
+        // Whatever the direction: the person at most adds their own speed, and what stands hits nobody.
+        let fastest = |own: f64| Speeds { own, towards: own + length(self.walking) }.decides(self.criterion);
         let mut all = Vec::new();
         for (i, link) in self.robot.links.iter().enumerate() {
             let fast: Vec<[V3; 2]> = link
@@ -194,7 +204,7 @@ impl Question<'_> {
                 .iter()
                 .filter(|(core, speed)| {
                     let (p, q) = super::geometry::nearest([self.shoulder; 2], *core);
-                    *speed > safe && length(sub(p, q)) <= reach + link.radius
+                    fastest(*speed) > safe && length(sub(p, q)) <= reach + link.radius
                 })
                 .map(|piece| piece.0)
                 .collect();
@@ -284,7 +294,8 @@ impl Question<'_> {
         let mut contact = f64::MAX;
         for link in &self.robot.links {
             let mut offer = |region: Region, point: V3, apart: f64| {
-                let surely = link.speed(point) - 2.0 * self.tight * length(link.spin);
+                let surely = self.speeds(link, point).changed(-2.0 * self.tight * length(link.spin));
+                let surely = surely.decides(self.criterion);
                 let slow = (safe_speed(region, self.robot.effective_mass) - surely).max(0.0);
                 contact = contact.min(if slow > 0.0 { apart.max(0.0) + 0.1 + slow } else { apart });
             };
@@ -321,8 +332,8 @@ impl Question<'_> {
             let link = &self.robot.links[*i];
             let (point, _) = Self::hand(link, pose.wrist);
             // The nearest point of a convex link moves no farther than the wrist.
-            let fastest = link.speed(point) + length(link.spin) * wrist;
-            class("hand", self.robot.effective_mass, fastest).is_some()
+            let fastest = self.speeds(link, point).changed(length(link.spin) * wrist);
+            class("hand", self.robot.effective_mass, fastest, self.criterion).is_some()
                 && self.line_depth(pose.wrist, point) >= -wrist
                 && fast.iter().any(|core| {
                     let (p, q) = super::geometry::nearest([pose.wrist; 2], *core);

@@ -61,6 +61,12 @@ impl Place {
         self
     }
 
+    /// The velocity of a person who walks here, as they look.
+    pub fn walking(&self, cell: &Cell) -> V3 {
+        let [x, y] = direction(cell, self.heading);
+        scaled([x, y, 0.0], WALKING_SPEED)
+    }
+
     pub fn xy(&self, cell: &Cell) -> [f64; 2] {
         let mut at = cell.start;
         for (eighths, count) in (0..).zip(self.ways) {

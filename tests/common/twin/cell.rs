@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use toml::{Table, Value};
 
+use super::force::Criterion;
 use super::geometry::{M3, Solid, V3, add, length, rpy, scaled};
 
 /// What moves a joint: FMU outputs with the sign of each, or nothing.
@@ -62,6 +63,8 @@ pub struct Cell {
     pub actions: usize,
     /// `search.reach_tolerance_m`.
     pub tolerance: f64,
+    /// `search.criterion`.
+    pub criterion: Criterion,
     pub base: (M3, V3),
     pub joints: Vec<Joint>,
     pub frames: Vec<Frame>,
@@ -188,12 +191,19 @@ impl Cell {
         }
         let begins = list(&file["human"], "begins_s").first().map_or(0.0, number);
         let lead_in = (0..10_000).find(|n| f64::from(*n) * step > begins - 0.5 * step).expect("soon");
-        let tolerance = file.get("search").and_then(|s| s.get("reach_tolerance_m")).map_or(0.02, number);
-        let actions = file.get("search").and_then(|s| s.get("actions")).and_then(Value::as_integer).unwrap_or(8);
+        let search = |key: &str| file.get("search").and_then(|s| s.get(key));
+        let tolerance = search("reach_tolerance_m").map_or(0.02, number);
+        let criterion = match search("criterion").map(|c| c.as_str().expect("a text")) {
+            None | Some("absolute") => Criterion::Absolute,
+            Some("approach") => Criterion::Approach,
+            Some(other) => panic!("no criterion: {other}"),
+        };
+        let actions = search("actions").and_then(Value::as_integer).unwrap_or(8);
         Self {
             fmu: path.with_file_name(file["fmu"].as_str().expect("a text")),
             step,
             tolerance,
+            criterion,
             actions: usize::try_from(actions).expect("not negative"),
             base: pose(robot.get("base")),
             joints: list(robot, "joint").iter().map(joint).collect(),

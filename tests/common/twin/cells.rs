@@ -31,6 +31,8 @@ pub struct Gantry {
     pub start: [f64; 2],
     pub begins: f64,
     pub actions: u32,
+    /// Whether the speed of approach decides.
+    pub approach: bool,
 }
 
 impl Gantry {
@@ -42,7 +44,8 @@ impl Gantry {
     }
 
     fn text(&self) -> String {
-        let Self { base, slides, links, mass, tables, parameters, start, begins, actions } = self;
+        let Self { base, slides, links, mass, tables, parameters, start, begins, actions, approach } = self;
+        let criterion = if *approach { "criterion = \"approach\"\n" } else { "" };
         let [mut joints, mut shapes, mut motion] = [const { String::new() }; 3];
         for (i, [stroke, speed, phase]) in (1..).zip(slides) {
             joints += &format!(
@@ -65,7 +68,7 @@ impl Gantry {
             "schema = 1\nname = \"gantry\"\nfmu = \"gantry.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"gantry\"\n\
              base = {{ xyz_m = {base:?} }}\nmoving_mass_kg = {mass:?}\npayload_kg = 0\nphase = \"ctrl.leg\"\n{joints}{shapes}{tables}\n\
              [parameters]\n{motion}{parameters}\n[inputs]\n\"plc.reset\" = false\n\
-             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n"
+             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n{criterion}"
         )
     }
 }
@@ -85,6 +88,24 @@ pub fn slow_and_fast_at_the_body() -> Gantry {
         start: [0.0, -0.5],
         begins: 0.0,
         actions: 2,
+        approach: false,
+    }
+}
+
+/// Two links so low that no hand gets there, in front of a wall that stops who walks. The fast one is too fast for legs: it
+/// comes towards those on its way, and draws back from others. The slow one is not, but who walks into it is too fast.
+pub fn comes_and_draws_back() -> Gantry {
+    Gantry {
+        base: [-0.15, 0.0, 0.15],
+        slides: [[2.0, 0.1, 0.0], [2.0, 0.4, 0.0]],
+        links: &[("slow", 1, [0.5, -0.45, 0.0], 0.0, 0.08), ("fast", 2, [0.0, 0.0, 0.0], 0.0, 0.08)],
+        mass: 20.0,
+        tables: "[[obstacle]]\nname = \"low wall\"\ncentre_m = [0, 0.1, 0.4]\nsize_m = [6, 0.02, 0.8]\n",
+        parameters: "",
+        start: [0.0, -0.5],
+        begins: 0.0,
+        actions: 3,
+        approach: false,
     }
 }
 
@@ -100,6 +121,7 @@ pub fn too_fast_for_limbs() -> Gantry {
         start: [0.0, -0.5],
         begins: 0.0,
         actions: 2,
+        approach: false,
     }
 }
 
@@ -121,6 +143,7 @@ pub fn fast_within_slow() -> Gantry {
         start: [0.0, -0.5],
         begins: 0.0,
         actions: 2,
+        approach: false,
     }
 }
 
@@ -145,6 +168,7 @@ const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantr
         start: [0.0, -0.5],
         begins: 0.0,
         actions: 3,
+        approach: false,
     }
 }
 

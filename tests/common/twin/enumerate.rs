@@ -6,8 +6,8 @@ use std::rc::Rc;
 use super::arm::{Pose, Question, Touch, Verdict};
 use super::body::{Body, NECK_BASE, POSTURES, Place, WALKS, shoulder, walk};
 use super::cell::Cell;
-use super::force::{class, force};
-use super::geometry::{Solid, V3, add, length, nearest, scaled, sub};
+use super::force::{Criterion, Forces, Speeds, class};
+use super::geometry::{Solid, V3, add, dot, length, nearest, scaled, sub};
 use super::planes::{inputs, samples, too_deep, ways};
 use super::robot::{Link, Robot, Runs};
 
@@ -18,8 +18,7 @@ pub struct Hit {
     pub region: &'static str,
     pub link: String,
     pub point: V3,
-    pub force: f64,
-    pub ratio: f64,
+    pub forces: Forces,
     pub depth: f64,
 }
 
@@ -28,6 +27,8 @@ pub struct Hit {
 pub struct Instant {
     pub place: Place,
     pub posture: usize,
+    /// The velocity at which the person walked in this step: none where they stand, or an obstacle stopped them.
+    pub walking: V3,
     pub raw: Vec<u8>,
     pub robot: Rc<Robot>,
     pub body: Option<Hit>,
@@ -45,8 +46,8 @@ pub struct Count {
 /// What the unsafe instants of an enumeration are like, for people who read a test that failed.
 pub type Kinds = BTreeMap<String, u64>;
 
-/// Place, posture, arm, robot, and the rows of the planes with their depths.
-type Asked = (Place, usize, bool, usize, Vec<(u8, u64)>);
+/// Place, posture, whether the person walks where that counts, arm, robot, and the rows of the planes with their depths.
+type Asked = (Place, usize, bool, bool, usize, Vec<(u8, u64)>);
 
 pub struct Twin {
     pub cell: Cell,
@@ -60,12 +61,14 @@ pub struct Twin {
 
 const SIDES: [f64; 2] = [1.0, -1.0];
 
-/// The link's and the body's point of a pair where it overlaps most, and its signed distance.
-fn pair(core: [V3; 2], radius: f64, link: &Link) -> (V3, V3, f64) {
+/// The link's and the body's point of a pair where it overlaps most, the direction from the link out to the body, and the
+/// signed distance. The direction is that between the cores: the two points change sides where they overlap, cores do not.
+fn pair(core: [V3; 2], radius: f64, link: &Link) -> (V3, V3, V3, f64) {
     let (p, q) = nearest(core, link.core);
     let d = length(sub(q, p));
     let towards = if d > 0.0 { scaled(sub(q, p), 1.0 / d) } else { [0.0; 3] };
-    (add(q, scaled(towards, -link.radius)), add(p, scaled(towards, radius)), d - radius - link.radius)
+    let out = scaled(towards, -1.0);
+    (add(q, scaled(out, link.radius)), add(p, scaled(towards, radius)), out, d - radius - link.radius)
 }
 
 impl Twin {
@@ -94,22 +97,25 @@ impl Twin {
     }
 
     /// The contact of head, trunk and legs that is told, if one is unsafe; and the harmless ones.
-    pub fn body_contacts(&self, body: &Body, robot: &Robot, raw: &[u8]) -> Vec<(Hit, bool)> {
+    pub fn body_contacts(&self, body: &Body, robot: &Robot, raw: &[u8], walking: V3) -> Vec<(Hit, bool)> {
+        let (criterion, mass) = (self.cell.criterion, robot.effective_mass);
         let mut all = Vec::new();
-        for part in &body.parts {
-            for link in &robot.links {
-                let (point, of_body, distance) = pair(part.core, part.radius, link);
+        // Links first: that is the order in which equals are told.
+        for link in &robot.links {
+            for part in &body.parts {
+                let (point, of_body, out, distance) = pair(part.core, part.radius, link);
                 if distance > 0.0 || too_deep(&self.cell, body, raw, point) {
                     continue;
                 }
                 let region = body.region(part, of_body);
-                let v = link.speed(point);
-                let (force, limit) = force(region, robot.effective_mass, v);
-                let class = class(region, robot.effective_mass, v);
+                let towards = dot(sub(link.moves(point), walking), out).max(0.0);
+                let speeds = Speeds { own: link.speed(point), towards };
+                let forces = Forces::new(region, mass, speeds, criterion);
+                let class = class(region, mass, speeds, criterion);
                 let link = link.name.clone();
                 let unsafe_ = class.is_some();
                 let class = class.unwrap_or("harmless");
-                all.push((Hit { class, region, link, point, force, ratio: force / limit, depth: -distance }, unsafe_));
+                all.push((Hit { class, region, link, point, forces, depth: -distance }, unsafe_));
             }
         }
         all
@@ -120,7 +126,7 @@ impl Twin {
         let deepest = all.iter().map(|h| h.depth).fold(0.0, f64::max);
         let near = all.into_iter().filter(|h| h.depth >= deepest - 0.02);
         // Of equals, to rounding, the first.
-        near.reduce(|worst, h| if h.ratio > worst.ratio * (1.0 + 1e-12) { h } else { worst }).cloned()
+        near.reduce(|worst, h| if h.forces.ratio() > worst.forces.ratio() * (1.0 + 1e-12) { h } else { worst }).cloned()
     }
 
     /// The arms that are available: side and shoulder.
@@ -130,8 +136,10 @@ impl Twin {
         SIDES.into_iter().map(|side| (side, body.in_world(shoulder(side)))).filter(|(_, s)| free(s)).collect()
     }
 
-    fn arm_verdict(&mut self, place: Place, posture: usize, raw: &[u8]) -> Verdict {
+    fn arm_verdict(&mut self, place: Place, posture: usize, walking: V3, raw: &[u8]) -> Verdict {
         let body = self.body(place, posture);
+        let criterion = self.cell.criterion;
+        let walks = criterion == Criterion::Approach && walking != [0.0; 3];
         let mut best = Verdict::None;
         for (side, shoulder) in self.arms(&body) {
             let mut asked: Vec<(Rc<Robot>, super::planes::Way)> = Vec::new();
@@ -155,13 +163,13 @@ impl Twin {
                 }
                 let question = |solids| {
                     let tight = 1.05 * self.cell.tolerance;
-                    Question { shoulder, trunk: body.rotation, side, robot: &robot, solids, tight }
+                    Question { shoulder, trunk: body.rotation, side, walking, criterion, robot: &robot, solids, tight }
                 };
                 if !question(&[]).in_reach() {
                     continue;
                 }
                 let limits = way.kind.iter().map(|k| (k.0, k.1.to_bits())).collect();
-                let key = (place, posture, side > 0.0, robot.number, limits);
+                let key = (place, posture, walks, side > 0.0, robot.number, limits);
                 let verdict = match self.verdicts.get(&key) {
                     Some(known) => *known,
                     None => {
@@ -188,22 +196,24 @@ impl Twin {
         let mut before = from.turned(WALKS[walked].1);
         let start = raw.len();
         let mut raw = raw.to_vec();
+        let mut walks = Vec::new();
         for place in &places {
             let body = self.body(before, posture);
             raw.push(samples(&self.cell, &body));
+            walks.push(if *place == before { [0.0; 3] } else { place.walking(&self.cell) });
             before = *place;
         }
         let history = inputs(&self.cell, &raw);
         let _ = self.runs.after(&self.cell, &history);
         let mut instants = Vec::new();
-        for (i, place) in places.iter().enumerate() {
+        for (i, (place, walking)) in places.iter().zip(walks).enumerate() {
             let now = &raw[..=start + i];
             let robot = self.runs.after(&self.cell, &history[..=start + i]);
             let body = self.body(*place, posture);
-            let hit = Self::told(&self.body_contacts(&body, &robot, now));
-            let arms = if hit.is_some() { Verdict::None } else { self.arm_verdict(*place, posture, now) };
+            let hit = Self::told(&self.body_contacts(&body, &robot, now, walking));
+            let arms = if hit.is_some() { Verdict::None } else { self.arm_verdict(*place, posture, walking, now) };
             let ends = hit.is_some() || arms == Verdict::Certain;
-            instants.push(Instant { place: *place, posture, raw: now.to_vec(), robot, body: hit, arms });
+            instants.push(Instant { place: *place, posture, walking, raw: now.to_vec(), robot, body: hit, arms });
             if ends {
                 break;
             }
@@ -271,18 +281,27 @@ impl Twin {
     }
 
     /// The contacts above the limit of a pose at an instant, in any run that the planes allow.
-    pub fn contacts(&mut self, instant: &Instant, side: f64, pose: &Pose) -> Vec<(Touch, f64)> {
+    pub fn contacts(&mut self, instant: &Instant, side: f64, pose: &Pose) -> Vec<(Touch, Forces)> {
         let body = self.body(instant.place, instant.posture);
         let Some((_, at)) = self.arms(&body).into_iter().find(|a| a.0 == side) else { return Vec::new() };
         let mut all = Vec::new();
         for way in ways(&self.cell, &body, &instant.raw, at) {
             let robot = self.runs.after(&self.cell, &inputs(&self.cell, &way.raw));
             let solids: Vec<Solid> = self.cell.obstacles.iter().chain(&way.walls).cloned().collect();
-            let question =
-                Question { shoulder: at, trunk: body.rotation, side, robot: &robot, solids: &solids, tight: 0.0 };
+            let criterion = self.cell.criterion;
+            let question = Question {
+                shoulder: at,
+                trunk: body.rotation,
+                side,
+                walking: instant.walking,
+                criterion,
+                robot: &robot,
+                solids: &solids,
+                tight: 0.0,
+            };
             for touch in question.contacts(pose) {
-                let force = force(touch.region, robot.effective_mass, touch.speed).0;
-                all.push((touch, force));
+                let forces = Forces::new(touch.region, robot.effective_mass, touch.speeds, criterion);
+                all.push((touch, forces));
             }
         }
         all

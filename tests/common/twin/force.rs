@@ -1,4 +1,4 @@
-//! Limits and forces of table A.2 and A.3 as the page prints them, and what is unsafe.
+//! Limits and forces of table A.2 and A.3 as the page prints them, which speed decides, and what is unsafe.
 
 /// A body region as scan.json calls it.
 pub type Region = &'static str;
@@ -6,6 +6,68 @@ pub type Region = &'static str;
 pub const FACE: Region = "face";
 pub const SKULL: Region = "skull_forehead";
 pub const THROAT: Region = "neck_front";
+
+/// A robot point that is no faster stands, m/s.
+const STANDS: f64 = 1e-3;
+
+/// Which speed decides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Criterion {
+    Absolute,
+    Approach,
+}
+
+/// Of a robot point that touches the person, m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Speeds {
+    /// Its own, whatever the person does.
+    pub own: f64,
+    /// That at which it and the person come towards each other, which counts unless it stands.
+    pub towards: f64,
+}
+
+impl Speeds {
+    pub fn approach(self) -> f64 {
+        if self.own > STANDS { self.towards } else { 0.0 }
+    }
+
+    pub fn decides(self, criterion: Criterion) -> f64 {
+        match criterion {
+            Criterion::Absolute => self.own,
+            Criterion::Approach => self.approach(),
+        }
+    }
+
+    /// Where the velocity of the robot is another by so much: at most, or at least with a minus. What decides grows with
+    /// both, so this bounds it, too.
+    pub fn changed(self, by: f64) -> Self {
+        Self { own: self.own + by, towards: self.towards + by }
+    }
+}
+
+/// Of one contact, N.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Forces {
+    /// With the robot's own speed.
+    pub own: f64,
+    /// With the speed of approach.
+    pub approach: f64,
+    /// The one of the two that decides.
+    pub decides: f64,
+    pub limit: f64,
+}
+
+impl Forces {
+    pub fn new(region: Region, m_r: f64, speeds: Speeds, criterion: Criterion) -> Self {
+        let of = |v: f64| force(region, m_r, v).0;
+        let (decides, limit) = force(region, m_r, speeds.decides(criterion));
+        Self { own: of(speeds.own), approach: of(speeds.approach()), decides, limit }
+    }
+
+    pub fn ratio(&self) -> f64 {
+        self.decides / self.limit
+    }
+}
 
 /// Effective mass, kg; spring constant, N/m; limit for transient contact, N.
 fn figures(region: Region) -> (f64, f64, f64) {
@@ -40,13 +102,13 @@ pub fn safe_speed(region: Region, m_r: f64) -> f64 {
     limit / at_one
 }
 
-/// The class of an unsafe contact.
-pub fn class(region: Region, m_r: f64, v: f64) -> Option<&'static str> {
-    let (f, limit) = force(region, m_r, v);
+/// The class of an unsafe contact. A robot that moves must not touch the head, even where it draws back.
+pub fn class(region: Region, m_r: f64, speeds: Speeds, criterion: Criterion) -> Option<&'static str> {
+    let (f, limit) = force(region, m_r, speeds.decides(criterion));
     let no_limit = [SKULL, FACE, THROAT].contains(&region);
     if f > limit {
         Some("force")
-    } else if no_limit && v > 1e-3 {
+    } else if no_limit && speeds.own > STANDS {
         Some("head_contact")
     } else {
         None

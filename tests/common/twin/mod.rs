@@ -10,7 +10,7 @@
 //! | [`cell`] | the keys of a cell file that are needed here |
 //! | [`body`] | place, walk, posture, capsules and regions |
 //! | [`cells`] | the cells that are looked at |
-//! | [`force`] | limits, forces, unsafe contacts |
+//! | [`force`] | limits, which speed decides, forces, unsafe contacts |
 //! | [`robot`] | runs of the FMU, and where the links are then |
 //! | [`arm`] | poses of arms: certain, uncertain or none |
 //! | [`planes`] | sensors, and which run and depth an arm gets behind a plane |

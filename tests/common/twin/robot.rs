@@ -22,8 +22,13 @@ pub struct Link {
 }
 
 impl Link {
+    /// The velocity of a point of the link.
+    pub fn moves(&self, point: V3) -> V3 {
+        add(self.velocity, cross(self.spin, sub(point, self.origin)))
+    }
+
     pub fn speed(&self, point: V3) -> f64 {
-        length(add(self.velocity, cross(self.spin, sub(point, self.origin))))
+        length(self.moves(point))
     }
 
     pub fn top_speed(&self) -> f64 {

@@ -1,0 +1,122 @@
+//! Whose a hazard is that is met in a changed cell: of the cause that is worked against, of another one that the scan knows, or
+//! of none of them.
+
+use crate::cell::Workcell;
+use crate::hazard::Finding;
+use crate::hazard::cause::{Kind, Member, Part, TOGETHER_M, apart, causes};
+use crate::report::model::Hazard;
+use crate::scan::causes::member;
+use crate::scan::prepare::Prepared;
+
+/// Whose a hazard is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Whose {
+    /// Of the cause that is worked against.
+    Own,
+    /// Of another cause of the same scan.
+    Others,
+    /// Of none: the change brought it about, or made it another one.
+    Nobodys,
+}
+
+/// The cause that is worked against, and the others of the scan.
+pub(super) struct Aim {
+    own: Vec<Member>,
+    others: Vec<Member>,
+}
+
+impl Aim {
+    /// The cause of `hazard`, among those of all hazards of its scan.
+    pub fn new(prepared: &Prepared, hazard: &Hazard, known: &[Hazard]) -> Self {
+        let mut all: Vec<Member> = known.iter().map(|hazard| member(prepared, hazard)).collect();
+        let number = known.iter().position(|other| other.id == hazard.id).unwrap_or_else(|| {
+            all.push(member(prepared, hazard));
+            all.len() - 1
+        });
+        let of_it = causes(&all).into_iter().find(|cause| cause.members.contains(&number));
+        let of_it = of_it.map_or_else(|| vec![number], |cause| cause.members);
+        let (mut own, mut others) = (Vec::new(), Vec::new());
+        for (number, member) in all.into_iter().enumerate() {
+            if of_it.contains(&number) { own.push(member) } else { others.push(member) }
+        }
+        Self { own, others }
+    }
+
+    /// Whether the scan knows other causes.
+    pub fn is_one_of_several(&self) -> bool {
+        !self.others.is_empty()
+    }
+
+    /// Whose a hazard is, by what the sensors report at the contact and where that is. Since when they do depends on what is
+    /// changed, and tells nothing; what they report may, too, and then the place tells.
+    pub fn whose(&self, met: &Member) -> Whose {
+        let near = |known: &&Member| apart(known, met) <= TOGETHER_M;
+        let who = |kind: &Kind| (kind.robot.clone(), kind.part);
+        let there = |known: &&Member| who(&known.kind) == who(&met.kind) && near(known);
+        let alike = |known: &&Member| there(known) && known.kind.reporting == met.kind.reporting;
+        if self.own.iter().any(|known| alike(&known)) {
+            Whose::Own
+        } else if self.others.iter().any(|known| alike(&known)) {
+            Whose::Others
+        } else if self.own.iter().any(|known| there(&known)) {
+            Whose::Own
+        } else if self.others.iter().any(|known| there(&known)) {
+            Whose::Others
+        } else {
+            Whose::Nobodys
+        }
+    }
+}
+
+/// A finding as causes see it.
+pub(super) fn member_of(cell: &Workcell, finding: &Finding) -> Member {
+    let robot = cell.links[finding.contact.link].robot;
+    let reports = cell.sensors.iter().zip(&finding.sensors).filter(|(_, reports)| **reports);
+    let (person, contact) = (finding.person, finding.contact.on_body);
+    Member {
+        kind: Kind {
+            robot: cell.robots[robot].name.clone(),
+            part: Part::of(finding.contact.region),
+            reporting: reports.map(|(sensor, _)| sensor.name.clone()).collect(),
+            long: false,
+        },
+        person_m: [person.x, person.y],
+        contact_m: [contact.x, contact.y],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(part: Part, reporting: &[&str], x: f64) -> Member {
+        let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
+        Member {
+            kind: Kind { robot: "r".to_owned(), part, reporting, long: false },
+            person_m: [x, 0.0],
+            contact_m: [x, 1.0],
+        }
+    }
+
+    #[test]
+    fn hazards_are_told_apart_by_what_is_reported_and_where() {
+        let aim = Aim {
+            own: vec![at(Part::Arm, &[], 0.0)],
+            others: vec![at(Part::Arm, &["mat"], 0.5), at(Part::Arm, &[], 4.0), at(Part::Body, &[], 0.0)],
+        };
+        for (met, whose) in [
+            (at(Part::Arm, &[], 0.9), Whose::Own),
+            (at(Part::Arm, &["mat"], 0.9), Whose::Others),
+            (at(Part::Arm, &[], 3.5), Whose::Others),
+            (at(Part::Body, &[], -0.5), Whose::Others),
+            // What reports has changed: still at the place of its own cause, or of another one.
+            (at(Part::Arm, &["curtain"], 0.9), Whose::Own),
+            (at(Part::Arm, &["curtain"], 4.0), Whose::Others),
+            (at(Part::Body, &["mat"], 0.0), Whose::Others),
+            (at(Part::Arm, &[], 2.0), Whose::Nobodys),
+            (at(Part::Body, &[], 2.0), Whose::Nobodys),
+        ] {
+            assert_eq!(aim.whose(&met), whose, "{met:?}");
+        }
+    }
+}
