@@ -152,8 +152,13 @@ pub struct Others {
 
 impl Met {
     fn words(&self) -> String {
-        let mut words =
-            format!("{:.2}x {} <- {} after {:.2} s", self.ratio, self.body_region, self.robot_link, self.time_s);
+        let mut words = format!(
+            "{:.2}x {} hit by {} after {:.2} s",
+            self.ratio,
+            self.body_region.words(),
+            self.robot_link,
+            self.time_s
+        );
         if let Some(Begin { xy_m: [x, y], heading_deg, begins_s }) = &self.from {
             let _ = write!(words, ", from ({x:.2}, {y:.2}) m, {heading_deg:.0} degrees");
             if *begins_s > 0.0 {
