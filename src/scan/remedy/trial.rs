@@ -89,18 +89,16 @@ impl<'a> Trial<'a> {
         if let Some((steps, checked, left)) = self.fewest(Goal::Lasting, None) {
             return self.reached(steps, checked, left);
         }
-        // What is left then is no advice.
-        if self.later
+        if self.bench.aim.is_one_of_several() {
+            if let Some((steps, checked, left)) = self.fewest(Goal::Cause, None) {
+                return self.reached(steps, checked, left);
+            }
+        } else if self.later
+            // What only puts it off is no advice.
             && let Some((steps, ..)) = self.fewest(Goal::ForNow, None)
             && let Some(met) = self.met_later(steps)
-            && !self.bench.aim.is_one_of_several()
         {
             return self.remedy(steps, Outcome::OnlyLater(met));
-        }
-        if self.bench.aim.is_one_of_several()
-            && let Some((steps, checked, left)) = self.fewest(Goal::Cause, None)
-        {
-            return self.reached(steps, checked, left);
         }
         self.no_help()
     }
@@ -149,7 +147,7 @@ impl<'a> Trial<'a> {
 
     /// The hazard that is met after so many steps later than the cell file looks.
     fn met_later(&mut self, steps: u32) -> Option<Met> {
-        self.goal = Goal::Lasting;
+        self.aim_at(Goal::Lasting);
         let Judged::Met(witness) = self.judge(steps, &mut None) else { return None };
         self.changed(steps).ok().map(|changed| changed.met(&witness))
     }
@@ -206,13 +204,18 @@ impl<'a> Trial<'a> {
         self.changed.entry(steps).or_insert_with(|| Changed::new(bench, knob, steps)).as_ref().map_err(Clone::clone)
     }
 
+    /// Begins anew for another goal.
+    fn aim_at(&mut self, goal: Goal) {
+        self.goal = goal;
+        self.held.clear();
+        (self.low, self.below) = (0, OneLess::AsItIs);
+    }
+
     /// The fewest steps that reach a goal, what they were held against, and which hazards are left all the same. Leaves in
     /// `below` what one step less leads to.
     fn fewest(&mut self, goal: Goal, mut completely: Option<(&mut Purse, usize)>) -> Option<(u32, Checked, Left)> {
         if self.goal != goal {
-            self.goal = goal;
-            self.held.clear();
-            (self.low, self.below) = (0, OneLess::AsItIs);
+            self.aim_at(goal);
         }
         let most = self.most_that_helps()?;
         let mut high = most;
