@@ -3,6 +3,7 @@
 use std::sync::Mutex;
 
 use super::output::{self, Progress};
+use crate::report::advice::Outcome;
 use crate::scan::remedy::Told;
 
 /// What is told, by threads one after the other.
@@ -37,7 +38,11 @@ impl Telling {
                 }
             }
             Told::Held(remedy) if self.each => {
-                let line = format!("   So far nothing is met with: {}", remedy.change);
+                let gone = match remedy.outcome {
+                    Outcome::OthersRemain(_) => "this cause is not met",
+                    _ => "nothing is met",
+                };
+                let line = format!("   So far {gone} with: {}", remedy.change);
                 progress.as_ref().map_or_else(|| output::note(&line), |bar| bar.line(&line));
             }
             Told::Done(remedy) if self.each => {

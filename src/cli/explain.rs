@@ -40,7 +40,8 @@ pub(super) struct Arguments {
     /// Most memory for the states of each complete search, MB
     #[arg(long, default_value_t = 2_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_memory: u32,
-    /// Most work of the arm searches in all complete searches together, millions of joint-angle boxes
+    /// Most work of the arm searches in all complete searches together, millions of joint-angle boxes; one of them takes a
+    /// third at most
     #[arg(long, default_value_t = 5)]
     max_work: u32,
     /// Threads (default: one a core); the result is the same

@@ -16,6 +16,7 @@ pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::StopAt;
 use super::{beginnings, earlier, results, stopping};
 use crate::cell::file::validate::BASELINE;
+use crate::host::selftest::Rung;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{Hazard, ScanReport, Verdict};
@@ -267,20 +268,6 @@ impl Run<'_> {
         if let Some(audit) = &audit {
             audit.finish();
         }
-        let advising = Instant::now();
-        if let Some(how) = arguments.advice(self.several).filter(|_| !stop.ends_search()) {
-            let telling = Telling::new(false);
-            if !report.causes.is_empty() {
-                output::note("   Looking for changes that would be enough. Ctrl-C ends that");
-            }
-            // The FMU may fail where nobody looked before: what was found stays.
-            if let Err(error) = advise(prepared, rung, &mut report, how, &|told| telling.hear(&told))
-                && !error.stopped
-            {
-                output::warning(&format!("changes were not looked for to the end: the FMU failed: {}", error.message));
-            }
-        }
-        let advised = advising.elapsed();
         output::phase("writing the results");
         let interrupted = stop.is_asked();
         if let Some(before) =
@@ -297,15 +284,20 @@ impl Run<'_> {
         let beginning = several.then_some(prepared.cell.beginning + 1);
         let reproduce = &arguments.reproduce(path, out, beginning, &options);
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
-        let json = results::write(&report, &context, out)?;
+        let mut json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
-        let (writing, calls) = (began.elapsed() - searched - advised, effort.steps);
+        let written = began.elapsed() - searched;
+        // What was found is kept by now, whatever becomes of the search for changes.
+        if self.advise(prepared, rung, &mut report) {
+            json = results::write(&report, &context, out)?;
+        }
+        let (advised, calls) = (began.elapsed() - searched - written, effort.steps);
         output::detail(&format!(
-            "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to look for changes, {:.1} s to write the \
-             results",
+            "   Took    {:.1} s to search and confirm ({calls} FMU steps), {:.1} s to write the results, {:.1} s to look for \
+             changes",
             searched.as_secs_f64(),
-            advised.as_secs_f64(),
-            writing.as_secs_f64()
+            written.as_secs_f64(),
+            advised.as_secs_f64()
         ));
         match arguments.format {
             Format::Json if self.several => {}
@@ -331,6 +323,26 @@ impl Run<'_> {
         }
         let code = code(&report, baseline, interrupted);
         Ok(Ended { report, code })
+    }
+
+    /// Looks for changes that would be enough, and says whether there is something new to write: whoever interrupts that has
+    /// all but it.
+    fn advise(&self, prepared: &Prepared, rung: Rung, report: &mut ScanReport) -> bool {
+        let stop = self.stop;
+        let how = self.arguments.advice(self.several).filter(|_| !report.causes.is_empty() && !stop.ends_search());
+        let Some(how) = how else { return false };
+        output::note("   Looking for changes that would be enough. Ctrl-C ends that and keeps the results");
+        let telling = Telling::new(false);
+        stop.searching();
+        let advised = advise(prepared, rung, report, how, &|told| telling.hear(&told));
+        stop.finishing();
+        // The FMU may fail where nobody looked before: what was found stays.
+        if let Err(error) = advised
+            && !error.stopped
+        {
+            output::warning(&format!("changes were not looked for to the end: the FMU failed: {}", error.message));
+        }
+        !stop.is_asked() && report.causes.iter().any(|cause| cause.advice.is_some())
     }
 
     /// The hazards that are known from this beginning. Of one that a folder of earlier results has not, none is.

@@ -77,6 +77,8 @@ pub struct Checked {
 /// A complete search.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Complete {
+    /// From which of the cell's beginnings, from 1.
+    pub beginning: usize,
     /// How many sequences there are, in decimal.
     pub sequences: String,
     /// How many actions they have.
@@ -178,7 +180,7 @@ impl Checked {
             words.push("no search of every sequence".to_owned());
         }
         for (number, complete) in self.complete.iter().enumerate() {
-            let from = if number == 0 { String::new() } else { format!(" from beginning {}", number + 1) };
+            let from = if number == 0 { String::new() } else { format!(" from beginning {}", complete.beginning) };
             words.push(if complete.reasons.is_empty() {
                 format!("all {} sequences of {} actions{from}", grouped(&complete.sequences), complete.actions)
             } else {

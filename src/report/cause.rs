@@ -302,8 +302,9 @@ impl CauseAdvice {
     pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
         changes.sort_by_key(|change| (!change.removes_all, !change.complete));
-        let tried = match remedies.len() {
-            0 => "Nothing in this cell can be changed step by step".to_owned(),
+        let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
+        let tried = match tried {
+            0 => "No change could be tried".to_owned(),
             1 => "1 change tried".to_owned(),
             n => format!("{n} changes tried"),
         };

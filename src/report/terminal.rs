@@ -136,7 +136,12 @@ fn other_force(worst: &Hazard, view: View) -> String {
     } else {
         format!("with the speed of approach, the person's walking included, {:.2}x", worst.directed_ratio)
     };
-    wrapped_to(view.width, "   But: ", &format!("{other} (criterion in the cell file says which decides)"))
+    let decides = if worst.body_region.permits_no_contact() {
+        "no contact is allowed there either way"
+    } else {
+        "criterion in the cell file says which decides"
+    };
+    wrapped_to(view.width, "   But: ", &format!("{other} ({decides})"))
 }
 
 /// Forces that differ by more than this factor are both told.

@@ -14,8 +14,7 @@ const CAUSES: usize = 3;
 
 /// Looks for changes against the causes of `report` and writes what it finds into it; returns everything that came of them,
 /// with the number of the cause it is about. A cause that falls with a change for a worse one gets that change. All complete
-/// searches together take what `effort` allows; states are brought back as plainly as `rung` asks. `stopped` says whether the
-/// search for changes was to end.
+/// searches together take what `effort` allows; states are brought back as plainly as `rung` asks.
 ///
 /// # Errors
 /// When the FMU fails in the cell as it is; what was found by then is in the report.
@@ -39,7 +38,11 @@ pub fn advise(
         let worst = report.hazards.iter().find(|hazard| hazard.id == cause.worst && hazard.confirmed == Some(true));
         let Some(worst) = worst.filter(|_| number < CAUSES && !plainly.stop().ends_search()) else { continue };
         let remedies = remedies(&plainly, worst, &report.hazards, effort, &mut purse, tell)?;
-        let advice = CauseAdvice::of(&remedies, plainly.stop().ends_search());
+        let stopped = plainly.stop().ends_search();
+        if stopped && remedies.is_empty() {
+            break;
+        }
+        let advice = CauseAdvice::of(&remedies, stopped);
         for_all.extend(advice.changes.iter().filter(|change| change.removes_all).cloned());
         cause.advice = Some(advice);
         found.push((number, remedies));

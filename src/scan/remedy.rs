@@ -25,6 +25,7 @@ mod standpoint;
 mod trial;
 
 use std::panic::resume_unwind;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::aim::{Aim, Whose};
@@ -119,7 +120,7 @@ impl Why {
     }
 }
 
-/// Most sequences of the scan that are tried after each change.
+/// Most sequences of the scan by which the number of steps is found; all of them are tried with what comes of that.
 const KNOWN: usize = 24;
 
 /// What all trials have in common.
@@ -133,6 +134,8 @@ struct Bench<'a> {
     beginnings: Vec<Standpoint>,
     around: Vec<Standpoint>,
     known: Vec<Known>,
+    /// The sequences of all hazards of the scan.
+    all: Vec<Vec<Action>>,
     links: Vec<String>,
     sensors: Vec<&'a str>,
     robots: Vec<&'a str>,
@@ -161,11 +164,11 @@ impl<'a> Bench<'a> {
         let Some(own @ (_, robot)) = kind(hazard) else { return Ok(None) };
         // This hazard first, then in turns those of its kind and all of them, worst first as they stand in the scan.
         let alike: Vec<&Hazard> = known.iter().filter(|other| kind(other) == Some(own)).collect();
-        let mut sequences: Vec<Vec<Action>> = Vec::new();
+        let mut all: Vec<Vec<Action>> = Vec::new();
         let mut add = |hazard: &Hazard| {
             for actions in [&hazard.actions, &hazard.shortest.actions] {
-                if sequences.len() < KNOWN && !sequences.contains(actions) {
-                    sequences.push(actions.clone());
+                if !all.contains(actions) {
+                    all.push(actions.clone());
                 }
             }
         };
@@ -173,6 +176,7 @@ impl<'a> Bench<'a> {
         for (number, any) in known.iter().enumerate() {
             alike.get(number).into_iter().copied().chain([any]).for_each(&mut add);
         }
+        let sequences = all[..all.len().min(KNOWN)].to_vec();
         let actions = cell.search.actions as usize;
         let probes = probes(&sequences, actions, cell.search.seed);
         let rest = actions + 4;
@@ -190,6 +194,7 @@ impl<'a> Bench<'a> {
             own: standpoint,
             beginnings,
             around: Vec::new(),
+            all,
             known: sequences.into_iter().map(|actions| Known { standpoint, actions }).collect(),
             links: cell.links.iter().map(|link| link.name.clone()).collect(),
             sensors: cell.sensors.iter().map(|sensor| sensor.name.as_str()).collect(),
@@ -223,14 +228,15 @@ impl<'a> Bench<'a> {
         goal != Goal::ForNow || standpoint.more == 0
     }
 
-    /// Whether a hazard that is met from there counts against a goal.
-    fn counts(&self, goal: Goal, standpoint: &Standpoint, met: &Member) -> bool {
+    /// Whether a hazard that is met from there counts against a goal, after a change that `moves` what a robot does.
+    fn counts(&self, goal: Goal, standpoint: &Standpoint, met: &Member, moves: bool) -> bool {
         goal != Goal::Cause
             || match self.aim.whose(met) {
                 Whose::Own => true,
                 Whose::Others => false,
-                // Elsewhere and later the scan has not looked: what it does not know may have been there before.
-                Whose::Nobodys => *standpoint == self.own,
+                // Elsewhere and later the scan has not looked: what it does not know may have been there before. But where a
+                // robot moves otherwise, it may be the cause itself, at another place.
+                Whose::Nobodys => moves || *standpoint == self.own,
             }
     }
 }
@@ -252,7 +258,7 @@ pub fn remedies(
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.robot };
     let Knobs { turned: knobs, held: kept } = Knobs::of(&prepared.cell, &bench.text, &units, &encounter);
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(0));
     let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_) | Outcome::OthersRemain(_));
     let work = || {
         let mut mine = Vec::new();
@@ -269,7 +275,11 @@ pub fn remedies(
                 tell(Told::Held(&remedy));
             }
             mine.push((number, trial, remedy));
-            tell(Told::Tried(done.fetch_add(1, Ordering::Relaxed) + 1, knobs.len()));
+            // One after the other, so that nobody hears of fewer after more.
+            if let Ok(mut done) = done.lock() {
+                *done += 1;
+                tell(Told::Tried(*done, knobs.len()));
+            }
         }
         mine
     };

@@ -72,7 +72,7 @@ impl Aim {
 pub(super) fn member_of(cell: &Workcell, finding: &Finding) -> Member {
     let robot = cell.links[finding.contact.link].robot;
     let reports = cell.sensors.iter().zip(&finding.sensors).filter(|(_, reports)| **reports);
-    let (person, contact) = (finding.person, finding.contact.on_body);
+    let (person, contact) = (finding.person, finding.contact.on_robot);
     Member {
         kind: Kind {
             robot: cell.robots[robot].name.clone(),

@@ -10,7 +10,7 @@ use crate::hazard::{Finding, Groups};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
 use crate::report::advice::{Begin, Complete, Met};
-use crate::report::model::{Hazard, Verdict};
+use crate::report::model::Hazard;
 use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
@@ -74,6 +74,8 @@ pub(super) struct Changed<'a> {
     /// Its file.
     pub table: toml::Table,
     own: Prepared,
+    /// Whether a robot moves otherwise, or elsewhere.
+    moves: bool,
 }
 
 /// A known sequence, or a search, runs into something.
@@ -89,21 +91,30 @@ impl<'a> Changed<'a> {
         let mut simulation = own.simulation(StateChoice::Auto, false).map_err(|e| not_tried(e.message))?;
         let after = Behaviour::observe(&mut simulation, bench.rest).map_err(|e| not_tried(e.message))?;
         match bench.before.objection(&after, knob.is_time(), bench.names()) {
-            None => Ok(Self { bench, table, own }),
+            None => {
+                let moves = knob.farther_m(steps) > 0.0 || knob.speed_left(steps).is_some();
+                Ok(Self { bench, table, own, moves })
+            }
             Some(objection) => Err(objection.into()),
         }
     }
 
-    /// Whether a safeguard is smaller or slower in it.
-    pub fn smaller(&self) -> Option<Why> {
+    /// Whether a safeguard is smaller or slower in it, and what it cost to see that.
+    pub fn smaller(&self) -> (Option<Why>, u64) {
         let mut simulation = match self.simulation(&self.own, false) {
             Ok(simulation) => simulation,
-            Err(why) => return Some(why),
+            Err(why) => return (Some(why), 0),
         };
-        match Answers::observe(&mut simulation, &self.bench.probes) {
+        let smaller = match Answers::observe(&mut simulation, &self.bench.probes) {
             Ok(after) => self.bench.answers.smaller(&after, &self.bench.sensors).map(Why::from),
             Err(error) => Some(Why::NotTried(error.message)),
-        }
+        };
+        (smaller, simulation.cost())
+    }
+
+    /// Whether the person has room there.
+    pub fn has_room(&self, standpoint: &Standpoint) -> bool {
+        self.from(standpoint).is_some()
     }
 
     /// The cell file as text.
@@ -202,10 +213,12 @@ impl<'a> Changed<'a> {
     /// The first finding that counts; others are kept.
     fn sort(&self, simulation: &mut Simulation<Hosted>, standpoint: Standpoint, pass: &mut Pass) -> Option<Witness> {
         for finding in simulation.take_findings() {
-            if self.bench.counts(pass.goal, &standpoint, &member_of(&self.own.cell, &finding)) {
+            if self.bench.counts(pass.goal, &standpoint, &member_of(&self.own.cell, &finding), self.moves) {
                 return Some(Witness::new(&finding, standpoint));
             }
-            pass.others.add(finding, 0, &self.bench.links);
+            if standpoint == self.bench.own {
+                pass.others.add(finding, 0, &self.bench.links);
+            }
         }
         None
     }
@@ -230,25 +243,29 @@ impl<'a> Changed<'a> {
             posture_sweep: true,
             state: StateChoice::Auto,
         };
-        let counts = |hazard: &Hazard| self.bench.counts(goal, &standpoint, &member(&prepared, hazard));
-        let mut met = false;
+        let counts = |hazard: &Hazard| self.bench.counts(goal, &standpoint, &member(&prepared, hazard), self.moves);
+        let mut met: Option<Hazard> = None;
         let mut tell = |event: Progress<'_>| {
-            if let Progress::Found(hazard) = event {
-                met |= counts(hazard);
+            if let Progress::Found(hazard) = event
+                && met.is_none()
+                && counts(hazard)
+            {
+                met = Some(hazard.clone());
             }
-            if met { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if met.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let report = scan(&prepared, options, &mut tell).map_err(|e| Why::NotTried(e.cause.message))?.report;
         let states = report.certificate.as_ref().map_or(0, |certificate| certificate.states);
         purse.pay(states, report.coverage.arm_boxes);
-        if let Some(hazard) = report.hazards.iter().find(|hazard| counts(hazard)) {
+        if let Some(hazard) = report.hazards.iter().find(|hazard| counts(hazard)).or(met.as_ref()) {
             return Ok(Err(Witness::of(hazard, &prepared, standpoint)));
         }
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
-        match (report.verdict, report.certificate) {
-            (Verdict::FmuFailed, _) | (_, None) => Err(Why::NotTried(failed())),
-            (_, Some(certificate)) => Ok(Ok(Complete {
+        match report.certificate {
+            None => Err(Why::NotTried(failed())),
+            Some(certificate) => Ok(Ok(Complete {
+                beginning: standpoint.beginning + 1,
                 sequences: certificate.sequences,
                 actions: certificate.horizon,
                 looked_at: certificate.complete_for_actions,

@@ -110,7 +110,7 @@ pub(super) fn with_each_start(mut table: Table, cell: &Workcell) -> Option<Table
 }
 
 /// Most actions that a cell file may ask for.
-const MOST_ACTIONS: u32 = 64;
+pub(super) const MOST_ACTIONS: u32 = 64;
 
 #[expect(clippy::cast_precision_loss, reason = "a person wrote it")]
 fn number(value: &Value) -> Option<f64> {

@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::looking::{Changed, Known, Pass, Purse, SHIFTED, SPENT, Witness, shifted};
-use super::standpoint::Standpoint;
+use super::standpoint::{MOST_ACTIONS, Standpoint};
 use super::{Bench, Goal, Why};
 use crate::cell::knob::Knob;
 use crate::human::action::ACTION_S;
@@ -20,6 +20,9 @@ const PATIENCE: u32 = 4;
 
 /// Actions more than the cell says, for hazards that only come later.
 const LATER: u32 = 4;
+
+/// Why a robot is not made slower.
+const TOO_SLOW: &str = "the robot would be so slow that what it does later was not looked at";
 
 /// One knob being tried.
 pub(super) struct Trial<'a> {
@@ -41,6 +44,10 @@ pub(super) struct Trial<'a> {
     /// Where the search for the fewest steps stands.
     low: u32,
     below: OneLess,
+    /// Some number of steps led to a hazard.
+    met: bool,
+    /// Why some number of steps could not be tried.
+    untried: Option<String>,
     /// A hazard was met beyond the time that the cell file looks at.
     later: bool,
     /// What may still be spent, but on complete searches.
@@ -76,6 +83,8 @@ impl<'a> Trial<'a> {
             limit: knob.end().map(|end| Why::NotTried(end.to_owned())),
             low: 0,
             below: OneLess::AsItIs,
+            met: false,
+            untried: None,
             later: false,
             left: bench.effort.quick,
         }
@@ -107,6 +116,9 @@ impl<'a> Trial<'a> {
         if self.left == 0 {
             return self.remedy(self.most, Outcome::NotTried { cause: SPENT.to_owned() });
         }
+        if let Some(cause) = self.untried.clone().filter(|_| !self.met) {
+            return self.remedy(self.most, Outcome::NotTried { cause });
+        }
         let limit = self.limit.as_ref().map(|why| why.cause().to_owned());
         self.remedy(self.most, Outcome::NoHelp { limit })
     }
@@ -115,14 +127,15 @@ impl<'a> Trial<'a> {
     pub fn complete(&mut self, purse: &mut Purse, workers: usize) -> Remedy {
         // Its own share again: what the searches find is held against other steps.
         self.left = self.bench.effort.quick;
-        let several = self.bench.aim.is_one_of_several();
-        for goal in [self.goal, Goal::Cause] {
-            if goal == Goal::Cause && !several {
-                continue;
-            }
-            if let Some((steps, checked, left)) = self.fewest(goal, Some((&mut *purse, workers))) {
-                return self.reached(steps, checked, left);
-            }
+        let first = self.goal;
+        if let Some((steps, checked, left)) = self.fewest(first, Some((&mut *purse, workers))) {
+            return self.reached(steps, checked, left);
+        }
+        if first != Goal::Cause
+            && self.bench.aim.is_one_of_several()
+            && let Some((steps, checked, left)) = self.fewest(Goal::Cause, Some((purse, workers)))
+        {
+            return self.reached(steps, checked, left);
         }
         self.no_help()
     }
@@ -191,7 +204,8 @@ impl<'a> Trial<'a> {
         let smaller = match self.smaller.get(&steps) {
             Some(known) => known.clone(),
             None => {
-                let smaller = self.changed(steps)?.smaller();
+                let (smaller, cost) = self.changed(steps)?.smaller();
+                self.left = self.left.saturating_sub(cost);
                 self.smaller.insert(steps, smaller.clone());
                 smaller
             }
@@ -239,6 +253,13 @@ impl<'a> Trial<'a> {
             };
             match self.judge(candidate, &mut completely) {
                 Judged::Held(kept) => {
+                    // What every sequence was looked at with is worth more than a little less with which some were.
+                    if let Some((checked, left)) =
+                        held.take_if(|(checked, _)| kept.0.complete.is_empty() && !checked.complete.is_empty())
+                    {
+                        self.below = OneLess::NotTried { cause: SPENT.to_owned() };
+                        return Some((high, checked, left));
+                    }
                     high = candidate;
                     held = Some(*kept);
                 }
@@ -250,15 +271,21 @@ impl<'a> Trial<'a> {
                     }
                     misses += 1;
                 }
-                Judged::Impossible(why) => {
-                    (self.low, self.below) = (candidate, OneLess::NotTried { cause: why.cause().to_owned() });
-                }
+                Judged::Impossible(why) => self.cannot(candidate, &why),
             }
         }
     }
 
+    /// So many steps cannot be tried.
+    fn cannot(&mut self, steps: u32, why: &Why) {
+        let cause = why.cause().to_owned();
+        self.untried = Some(cause.clone());
+        (self.low, self.below) = (steps, OneLess::NotTried { cause });
+    }
+
     /// So many steps lead to a hazard.
     fn fails(&mut self, steps: u32, witness: &Witness) {
+        self.met = true;
         self.later |= witness.known.standpoint.more > 0;
         let met = self.changed(steps).map(|changed| changed.met(witness));
         (self.low, self.below) = (steps, met.map_or_else(|_| OneLess::AsItIs, OneLess::Met));
@@ -269,8 +296,10 @@ impl<'a> Trial<'a> {
     fn most_that_helps(&mut self) -> Option<u32> {
         let mut steps = self.most;
         while steps > self.low {
-            if matches!(self.known(steps), Ok(None)) {
-                return Some(steps);
+            match self.known(steps) {
+                Ok(None) => return Some(steps),
+                Ok(Some(_)) => self.met = true,
+                Err(why) => self.untried = Some(why.cause().to_owned()),
             }
             steps /= 2;
         }
@@ -285,7 +314,7 @@ impl<'a> Trial<'a> {
             match self.known(middle) {
                 Ok(None) => high = middle,
                 Ok(Some(witness)) => self.fails(middle, &witness),
-                Err(why) => (self.low, self.below) = (middle, OneLess::NotTried { cause: why.cause().to_owned() }),
+                Err(why) => self.cannot(middle, &why),
             }
         }
         high
@@ -390,7 +419,8 @@ impl<'a> Trial<'a> {
         let around = if goal == Goal::Cause { &[][..] } else { &bench.around };
         if complete && !around.is_empty() && purse.has_twice(&before, checked.complete.len(), around.len()) {
             checked.around_complete = true;
-            for standpoint in around {
+            // Where the change leaves no room nobody begins.
+            for standpoint in around.iter().filter(|standpoint| changed.has_room(standpoint)) {
                 match changed.all(*standpoint, goal, purse, workers)? {
                     Ok(complete) => checked.around_complete &= complete.reasons.is_empty(),
                     Err(witness) => return Ok(Err(witness)),
@@ -403,11 +433,14 @@ impl<'a> Trial<'a> {
     /// Quick searches from everywhere.
     fn search(&mut self, steps: u32, pass: &mut Pass) -> Result<Result<Checked, Witness>, Why> {
         let (bench, known) = (self.bench, self.known.clone());
-        let known_sequences = bench.known.len();
+        let known_sequences = bench.all.len();
         let changed = self.changed(steps)?;
         let iterations = bench.effort.iterations;
         let mut checked = Checked { known_sequences, searched: iterations, ..Checked::default() };
-        if let Some(witness) = changed.search(bench.own, iterations, pass)? {
+        if let Some(witness) = match changed.run(bench.own, bench.all.iter().map(Vec::as_slice), pass)? {
+            None => changed.search(bench.own, iterations, pass)?,
+            met => met,
+        } {
             return Ok(Err(witness));
         }
         if pass.goal != Goal::ForNow
@@ -434,15 +467,19 @@ impl<'a> Trial<'a> {
     fn search_later(&mut self, steps: u32, checked: &mut Checked, pass: &mut Pass) -> Result<Option<Witness>, Why> {
         let (bench, knob, known) = (self.bench, self.knob, self.known.clone());
         let changed = self.changed(steps)?;
-        // A slower robot is where it was so much later.
-        let actions = bench.prepared.cell.search.actions;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to twice the actions")]
-        let slower =
-            |left: f64| (f64::from(actions) * (1.0 / left.max(0.1) - 1.0)).ceil().min(f64::from(actions)) as u32;
+        // A slower robot is where it was so much later, counted from the FMU's own start.
+        let cell = &bench.prepared.cell;
+        let actions = cell.search.actions;
+        let before = cell.begins_s() / ACTION_S;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most some hundreds")]
+        let slower = |left: f64| ((before + f64::from(actions)) * (1.0 / left.max(0.01) - 1.0)).ceil() as u32;
         // And a robot that is farther away is reached so much later.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few")]
         let way = (knob.farther_m(steps) / (WALKING_SPEED_M_S * ACTION_S)).ceil() as u32;
         let more = LATER + knob.speed_left(steps).map_or(0, slower) + way;
+        if actions + more > MOST_ACTIONS {
+            return Err(Why::NotTried(TOO_SLOW.to_owned()));
+        }
         let later = bench.own.longer(more);
         let sequences = shifted(&known, actions as usize, more as usize);
         let met = match changed.run(later, sequences.iter().map(Vec::as_slice), pass)? {
