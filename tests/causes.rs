@@ -5,34 +5,19 @@
 mod common;
 
 use std::collections::BTreeSet;
-use std::ops::ControlFlow;
 use std::path::Path;
 
-use common::{examples, test_fmus};
+use common::examples;
+use common::guarded::{bar, every_sequence, guarded};
 use fmi_hazard::report::model::ScanReport;
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::{Exhaustive, Method, ScanOptions, StateChoice, scan};
-use fmi_hazard::search::exhaustive::Budget;
-use fmi_hazard::sim::expansion::Merge;
-use tempfile::TempDir;
 
 /// Every sequence of a cell file in `dir`.
 fn all(dir: &Path, text: &str) -> ScanReport {
     let path = dir.join("pair.toml");
     std::fs::write(&path, text).unwrap();
     let prepared = prepare(&path, None).unwrap();
-    let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
-    let options = ScanOptions {
-        method: Method::Exhaustive(Exhaustive { budget, merge: Merge::Auto, workers: 2 }),
-        seed: 1,
-        iterations: 0,
-        stop_at_first: false,
-        posture_sweep: true,
-        state: StateChoice::Auto,
-    };
-    let report = scan(&prepared, options, &mut |_| ControlFlow::Continue(())).unwrap().report;
-    assert!(report.certificate.as_ref().unwrap().complete, "{:?}", report.certificate);
-    report
+    every_sequence(&prepared, false)
 }
 
 /// That each hazard is of one cause, and what the causes say of themselves is what their hazards say.
@@ -85,27 +70,6 @@ fn mat(from: f64) -> String {
     )
 }
 
-/// A bar on a pillar.
-fn bar(name: &str, x: f64, z: f64) -> String {
-    format!(
-        r#"[[robot]]
-name = "{name}"
-base = {{ xyz_m = [{x}, 0, {z}] }}
-moving_mass_kg = 40
-payload_kg = 3
-[[robot.joint]]
-name = "axis"
-axis = [0, 0, 1]
-angle = {{ variable = "q", unit = "rad", offset_deg = -125 }}
-speed = {{ variable = "qd", unit = "rad/s" }}
-[[robot.link]]
-name = "bar"
-joint = "axis"
-capsule = {{ from_m = [0, 0, 0], to_m = [0.8, 0, 0], radius_m = 0.05 }}
-"#
-    )
-}
-
 /// A wall along y = -1 with openings around some places.
 fn wall(openings: &[f64]) -> String {
     let mut ends = vec![-3.0];
@@ -132,12 +96,6 @@ fn cell(parts: &[String], parameters: &str, actions: u32) -> String {
 
 /// The bar moves at up to 1.5 m/s, and the mat reaches far enough for the usual reaction.
 const FAST: &str = "\"drive.speed\" = 1.8\n";
-
-fn guarded() -> TempDir {
-    let dir = TempDir::new().unwrap();
-    std::fs::copy(test_fmus().join("guarded.fmu"), dir.path().join("guarded.fmu")).unwrap();
-    dir
-}
 
 #[test]
 fn a_hole_in_the_mat_and_a_mat_that_is_not_heeded() {

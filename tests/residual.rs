@@ -5,17 +5,14 @@
 mod common;
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 
+use common::guarded::every_sequence;
 use common::{examples, fmi_hazard, scan_json, write};
 use fmi_hazard::hazard::Groups;
-use fmi_hazard::scan::options::Method;
 use fmi_hazard::scan::residual::Watch;
-use fmi_hazard::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName, prepare::prepare, scan};
+use fmi_hazard::scan::{StateChoice, StrategyName, prepare::prepare};
 use fmi_hazard::search::Rng;
-use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::search::residual::Figures;
-use fmi_hazard::sim::expansion::Merge;
 
 #[test]
 fn the_figures_cover_what_the_exhaustive_search_counts() {
@@ -24,20 +21,9 @@ fn the_figures_cover_what_the_exhaustive_search_counts() {
     let text = std::fs::read_to_string(dir.path().join("heavy-workpiece/cell.toml")).unwrap();
     let near = text.replace("xy_m = [1.6, -1.2]", "xy_m = [1.3, -1.1]") + "\n[search]\nactions = 5\n";
     let prepared = prepare(&write(&dir.path().join("heavy-workpiece"), "near.toml", &near), None).unwrap();
-    let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
-    let method = Method::Exhaustive(Exhaustive { budget, merge: Merge::Auto, workers: 2 });
-    let options = ScanOptions {
-        method,
-        seed: 1,
-        iterations: 0,
-        stop_at_first: false,
-        posture_sweep: true,
-        state: StateChoice::Auto,
-    };
-    let truth = scan(&prepared, options, &mut |_| ControlFlow::Continue(())).unwrap().report;
+    let truth = every_sequence(&prepared, false);
     assert_eq!(truth.residual, None, "where every sequence was looked at, nothing is left to estimate");
     let certificate = truth.certificate.unwrap();
-    assert!(certificate.complete);
     let all: f64 = certificate.sequences.parse().unwrap();
     let sequences = |text: &Option<String>| text.as_ref().unwrap().parse::<f64>().unwrap();
     let shares: BTreeMap<String, f64> =

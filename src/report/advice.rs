@@ -172,6 +172,12 @@ impl Met {
 }
 
 impl Checked {
+    /// Whether every sequence was looked at, from each of the cell's beginnings that it is about.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        !self.complete.is_empty() && self.complete.iter().all(|complete| complete.reasons.is_empty())
+    }
+
     /// What was looked at, in words.
     #[must_use]
     pub fn words(&self) -> String {

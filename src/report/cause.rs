@@ -309,7 +309,9 @@ impl CauseAdvice {
             n => format!("{n} changes tried"),
         };
         let stopped = if was_stopped { ", then stopped" } else { "" };
-        let note = if changes.is_empty() {
+        let note = if remedies.iter().all(|remedy| matches!(remedy.outcome, Outcome::NotTried { .. })) {
+            format!("{tried}{stopped}. fmi-hazard explain tells why.")
+        } else if changes.is_empty() {
             format!("{tried}{stopped}: none of them alone is known to be enough. fmi-hazard explain tells of each.")
         } else {
             format!("{tried}{stopped}. {NO_PROOF}")

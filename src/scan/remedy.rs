@@ -229,9 +229,9 @@ impl<'a> Bench<'a> {
     }
 
     /// Whether a hazard that is met from there counts against a goal, after a change that `moves` what a robot does.
-    fn counts(&self, goal: Goal, standpoint: &Standpoint, met: &Member, moves: bool) -> bool {
+    fn counts(&self, goal: Goal, standpoint: &Standpoint, (id, met): (&str, &Member), moves: bool) -> bool {
         goal != Goal::Cause
-            || match self.aim.whose(met) {
+            || match self.aim.whose(id, met) {
                 Whose::Own => true,
                 Whose::Others => false,
                 // Elsewhere and later the scan has not looked: what it does not know may have been there before. But where a

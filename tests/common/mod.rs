@@ -10,7 +10,7 @@
 pub mod archives;
 pub mod fmpy;
 pub mod formats;
-
+pub mod guarded;
 pub mod hostile;
 pub mod meshes;
 pub mod scanned;

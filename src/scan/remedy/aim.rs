@@ -1,6 +1,8 @@
 //! Whose a hazard is that is met in a changed cell: of the cause that is worked against, of another one that the scan knows, or
 //! of none of them.
 
+use std::collections::BTreeSet;
+
 use crate::cell::Workcell;
 use crate::hazard::Finding;
 use crate::hazard::cause::{Kind, Member, Part, TOGETHER_M, apart, causes};
@@ -21,6 +23,8 @@ pub(super) enum Whose {
 
 /// The cause that is worked against, and the others of the scan.
 pub(super) struct Aim {
+    /// Ids of its hazards: it is gone when none of them is there, whatever else is at the same place.
+    ids: BTreeSet<String>,
     own: Vec<Member>,
     others: Vec<Member>,
 }
@@ -35,11 +39,13 @@ impl Aim {
         });
         let of_it = causes(&all).into_iter().find(|cause| cause.members.contains(&number));
         let of_it = of_it.map_or_else(|| vec![number], |cause| cause.members);
+        let ids = of_it.iter().filter_map(|&number| Some(known.get(number)?.id.clone())).chain([hazard.id.clone()]);
+        let ids = ids.collect();
         let (mut own, mut others) = (Vec::new(), Vec::new());
         for (number, member) in all.into_iter().enumerate() {
             if of_it.contains(&number) { own.push(member) } else { others.push(member) }
         }
-        Self { own, others }
+        Self { ids, own, others }
     }
 
     /// Whether the scan knows other causes.
@@ -47,14 +53,14 @@ impl Aim {
         !self.others.is_empty()
     }
 
-    /// Whose a hazard is, by what the sensors report at the contact and where that is. Since when they do depends on what is
-    /// changed, and tells nothing; what they report may, too, and then the place tells.
-    pub fn whose(&self, met: &Member) -> Whose {
+    /// Whose the hazard of this id is: first by that, then by what the sensors report at the contact and where that is. Since
+    /// when they do depends on what is changed, and tells nothing; what they report may, too, and then the place tells.
+    pub fn whose(&self, id: &str, met: &Member) -> Whose {
         let near = |known: &&Member| apart(known, met) <= TOGETHER_M;
         let who = |kind: &Kind| (kind.robot.clone(), kind.part);
         let there = |known: &&Member| who(&known.kind) == who(&met.kind) && near(known);
         let alike = |known: &&Member| there(known) && known.kind.reporting == met.kind.reporting;
-        if self.own.iter().any(|known| alike(&known)) {
+        if self.ids.contains(id) || self.own.iter().any(|known| alike(&known)) {
             Whose::Own
         } else if self.others.iter().any(|known| alike(&known)) {
             Whose::Others
@@ -101,6 +107,7 @@ mod tests {
     #[test]
     fn hazards_are_told_apart_by_what_is_reported_and_where() {
         let aim = Aim {
+            ids: ["H-1".to_owned()].into(),
             own: vec![at(Part::Arm, &[], 0.0)],
             others: vec![at(Part::Arm, &["mat"], 0.5), at(Part::Arm, &[], 4.0), at(Part::Body, &[], 0.0)],
         };
@@ -116,7 +123,8 @@ mod tests {
             (at(Part::Arm, &[], 2.0), Whose::Nobodys),
             (at(Part::Body, &[], 2.0), Whose::Nobodys),
         ] {
-            assert_eq!(aim.whose(&met), whose, "{met:?}");
+            assert_eq!(aim.whose("H-2", &met), whose, "{met:?}");
+            assert_eq!(aim.whose("H-1", &met), Whose::Own, "{met:?}");
         }
     }
 }

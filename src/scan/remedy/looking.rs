@@ -6,11 +6,11 @@ use super::aim::member_of;
 use super::standpoint::Standpoint;
 use super::{Bench, Effort, Goal, Why};
 use crate::cell::knob::Knob;
-use crate::hazard::{Finding, Groups};
+use crate::hazard::{Finding, Groups, Identity};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
 use crate::report::advice::{Begin, Complete, Met};
-use crate::report::model::Hazard;
+use crate::report::model::{Hazard, Verdict};
 use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
@@ -213,7 +213,8 @@ impl<'a> Changed<'a> {
     /// The first finding that counts; others are kept.
     fn sort(&self, simulation: &mut Simulation<Hosted>, standpoint: Standpoint, pass: &mut Pass) -> Option<Witness> {
         for finding in simulation.take_findings() {
-            if self.bench.counts(pass.goal, &standpoint, &member_of(&self.own.cell, &finding), self.moves) {
+            let id = Identity::of(&finding, &self.bench.links).id();
+            if self.bench.counts(pass.goal, &standpoint, (&id, &member_of(&self.own.cell, &finding)), self.moves) {
                 return Some(Witness::new(&finding, standpoint));
             }
             if standpoint == self.bench.own {
@@ -243,7 +244,9 @@ impl<'a> Changed<'a> {
             posture_sweep: true,
             state: StateChoice::Auto,
         };
-        let counts = |hazard: &Hazard| self.bench.counts(goal, &standpoint, &member(&prepared, hazard), self.moves);
+        let counts = |hazard: &Hazard| {
+            self.bench.counts(goal, &standpoint, (&hazard.id, &member(&prepared, hazard)), self.moves)
+        };
         let mut met: Option<Hazard> = None;
         let mut tell = |event: Progress<'_>| {
             if let Progress::Found(hazard) = event
@@ -262,6 +265,8 @@ impl<'a> Changed<'a> {
         }
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
+        let nothing = || "nothing moved in it, or no sensor could report anybody".to_owned();
+        let says_nothing = (report.verdict == Verdict::Inconclusive).then(nothing);
         match report.certificate {
             None => Err(Why::NotTried(failed())),
             Some(certificate) => Ok(Ok(Complete {
@@ -269,7 +274,7 @@ impl<'a> Changed<'a> {
                 sequences: certificate.sequences,
                 actions: certificate.horizon,
                 looked_at: certificate.complete_for_actions,
-                reasons: certificate.reasons,
+                reasons: certificate.reasons.into_iter().chain(says_nothing).collect(),
             })),
         }
     }

@@ -143,7 +143,7 @@ impl<'a> Trial<'a> {
     /// The goal is reached.
     fn reached(&mut self, steps: u32, checked: Checked, left: Left) -> Remedy {
         let checked = Checked { counterexamples: self.counterexamples, one_less: self.below.clone(), ..checked };
-        let all = !checked.complete.is_empty() && checked.complete.iter().all(|c| c.reasons.is_empty());
+        let all = checked.is_complete();
         if self.goal != Goal::Cause {
             return self.remedy(steps, if all { Outcome::Sufficient(checked) } else { Outcome::NotMet(checked) });
         }
@@ -255,7 +255,7 @@ impl<'a> Trial<'a> {
                 Judged::Held(kept) => {
                     // What every sequence was looked at with is worth more than a little less with which some were.
                     if let Some((checked, left)) =
-                        held.take_if(|(checked, _)| kept.0.complete.is_empty() && !checked.complete.is_empty())
+                        held.take_if(|(checked, _)| checked.is_complete() && !kept.0.is_complete())
                     {
                         self.below = OneLess::NotTried { cause: SPENT.to_owned() };
                         return Some((high, checked, left));
@@ -415,9 +415,9 @@ impl<'a> Trial<'a> {
             }
         }
         // From beside the start as well, where that is cheap.
-        let complete = checked.complete.iter().all(|complete| complete.reasons.is_empty());
         let around = if goal == Goal::Cause { &[][..] } else { &bench.around };
-        if complete && !around.is_empty() && purse.has_twice(&before, checked.complete.len(), around.len()) {
+        if checked.is_complete() && !around.is_empty() && purse.has_twice(&before, checked.complete.len(), around.len())
+        {
             checked.around_complete = true;
             // Where the change leaves no room nobody begins.
             for standpoint in around.iter().filter(|standpoint| changed.has_room(standpoint)) {
@@ -459,7 +459,7 @@ impl<'a> Trial<'a> {
                 return Ok(Err(witness));
             }
         }
-        checked.around = bench.around.len();
+        checked.around = bench.around.iter().filter(|standpoint| changed.has_room(standpoint)).count();
         Ok(Ok(checked))
     }
 
