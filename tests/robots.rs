@@ -9,6 +9,7 @@ use std::path::Path;
 use common::{assert_same_hazards, examples, fmi_hazard, meshes, scan_json, write};
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
+use fmi_hazard::cell::looks;
 use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
 
@@ -391,6 +392,48 @@ fn joints_that_slide_mimic_or_are_held() {
     let held = "[[robot.joint]]\nname = \"left_finger\"\nheld_m = 0.02\n";
     let cell = cell_of(dir.path(), "g.urdf", &["turn"], held);
     assert_eq!(cell.robots[0].kinematics.as_ref().unwrap().driven.len(), 3);
+}
+
+#[test]
+fn what_a_robot_looks_like_turns_with_its_shape() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let visual = |file: &str| {
+        format!(
+            "<visual><origin xyz=\"0.1 0 0\" rpy=\"0 0 1.5707963267948966\"/><geometry><mesh filename=\"{file}\" \
+             scale=\"0.001 0.001 0.001\"/></geometry></visual>"
+        )
+    };
+    let urdf = format!(
+        "<robot name=\"g\"><link name=\"base\"/><link name=\"hand\"><inertial><mass value=\"2\"/></inertial>{}{}{}{}\
+         <collision><origin xyz=\"0.2 0 0\" rpy=\"0 0.4 0.3\"/><geometry><box size=\"0.1 0.2 0.3\"/></geometry></collision>\
+         </link><joint name=\"turn\" type=\"revolute\"><parent link=\"base\"/><child link=\"hand\"/><origin xyz=\"0 0 0.5\"/>\
+         <axis xyz=\"0 0 1\"/></joint></robot>",
+        visual("hand.obj"),
+        visual("missing.stl"),
+        visual("hand.dae"),
+        visual("many.obj")
+    );
+    write(dir.path(), "g.urdf", &urdf);
+    write(dir.path(), "hand.obj", "v 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 2 3\n");
+    let corners: String = (0..=looks::MOST_TRIANGLES).map(|n| format!("v {n} 0 1\nv {n} 1 0\nv {n} 2 2\n")).collect();
+    let faces: String =
+        (0..=looks::MOST_TRIANGLES).map(|n| format!("f {} {} {}\n", 3 * n + 1, 3 * n + 2, 3 * n + 3)).collect();
+    write(dir.path(), "many.obj", &(corners + &faces));
+    let cell = cell_of(dir.path(), "g.urdf", &["turn"], "");
+    let found = looks::meshes(&cell);
+    let [(0, mesh)] = found.as_slice() else { panic!("one can be read and is small: {}", found.len()) };
+    // Nothing depends on them.
+    assert!(
+        cell.files.iter().all(|file| file.path.extension().is_some_and(|ending| ending == "urdf")),
+        "{:?}",
+        cell.files
+    );
+    let kinematics = cell.robots[0].kinematics.as_ref().unwrap();
+    let placed = kinematics.tree.place(&[std::f64::consts::FRAC_PI_2]);
+    let Solid::Hull(hull) = cell.links[0].shape.placed(placed.world_from_link[0]) else { panic!("a box is a hull") };
+    // By hand: 100 mm along x, turned by a right angle and moved by 0.1 m, then turned by another with the joint.
+    let corner = hull.pose() * mesh.points[0];
+    assert!((corner - Vec3::new(-0.1, 0.1, 0.5)).length() < 1e-9, "{corner}");
 }
 
 #[test]

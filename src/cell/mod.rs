@@ -20,6 +20,7 @@ pub mod find;
 pub mod foreign;
 mod hash;
 pub mod knob;
+pub mod looks;
 pub mod workcell;
 
 pub use binding::Binding;

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::file::format::{CellFile, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
-use crate::geometry::{Cuboid, Pose, Solid};
+use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::human::{Body, Start};
 
 /// A validated cell in SI units and radians.
@@ -188,6 +188,19 @@ pub struct Link {
     pub shape: Solid,
     /// Where the cell file names its joint.
     pub place: FileLine,
+    /// What it looks like, where a URDF says so and the shape turns with it: for pictures alone.
+    pub looks: Vec<Look>,
+}
+
+/// A mesh to look at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Look {
+    /// The file; relative ones from the working directory.
+    pub path: PathBuf,
+    /// Factor of each axis.
+    pub scale: Vec3,
+    /// `shape_from_mesh`: where the mesh is in the frame of the link's shape.
+    pub pose: Pose,
 }
 
 /// A sensor.

@@ -46,6 +46,9 @@ pub struct Scenery {
     pub zones: Vec<ZoneOutline>,
     /// The robots' links.
     pub links: Vec<LinkShape>,
+    /// What some of them look like.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub looks: Vec<LinkLook>,
     /// The parts of the body.
     pub body: Vec<PartShape>,
     /// The arms.
@@ -115,6 +118,17 @@ pub enum LinkShape {
         /// Three corners each, anticlockwise as seen from outside.
         triangles: Vec<[u32; 3]>,
     },
+}
+
+/// What a link looks like: more than its shape, which is what is hit.
+#[derive(Clone, Debug, Serialize)]
+pub struct LinkLook {
+    /// Number of the link, whose shape it turns with.
+    pub link: usize,
+    /// Corners in the frame of that shape.
+    pub points_m: Vec<[f64; 3]>,
+    /// Three corners each.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 /// A part of the body, a capsule.

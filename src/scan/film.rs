@@ -6,7 +6,7 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
-use crate::cell::Zone;
+use crate::cell::{Zone, looks};
 use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -16,8 +16,8 @@ use crate::human::arm::ArmModel;
 use crate::human::{Action, BendFraction, Posture};
 use crate::report::model::{Hazard, Through};
 use crate::report::page::{
-    ArmPose, ArmShape, Begun, Floats, LinkShape, Obstacle, PartShape, Replay, RobotBase, Scenery, StartPlace, Strip,
-    ZoneOutline,
+    ArmPose, ArmShape, Begun, Floats, LinkLook, LinkShape, Obstacle, PartShape, Replay, RobotBase, Scenery, StartPlace,
+    Strip, ZoneOutline,
 };
 use crate::report::trace::Trace;
 use crate::sim::simulation::{Instant, ReachedThrough, Watched};
@@ -51,11 +51,17 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
                         points_m: hull.shape().points().iter().map(|p| p.to_array()).collect(),
                     },
                     Solid::Mesh(mesh) => {
-                        let Triangles { points, triangles } = mesh.surface().triangles();
-                        let points_m = points.iter().map(|p| p.to_array().map(tenth_of_a_millimetre)).collect();
-                        LinkShape::Mesh { name, robot, points_m, triangles: triangles.clone() }
+                        let (points_m, triangles) = drawn(mesh.surface().triangles());
+                        LinkShape::Mesh { name, robot, points_m, triangles }
                     }
                 }
+            })
+            .collect(),
+        looks: looks::meshes(cell)
+            .iter()
+            .map(|(link, mesh)| {
+                let (points_m, triangles) = drawn(mesh);
+                LinkLook { link: *link, points_m, triangles }
             })
             .collect(),
         body: upright
@@ -84,6 +90,10 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
 fn arm_shape() -> ArmShape {
     let ArmModel { hand_radius_m, upper_arm_radius_m, forearm_radius_m, .. } = ArmModel::default();
     ArmShape { upper_arm_radius_m, forearm_radius_m, hand_radius_m }
+}
+
+fn drawn(Triangles { points, triangles }: &Triangles) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    (points.iter().map(|point| point.to_array().map(tenth_of_a_millimetre)).collect(), triangles.clone())
 }
 
 /// Corners of meshes are many: no more digits than one sees.

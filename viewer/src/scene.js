@@ -14,6 +14,7 @@ import {
   Scene,
   SphereGeometry,
   Vector2,
+  Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -49,9 +50,12 @@ const THEMES = {
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 const solid = (color) => new MeshLambertMaterial({ color });
+const clear = (color) => new MeshLambertMaterial({ color, transparent: true, opacity: 0.2, depthWrite: false });
 const MATERIALS = {
   robot: solid(COLOURS.robot),
   hitting: solid(COLOURS.hitting),
+  robotShape: clear(COLOURS.robot),
+  hittingShape: clear(COLOURS.hitting),
   obstacle: new MeshLambertMaterial({ color: COLOURS.obstacle, transparent: true, opacity: 0.22, depthWrite: false }),
   edge: new LineBasicMaterial({ color: COLOURS.obstacle }),
   path: new MeshBasicMaterial({ color: COLOURS.path }),
@@ -79,6 +83,12 @@ function contactMark() {
   mark.add(outer, shade);
   mark.materials = [material, ring];
   return mark;
+}
+
+/** Of a link that looks like more than its shape: where both are, and whether one sees through the shape. */
+function dressed({ mesh }) {
+  const place = (object) => [...object.getWorldPosition(new Vector3())];
+  return { at: place(mesh), shape: place(mesh.parent), clear: mesh.parent.material.transparent && !mesh.material.transparent };
 }
 
 /** Makes the scene in a canvas; throws where there is no WebGL. */
@@ -112,6 +122,13 @@ export function makeScene(canvas, cell, labels, tellName) {
     const { radius_m: radius, points_m: points, triangles } = link;
     const shape = link.shape === "capsule" ? new Capsule(radius, MATERIALS.robot) : new Hull(points, triangles, MATERIALS.robot);
     return name(shape, cell.links.some((other) => other.robot !== link.robot) ? `${link.robot}/${link.name}` : link.name);
+  });
+  // What links look like, in their shapes: those are what is hit, and stay in the picture.
+  const looks = (cell.looks ?? []).map(({ link, points_m: points, triangles }) => {
+    const mesh = new Hull(points, triangles, MATERIALS.robot);
+    links[link].add(mesh);
+    links[link].castShadow = false;
+    return { link, mesh };
   });
   const person = new Person(cell, name);
   scene.add(...zones, ...links, person);
@@ -226,7 +243,12 @@ export function makeScene(canvas, cell, labels, tellName) {
         way.geometry.dispose();
       }
       hitting = hittingLink(replay, cell, hazard);
-      links.forEach((shape, index) => (shape.material = index === hitting ? MATERIALS.hitting : MATERIALS.robot));
+      const of = (index) => (index === hitting ? "hitting" : "robot");
+      links.forEach((shape, index) => (shape.material = MATERIALS[of(index)]));
+      for (const { link, mesh } of looks) {
+        mesh.material = MATERIALS[of(link)];
+        links[link].material = MATERIALS[`${of(link)}Shape`];
+      }
       person.load(replay, hazard);
       way = ribbon(path(replay, cell), 0.03, MATERIALS.path);
       scene.add(way);
@@ -268,7 +290,7 @@ export function makeScene(canvas, cell, labels, tellName) {
         const { x, y, z } = p.clone().project(camera);
         return Math.abs(x) > 1 || Math.abs(y) > 1 || z > 1;
       }).length;
-      return { ...person.drawn, pedestals: columns.length, outside };
+      return { ...person.drawn, pedestals: columns.length, outside, looks: looks.map(dressed) };
     },
   };
 }

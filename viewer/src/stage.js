@@ -5,7 +5,7 @@ import { makeLabels } from "./labels.js";
 import { COLOURS, makeScene } from "./scene.js";
 
 /** What the colours mean. */
-export function legend({ zones }) {
+export function legend({ zones, looks }) {
   const kinds = new Set(zones.map((zone) => zone.kind));
   const items = [
     ["hitting", "link that hits"],
@@ -17,7 +17,7 @@ export function legend({ zones }) {
     ...[...kinds].map((kind) => [kind, kind]),
   ];
   const swatch = (key) => h("i", { class: "swatch", style: `background:${COLOURS[key] ?? COLOURS.obstacle}` });
-  return h("ul", { class: "legend screen-only" }, items.map(([key, text]) => h("li", {}, swatch(key), text)), h("li", {}, h("i", { class: "swatch ring" }), "contact"), zones.length > 0 ? h("li", {}, "Zones are filled while they report.") : null);
+  return h("ul", { class: "legend screen-only" }, items.map(([key, text]) => h("li", {}, swatch(key), text)), h("li", {}, h("i", { class: "swatch ring" }), "contact"), (looks ?? []).length > 0 ? h("li", {}, "Clear around the robot: the shapes that are judged.") : null, zones.length > 0 ? h("li", {}, "Zones are filled while they report.") : null);
 }
 
 /** The stage of the page. */

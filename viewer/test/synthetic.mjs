@@ -271,7 +271,7 @@ function scan(hazards, { exhaustive, faults }) {
 const QUARTER = Math.SQRT1_2;
 
 /** Data of a report with so many hazards, of which the first `replays` can be replayed. */
-export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, pedestal = false, assessments = {}, name = "invented-cell" } = {}) {
+export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, pedestal = false, looks = [], assessments = {}, name = "invented-cell" } = {}) {
   const next = random(7 + hazards);
   const episodes = Array.from({ length: hazards }, (_, index) => episode(index, next, { arm, hitting }));
   episodes.sort((a, b) => b.hazard.ratio - a.hazard.ratio);
@@ -300,6 +300,7 @@ export function report({ hazards = 8, replays = 50, arm = "some", hitting = "too
         { name: "curtain", kind: "curtain", polygon_m: [[-1.1, -0.55], [1.1, -0.55]], z_m: [0.3, 1.8] },
       ],
       links: LINKS(hitting),
+      looks,
       arm: ARM,
       robots: [{ name: "r1", base_m: pedestal ? [0.4, 1.3, 0.9] : BASE, upright: true }],
       body: BODY.map(([region, radius_m]) => ({ region, radius_m })),

@@ -136,3 +136,25 @@ test("a robot that stands high on nothing gets a pedestal, one on its table does
     await tab.close();
   }
 });
+
+test("what a link looks like moves with its shape, which stays in the picture", async () => {
+  const gripper = 5;
+  const looks = [{ link: gripper, points_m: [[0, 0, 0], [0.05, 0, 0], [0, 0.05, 0.05]], triangles: [[0, 1, 2]] }];
+  const file = await written("looks", { hazards: 1, looks });
+  const tab = await browsers.graphics.newPage();
+  await tab.goto(`file://${file}`);
+  await tab.locator("[data-drawn]").waitFor();
+  const read = async () => JSON.parse(await tab.locator("[data-drawn]").getAttribute("data-drawn")).looks;
+  const places = [];
+  for (const key of ["Home", "End"]) {
+    await tab.locator('[data-test="scrub"]').focus();
+    await tab.keyboard.press(key);
+    const [{ at, shape, clear }] = await read();
+    assert.deepEqual(at, shape);
+    assert.ok(clear);
+    places.push(at);
+  }
+  assert.notDeepEqual(places[0], places[1]);
+  assert.match(await tab.locator(".legend").textContent(), /shapes that are judged/);
+  await tab.close();
+});

@@ -13,7 +13,7 @@ use crate::cell::error::{Source, nearest};
 use crate::cell::foreign::mesh::{self, Mesh};
 use crate::cell::foreign::packages::Packages;
 use crate::cell::foreign::urdf::{self, Shape, Urdf};
-use crate::cell::workcell::{Driven, Kinematics};
+use crate::cell::workcell::{Driven, Kinematics, Look};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
 
@@ -22,13 +22,25 @@ type Result<T> = std::result::Result<T, Box<CellError>>;
 /// What a URDF says of a robot, with the joints of the cell file.
 pub(super) struct Described {
     pub kinematics: Kinematics,
-    /// Shapes by the name of their link: index of the moving joint, shape in its frame.
-    pub shapes: Vec<(String, usize, Solid)>,
+    /// Shapes of what moves.
+    pub shapes: Vec<Shown>,
     /// Masses of all links that move, kg; nothing if none is told.
     pub moving_mass_kg: Option<f64>,
     /// What shapes may be attached to: moving joints and links, with the joint that moves them and where they are in its
     /// frame.
     pub places: BTreeMap<String, (usize, Pose)>,
+}
+
+/// A shape of a link.
+pub(super) struct Shown {
+    /// Name of the link.
+    pub name: String,
+    /// Index of the moving joint.
+    pub joint: usize,
+    /// Shape in its frame.
+    pub shape: Solid,
+    /// What the link looks like: on the first of its shapes that turns with it.
+    pub looks: Vec<Look>,
 }
 
 /// What a URDF says, for a first cell file.
@@ -173,25 +185,41 @@ impl Checker<'_> {
         Ok(Described { kinematics, shapes, moving_mass_kg, places })
     }
 
-    /// Collision shapes of the links that move and are `used`: name of the link, its joint, shape in the joint's frame.
-    fn shapes(
-        &self,
-        file: &UrdfFile,
-        tree: &Tree<'_>,
-        used: impl Fn(&str) -> bool,
-    ) -> Result<Vec<(String, usize, Solid)>> {
+    /// Collision shapes of the links that move and are `used`.
+    fn shapes(&self, file: &UrdfFile, tree: &Tree<'_>, used: impl Fn(&str) -> bool) -> Result<Vec<Shown>> {
         let mut shapes = Vec::new();
         for (link, joint, joint_from_link) in tree.links(&file.urdf).filter(|(link, ..)| used(&link.name)) {
             if link.only_seen {
                 let text = "can be seen and has no collision shape: it cannot be hit";
                 self.warnings.borrow_mut().push(format!("{}: link `{}` {text}", file.path.display(), link.name));
             }
+            let mut seen = false;
             for (link_from_shape, shape) in &link.shapes {
                 let solid = self.solid(shape, file)?;
-                shapes.push((link.name.clone(), joint, solid.placed(joint_from_link * *link_from_shape)));
+                // A capsule is told by its two ends, which say nothing of how it is turned.
+                let looks = if seen || matches!(solid, Solid::Capsule(_)) {
+                    Vec::new()
+                } else {
+                    seen = true;
+                    self.looks(link, file, link_from_shape.inverse())
+                };
+                let shape = solid.placed(joint_from_link * *link_from_shape);
+                shapes.push(Shown { name: link.name.clone(), joint, shape, looks });
             }
         }
         Ok(shapes)
+    }
+
+    /// What a link looks like, where its meshes are found.
+    fn looks(&self, link: &urdf::Link, file: &UrdfFile, shape_from_link: Pose) -> Vec<Look> {
+        let found = |(link_from_mesh, look): &(Pose, urdf::Look)| {
+            if !mesh::is_read(Path::new(&look.file)) {
+                return None;
+            }
+            let path = self.source.folder().join(self.mesh_path(&look.file, file).ok()?);
+            Some(Look { path, scale: Vec3::from_array(look.scale), pose: shape_from_link * *link_from_mesh })
+        };
+        link.looks.iter().filter_map(found).collect()
     }
 
     /// Whether the joints and links that the cell file names are there.
@@ -301,11 +329,18 @@ impl Checker<'_> {
 
     /// Corners of a mesh that a URDF names.
     fn mesh_of(&self, named: &str, urdf: &UrdfFile) -> std::result::Result<Vec<Vec3>, (String, String)> {
+        let mesh = self.mesh_file(&self.mesh_path(named, urdf)?);
+        mesh.map(|mesh| mesh.points)
+            .map_err(|message| (message, "convex hulls are made of STL and OBJ files".to_owned()))
+    }
+
+    /// Where a mesh is that a URDF names, relative to the cell file; else why not, and what helps.
+    fn mesh_path(&self, named: &str, urdf: &UrdfFile) -> std::result::Result<PathBuf, (String, String)> {
         let folder = self.source.folder();
         let kinematics =
             "or take the kinematics only, with urdf_shapes = false, and give shapes in [[robot.link]] tables";
         let missing = |help: String| (format!("the mesh {named} is not there"), help);
-        let path = match named.split_once("://") {
+        match named.split_once("://") {
             Some(("package" | "model", path)) => {
                 let (package, rest) = path.split_once('/').unwrap_or((path, ""));
                 urdf.packages.find(package, rest, folder, &urdf.path).map_err(|not_found| {
@@ -314,11 +349,11 @@ impl Checker<'_> {
                          table, which `init --package {package}=FOLDER` writes; {kinematics}",
                         not_found.looked
                     ))
-                })?
+                })
             }
             Some((scheme, _)) if scheme != "file" => {
                 let help = "a path, file:// or package://".to_owned();
-                return Err((format!("`{scheme}://` is not known"), help));
+                Err((format!("`{scheme}://` is not known"), help))
             }
             other => {
                 let beside = urdf.path.parent().unwrap_or(Path::new(""));
@@ -327,12 +362,9 @@ impl Checker<'_> {
                     let looked = folder.join(&path).display().to_string();
                     return Err(missing(format!("put it where it is looked for ({looked}), {kinematics}")));
                 }
-                path
+                Ok(path)
             }
-        };
-        let mesh = self.mesh_file(&path);
-        mesh.map(|mesh| mesh.points)
-            .map_err(|message| (message, "convex hulls are made of STL and OBJ files".to_owned()))
+        }
     }
 
     /// The mesh at `path`, relative to the cell file.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use super::checker::{Checker, pose};
-use super::described::{Described, upright};
+use super::described::{Described, Shown, upright};
 use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
 use crate::cell::CellError;
@@ -79,7 +79,14 @@ impl Checker<'_> {
             None => (Vec::new(), places(robot), self.chain(robot)),
         };
         let place = robot.urdf.as_ref().map(|path| self.place(path.span())).unwrap_or_default();
-        let of_urdf = |(name, joint, shape)| Link { name, robot: number, joint, shape, place: place.clone() };
+        let of_urdf = |Shown { name, joint, shape, looks }| Link {
+            name,
+            robot: number,
+            joint,
+            shape,
+            place: place.clone(),
+            looks,
+        };
         let mut links: Vec<Link> = shapes.into_iter().map(of_urdf).collect();
         links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
         let _ = self.problems.keep(self.spheres(robot));
@@ -252,7 +259,7 @@ impl Checker<'_> {
             }
         };
         let shape = if joint_from_place == Pose::IDENTITY { shape } else { shape.placed(joint_from_place) };
-        Ok(Link { name: link.name.clone(), robot, joint, shape, place: self.place(span) })
+        Ok(Link { name: link.name.clone(), robot, joint, shape, place: self.place(span), looks: Vec::new() })
     }
 
     /// Whether shapes of parts that are known by a point alone are spheres around it.

@@ -23,6 +23,11 @@ pub(in crate::cell) fn ending(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }
 
+/// Whether files of this name can be read.
+pub(in crate::cell) fn is_read(path: &Path) -> bool {
+    matches!(ending(path).as_str(), "stl" | "obj")
+}
+
 /// The mesh in `bytes`. The ending of `path` says the format.
 ///
 /// # Errors

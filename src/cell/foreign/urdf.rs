@@ -1,7 +1,8 @@
 //! Robot descriptions in URDF: links with masses and collision shapes, joints that turn, slide or are fixed.
 //!
 //! Format: the ROS documentation of URDF (`wiki.ros.org/urdf/XML`). What decides where a link is or how heavy it is must
-//! be understood; anything else (visuals, materials, transmissions, sensors) is passed over. Lengths in m, angles in rad,
+//! be understood. Meshes to look at are kept where they can be read; anything else (materials, transmissions, sensors) is
+//! passed over. Lengths in m, angles in rad,
 //! masses in kg.
 
 use std::ops::Range;
@@ -31,6 +32,8 @@ pub(in crate::cell) struct Link {
     pub mass_kg: Option<f64>,
     /// Collision shapes in the link's frame.
     pub shapes: Vec<(Pose, Shape)>,
+    /// Meshes to look at, in the link's frame.
+    pub looks: Vec<(Pose, Look)>,
     /// Whether it can be seen and has no collision shape.
     pub only_seen: bool,
 }
@@ -48,6 +51,13 @@ pub(in crate::cell) enum Shape {
     Sphere { radius: f64 },
     /// A file, scaled.
     Mesh { file: String, scale: [f64; 3], place: Range<usize> },
+}
+
+/// A mesh to look at.
+#[derive(Debug)]
+pub(in crate::cell) struct Look {
+    pub file: String,
+    pub scale: [f64; 3],
 }
 
 /// A joint.
@@ -132,7 +142,18 @@ impl Xml<'_> {
         let shapes = children(node, "collision").map(|node| Ok((self.origin(node)?, self.shape(node)?)));
         let shapes = shapes.collect::<Result<Vec<_>>>()?;
         let only_seen = shapes.is_empty() && child(node, "visual").is_some();
-        Ok(Link { mass_kg: mass_kg.transpose()?, shapes, only_seen, name })
+        let looks = children(node, "visual").filter_map(|node| self.look(node)).collect();
+        Ok(Link { mass_kg: mass_kg.transpose()?, shapes, looks, only_seen, name })
+    }
+
+    /// What a visual shows, if that is a mesh. Nothing depends on it: a mistake in it is none of the robot.
+    fn look(&self, visual: Node<'_, '_>) -> Option<(Pose, Look)> {
+        let mesh = child(child(visual, "geometry")?, "mesh")?;
+        let look = Look {
+            file: self.text(mesh, "filename").ok()?.to_owned(),
+            scale: self.numbers(mesh, "scale", [1.0; 3]).ok()?,
+        };
+        Some((self.origin(visual).ok()?, look))
     }
 
     fn shape(&self, collision: Node<'_, '_>) -> Result<Shape> {
