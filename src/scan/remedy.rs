@@ -66,7 +66,7 @@ impl Effort {
     #[must_use]
     pub fn usual() -> Self {
         let workers = std::thread::available_parallelism().map_or(1, Into::into);
-        Self { iterations: 20, quick: 800_000, states: 24_000, work: 5_000_000, bytes: 2_000_000_000, workers }
+        Self { iterations: 20, quick: 560_000, states: 24_000, work: 3_200_000, bytes: 2_000_000_000, workers }
     }
 }
 
