@@ -9,7 +9,7 @@ use super::workcell::{Look, Workcell};
 use crate::geometry::Vec3;
 use crate::geometry::surface::Triangles;
 
-/// Most triangles in a report, which people mail: about 60 bytes each.
+/// Most triangles in a report, which people mail: about 20 bytes each.
 pub const MOST_TRIANGLES: usize = 10_000;
 
 /// Most bytes of a file that is looked at: ten times what that many triangles need.

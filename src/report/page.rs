@@ -46,8 +46,8 @@ pub struct Scenery {
     pub zones: Vec<ZoneOutline>,
     /// The robots' links.
     pub links: Vec<LinkShape>,
-    /// What some of them look like.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    /// What some of them look like, packed as replays are.
+    #[serde(serialize_with = "packed_list", skip_serializing_if = "Vec::is_empty")]
     pub looks: Vec<LinkLook>,
     /// The parts of the body.
     pub body: Vec<PartShape>,
@@ -275,6 +275,17 @@ pub const ASSUMPTIONS: [&str; 8] = [
      examined. No hazard found is never a proof of safety of the real workplace.",
 ];
 
+/// JSON, gzip, base64.
+fn packed<T: Serialize>(list: &[T]) -> std::io::Result<String> {
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    serde_json::to_writer(&mut packed, list)?;
+    Ok(STANDARD.encode(packed.finish()?))
+}
+
+fn packed_list<T: Serialize, S: Serializer>(list: &[T], to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&packed(list).map_err(serde::ser::Error::custom)?)
+}
+
 /// The page. `scan` is a [`ScanReport`](super::model::ScanReport), or one that was read back as JSON.
 ///
 /// # Errors
@@ -287,9 +298,7 @@ pub fn render(
     cell: &Scenery,
     replays: &[Replay],
 ) -> std::io::Result<String> {
-    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    serde_json::to_writer(&mut packed, replays)?;
-    let replays = STANDARD.encode(packed.finish()?);
+    let replays = packed(replays)?;
     let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");

@@ -13,7 +13,7 @@ function floats(base64) {
   return Float32Array.from({ length: bytes.length / 4 }, (_, index) => view.getFloat32(4 * index, true));
 }
 
-/** The list of replays, which is JSON, gzip and base64: so that fifty of them can be mailed. */
+/** A list that is JSON, gzip and base64: so that fifty replays can be mailed. */
 async function unpacked(base64) {
   const stream = new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).json();
@@ -40,6 +40,7 @@ export async function readData() {
     throw new Error(`data of format ${data.format}, but this viewer reads format ${FORMAT}`);
   }
   const replays = await unpacked(data.replays);
+  data.cell.looks = data.cell.looks ? await unpacked(data.cell.looks) : [];
   const raw = new Map(replays.map((replay) => [replay.id, replay]));
   const decoded = new Map();
   const hazards = new Map(data.scan.hazards.map((hazard) => [hazard.id, hazard]));

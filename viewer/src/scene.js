@@ -124,7 +124,7 @@ export function makeScene(canvas, cell, labels, tellName) {
     return name(shape, cell.links.some((other) => other.robot !== link.robot) ? `${link.robot}/${link.name}` : link.name);
   });
   // What links look like, in their shapes: those are what is hit, and stay in the picture.
-  const looks = (cell.looks ?? []).map(({ link, points_m: points, triangles }) => {
+  const looks = cell.looks.map(({ link, points_m: points, triangles }) => {
     const mesh = new Hull(points, triangles, MATERIALS.robot);
     links[link].add(mesh);
     links[link].castShadow = false;

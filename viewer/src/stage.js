@@ -17,7 +17,7 @@ export function legend({ zones, looks }) {
     ...[...kinds].map((kind) => [kind, kind]),
   ];
   const swatch = (key) => h("i", { class: "swatch", style: `background:${COLOURS[key] ?? COLOURS.obstacle}` });
-  return h("ul", { class: "legend screen-only" }, items.map(([key, text]) => h("li", {}, swatch(key), text)), h("li", {}, h("i", { class: "swatch ring" }), "contact"), (looks ?? []).length > 0 ? h("li", {}, "Clear around the robot: the shapes that are judged.") : null, zones.length > 0 ? h("li", {}, "Zones are filled while they report.") : null);
+  return h("ul", { class: "legend screen-only" }, items.map(([key, text]) => h("li", {}, swatch(key), text)), h("li", {}, h("i", { class: "swatch ring" }), "contact"), looks.length > 0 ? h("li", {}, "Clear around the robot: the shapes that are judged.") : null, zones.length > 0 ? h("li", {}, "Zones are filled while they report.") : null);
 }
 
 /** The stage of the page. */

@@ -10,8 +10,9 @@ const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "
 /** The page as text. */
 export async function page(data) {
   const [script, style] = await Promise.all(["viewer.js", "viewer.css"].map((name) => readFile(path.join(ASSETS, name), "utf8")));
-  const replays = gzipSync(JSON.stringify(data.replays)).toString("base64");
-  const json = JSON.stringify({ ...data, replays }).replaceAll("<", "\\u003c");
+  const packed = (list) => gzipSync(JSON.stringify(list)).toString("base64");
+  const { looks, ...cell } = data.cell;
+  const json = JSON.stringify({ ...data, replays: packed(data.replays), cell: looks?.length > 0 ? { ...cell, looks: packed(looks) } : cell }).replaceAll("<", "\\u003c");
   return `<!doctype html><html lang="en"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>${escaped(data.cell.name)}: hazard report</title><style>${style}</style></head>
