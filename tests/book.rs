@@ -102,8 +102,15 @@ impl Reader {
             }
             let long =
                 ["fmi-hazard scan", "fmi-hazard explain", "fmi-hazard demo"].iter().any(|c| command.starts_with(c));
+            let within = |reader: &mut Self, seconds: u32| {
+                reader.run(&format!("timeout --preserve-status --signal=INT {seconds} {command}"), None)
+            };
             let (code, told) = match self.patience.filter(|_| long) {
-                Some(seconds) => self.run(&format!("timeout --preserve-status --signal=INT {seconds} {command}"), None),
+                // On a machine that is busy a scan has not even begun by then, and leaves nothing.
+                Some(seconds) => match within(self, seconds) {
+                    (130, told) if !told.contains("Report  ") => within(self, 10 * seconds),
+                    done => done,
+                },
                 None => self.run(&command, None),
             };
             let expected: &[i32] = if long { &[0, 1, 130] } else { &[0, 1] };
@@ -174,7 +181,7 @@ fn the_commands_of_the_assessment_end_with_nothing_left() {
     assert_eq!((&cause["id"], before["causes"].as_array().unwrap().len()), (&"C-e203ea".into(), 1));
     let changes = cause["advice"]["changes"].as_array().unwrap();
     assert!(
-        changes.iter().any(|change| change["change"] == "FMU parameter plc.v_limit = 0.264 m/s instead of 0.48 m/s")
+        changes.iter().any(|change| change["change"] == "FMU parameter plc.v_limit = 0.2448 m/s instead of 0.48 m/s")
     );
     assert_eq!((&after["verdict"], &after["certificate"]["complete"]), (&"none_found".into(), &true.into()));
     let report = std::fs::read_to_string(dir.join("out/before/report.html")).unwrap();

@@ -51,8 +51,6 @@ pub struct Effort {
     pub iterations: u32,
     /// Most work of trying one change without complete searches, in communication steps of an FMU, about.
     pub quick: u64,
-    /// Most of it for all changes together: with many there is less for each.
-    pub quick_in_all: u64,
     /// Most distinct states of all complete searches together; none means that there are no such searches.
     pub states: usize,
     /// Most work of them, joint-angle boxes.
@@ -68,20 +66,7 @@ impl Effort {
     #[must_use]
     pub fn usual() -> Self {
         let workers = std::thread::available_parallelism().map_or(1, Into::into);
-        Self {
-            iterations: 20,
-            quick: 800_000,
-            quick_in_all: 7_000_000,
-            states: 18_000,
-            work: 2_600_000,
-            bytes: 2_000_000_000,
-            workers,
-        }
-    }
-
-    /// The same for so many changes.
-    fn among(self, changes: usize) -> Self {
-        Self { quick: self.quick.min(self.quick_in_all / changes.max(1) as u64), ..self }
+        Self { iterations: 20, quick: 560_000, states: 18_000, work: 2_600_000, bytes: 2_000_000_000, workers }
     }
 }
 
@@ -269,11 +254,10 @@ pub fn remedies(
     purse: &mut Purse,
     tell: &(dyn Fn(Told<'_>) + Sync),
 ) -> Result<Vec<Remedy>, PlantError> {
-    let Some(mut bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
+    let Some(bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.robot };
     let Knobs { turned: knobs, held: kept } = Knobs::of(&prepared.cell, &bench.text, &units, &encounter);
-    bench.effort = effort.among(knobs.len());
     let (next, done) = (AtomicUsize::new(0), Mutex::new(0));
     let held = |remedy: &Remedy| matches!(remedy.outcome, Outcome::NotMet(_) | Outcome::OthersRemain(_));
     let work = || {
