@@ -67,6 +67,8 @@ fn interrupted(dir: &Path, arguments: &[&str], word: &str, after: Duration) -> (
     std::thread::sleep(after);
     let began = Instant::now();
     program.signal("-INT");
+    // `timeout` sends it twice: to the program, and to the group that it is in. That is no second Ctrl-C.
+    program.signal("-INT");
     let (code, printed) = program.end();
     (code, printed, began.elapsed())
 }
