@@ -1,5 +1,5 @@
 //! The rules that opening an FMU and reading a modelDescription.xml keep whatever the bytes are. Shared by the fuzz
-//! targets and by `tests/mutated_fmus.rs`. Breaking one is a panic.
+//! targets and by `tests/suite/mutated_fmus.rs`. Breaking one is a panic.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;

@@ -1,6 +1,10 @@
 //! The safe FMI layer against a real binary: states belong to their instance, and a fatal error ends all calls.
+//!
+//! On its own in this file, because it looks at the memory of its process.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[path = "suite/common/mod.rs"]
+#[allow(dead_code, reason = "this program uses little of it")]
 mod common;
 
 use common::test_fmus;

@@ -3,6 +3,8 @@
 //! On its own in this file, because it kills all workers of its process.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[path = "suite/common/mod.rs"]
+#[allow(dead_code, reason = "this program uses little of it")]
 mod common;
 
 use std::ops::ControlFlow;

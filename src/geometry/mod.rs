@@ -22,7 +22,7 @@ pub mod surface;
 pub mod triangle;
 
 #[cfg(test)]
-#[path = "../../tests/common/meshes.rs"]
+#[path = "../../tests/suite/common/meshes.rs"]
 #[allow(dead_code, reason = "the files are for other tests")]
 pub(crate) mod test_meshes;
 

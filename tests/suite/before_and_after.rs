@@ -1,0 +1,96 @@
+//! A flawed cell and its repaired variant side by side: `compare` and `verify`.
+
+use std::path::Path;
+
+use crate::common::{examples, fmi_hazard, scan_json};
+
+fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = fmi_hazard(dir).args(arguments).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+fn scan(dir: &Path, cell: &str, strategy: &str, out: &str) {
+    let (code, _, said) =
+        ran(dir, &["scan", "--no-advice", cell, "--strategy", strategy, "--iterations", "10", "--out", out]);
+    assert!(code == Some(0) || code == Some(1), "{cell}: {said}");
+}
+
+/// Each cell with as many actions as its first hazards take, so that every sequence is looked at within seconds.
+const CELLS: [(&str, u32); 6] = [
+    ("safety-fence", 7),
+    ("sensor-mat", 6),
+    ("head-collision", 5),
+    ("light-curtain", 3),
+    ("two-scanners", 5),
+    ("heavy-workpiece", 5),
+];
+
+#[test]
+fn what_a_repair_fixed_is_told_and_what_undoing_it_brings_back() {
+    let dir = examples();
+    let dir = dir.path();
+    for (example, actions) in CELLS {
+        let [flawed, fixed] = ["cell", "fixed"].map(|name| {
+            let text = std::fs::read_to_string(dir.join(format!("{example}/{name}.toml"))).unwrap();
+            let short = format!("{example}/short-{name}.toml");
+            std::fs::write(dir.join(&short), format!("{text}\n[search]\nactions = {actions}\n")).unwrap();
+            short
+        });
+        let (before, after) = (format!("{example}-before"), format!("{example}-after"));
+        scan(dir, &flawed, "exhaustive", &before);
+        scan(dir, &fixed, "exhaustive", &after);
+        let hazards = scan_json(&dir.join(&before))["hazards"].as_array().unwrap().len();
+        let (code, text, _) = ran(dir, &["compare", &before, &after]);
+        assert_eq!(code, Some(0), "{text}");
+        assert!(hazards > 0 && text.contains(&format!("\n {hazards} fixed.")), "{text}");
+        assert!(text.contains("Differs: cell file, ") && !text.contains("did not account"), "{text}");
+        let (code, text, _) = ran(dir, &["compare", &after, &before, "--format", "json"]);
+        let result: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(code, Some(1));
+        let rows = result["hazards"].as_array().unwrap();
+        assert!(rows.len() == hazards && rows.iter().all(|row| row["change"] == "new"), "{text}");
+        // The same sequences in the repaired cell, and in the flawed one.
+        let (code, text, said) = ran(dir, &["verify", &before, &fixed, "--junit", "verified.xml"]);
+        assert_eq!(code, Some(0), "{text}{said}");
+        assert!(text.contains(" fixed ") && !text.contains("STILL"), "{text}");
+        assert!(!std::fs::read_to_string(dir.join("verified.xml")).unwrap().contains("<failure"));
+        let (code, text, _) = ran(dir, &["verify", &before, &flawed, "--junit", "verified.xml"]);
+        assert_eq!(code, Some(1), "{text}");
+        assert!(text.contains(" 0 of ") && !text.contains(" fixed  "), "{text}");
+        assert!(std::fs::read_to_string(dir.join("verified.xml")).unwrap().contains("<failure"));
+    }
+}
+
+#[test]
+fn a_hazard_that_a_scan_might_have_missed_is_not_called_fixed() {
+    let dir = examples();
+    let dir = dir.path();
+    scan(dir, "two-scanners/cell.toml", "hybrid", "before");
+    scan(dir, "two-scanners/fixed.toml", "hybrid", "after");
+    let (code, text, _) = ran(dir, &["compare", "before", "after"]);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains(" not found again") && !text.contains(" fixed  "), "{text}");
+    assert!(text.contains("The second scan did not account for every sequence"), "{text}");
+}
+
+#[test]
+fn a_scan_compared_with_itself_is_the_same_and_what_is_no_scan_is_refused() {
+    let dir = examples();
+    let dir = dir.path();
+    scan(dir, "head-collision/cell.toml", "hybrid", "out");
+    let (code, text, _) = ran(dir, &["compare", "out", "out/scan.json"]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains(" same.") && text.contains("Inputs are the same"), "{text}");
+    assert!(text.contains("The first scan did not account for every sequence"), "{text}");
+    for (arguments, problem) in [
+        (["compare", "nowhere", "out"], "cannot read nowhere: "),
+        (["compare", "out", "head-collision/cell.toml"], "is not a scan result: "),
+    ] {
+        let (code, _, said) = ran(dir, &arguments);
+        assert!(code == Some(2) && said.contains(problem) && said.contains("give the scan.json of a scan"), "{said}");
+    }
+    std::fs::write(dir.join("old.json"), r#"{"schema_version": 1}"#).unwrap();
+    let (code, _, said) = ran(dir, &["compare", "old.json", "out"]);
+    assert!(code == Some(2) && said.contains("has format 1, this version reads 3"), "{said}");
+}

@@ -1,0 +1,312 @@
+//! README and book: their commands are run as they stand, the reference is what the program writes, and links lead somewhere.
+//! Needs the Python environment that `tools/test` makes.
+//!
+//! What stands behind the fence of a block says how it is run: `exit=1` (the exit code; 0 or 1 otherwise), `trusted` (with
+//! Python's library), `setup` and `download` (not run again), `file=NAME` (the block is that file, or a change of it).
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::common::fmpy::python;
+use crate::common::{fmi_hazard, scan_json};
+use tempfile::TempDir;
+
+fn book() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/src")
+}
+
+/// A block of code: what stands behind its fence, and its text.
+fn blocks(page: &str) -> Vec<(Vec<&str>, String)> {
+    let mut blocks = Vec::new();
+    let mut open: Option<(Vec<&str>, String)> = None;
+    for line in page.lines() {
+        match (&mut open, line.strip_prefix("```")) {
+            (None, Some(info)) => open = Some((info.split(',').collect(), String::new())),
+            (Some(_), Some(_)) => blocks.extend(open.take()),
+            (Some((_, text)), None) => {
+                text.push_str(line);
+                text.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    assert!(open.is_none(), "a block is not closed");
+    blocks
+}
+
+/// Replaces the lines with `-` by those with `+`, as a reader does in an editor.
+fn edit(file: &Path, diff: &str) {
+    let of = |sign: char| -> String {
+        diff.lines().filter_map(|line| line.strip_prefix(sign)).map(|line| format!("{line}\n")).collect()
+    };
+    let text = std::fs::read_to_string(file).unwrap();
+    let (old, new) = (of('-'), of('+'));
+    assert_eq!(text.matches(&old).count(), 1, "not there, or not once:\n{old}in\n{text}");
+    std::fs::write(file, text.replace(&old, &new)).unwrap();
+}
+
+/// Python as a shared library, if this machine has it.
+fn python_library() -> String {
+    let tools = Path::new(env!("CARGO_MANIFEST_DIR")).join("tools");
+    let program = "import exporter_zoo; print(exporter_zoo.python_library())";
+    let output = Command::new(python()).args(["-c", program]).env("PYTHONPATH", tools).output().unwrap();
+    String::from_utf8(output.stdout).unwrap().trim().to_owned()
+}
+
+/// A folder in which a page is gone through.
+struct Reader {
+    dir: TempDir,
+    path: OsString,
+    /// Longest time for a scan, and for an explanation: then it is interrupted, as by Ctrl-C.
+    patience: Option<u32>,
+    commands: usize,
+    edits: usize,
+}
+
+impl Reader {
+    fn new(patience: Option<u32>) -> Self {
+        let dir = TempDir::new().unwrap();
+        let programs = [
+            python().parent().unwrap().to_owned(),
+            assert_cmd::cargo::cargo_bin("fmi-hazard").parent().unwrap().into(),
+        ];
+        let own = std::env::var_os("PATH").unwrap();
+        let path = std::env::join_paths(programs.into_iter().chain(std::env::split_paths(&own))).unwrap();
+        Self { dir, path, patience, commands: 0, edits: 0 }
+    }
+
+    /// What a script tells, and its exit code.
+    fn run(&mut self, script: &str, preload: Option<&str>) -> (i32, String) {
+        let mut shell = Command::new("bash");
+        shell.args(["-euc", script]).current_dir(self.dir.path()).env("PATH", &self.path).env("NO_COLOR", "1");
+        if let Some(library) = preload {
+            shell.env("LD_PRELOAD", library);
+        }
+        let output = shell.output().unwrap();
+        self.commands += script.lines().count();
+        let told = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned()).concat();
+        (output.status.code().unwrap(), told)
+    }
+
+    /// Each command of a block by itself.
+    fn each(&mut self, text: &str) {
+        for line in text.lines().filter(|line| !line.trim_start().starts_with('#')) {
+            // What is built already is not built again, and what runs this need not run in it.
+            let command = line.replace("cargo run --release -- ", "fmi-hazard ");
+            if command.starts_with("tools/test") {
+                continue;
+            }
+            let long =
+                ["fmi-hazard scan", "fmi-hazard explain", "fmi-hazard demo"].iter().any(|c| command.starts_with(c));
+            let within = |reader: &mut Self, seconds: u32| {
+                reader.run(&format!("timeout --preserve-status --signal=INT {seconds} {command}"), None)
+            };
+            let (code, told) = match self.patience.filter(|_| long) {
+                // On a machine that is busy a scan has not even begun by then, and leaves nothing.
+                Some(seconds) => match within(self, seconds) {
+                    (130, told) if !told.contains("Report  ") => within(self, 10 * seconds),
+                    done => done,
+                },
+                None => self.run(&command, None),
+            };
+            let expected: &[i32] = if long { &[0, 1, 130] } else { &[0, 1] };
+            assert!(expected.contains(&code), "{line}: {code}\n{told}");
+        }
+    }
+
+    /// Goes through a page; `library` is Python's, for what needs it.
+    fn read(&mut self, page: &str, library: &str) {
+        let fetched = python().parent().unwrap().join("../third-party/yourdfpy-0.0.60.tar.gz");
+        for (info, text) in blocks(page) {
+            let named = |key: &str| info.iter().find_map(|word| word.strip_prefix(key));
+            let file = named("file=").map(|name| self.dir.path().join(name));
+            match (info[0], file) {
+                ("diff", Some(file)) => {
+                    self.edits += 1;
+                    edit(&file, &text);
+                }
+                (_, Some(file)) => std::fs::write(file, text).unwrap(),
+                ("sh", None) if info.contains(&"setup") => {}
+                // What tools/test has fetched need not be fetched again.
+                ("sh", None) if info.contains(&"download") && fetched.is_file() => {
+                    std::fs::copy(&fetched, self.dir.path().join("yourdfpy-0.0.60.tar.gz")).unwrap();
+                }
+                ("sh", None) if self.patience.is_some() => self.each(&text),
+                ("sh", None) => {
+                    let expected = named("exit=").unwrap_or("0");
+                    let script = text.replace("export LD_PRELOAD=libpython3.11.so.1.0\n", "");
+                    let (code, told) = self.run(&script, info.contains(&"trusted").then_some(library));
+                    assert_eq!(code.to_string(), expected, "{text}{told}");
+                    for (command, words) in SAYS {
+                        if text.contains(command) {
+                            assert!(told.contains(words), "{command}: `{words}` is not in\n{told}");
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn the_commands_of_the_tutorial_do_what_it_says() {
+    let library = python_library();
+    if library.is_empty() {
+        println!("NOT TESTED: this machine has no shared library of Python (install libpython3)");
+        return;
+    }
+    let mut reader = Reader::new(None);
+    reader.read(&std::fs::read_to_string(book().join("tutorial.md")).unwrap(), &library);
+    assert!(reader.commands >= 11 && reader.edits >= 6, "{} commands, {} edits", reader.commands, reader.edits);
+    for file in
+        ["PandaCell.cell.check.svg", "first/report.html", "first/scan.json", "PandaCell-packed.fmu", "cell.schema.json"]
+    {
+        assert!(reader.dir.path().join(file).is_file(), "{file}");
+    }
+}
+
+/// From a scan to a summary that can be signed, as the page has it: what is told, and what is in the results.
+#[test]
+fn the_commands_of_the_assessment_end_with_nothing_left() {
+    let mut reader = Reader::new(None);
+    reader.read(&std::fs::read_to_string(book().join("howto/assessment.md")).unwrap(), "");
+    let dir = reader.dir.path();
+    let [before, after] = ["before", "after"].map(|name| scan_json(&dir.join("out").join(name)));
+    let cause = &before["causes"][0];
+    assert_eq!((&cause["id"], before["causes"].as_array().unwrap().len()), (&"C-e203ea".into(), 1));
+    let changes = cause["advice"]["changes"].as_array().unwrap();
+    assert!(
+        changes.iter().any(|change| change["change"] == "FMU parameter plc.v_limit = 0.2448 m/s instead of 0.48 m/s")
+    );
+    assert_eq!((&after["verdict"], &after["certificate"]["complete"]), (&"none_found".into(), &true.into()));
+    let report = std::fs::read_to_string(dir.join("out/before/report.html")).unwrap();
+    assert!(report.contains("clamping at the stand assessed separately"));
+}
+
+/// All other pages. Scans are interrupted soon: what they find by then is what the commands behind them work on.
+#[test]
+fn the_other_commands_of_readme_and_book_run() {
+    let mut all = pages(&book());
+    all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
+    all.retain(|page| {
+        !["tutorial.md", "assessment.md", "commands.md", "cell-file.md"].iter().any(|own| page.ends_with(own))
+    });
+    all.sort();
+    let mut commands = 0;
+    for page in all {
+        let text = std::fs::read_to_string(&page).unwrap();
+        let mut reader = Reader::new(Some(SECONDS));
+        // What a reader brings along: an FMU with the robot's description, and the cell file with its TODOs filled in.
+        let dir = reader.dir.path().to_owned();
+        fmi_hazard::examples::export(&dir.join("cells")).unwrap();
+        let example = dir.join("cells/safety-fence");
+        std::fs::copy(example.join("safety-fence.fmu"), dir.join("cell.fmu")).unwrap();
+        std::fs::write(dir.join("robot.urdf"), URDF).unwrap();
+        for (info, block) in blocks(&text) {
+            if let Some(file) = info.iter().find_map(|word| word.strip_prefix("file=")) {
+                std::fs::write(dir.join(file), &block).unwrap();
+            }
+            if info[0] == "sh" {
+                let (first, filled) = block.split_once("fmi-hazard check cell.cell.toml").unwrap_or((&block, ""));
+                reader.each(first);
+                if !filled.is_empty() {
+                    let cell = std::fs::read_to_string(example.join("cell.toml")).unwrap();
+                    let cell = cell.replace("safety-fence.fmu", "cell.fmu");
+                    std::fs::write(dir.join("cell.cell.toml"), cell).unwrap();
+                    reader.each(&format!("fmi-hazard check cell.cell.toml{filled}"));
+                }
+            }
+        }
+        commands += reader.commands;
+    }
+    assert!(commands > 30, "{commands}");
+}
+
+/// Long enough for the quick part of a scan to find something.
+const SECONDS: u32 = 3;
+
+/// A robot with the six joints of the example.
+const URDF: &str = r#"<robot name="arm">
+<link name="base"/><link name="upper"/>
+<joint name="joint_1" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+<limit lower="-3" upper="3" effort="1" velocity="1"/></joint></robot>"#;
+
+/// What the tutorial promises of a command's output.
+const SAYS: &[(&str, &str)] = &[
+    ("inspect", "q1 ... q7 (7)"),
+    ("probe", "S_PSE_Mat = false: stops it, at rest after 0.40 s, first change after 0.020 s"),
+    ("init", "the cell file takes the kinematics only"),
+    ("--no-run", "still to be filled in"),
+    ("--no-run", "PandaCell.cell.toml: 8 problems"),
+    ("check PandaCell.cell.toml --trust-fmu", "nothing wrong"),
+    ("scan PandaCell", "confirmed by a fresh replay"),
+    ("replay first", "reproduced"),
+    ("--out out/before", "What helps: "),
+    ("verify out/before", "fixed"),
+    ("--out out/after", "No sequence of the stated actions"),
+    ("compare", "fixed"),
+];
+
+#[test]
+fn the_reference_is_what_the_program_writes() {
+    let dir = TempDir::new().unwrap();
+    fmi_hazard(dir.path()).args(["manual", "--book", "reference"]).assert().code(0);
+    for page in ["commands.md", "cell-file.md"] {
+        let [written, committed] = [dir.path().join("reference"), book().join("reference")]
+            .map(|folder| std::fs::read_to_string(folder.join(page)).unwrap());
+        assert!(written == committed, "docs/src/reference/{page} is old: fmi-hazard manual --book docs/src/reference");
+    }
+}
+
+/// All pages of a folder and below.
+fn pages(folder: &Path) -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            all.extend(pages(&path));
+        } else if path.extension().is_some_and(|e| e == "md") {
+            all.push(path);
+        }
+    }
+    all
+}
+
+#[test]
+fn every_page_is_in_the_book_and_every_link_leads_to_one() {
+    let summary = std::fs::read_to_string(book().join("SUMMARY.md")).unwrap();
+    let all = pages(&book());
+    assert!(all.len() > 10);
+    for page in &all {
+        let name = page.strip_prefix(book()).unwrap().to_str().unwrap();
+        assert!(name == "SUMMARY.md" || summary.contains(&format!("({name})")), "{name} is not in SUMMARY.md");
+        let text = std::fs::read_to_string(page).unwrap();
+        for target in text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
+            let target = target.split('#').next().unwrap();
+            let outside = target.is_empty() || target.contains("://");
+            assert!(outside || page.parent().unwrap().join(target).is_file(), "{name}: {target} leads nowhere");
+        }
+    }
+}
+
+#[test]
+fn cell_files_in_the_book_are_cell_files() {
+    // Excerpts: each has to be TOML, and its keys have to be those of cell files.
+    let schema = fmi_hazard::cell::json_schema();
+    let tables = schema["$defs"].as_object().unwrap().values().chain([&schema]);
+    let keys: Vec<&String> =
+        tables.filter_map(|table| table["properties"].as_object()).flat_map(serde_json::Map::keys).collect();
+    for page in pages(&book()) {
+        let text = std::fs::read_to_string(&page).unwrap();
+        for (info, block) in blocks(&text) {
+            if info[0] == "toml" {
+                let table: toml::Table = block.parse().unwrap_or_else(|e| panic!("{}: {e}\n{block}", page.display()));
+                for key in table.keys() {
+                    assert!(keys.contains(&key), "{}: cell files have no `{key}`", page.display());
+                }
+            }
+        }
+    }
+}

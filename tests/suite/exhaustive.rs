@@ -1,0 +1,388 @@
+//! The exhaustive search against plain enumeration, with and without its shortcuts, and against random search.
+
+use std::sync::Arc;
+
+use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use crate::common::{examples, fmi_hazard, scan_json};
+use fmi_hazard::hazard::Finding;
+use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
+use fmi_hazard::human::{Action, Place, Posture};
+use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
+use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
+use fmi_hazard::search::statistics::wilson;
+use fmi_hazard::search::{End, Environment as _, Rng};
+use fmi_hazard::sim::expansion::{Expander, Merge, State};
+use fmi_hazard::sim::robot::RobotFrame;
+use fmi_hazard::sim::sensors::DelayLine;
+use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window};
+use fmi_hazard::sim::{Coverage, World};
+
+const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
+
+/// A cell of the examples, started elsewhere, with other search settings.
+fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
+    let text = std::fs::read_to_string(dir.join(path)).unwrap();
+    let (before, after) = text.split_once("start = ").unwrap();
+    let after = after.split_once('\n').map_or("", |(_, after)| after);
+    let changed = format!("{before}start = {start}\n{after}\n[search]\n{search}\n");
+    let file = dir.join(path).with_file_name("changed.toml");
+    std::fs::write(&file, changed).unwrap();
+    prepare(&file, None).unwrap()
+}
+
+/// Where, when and how a finding happens, to the last bit, and how many sequences begin so.
+type Unsafe = BTreeMap<String, u128>;
+
+fn key(finding: &Finding) -> String {
+    // The calmest of many sequences stands for all, so the actions before the last are left out.
+    format!("{:?} {:?}", finding.actions.last(), Finding { actions: Vec::new(), ..finding.clone() })
+}
+
+fn expander(prepared: &Prepared, merge: Merge) -> Expander<Hosted> {
+    let (cell, binding) = (prepared.cell.clone(), prepared.binding.clone());
+    Expander::new(cell, binding, prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto), merge, 2)
+        .unwrap()
+}
+
+fn exhausted<E: Expansion<Unsafe = Finding>>(expansion: &mut E, budget: Budget) -> (Account, Unsafe)
+where
+    E::Error: std::fmt::Debug,
+{
+    let mut found = Unsafe::new();
+    let account = exhaust(expansion, budget, &mut |told| {
+        if let Told::Met(met) = told {
+            *found.entry(key(&met.unsafe_state)).or_default() += u128::try_from(met.sequences).unwrap();
+        }
+        ControlFlow::Continue(())
+    });
+    (account.unwrap(), found)
+}
+
+/// The cells looked at here have no light curtain.
+struct NoCurtain;
+
+impl Earlier for NoCurtain {
+    type Error = Infallible;
+
+    fn told_of(&mut self, _: &[Window]) -> Result<HadTold<Frames>, Infallible> {
+        Ok(HadTold::BeforeTime)
+    }
+}
+
+/// Every sequence by itself, one action after the other: no state is compared with another, nothing is shared but the
+/// beginnings of sequences. Only whether a person so placed can touch robots so placed is asked once each.
+struct Enumeration<'a> {
+    world: World,
+    recall: Recall<Hosted>,
+    actions: &'a [Action],
+    horizon: u32,
+    found: Unsafe,
+    harmless: u128,
+    answers: BTreeMap<(Stance, Vec<u64>), Option<Hit>>,
+}
+
+impl<'a> Enumeration<'a> {
+    fn of(prepared: &Prepared, actions: &'a [Action], horizon: u32) -> Self {
+        let world = World::new(prepared.cell.clone(), prepared.binding.clone());
+        let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
+        let (start, delays) = (world.start(), world.delays_at_start());
+        let mut all =
+            Self { world, recall, actions, horizon, found: Unsafe::new(), harmless: 0, answers: BTreeMap::new() };
+        all.below(0, NodeId::ROOT, start, &delays);
+        all
+    }
+
+    fn below(&mut self, depth: u32, node: NodeId, place: Place, delays: &[DelayLine]) {
+        if depth == self.horizon {
+            self.harmless += 1;
+            return;
+        }
+        for &action in self.actions {
+            let walked = self.world.walk(place, action);
+            let sensed = self.world.sense(delays, &self.world.sights(&walked, action.posture()));
+            let steps = self.world.cell.steps_per_action;
+            let Advanced::To(to) = self.recall.advance(node, steps, &sensed.inputs).unwrap() else { panic!("a fault") };
+            let rows = self.recall.outputs(to).chunks(self.world.binding.outputs.len());
+            let frame = |r| Arc::new(RobotFrame::new(&self.world.cell, &self.world.binding, r));
+            let frames: Frames = rows.map(frame).collect();
+            let mut coverage = Coverage::new(self.world.cell.sensors.len());
+            let met = (0..steps).find_map(|i| {
+                let stance = self.world.stance(&walked, i, action.posture(), &sensed);
+                let robots = frames[i].outputs().iter().map(|v| v.to_bits()).collect();
+                let ask = || self.world.contact(&stance, &frames, i, &mut NoCurtain, &mut coverage).unwrap();
+                let hit = self.answers.entry((stance.clone(), robots)).or_insert_with(ask).clone()?;
+                let taken = usize::try_from(depth).unwrap() + 1;
+                self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], (taken, i))
+            });
+            match met {
+                Some(finding) => {
+                    let finding = Finding { actions: vec![action], ..finding };
+                    let rest = u128::try_from(self.actions.len()).unwrap().pow(self.horizon - depth - 1);
+                    *self.found.entry(key(&finding)).or_default() += rest;
+                }
+                None => self.below(depth + 1, to, walked.end(), &sensed.delays),
+            }
+        }
+    }
+}
+
+/// A person who walks upright only.
+struct Upright(Expander<Hosted>);
+
+impl Expansion for Upright {
+    type State = State;
+    type Unsafe = Finding;
+    type Error = PlantError;
+
+    fn actions(&self) -> usize {
+        6
+    }
+    fn horizon(&self) -> usize {
+        self.0.horizon()
+    }
+    fn effort(&self, action: usize) -> u32 {
+        self.0.effort(action * 6)
+    }
+    fn start(&mut self) -> Result<State, PlantError> {
+        self.0.start()
+    }
+    fn may_matter(&self, state: &State, remaining: usize) -> bool {
+        self.0.may_matter(state, remaining)
+    }
+    fn expand(
+        &mut self,
+        depth: usize,
+        states: &[&State],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
+        let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
+        for one in &mut all {
+            one.effects = one.effects.iter().step_by(6).cloned().collect();
+        }
+        Ok(Some(all))
+    }
+    fn release_before(&mut self, depth: usize) {
+        self.0.release_before(depth);
+    }
+    fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+}
+
+/// Cells with a start from which a few actions suffice: one whose FMU sees a mat, one whose FMU sees the feet, one whose
+/// robot comes out to the person.
+const NEAR: [(&str, &str, &str); 3] = [
+    ("sensor-mat", "{ xy_m = [-1.25, -0.35], heading_deg = 90 }", "[parameters]\n\"ctrl.phase0\" = 1.1"),
+    ("two-scanners", "{ xy_m = [-0.35, -0.75], heading_deg = 45 }", ""),
+    ("heavy-workpiece", "{ xy_m = [0.75, -0.85], heading_deg = 180 }", ""),
+];
+
+#[test]
+fn three_of_36_actions_as_in_plain_enumeration() {
+    let dir = examples();
+    for (name, start, parameters) in NEAR {
+        let search = format!("actions = 3\nreach_tolerance_m = 0.05\n{parameters}");
+        let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
+        let (account, found) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
+        let plain = Enumeration::of(&prepared, &Action::ALL, 3);
+        assert!(plain.found.len() > 10, "{name}: little to compare");
+        assert_eq!(found, plain.found, "{name}");
+        assert_eq!(u128::try_from(account.total.clone()).unwrap(), 36_u128.pow(3));
+        assert_eq!(u128::try_from(account.hazardous.clone()).unwrap(), plain.found.values().sum::<u128>(), "{name}");
+        let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
+        assert_eq!(harmless, plain.harmless, "{name}");
+    }
+}
+
+#[test]
+fn five_of_six_walks_as_in_plain_enumeration() {
+    let dir = examples();
+    let walks: Vec<Action> = Action::ALL.into_iter().filter(|a| a.posture() == Posture::Upright).collect();
+    for (name, start, parameters) in &NEAR[1..] {
+        let search = format!("actions = 5\nreach_tolerance_m = 0.05\n{parameters}");
+        let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
+        let mut upright = Upright(expander(&prepared, Merge::Auto));
+        let (account, found) = exhausted(&mut upright, BUDGET);
+        let plain = Enumeration::of(&prepared, &walks, 5);
+        assert!(!plain.found.is_empty(), "{name}: nothing to compare");
+        assert_eq!(found, plain.found, "{name}");
+        let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
+        assert_eq!(harmless, plain.harmless, "{name}");
+        if *name == "two-scanners" {
+            assert!(upright.0.recall().merges().tried_out > 0, "states told by their bytes are merged");
+        }
+    }
+}
+
+#[test]
+fn dropping_what_is_too_far_away_and_merging_change_nothing() {
+    let dir = examples();
+    for (name, start, actions) in [
+        ("heavy-workpiece", "{ xy_m = [1.9, -1.3], heading_deg = 180 }", 6),
+        ("sensor-mat", "{ xy_m = [-0.9, -1.5], heading_deg = 90 }", 5),
+        ("two-scanners", "{ xy_m = [-0.6, -1.2], heading_deg = 45 }", 4),
+    ] {
+        let search = format!("actions = {actions}\nreach_tolerance_m = 0.05");
+        let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
+        let (dropping, found) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
+        let keep = Budget { drop: false, ..BUDGET };
+        let (keeping, all) = exhausted(&mut expander(&prepared, Merge::Auto), keep);
+        let (history, by_history) = exhausted(&mut expander(&prepared, Merge::History), BUDGET);
+        assert_eq!(found, all, "{name}: dropped a state that mattered");
+        assert_eq!(found, by_history, "{name}: merged states that differ");
+        assert_eq!(dropping.covered(), dropping.total, "{name}");
+        assert_eq!((&keeping.hazardous, keeping.covered()), (&dropping.hazardous, keeping.total.clone()), "{name}");
+        assert_eq!(history.hazardous, dropping.hazardous, "{name}");
+        if name == "two-scanners" {
+            assert!(dropping.states() < history.states(), "{} states by bytes", dropping.states());
+        }
+        if name == "heavy-workpiece" {
+            assert!(dropping.levels.iter().any(|l| l.dropped > 0), "nothing was dropped: {:?}", dropping.levels);
+        }
+    }
+}
+
+/// The share of hazardous sequences is exact, so that of random sequences must come out near it.
+/// Of the 36^8 sequences of each flawed cell the hazardous ones, as `scan --strategy exhaustive` counts them.
+const HAZARDOUS: [(&str, u64); 6] = [
+    ("safety-fence", 97_605_098_496),
+    ("sensor-mat", 12_809_731_392),
+    ("head-collision", 28_131_515_136),
+    ("light-curtain", 727_648_050_432),
+    ("two-scanners", 14_056_458_768),
+    ("heavy-workpiece", 52_362_851_112),
+];
+
+/// Those that take minutes are not counted again here, but random sequences tell of them as well.
+#[test]
+fn random_sequences_are_hazardous_as_often_as_counted() {
+    let dir = examples();
+    std::thread::scope(|scope| {
+        for cells in [&HAZARDOUS[..HAZARDOUS.len() / 2], &HAZARDOUS[HAZARDOUS.len() / 2..]] {
+            let dir = dir.path();
+            scope.spawn(move || cells.iter().for_each(|(name, hazardous)| as_often_as_counted(dir, name, *hazardous)));
+        }
+    });
+}
+
+fn as_often_as_counted(dir: &Path, name: &str, hazardous: u64) {
+    let prepared = prepare(&dir.join(name).join("cell.toml"), None).unwrap();
+    let quick = ["head-collision", "heavy-workpiece"].contains(&name);
+    if quick {
+        let (account, _) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
+        assert_eq!(account.hazardous, hazardous.into(), "{name}");
+    }
+    let episodes = if quick { 6000 } else { 3000 };
+    let exact = hazardous as f64 / 36_f64.powi(8);
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
+    let (mut rng, mut hits) = (Rng::new(11), 0);
+    for _ in 0..episodes {
+        simulation.reset().unwrap();
+        let end = loop {
+            if let Some(end) = simulation.step(rng.below(Action::COUNT)).unwrap().end {
+                break end;
+            }
+        };
+        hits += usize::from(end == End::Unsafe);
+    }
+    let interval = wilson(hits, episodes);
+    assert!(interval.low <= exact && exact <= interval.high, "{name}: {exact} outside {interval:?}, {hits} hits");
+}
+
+#[test]
+fn the_certificate_of_a_repaired_cell_and_the_same_bytes_with_any_number_of_workers() {
+    let dir = examples();
+    let run = |file: &str, workers: &str, code: i32| {
+        let arguments = ["scan", "--no-advice", file, "--strategy", "exhaustive", "--workers", workers, "--out", "out"];
+        let output = fmi_hazard(dir.path()).args(arguments).assert().code(code).get_output().clone();
+        let text = String::from_utf8(output.stdout).unwrap();
+        (scan_json(&dir.path().join("out")), text.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let (fixed, text) = run("heavy-workpiece/fixed.toml", "2", 0);
+    let certificate = &fixed["certificate"];
+    assert_eq!(fixed["verdict"], "none_found");
+    assert_eq!((&certificate["complete"], &certificate["hazardous"]), (&true.into(), &"0".into()), "{certificate}");
+    assert_eq!(certificate["sequences"], "2821109907456");
+    assert_eq!(certificate["covered"], certificate["sequences"]);
+    assert!(text.contains("2,821,109,907,456 of 2,821,109,907,456 sequences complete"), "{text}");
+    assert!(text.contains("complete within: 36 actions, 8 steps of 200 ms, contact checked every 20 ms"), "{text}");
+
+    cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 3");
+    let (one, _) = run("two-scanners/changed.toml", "1", 1);
+    let (three, text) = run("two-scanners/changed.toml", "3", 1);
+    assert!(serde_json::to_string(&one).unwrap() == serde_json::to_string(&three).unwrap(), "workers matter");
+    let sequences = |h: &serde_json::Value| h["sequences"].as_str().unwrap().parse::<u128>().unwrap();
+    let hazards = one["hazards"].as_array().unwrap();
+    let sum: u128 = hazards.iter().map(sequences).sum();
+    assert_eq!(sum.to_string(), one["certificate"]["hazardous"].as_str().unwrap());
+    assert!(hazards.iter().all(|h| h["confirmed"] == true && h["shortest"]["confirmed"] == true));
+    assert!(text.contains("There are no others within the stated actions and horizon"), "{text}");
+}
+
+#[test]
+fn a_spent_budget_is_said_and_what_was_found_stays() {
+    let dir = examples();
+    cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 5");
+    let arguments = [
+        "scan",
+        "--no-advice",
+        "two-scanners/changed.toml",
+        "--strategy",
+        "exhaustive",
+        "--max-states",
+        "600",
+        "--out",
+        "out",
+    ];
+    let output = fmi_hazard(dir.path()).args(arguments).assert().code(1).get_output().clone();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let result = scan_json(&dir.path().join("out"));
+    assert_eq!(result["certificate"]["complete"], false);
+    assert!(result["certificate"]["random_search"].is_null());
+    assert!(text.contains("NOT complete within") && text.contains("Raise --max-states"), "{text}");
+    assert!(text.contains("Not finding more is not proof of safety"), "{text}");
+    assert!(!result["hazards"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn no_strategy_meets_a_hazard_that_the_exhaustive_search_does_not() {
+    let dir = examples();
+    cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 4\nreach_tolerance_m = 0.05");
+    let run = |strategy: &str, more: &[&str]| {
+        let arguments = ["scan", "--no-advice", "two-scanners/changed.toml", "--strategy", strategy, "--out", "out"];
+        fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1);
+        scan_json(&dir.path().join("out"))
+    };
+    let ids = |result: &serde_json::Value| -> Vec<String> {
+        let mut ids: Vec<String> =
+            result["hazards"].as_array().unwrap().iter().map(|h| h["id"].as_str().unwrap().to_owned()).collect();
+        ids.sort();
+        ids
+    };
+    let length = |h: &serde_json::Value| h["shortest"]["actions"].as_array().unwrap().len();
+    let all = run("exhaustive", &[]);
+    let known = ids(&all);
+    for strategy in ["hybrid", "mcts-dpw", "random"] {
+        let found = run(strategy, &["--iterations", "40"]);
+        assert!(ids(&found).iter().all(|id| known.contains(id)), "{strategy}: {:?} beside {known:?}", ids(&found));
+        for hazard in found["hazards"].as_array().unwrap() {
+            let exact = all["hazards"].as_array().unwrap().iter().find(|h| h["id"] == hazard["id"]).unwrap();
+            assert!(length(hazard) >= length(exact), "{strategy}: shorter than the shortest: {hazard}");
+            assert!(length(hazard) <= hazard["actions"].as_array().unwrap().len(), "{hazard}");
+        }
+    }
+    let auto = run("auto", &["--iterations", "20"]);
+    assert_eq!(ids(&auto), known);
+    // Beside a complete search, sequences are tried only as far as they cost little.
+    let tried = auto["spent"]["iterations"].as_u64().unwrap();
+    assert!(auto["certificate"]["complete"] == true && (5..=20).contains(&tried), "{tried}");
+    assert!(auto["hazards"].as_array().unwrap().iter().all(|h| h["sequences"].is_string()));
+    // A budget that ends the second part keeps what the first one met.
+    let cut = run("auto", &["--iterations", "20", "--max-states", "1"]);
+    assert_eq!((&cut["certificate"]["complete"], &cut["spent"]["iterations"]), (&false.into(), &20.into()));
+    assert!(!cut["hazards"].as_array().unwrap().is_empty());
+}

@@ -1,0 +1,263 @@
+//! FMUs whose saved states lie where no self-test need meet it: whichever way states are brought back, hazards and counts
+//! are those of plain replay, or there is no certificate.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use crate::common::{fmi_hazard, json, scan_json, test_fmus, write};
+use serde_json::Value;
+
+/// One turning bar near the floor, where no hand gets, and a person who begins within three actions of being hit.
+fn cell(lie: i32) -> String {
+    let actions = actions(lie);
+    format!(
+        r#"schema = 1
+name = "liar"
+fmu = "x.fmu"
+[[robot]]
+name = "turntable"
+base = {{ xyz_m = [0, 0, 0.2] }}
+moving_mass_kg = 40
+payload_kg = 3
+[[robot.joint]]
+name = "table"
+axis = [0, 0, 1]
+angle = {{ variable = "q", unit = "rad" }}
+speed = {{ variable = "qd", unit = "rad/s" }}
+[[robot.link]]
+name = "bar"
+joint = "table"
+capsule = {{ from_m = [0, 0, 0], to_m = [1.4, 0, 0], radius_m = 0.05 }}
+[[sensor]]
+name = "mat"
+kind = "mat"
+zone = {{ polygon_m = [[-3, 2.0], [3, 2.0], [3, 2.5], [-3, 2.5]] }}
+variable = "stop"
+active = true
+[pose]
+x = "x"
+y = "y"
+[parameters]
+lie = {lie}
+[human]
+start = {{ xy_m = [0.3, 1.2], heading_deg = -90 }}
+bend_forward_deg = 5
+bend_lateral_deg = 5
+[search]
+actions = {actions}
+iterations = 10
+"#
+    )
+}
+
+/// Sequences of so many actions: only longer ones have equal bytes that are gone on from.
+const fn actions(lie: i32) -> u32 {
+    if matches!(lie, 3 | 9) { 4 } else { 3 }
+}
+
+/// What came out of a scan.
+#[derive(Debug)]
+struct Ran {
+    code: Option<i32>,
+    scan: Value,
+    run: Value,
+    stderr: String,
+}
+
+impl Ran {
+    fn complete(&self) -> bool {
+        self.scan["certificate"]["complete"] == true
+    }
+
+    fn counts(&self) -> (&Value, Vec<(&str, &Value, &Value, &Value)>) {
+        let hazards = self.scan["hazards"].as_array().unwrap().iter();
+        let hazards = hazards.map(|h| (h["id"].as_str().unwrap(), &h["sequences"], &h["force_n"], &h["shortest"]));
+        (&self.scan["certificate"]["hazardous"], hazards.collect())
+    }
+
+    fn rung(&self) -> &str {
+        self.run["states_by"].as_str().unwrap()
+    }
+
+    fn confirmed(&self) -> bool {
+        self.scan["hazards"].as_array().unwrap().iter().all(|h| h["confirmed"] == true)
+    }
+
+    /// Everything that a user reads about why.
+    fn told(&self) -> String {
+        let reasons = &self.scan["certificate"]["reasons"];
+        format!("{} {reasons} {}", self.scan["warnings"], self.stderr)
+    }
+}
+
+fn scan_in(dir: &Path, fmu: &str, lie: i32, more: &[&str]) -> Ran {
+    std::fs::copy(test_fmus().join(fmu), dir.join("x.fmu")).unwrap();
+    write(dir, "cell.toml", &cell(lie));
+    let strategy = if more.contains(&"--strategy") { &[][..] } else { &["--strategy", "exhaustive"] };
+    let args = ["scan", "--no-advice", "cell.toml", "--workers", "1", "--out", "o"];
+    let output = fmi_hazard(dir).args(args).args(strategy).args(more).output().unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(dir.join("o/scan.json").is_file(), "{stderr}");
+    let (scan, run) = (scan_json(&dir.join("o")), json(&dir.join("o/run.json")));
+    Ran { code: output.status.code(), scan, run, stderr }
+}
+
+fn scan(fmu: &str, lie: i32, more: &[&str]) -> Ran {
+    scan_in(tempfile::TempDir::new().unwrap().path(), fmu, lie, more)
+}
+
+const FMUS: [&str; 2] = ["liar.fmu", "liar-fmi3.fmu"];
+
+/// The default, and what a user may ask for.
+const WAYS: [&[&str]; 6] = [
+    &[],
+    &["--state", "fmu"],
+    &["--state", "fork"],
+    &["--state", "fork", "--merge", "history"],
+    &["--state", "replay"],
+    &["--state", "process"],
+];
+
+/// What plain replay finds.
+fn plainly(lie: i32) -> Ran {
+    scan(FMUS[0], lie, &["--state", "replay", "--merge", "history"])
+}
+
+/// With the flag as it should be.
+static HONEST: LazyLock<Ran> = LazyLock::new(|| plainly(0));
+
+/// All ways agree with `truth`; each is complete, and what is said holds these words where states are those of the FMU.
+fn all_agree(lie: i32, truth: &Ran, words: &str) {
+    assert!(truth.complete() && truth.confirmed() && truth.counts().1.len() > 1, "{truth:?}");
+    for fmu in FMUS {
+        for way in WAYS {
+            let ran = scan(fmu, lie, way);
+            assert!(ran.complete() && ran.confirmed(), "{fmu} {lie} {way:?}: {ran:?}");
+            assert_eq!(ran.counts(), truth.counts(), "{fmu} {lie} {way:?}");
+            let again = &ran.scan["certificate"]["run_again"];
+            assert!(again["compared"] == again["transitions"] && again["compared"].as_u64() > Some(20), "{again}");
+            if way.contains(&"fmu") {
+                assert!(ran.told().contains(words), "{fmu} {lie}: {}", ran.told());
+                assert!(words.is_empty() || ran.rung() != "saved_states" || ran.told().contains("same bytes"));
+            }
+        }
+    }
+}
+
+#[test]
+fn an_honest_one_is_searched_with_its_saved_states() {
+    all_agree(0, &HONEST, "");
+    for fmu in FMUS {
+        let ran = scan(fmu, 0, &[]);
+        assert_eq!((ran.rung(), ran.code), ("saved_states", Some(1)));
+        assert!(!ran.told().contains("searched again"), "{}", ran.told());
+    }
+}
+
+#[test]
+fn a_flag_outside_the_saved_state() {
+    all_agree(1, &HONEST, "saved FMU states cannot be relied on");
+    // Also for whoever takes sequences one after the other.
+    for fmu in FMUS {
+        let quick = |lie, state: &str| {
+            let ran = scan(fmu, lie, &["--strategy", "random", "--iterations", "60", "--state", state]);
+            assert!(ran.confirmed());
+            ran.scan["hazards"].clone()
+        };
+        assert_eq!(quick(1, "fmu"), quick(0, "replay"));
+        // And for whoever asks what to do.
+        let advised = |lie| {
+            let dir = tempfile::TempDir::new().unwrap();
+            let ran = scan_in(dir.path(), fmu, lie, &[]);
+            let id = ran.scan["hazards"][0]["id"].as_str().unwrap();
+            let output =
+                fmi_hazard(dir.path()).args(["explain", "o", id, "--quick", "--format", "json"]).output().unwrap();
+            let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+            let told = told["remedies"].as_array().unwrap().iter();
+            told.map(|r| format!("{}: {}", r["change"], r["outcome"]).replace("lie = 1", "lie = 0")).collect::<Vec<_>>()
+        };
+        assert_eq!(advised(1), advised(0));
+    }
+}
+
+#[test]
+fn a_restored_state_that_keeps_a_live_latch() {
+    all_agree(2, &plainly(2), "saved FMU states cannot be relied on");
+}
+
+#[test]
+fn bytes_that_lack_what_the_state_holds() {
+    // With lie 9 nothing shows while merges are tried out: only runs from the start meet it.
+    for (lie, shown) in [(3, "went on differently"), (9, "run again from the start")] {
+        let truth = plainly(lie);
+        assert!(truth.complete() && truth.confirmed());
+        for fmu in FMUS {
+            for way in [&[][..], &["--state", "fmu"], &["--state", "fork"], &["--state", "process"]] {
+                let ran = scan(fmu, lie, way);
+                assert!(ran.complete() && ran.confirmed(), "{fmu} {way:?}: {ran:?}");
+                assert_eq!(ran.counts(), truth.counts(), "{fmu} {way:?}");
+                let told = ran.told();
+                assert!(told.contains("with the same bytes") && told.contains(shown), "{told}");
+                // The states themselves are right, so they are kept.
+                let asked = if way.contains(&"fork") { "copies" } else { "processes" };
+                assert_eq!(ran.rung(), if way.is_empty() || way.contains(&"fmu") { "saved_states" } else { asked });
+            }
+            let ran = scan(fmu, lie, &["--state", "replay"]);
+            assert!(ran.complete() && ran.confirmed() && ran.counts() == truth.counts(), "{fmu}: {ran:?}");
+        }
+    }
+}
+
+#[test]
+fn a_state_that_is_exact_only_where_inputs_never_rest() {
+    let truth = plainly(4);
+    for (lie, truth) in [(4, &truth), (7, &*HONEST)] {
+        for fmu in FMUS {
+            let dir = tempfile::TempDir::new().unwrap();
+            let ran = scan_in(dir.path(), fmu, lie, &[]);
+            assert_eq!(ran.scan["self_test"]["restore"]["result"], "differs", "{fmu} {lie}");
+            assert!(ran.complete() && ran.confirmed() && ran.rung() != "saved_states", "{fmu} {lie}: {ran:?}");
+            assert_eq!(ran.counts(), truth.counts());
+            // What the self-test of the FMU alone says is the same.
+            let output = fmi_hazard(dir.path()).args(["selftest", "x.fmu", "--json"]).output().unwrap();
+            let alone: Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert!(lie != 4 || alone["restore"]["result"] == "exact", "its lie is a parameter, and 0 there");
+        }
+        all_agree(lie, truth, "");
+    }
+}
+
+#[test]
+fn noise_in_an_output_that_is_not_bound_is_not_certified() {
+    for fmu in FMUS {
+        for way in WAYS.into_iter().chain([&["--in-process"][..]]) {
+            let ran = scan(fmu, 5, way);
+            assert!(!ran.complete() && ran.confirmed() && ran.code == Some(1), "{fmu} {way:?}: {ran:?}");
+            assert!(ran.told().contains("does not repeat its output `spare`"), "{}", ran.told());
+            assert_eq!(ran.counts(), HONEST.counts(), "what was found is there");
+        }
+    }
+}
+
+#[test]
+fn noise_that_only_a_rare_input_wakes_is_not_certified() {
+    for fmu in FMUS {
+        for way in WAYS.into_iter().chain([&["--in-process"][..]]) {
+            let ran = scan(fmu, 6, way);
+            assert!(!ran.complete() && ran.scan["verdict"] != "none_found", "{fmu} {way:?}: {ran:?}");
+            assert!(ran.told().contains("does not repeat itself"), "{fmu} {way:?}: {}", ran.told());
+            assert!(!ran.told().contains("selftest"), "{}", ran.told());
+        }
+    }
+}
+
+#[test]
+fn instances_that_share_a_flag_get_processes_of_their_own() {
+    for fmu in FMUS {
+        for way in WAYS {
+            let ran = scan(fmu, 8, way);
+            assert!(ran.complete() && ran.confirmed(), "{fmu} {way:?}: {ran:?}");
+            assert_eq!((ran.counts(), ran.rung()), (HONEST.counts(), "processes"));
+        }
+    }
+}
