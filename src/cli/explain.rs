@@ -12,7 +12,7 @@ use crate::report::advice::Remedy;
 use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
 use crate::scan::explain::explain;
-use crate::scan::remedy::{Effort, Purse, remedies};
+use crate::scan::remedy::{Effort, MILLIONS, Purse, STATES, remedies};
 use crate::scan::verify::verify;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 use crate::stop::Stop;
@@ -35,14 +35,14 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: u32,
     /// Most distinct states of all complete searches together
-    #[arg(long, default_value_t = 24_000, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = STATES, value_parser = clap::value_parser!(u32).range(1..))]
     max_states: u32,
     /// Most memory for the states of each complete search, MB
     #[arg(long, default_value_t = 2_000, value_parser = clap::value_parser!(u32).range(1..))]
     max_memory: u32,
     /// Most work of the arm searches in all complete searches together, millions of joint-angle boxes; one of them takes a
     /// third at most
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = MILLIONS)]
     max_work: u32,
     /// Threads (default: one a core); the result is the same
     #[arg(long)]

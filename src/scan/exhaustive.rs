@@ -267,11 +267,12 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     match account.stopped {
         Stopped::Complete => {}
         Stopped::Budget => reasons.push(format!(
-            "the budget of {} states, {} MB and {} million joint-angle boxes is spent: all sequences of {} actions were \
+            "the budget of {} states, {} MB and {}.{} million joint-angle boxes is spent: all sequences of {} actions were \
              looked at, longer ones in part. Raise --max-states, --max-memory or --max-work",
             options.budget.states,
             options.budget.bytes / 1_000_000,
             options.budget.work / 1_000_000,
+            options.budget.work / 100_000 % 10,
             account.depth
         )),
         Stopped::Asked => reasons.push(format!(

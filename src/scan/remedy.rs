@@ -66,9 +66,16 @@ impl Effort {
     #[must_use]
     pub fn usual() -> Self {
         let workers = std::thread::available_parallelism().map_or(1, Into::into);
-        Self { iterations: 20, quick: 560_000, states: 18_000, work: 2_600_000, bytes: 2_000_000_000, workers }
+        Self { iterations: 20, quick: 560_000, states: STATES as usize, work: WORK, bytes: 2_000_000_000, workers }
     }
 }
+
+/// The states that are usual.
+pub const STATES: u32 = 18_000;
+/// The work that is usual.
+const WORK: u64 = MILLIONS as u64 * 1_000_000;
+/// The same in millions of boxes.
+pub const MILLIONS: u32 = 3;
 
 /// What is told while changes are tried.
 pub enum Told<'a> {

@@ -10,7 +10,7 @@ use crate::hazard::{Finding, Groups, Identity};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
 use crate::report::advice::{Begin, Complete, Met};
-use crate::report::model::{Hazard, Verdict};
+use crate::report::model::{Certificate, Hazard, Verdict};
 use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
@@ -260,6 +260,10 @@ impl<'a> Changed<'a> {
         let report = scan(&prepared, options, &mut tell).map_err(|e| Why::NotTried(e.cause.message))?.report;
         let states = report.certificate.as_ref().map_or(0, |certificate| certificate.states);
         purse.pay(states, report.coverage.arm_boxes);
+        let is_cut_short = |certificate: &Certificate| certificate.complete_for_actions < certificate.horizon;
+        if met.is_none() && report.certificate.as_ref().is_some_and(is_cut_short) {
+            purse.unended += 1;
+        }
         if let Some(hazard) = report.hazards.iter().find(|hazard| counts(hazard)).or(met.as_ref()) {
             return Ok(Err(Witness::of(hazard, &prepared, standpoint)));
         }
@@ -317,13 +321,15 @@ pub(super) const SPENT: &str = "looking at it took more work than one change may
 pub struct Purse {
     states: usize,
     work: u64,
+    /// Searches that their budgets ended.
+    unended: u32,
 }
 
 impl Purse {
     /// All of it.
     #[must_use]
     pub fn new(effort: &Effort) -> Self {
-        Self { states: effort.states, work: effort.work }
+        Self { states: effort.states, work: effort.work, unended: 0 }
     }
 
     /// Whether there is nothing left.
@@ -333,8 +339,11 @@ impl Purse {
 
     /// That of the next search.
     fn budget(&self, effort: &Effort) -> Budget {
-        // One change with much work of arms is not to take it all: those of fences are looked at with little.
-        Budget { states: self.states, bytes: effort.bytes, work: self.work.min(effort.work / 3), drop: true }
+        // One change with much work of arms is not to take it all: those of fences are looked at with little. And what one search
+        // could not end with, another in the same cell seldom can: each of these is tried with a quarter of what the one before had.
+        let share = |all: u64| all.checked_shr(2 * self.unended).unwrap_or(0).max(1);
+        let states = usize::try_from(share(effort.states as u64)).unwrap_or(usize::MAX).min(self.states);
+        Budget { states, bytes: effort.bytes, work: share(effort.work / 3).min(self.work), drop: true }
     }
 
     /// What so many more searches may take that cost as much as those since `before`, `done` of them, is left twice.
