@@ -15,7 +15,7 @@ use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
-use crate::search::exhaustive::{Account, ExpandedBy, Expansion, Stopped, Told, exhaust};
+use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
 use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, State};
@@ -262,17 +262,26 @@ pub(super) fn census(
     })
 }
 
+/// The bounds of a budget; what is not bounded is not named.
+fn words(budget: Budget) -> String {
+    let of = |is_bounded: bool, words: String| is_bounded.then_some(words);
+    let millions = format!("{}.{}", budget.work / 1_000_000, budget.work / 100_000 % 10);
+    let all = [
+        of(budget.states != usize::MAX, format!("{} states", budget.states)),
+        of(budget.bytes != usize::MAX, format!("{} MB", budget.bytes / 1_000_000)),
+        of(budget.work != u64::MAX, format!("{} million joint-angle boxes", millions.trim_end_matches(".0"))),
+    ];
+    all.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
 fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, again: &Audit) -> Certificate {
     let mut reasons = Vec::new();
     match account.stopped {
         Stopped::Complete => {}
         Stopped::Budget => reasons.push(format!(
-            "the budget of {} states, {} MB and {}.{} million joint-angle boxes is spent: all sequences of {} actions were \
-             looked at, longer ones in part. Raise --max-states, --max-memory or --max-work",
-            options.budget.states,
-            options.budget.bytes / 1_000_000,
-            options.budget.work / 1_000_000,
-            options.budget.work / 100_000 % 10,
+            "the budget of {} is spent: all sequences of {} actions were looked at, longer ones in part. Raise --max-states, \
+             --max-memory or --max-work",
+            words(options.budget),
             account.depth
         )),
         Stopped::Asked => reasons.push(format!(
