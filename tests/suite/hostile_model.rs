@@ -93,16 +93,17 @@ fn a_crash_in_the_first_run_is_told_with_its_signal() {
         }
     }
     for (what, words) in [
-        ("segfault", "SIGSEGV"),
-        ("abort", "SIGABRT"),
-        ("exit0", "exit code 0"),
-        ("exit3", "exit code 3"),
-        ("stack-overflow", "SIGABRT"),
-        ("fpe", "SIGFPE"),
+        ("segfault", &["SIGSEGV"][..]),
+        ("abort", &["SIGABRT"]),
+        ("exit0", &["exit code 0"]),
+        ("exit3", &["exit code 3"]),
+        // A frame that leaps over the guard page is an invalid access and no more: where the stack begins decides it.
+        ("stack-overflow", &["SIGABRT", "SIGSEGV"]),
+        ("fpe", &["SIGFPE"]),
     ] {
         for hostile in Hostile::both() {
             let text = no_first_run(&hostile.what(what).at("step", 12));
-            assert!(text.contains(words), "{what}: {text}");
+            assert!(words.iter().any(|word| text.contains(word)), "{what}: {text}");
         }
     }
 }

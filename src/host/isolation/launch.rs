@@ -234,6 +234,7 @@ impl Worker {
         let number = self.channel.ask(&bytes);
         let _stay = Stay::here(&self.near);
         let (mut stamp, mut since) = (0, Instant::now());
+        let mut over = false;
         loop {
             let rung = self.channel.rung();
             if let Some(answer) = self.channel.answer_to(number) {
@@ -243,6 +244,9 @@ impl Worker {
             if let Some(ended) = Ended::of(self.channel.head().death.load(Ordering::Acquire)) {
                 return Err(self.gone(format!("ended its process ({ended})"), false));
             }
+            if over {
+                return Err(self.gone("ended its process".to_owned(), false));
+            }
             self.channel.sleep(rung, LOOK);
             if self.channel.rung() != rung {
                 continue;
@@ -250,8 +254,10 @@ impl Worker {
             if limits.stop.is_due() {
                 return Err(PlantError::stopped());
             }
-            if matches!(self.keeper.try_wait(), Ok(Some(_)) | Err(_)) && self.channel.answer_to(number).is_none() {
-                return Err(self.gone("ended its process".to_owned(), false));
+            // What the keeper said before it left is read after it has left: it may have had its say just now.
+            over = matches!(self.keeper.try_wait(), Ok(Some(_)) | Err(_));
+            if over {
+                continue;
             }
             let doing = self.doing();
             if doing.stamp != stamp {
