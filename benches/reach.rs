@@ -96,6 +96,8 @@ fn branch_and_bound(scene: &Scene, side: Side) -> bool {
         arm: &ArmModel::default(),
         side,
         world_from_shoulder: scene.shoulder,
+        carried_m: 0.0,
+        hangs_from: None,
         links: &scene.links,
         obstacles: &scene.obstacles,
         score: &Any,

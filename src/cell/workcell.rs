@@ -48,6 +48,8 @@ pub struct Workcell {
     pub starts: Vec<StartTable>,
     /// What became of the start areas.
     pub start_areas: Vec<StartArea>,
+    /// Corners of the floor that people may be on in a scan from anywhere, floor plan, m, if that is bounded.
+    pub floor: Option<Vec<[f64; 2]>>,
     /// The person's start.
     pub start: Start,
     /// The person's body.

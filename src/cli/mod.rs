@@ -1,5 +1,6 @@
 //! The command line: one file a subcommand, thin. Results go to stdout, everything else to stderr.
 
+mod anywhere;
 mod beginnings;
 mod bench;
 mod bench_format;

@@ -14,7 +14,7 @@ use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
 pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::StopAt;
-use super::{beginnings, earlier, results, stopping};
+use super::{anywhere, beginnings, earlier, results, stopping};
 use crate::cell::file::validate::BASELINE;
 use crate::host::selftest::Rung;
 use crate::report::assessment::Assessments;
@@ -66,6 +66,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let stop = Stop::default();
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
+    if arguments.from.is_some() {
+        return anywhere::run(arguments, &prepared, cell_path, &stop);
+    }
     let all = match arguments.begin {
         Some(number) => vec![prepared.beginning(number as usize - 1)?],
         // Each of them is looked at before any is searched: a wrong one is told at once.
@@ -430,7 +433,7 @@ fn code(report: &ScanReport, baseline: Option<&Baseline>, interrupted: bool) -> 
     }
 }
 
-fn introduce(prepared: &Prepared, state: StateChoice) {
+pub(super) fn introduce(prepared: &Prepared, state: StateChoice) {
     let s = &prepared.subject;
     for fmu in &s.fmus {
         let unit = if fmu.unit.is_empty() { String::new() } else { format!("{} = ", fmu.unit) };

@@ -26,8 +26,34 @@ pub(super) enum StopAt {
     Budget,
 }
 
+/// Where people come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum From {
+    /// Anywhere that no sensor sees.
+    Anywhere,
+}
+
+/// States of the FMU that a scan from anywhere steps from, unless told otherwise.
+const MOST_STATES: usize = 300_000;
+
+/// What a scan from anywhere has not: sequences from a start.
+const ALONE: [&str; 10] = [
+    "begin",
+    "strategy",
+    "seed",
+    "iterations",
+    "stop_at",
+    "baseline",
+    "write_baseline",
+    "paper_iterations",
+    "no_advice",
+    "resume",
+];
+
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 24] = [
+const OTHERS: [&str; 26] = [
+    "from",
+    "until",
     "path",
     "cell",
     "begin",
@@ -70,6 +96,12 @@ pub(super) struct Arguments {
     /// each with its results in a folder of its own)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) begin: Option<u32>,
+    /// Look from there instead of the cell's start: from anywhere that no sensor sees, at any moment
+    #[arg(long, value_enum, conflicts_with_all = ALONE)]
+    pub(super) from: Option<From>,
+    /// With --from: how long after the start of the FMU, for instance 6s [default: 4s]
+    #[arg(long, value_name = "TIME", value_parser = time, requires = "from")]
+    pub(super) until: Option<Duration>,
     /// How sequences are chosen
     #[arg(long, value_enum, default_value = "auto")]
     strategy: Choice,
@@ -150,7 +182,7 @@ impl ValueEnum for Choice {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Exhaustive search")]
 struct ExhaustiveArguments {
-    /// Most distinct states
+    /// Most distinct states (with --from anywhere: of the FMU, 300000 unless given)
     #[arg(long, default_value_t = 20_000_000)]
     max_states: usize,
     /// Most memory for states, MB
@@ -187,6 +219,17 @@ impl Arguments {
         let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
         let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
         if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
+    }
+
+    /// Threads.
+    pub(super) fn workers(&self) -> usize {
+        self.exhaustive.workers.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into))
+    }
+
+    /// Most states of the FMU of a scan from anywhere, where each is a step and not an action.
+    pub(super) fn most_states(&self) -> usize {
+        let asked = self.exhaustive.max_states;
+        if asked == ExhaustiveArguments::default().max_states { MOST_STATES } else { asked }
     }
 
     /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
@@ -252,6 +295,8 @@ impl Arguments {
     /// What the demo runs: the quick search alone, `iterations` sequences.
     pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
         Self {
+            from: None,
+            until: None,
             path: Some(path),
             resume: None,
             cell: None,

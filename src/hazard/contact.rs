@@ -86,6 +86,12 @@ impl Strike {
         speed_m_s > STANDSTILL_M_S || self.largest_ratio(speed_m_s) > 1.0
     }
 
+    /// Whether a contact of `region` with a robot point no faster than this could be unsafe, for somebody who stands.
+    #[must_use]
+    pub fn may_harm_region(&self, region: BodyRegion, speed_m_s: f64) -> bool {
+        self.ratio(region, speed_m_s) > 1.0 || (region.permits_no_contact() && speed_m_s > STANDSTILL_M_S)
+    }
+
     /// The largest ratio of any region at this speed.
     #[must_use]
     pub fn largest_ratio(&self, speed_m_s: f64) -> f64 {

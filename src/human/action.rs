@@ -81,6 +81,19 @@ impl Posture {
     pub const ALL: [Self; 6] =
         [Self::Upright, Self::Forward, Self::Left, Self::Right, Self::ForwardLeft, Self::ForwardRight];
 
+    /// For people.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Upright => "upright",
+            Self::Forward => "bent forward",
+            Self::Left => "bent to the left",
+            Self::Right => "bent to the right",
+            Self::ForwardLeft => "bent forward and to the left",
+            Self::ForwardRight => "bent forward and to the right",
+        }
+    }
+
     /// The name used in texts.
     #[must_use]
     pub const fn id(self) -> &'static str {

@@ -11,10 +11,13 @@
 pub mod action;
 pub mod arm;
 pub mod body;
+pub mod field;
+pub mod floor;
 mod obstacles;
 pub mod part;
 pub mod place;
 pub mod placed;
+pub mod pose_box;
 pub mod posture;
 pub mod reach;
 pub mod shoulder;
@@ -22,7 +25,11 @@ pub mod walk;
 
 pub use action::{Action, Posture, Walk};
 pub use body::{Anthropometry, Body, Radii};
+pub use field::Field;
+pub use floor::Floor;
+pub use obstacles::is_kept_from;
 pub use part::{BodyPart, Side};
 pub use place::{Place, Start};
 pub use placed::PlacedBody;
+pub use pose_box::PoseBox;
 pub use posture::BendFraction;

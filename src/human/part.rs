@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::standards::BodyRegion;
+
 /// Which side of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -81,6 +83,21 @@ impl BodyPart {
             Self::RightThigh => "right_thigh",
             Self::LeftShank => "left_shank",
             Self::RightShank => "right_shank",
+        }
+    }
+
+    /// The regions that a point on its surface may belong to.
+    #[must_use]
+    pub const fn regions(self) -> &'static [BodyRegion] {
+        match self {
+            Self::Head => &[BodyRegion::Face, BodyRegion::SkullForehead],
+            Self::Neck => &[BodyRegion::NeckFront, BodyRegion::Neck],
+            Self::UpperChest | Self::LowerChest | Self::Abdomen => {
+                &[BodyRegion::BackShoulders, BodyRegion::Chest, BodyRegion::Abdomen]
+            }
+            Self::Pelvis => &[BodyRegion::Pelvis],
+            Self::LeftThigh | Self::RightThigh => &[BodyRegion::Thigh],
+            Self::LeftShank | Self::RightShank => &[BodyRegion::LowerLeg],
         }
     }
 

@@ -56,6 +56,12 @@ impl PlacedBody {
         Pose::from_parts(self.world_from_trunk * joint, self.world_from_trunk.rotation)
     }
 
+    /// The middle of the trunk at shoulder height, world: where the bones begin that carry the arms.
+    #[must_use]
+    pub fn middle_of_shoulders(&self) -> Vec3 {
+        self.shoulder_line(Side::Left).a
+    }
+
     /// From the middle of the trunk at shoulder height out to the shoulder joint, world frame.
     pub(super) fn shoulder_line(&self, side: Side) -> Capsule {
         moved(&self.world_from_trunk, &shoulder_line(self.scale, side))
@@ -144,6 +150,14 @@ mod tests {
             for (part, point, region) in trunk_points {
                 let world = placed.world_from_trunk() * Vec3::from(point);
                 assert_eq!(placed.region_of(part, world), region, "{part:?} at {point:?}, {posture:?}");
+            }
+            // Whatever the point, the region is one that the part may have.
+            for (part, capsule) in placed.parts() {
+                for n in 0..200_u32 {
+                    let (out, up) = (libm::sincos(f64::from(n)), f64::from(n % 11) / 5.0 - 1.0);
+                    let point = capsule.a + Vec3::new(out.0, out.1, up).normalize() * capsule.radius;
+                    assert!(part.regions().contains(&placed.region_of(*part, point)), "{part:?} at {point}");
+                }
             }
             let leg_points = [
                 (BodyPart::Pelvis, [0.14, 0.0, 0.95], BodyRegion::Pelvis),

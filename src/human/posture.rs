@@ -4,9 +4,10 @@
 //! hazardous. The human bends from upright until head, neck, chest, shoulder line or spine line would enter an obstacle.
 
 use super::body::world_from_feet;
-use super::obstacles::capsule_hits;
+use super::obstacles::{TOUCHING_M, capsule_hits};
 use super::placed::moved;
-use super::{Body, Posture};
+use super::{Body, PoseBox, Posture};
+use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Capsule, Cuboid, Vec3};
 
 /// Share of a posture's bend, in whole sixteenths from 0 (upright) to 16 (the full bend).
@@ -117,6 +118,62 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
     // Upright itself is free by the choice of the guards.
     let free = BendFraction::ALL[1..].iter().take_while(|fraction| !is_hit(&shapes(**fraction))).count();
     BendFraction::ALL[free]
+}
+
+/// The least and the largest share of the bend that [`cut_back`] may give anywhere in a box of places and headings.
+#[must_use]
+pub fn may_be_cut_back(
+    body: &Body,
+    at: &PoseBox,
+    posture: Posture,
+    obstacles: &[Cuboid],
+) -> (BendFraction, BendFraction) {
+    let reach = body.trunk_reach(at.position());
+    let wider = Capsule { radius: reach.radius + at.place_moves_m() + TOUCHING_M, ..reach };
+    let near: Vec<&Cuboid> = obstacles.iter().filter(|obstacle| capsule_hits(&wider, obstacle)).collect();
+    if posture == Posture::Upright || near.is_empty() {
+        return (BendFraction::FULL, BendFraction::FULL);
+    }
+    let world_from_feet = world_from_feet(at.position(), at.heading_rad);
+    let in_trunk = body.guarded();
+    // Of each shape, and each obstacle: signed distance of its core line, and how far it moves in the box.
+    let gaps = |fraction: BendFraction| {
+        let world_from_trunk = body.world_from_trunk(&world_from_feet, posture, fraction);
+        in_trunk.map(|capsule| {
+            let Capsule { a, b, radius } = moved(&world_from_trunk, &capsule);
+            let lever = |end: Vec3| libm::hypot(end.x - at.xy_m[0], end.y - at.xy_m[1]);
+            let moves = at.moves_m(lever(a).max(lever(b))) + TOUCHING_M;
+            let gaps: Vec<f64> = near.iter().map(|o| segment_cuboid(a, b, o).distance).collect();
+            (gaps, moves, radius)
+        })
+    };
+    let upright = gaps(BendFraction::UPRIGHT);
+    // Whether some pose has a shape in an obstacle, and whether all have, however the shape takes part in that.
+    let hits = |fraction: BendFraction| {
+        let (mut may, mut must) = (false, false);
+        for ((gaps, moves, radius), (first, first_moves, _)) in gaps(fraction).iter().zip(&upright) {
+            for (gap, first) in gaps.iter().zip(first) {
+                let whole = first + first_moves >= *radius;
+                let (core, ignored) =
+                    (first - first_moves < *radius && first + first_moves >= 0.0, first - first_moves < 0.0);
+                let within = |depth: f64| (gap - moves < depth, gap + moves < depth);
+                may |= (whole && within(*radius).0) || (core && within(0.0).0);
+                must |= !ignored && (!whole || within(*radius).1) && (!core || within(0.0).1);
+            }
+        }
+        (may, must)
+    };
+    let mut least = None;
+    for (number, fraction) in BendFraction::ALL.into_iter().enumerate().skip(1) {
+        let (may, must) = hits(fraction);
+        if may {
+            least.get_or_insert(BendFraction::ALL[number - 1]);
+        }
+        if must {
+            return (least.unwrap_or(BendFraction::ALL[number - 1]), BendFraction::ALL[number - 1]);
+        }
+    }
+    (least.unwrap_or(BendFraction::FULL), BendFraction::FULL)
 }
 
 #[cfg(test)]

@@ -198,3 +198,45 @@ proptest! {
         }
     }
 }
+
+/// Random boxes of places and headings beside random walls: what is cut back in a pose of a box is between what is told of it,
+/// and in small boxes that is nearly one value.
+#[test]
+fn no_pose_of_a_box_is_cut_back_less_or_more_than_told() {
+    let mut rng = crate::search::Rng::new(17);
+    let mut uniform = |low: f64, high: f64| {
+        low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+    };
+    let (body, mut cut, mut narrow) = (median_man(), 0, 0);
+    for number in 0..600 {
+        let walls: Vec<Cuboid> = (0..3)
+            .map(|_| Cuboid {
+                centre: Vec3::new(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(0.5, 1.6)),
+                half: Vec3::new(uniform(0.2, 0.8), uniform(0.005, 0.2), uniform(0.1, 0.8)),
+                rotation: rotation_about(Vec3::Z, uniform(0.0, 3.0)),
+            })
+            .collect();
+        let small = number % 2 == 0;
+        let at = PoseBox {
+            xy_m: [uniform(-0.3, 0.3), uniform(-0.3, 0.3)],
+            half_m: if small { 0.002 } else { uniform(0.0, 0.2) },
+            heading_rad: uniform(0.0, 6.0),
+            half_rad: if small { 0.002 } else { uniform(0.0, 0.6) },
+        };
+        let posture = Posture::ALL[1 + number % 5];
+        let (least, most) = may_be_cut_back(&body, &at, posture, &walls);
+        narrow += usize::from(small && most.sixteenths() - least.sixteenths() <= 1);
+        for _ in 0..20 {
+            let mut within = |middle: f64, half: f64| middle + uniform(-1.0, 1.0) * half;
+            let xy = [within(at.xy_m[0], at.half_m), within(at.xy_m[1], at.half_m)];
+            let heading = within(at.heading_rad, at.half_rad);
+            let own = cut_back(&body, Vec3::new(xy[0], xy[1], 0.0), heading, posture, &walls);
+            assert!(
+                (least..=most).contains(&own),
+                "{own:?} not in {least:?} to {most:?}: {at:?} {posture:?} {walls:?}"
+            );
+            cut += usize::from(own != BendFraction::FULL);
+        }
+    }
+    assert!(cut > 1000 && narrow > 200, "{cut} {narrow}");
+}

@@ -15,11 +15,14 @@
 //! to cross it for every configuration that differs by less than that. Sharper bounds hold for convex shapes alone; where
 //! the nearest point of a mesh can be is told by its triangles.
 
+mod barrier;
+pub mod cells;
 mod joint_box;
 mod movement;
 mod obstructed;
 mod sweep;
 
+use self::barrier::{Barrier, Region};
 use self::joint_box::JointBox;
 use self::movement::{Frame, Limb, Movement, NearestMoves, Placed, Share};
 use self::obstructed::{crosses, ends_inside};
@@ -68,6 +71,13 @@ pub struct ReachQuery<'a, S: ContactScore> {
     pub side: Side,
     /// Shoulder frame: x forward, y left, z up along the trunk.
     pub world_from_shoulder: Pose,
+    /// How far shoulder, elbow and wrist may all be from where that frame has them, m: 0 for this one frame. With more, the
+    /// answer is complete only where it is about every frame from which they are no farther, so without a contact in any; a
+    /// contact that is found is one of this frame.
+    pub carried_m: f64,
+    /// Where the shoulder hangs from: in every frame that the answer is about the line from there to it is free of these
+    /// obstacles, and nothing of it is carried farther. Nothing if that is not known.
+    pub hangs_from: Option<(Vec3, &'a [Cuboid])>,
     /// Robot links, world; those of several instants one after the other, to settle them in one search.
     pub links: &'a [Solid],
     /// Obstacles, world.
@@ -167,10 +177,22 @@ struct Search<'a, S: ContactScore> {
     pieces: Vec<Piece>,
     /// Obstacles in reach, with bounding radius.
     obstacles: Vec<(Cuboid, f64)>,
+    /// What the shoulder is not behind.
+    barriers: Vec<Barrier>,
     best: Option<ArmContact>,
+    /// Whether an arm that is carried may touch where nothing smaller is looked at.
+    unsettled: bool,
 }
 
 const SEGMENTS: [ArmSegment; 4] = [ArmSegment::UpperArm, ArmSegment::Elbow, ArmSegment::Forearm, ArmSegment::Hand];
+
+/// Whether a line certainly passes through a flat box from one side to the other, or certainly has a point in it, wherever its
+/// ends are within `moves_m` of these.
+#[must_use]
+pub(super) fn certainly_crosses(obstacle: &Cuboid, ends: [Vec3; 2], moves_m: f64) -> bool {
+    segment_cuboid(ends[0], ends[1], obstacle).distance < -moves_m
+        || crosses(obstacle, ends, 0.0, |_| [Range::NONE.wider(moves_m); 2])
+}
 
 /// Searches all configurations of one arm.
 #[must_use]
@@ -199,7 +221,7 @@ fn cut(link: &Solid) -> Vec<Solid> {
 impl<'a, S: ContactScore> Search<'a, S> {
     fn new(query: &'a ReachQuery<'a, S>) -> Self {
         let shoulder = query.world_from_shoulder.translation;
-        let far = query.arm.reach();
+        let far = query.arm.reach() + query.carried_m;
         let in_reach = |link: &Solid| {
             let (centre, radius) = link.bounding_sphere();
             (centre - shoulder).length() - radius <= far && link.point_distance(shoulder).distance <= far
@@ -224,13 +246,17 @@ impl<'a, S: ContactScore> Search<'a, S> {
             .map(|o| (*o, o.half.length()))
             .filter(|(o, radius)| (o.centre - shoulder).length() - radius <= far)
             .collect();
+        let barriers = query.hangs_from.map_or_else(Vec::new, |(from, all)| {
+            let near = |o: &&Cuboid| (o.centre - from).length() - o.half.length() <= 2.0 * far;
+            Barrier::all(&all.iter().filter(near).copied().collect::<Vec<_>>())
+        });
         let sphere = |link: usize| {
             let (centre, radius) = query.links[link].bounding_sphere();
             (link, centre, radius)
         };
         let links = links.into_iter().map(sphere).collect();
         let frame = Frame::new(&query.world_from_shoulder, query.side);
-        Self { query, shoulder, frame, links, pieces, obstacles, best: None }
+        Self { query, shoulder, frame, links, pieces, obstacles, barriers, best: None, unsettled: false }
     }
 
     fn run(&mut self) -> (bool, u32) {
@@ -240,7 +266,9 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let mut stack = vec![(whole, self.place(whole.middle), open)];
         let mut boxes = 0;
         while let Some((next, placed, mut open)) = stack.pop() {
-            if boxes == self.query.work_limit || (boxes % LOOK == LOOK - 1 && self.query.stop.is_some_and(Stop::is_due))
+            if self.unsettled
+                || boxes == self.query.work_limit
+                || (boxes % LOOK == LOOK - 1 && self.query.stop.is_some_and(Stop::is_due))
             {
                 return (false, boxes);
             }
@@ -263,7 +291,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 [None, None] => {}
             }
         }
-        (true, boxes)
+        (!self.unsettled, boxes)
     }
 
     fn place(&self, config: Config) -> Placed {
@@ -309,7 +337,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
     fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
         let arm = self.query.arm;
-        let movement = Movement::of(arm, b, placed, self.frame);
+        let movement = Movement::of(arm, b, placed, self.frame, self.query.carried_m);
         settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
         let beyond_elbow = !open.beyond_elbow.is_empty();
         if !beyond_elbow {
@@ -324,12 +352,17 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let config = clamped(b.middle);
         let candidate = if config == b.middle { *placed } else { self.place(config) };
         self.try_configuration(config, &candidate);
-        if !beyond_elbow && movement.elbow > 0.5 * self.query.tolerance_m {
+        // What joints move far less than the arm is carried settles nothing.
+        let fine = self.query.tolerance_m.max(0.5 * self.query.carried_m);
+        let [elbow, wrist] = [movement.elbow, movement.wrist].map(|by| by - movement.shoulder);
+        if !beyond_elbow && elbow > 0.5 * fine {
             // Where only the upper arm counts, the joints that move it settle the matter sooner.
             return Some(usize::from(b.half[1] > b.half[0]));
         }
         // Near a joint's axis the wrist may stay where the elbow moves far.
-        (movement.wrist.max(movement.elbow) > self.query.tolerance_m).then_some(movement.widest_joint)
+        let next = (wrist.max(elbow) > fine).then_some(movement.widest_joint);
+        self.unsettled |= next.is_none() && self.query.carried_m > 0.0;
+        next
     }
 
     /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.
@@ -436,6 +469,17 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let at_most = movement.elbow.max(movement.wrist);
         // Configurations that leave no more room than the tolerance are not looked for.
         let [r_fore, r_upper] = [arm.forearm_radius_m, arm.upper_arm_radius_m].map(|r| r + self.query.tolerance_m);
+        if let Some((from, _)) = self.query.hangs_from {
+            let chain = [
+                Region::ball(from, movement.shoulder),
+                Region::ball(placed.shoulder, movement.shoulder),
+                Region::ball(placed.elbow, movement.elbow),
+                Region::ball(placed.wrist, movement.wrist),
+            ];
+            if self.barriers.iter().any(|barrier| barrier.is_passed(&chain)) {
+                return true;
+            }
+        }
         let from = self.clear_of_shoulder(placed);
         self.obstacles_near(placed.elbow, placed.wrist, r_fore).any(|o| {
             // The half next to the elbow moves less than the whole.
@@ -449,7 +493,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
         }) || self.obstacles_near(placed.shoulder, placed.elbow, r_upper).any(|o| {
             segment_cuboid(from, placed.elbow, o).distance - r_upper < -movement.elbow
                 || segment_cuboid(placed.shoulder, placed.elbow, o).distance < -movement.elbow
-                || crosses(o, [placed.shoulder, placed.elbow], 0.0, |n| [Range::NONE, movement.elbow(n)])
+                || crosses(o, [placed.shoulder, placed.elbow], 0.0, |n| [movement.of_shoulder(), movement.elbow(n)])
         })
     }
 

@@ -43,6 +43,8 @@ impl Scene {
             arm,
             side,
             world_from_shoulder: self.world_from_shoulder,
+            carried_m: 0.0,
+            hangs_from: None,
             links: &self.links,
             obstacles: &self.obstacles,
             score: &self.score,
@@ -380,7 +382,7 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
         let radius = arm.forearm_radius_m;
         let limb = Limb { ends: [Share::ELBOW, Share::on_forearm(1.0)], radius };
         if limb
-            .may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b, &place(b.middle), frame))
+            .may_touch(&link, TOLERANCE, &place(b.middle), &Movement::of(&arm, &b, &place(b.middle), frame, 0.0))
             .is_some()
         {
             continue;
@@ -398,6 +400,16 @@ fn no_limb_overlaps_a_mesh_where_it_is_said_not_to() {
     assert!(apart > 500, "{apart}");
 }
 
+/// A frame that shoulder, elbow and wrist are carried to: moved, and turned about the vertical.
+fn carried<S: ContactScore>(rng: &mut Rng, query: &ReachQuery<'_, S>) -> Pose {
+    let share = uniform(rng, 0.0, 1.0);
+    let moved = vector(rng, 1.0).normalize_or_zero() * (share * query.carried_m);
+    let turned =
+        rotation_about(Vec3::Z, (1.0 - share) * query.carried_m / (query.arm.upper_arm_m + query.arm.forearm_m));
+    let at = query.world_from_shoulder;
+    Pose::from_parts(at.translation + moved, turned * at.rotation)
+}
+
 /// Boxes of all sizes that are dropped, and configurations in them: none has a contact that was promised to be found. How
 /// many boxes were dropped, how many promised contacts were kept, and how many others are in boxes that were dropped.
 fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [usize; 3] {
@@ -412,6 +424,8 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
             arm: &arm,
             side,
             world_from_shoulder: scene.world_from_shoulder,
+            carried_m: if i % 2 == 0 { 0.0 } else { uniform(&mut rng, 0.0, 0.12) },
+            hangs_from: None,
             links: &scene.links,
             obstacles: &scene.obstacles,
             score: &score,
@@ -435,7 +449,9 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
                 b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
             }
             let placed = search.place(b.middle);
-            let movement = Movement::of(&arm, &b, &placed, search.frame);
+            let movement = Movement::of(&arm, &b, &placed, search.frame, query.carried_m);
+            let elsewhere = ReachQuery { world_from_shoulder: carried(&mut rng, &query), carried_m: 0.0, ..query };
+            let elsewhere = Search::new(&elsewhere);
             let open = search.pieces.iter().any(|p| {
                 search.hand_or_forearm_may_matter(p, &placed, &movement)
                     || search.elbow_or_upper_arm_may_matter(p, &placed, &movement)
@@ -447,15 +463,15 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
                 if clamped(config) != config {
                     continue;
                 }
-                let there = search.place(config);
-                let (a, w) = (search.clear_of_shoulder(&there), there.wrist);
+                let there = elsewhere.place(config);
+                let (a, w) = (elsewhere.clear_of_shoulder(&there), there.wrist);
                 let room = |o: &Cuboid| {
                     !segment_hits_cuboid(there.shoulder, there.elbow, o)
                         && segment_cuboid(a, there.elbow, o).distance > arm.upper_arm_radius_m + TOLERANCE
                         && segment_cuboid(there.elbow, w, o).distance > arm.forearm_radius_m + TOLERANCE
                 };
                 let has_room = scene.obstacles.iter().all(room);
-                search.each_contact(config, &there, |contact| {
+                elsewhere.each_contact(config, &there, |contact| {
                     dropped_in_touch += usize::from(drop);
                     // Promised: deeper, in more room, and faster by what the tolerance makes of speeds.
                     let least = query.threshold + TENDER[0] * score.0[contact.link].angular.length() * TOLERANCE;
@@ -492,7 +508,7 @@ fn elbow_and_wrist_sweep_no_more_than_told() {
             b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -room, room);
         }
         let placed = search.place(b.middle);
-        let movement = Movement::of(&arm, &b, &placed, search.frame);
+        let movement = Movement::of(&arm, &b, &placed, search.frame, 0.0);
         // Within the box, and on its sides, edges and corners.
         let configs: Vec<Config> = (0..60)
             .map(|_| {
@@ -583,7 +599,7 @@ fn nearest_points_move_no_farther_than_told() {
             half: std::array::from_fn(|_| if rng.below(2) == 0 { 0.001 } else { uniform(&mut rng, 0.005, 0.15) }),
         };
         let placed = search.place(b.middle);
-        let movement = Movement::of(&arm, &b, &placed, search.frame);
+        let movement = Movement::of(&arm, &b, &placed, search.frame, 0.0);
         // Just outside of the wrist's ball, where directions turn most.
         let radius = uniform(&mut rng, 0.02, 0.5);
         let away = movement.wrist * uniform(&mut rng, 1.01, 3.0) + radius;

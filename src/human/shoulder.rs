@@ -3,6 +3,7 @@
 use super::PlacedBody;
 use super::obstacles::capsule_hits;
 use super::part::Side;
+use super::reach::certainly_crosses;
 use crate::geometry::Cuboid;
 
 /// Whether the arm on this side is on the human's side of every obstacle.
@@ -15,6 +16,14 @@ use crate::geometry::Cuboid;
 pub fn is_available(placed: &PlacedBody, side: Side, obstacles: &[Cuboid]) -> bool {
     let line = placed.shoulder_line(side);
     !obstacles.iter().any(|obstacle| capsule_hits(&line, obstacle))
+}
+
+/// Whether the arm is certainly not available in any pose in which neither end of the line is farther than `moves_m` from
+/// where it is in this one.
+#[must_use]
+pub fn is_certainly_unavailable(placed: &PlacedBody, side: Side, obstacles: &[Cuboid], moves_m: f64) -> bool {
+    let line = placed.shoulder_line(side);
+    obstacles.iter().any(|obstacle| certainly_crosses(obstacle, [line.a, line.b], moves_m))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
 use super::paragraph::{wrapped, wrapped_under};
-use crate::human::{Action, Posture, Walk};
+use crate::human::{Action, Walk};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
 use crate::standards::tables::tables;
@@ -239,7 +239,7 @@ fn steps(actions: &[Action], action_s: f64) -> Vec<(f64, String)> {
     #[expect(clippy::cast_precision_loss, reason = "a few actions")]
     let told = |(first, times, action): (usize, usize, Action)| {
         let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
-        (from, format!("{}, {}, for {lasts:.1} s", walks(action.walk()), stands(action.posture())))
+        (from, format!("{}, {}, for {lasts:.1} s", walks(action.walk()), action.posture().words()))
     };
     steps.into_iter().map(told).collect()
 }
@@ -252,16 +252,5 @@ const fn walks(walk: Walk) -> &'static str {
         Walk::Left90 => "turns left by 90 degrees and walks on",
         Walk::Right45 => "turns right by 45 degrees and walks on",
         Walk::Right90 => "turns right by 90 degrees and walks on",
-    }
-}
-
-const fn stands(posture: Posture) -> &'static str {
-    match posture {
-        Posture::Upright => "upright",
-        Posture::Forward => "bent forward",
-        Posture::Left => "bent to the left",
-        Posture::Right => "bent to the right",
-        Posture::ForwardLeft => "bent forward and to the left",
-        Posture::ForwardRight => "bent forward and to the right",
     }
 }

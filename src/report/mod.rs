@@ -23,6 +23,7 @@
 //! - [`growth`]: how the number of hazards found grows with the iterations
 
 pub mod advice;
+pub mod anywhere;
 pub mod assessment;
 pub mod baseline;
 pub mod campaign;

@@ -25,8 +25,10 @@
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
 //! - [`advise`]: such changes for the causes of a scan
+//! - [`anywhere`](mod@anywhere): people whom no sensor sees, anywhere and at any moment
 
 pub mod advise;
+pub mod anywhere;
 mod arms;
 mod attempts;
 pub mod campaign;

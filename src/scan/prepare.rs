@@ -14,12 +14,13 @@ use crate::cell::file::layers::as_one;
 use crate::cell::file::validate::validate;
 use crate::cell::find::{OpenedCell, open};
 use crate::cell::foreign::ssp::Wiring;
-use crate::cell::workcell::FileLine;
+use crate::cell::workcell::{Beginning, FileLine};
 use crate::cell::{Binding, Workcell, binding};
 use crate::fmi::Fmu;
 use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
+use crate::human::Start;
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
@@ -247,6 +248,17 @@ impl Prepared {
         let mut other = self.with(self.found.clone(), cell, self.text.clone(), number)?;
         other.suspicions.clone_from(&self.suspicions);
         Ok(other)
+    }
+
+    /// The same cell with another start, so long after the FMU's own, for so many actions.
+    ///
+    /// # Errors
+    /// When the person has no room there.
+    pub fn standing(&self, start: Start, lead_in_steps: usize, actions: u32) -> Result<Self, PrepareError> {
+        let mut cell = Workcell::clone(&self.cell);
+        cell.beginnings = vec![Beginning { start, lead_in_steps }];
+        cell.search.actions = actions;
+        self.with(self.found.clone(), cell, self.text.clone(), 0)
     }
 
     /// The same cell with the beginning that a scan recorded; one that recorded none was about the only one, at once.

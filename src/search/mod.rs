@@ -13,6 +13,7 @@
 //! - [`rng`]: the one door for randomness
 //! - [`residual`]: what uniformly random sequences say about the hazards that are left
 //! - [`statistics`]: capped means, intervals and misses over many seeds, binomial bounds
+//! - [`tracks`]: all histories of a few readings, as long as ways between them take
 
 pub mod environment;
 pub mod episode;
@@ -24,6 +25,7 @@ pub mod random;
 pub mod residual;
 pub mod rng;
 pub mod statistics;
+pub mod tracks;
 
 pub use environment::{End, Environment, Step};
 pub use hybrid::Hybrid;

@@ -8,14 +8,14 @@ use super::Coverage;
 use super::robot::RobotFrame;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
-use crate::geometry::{Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 use crate::hazard::Contact;
 use crate::hazard::contact::Touch;
 use crate::hazard::danger::Proximity;
 use crate::hazard::finding::ArmPose;
 use crate::human::arm::ArmModel;
 use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reach};
-use crate::human::{BodyPart, PlacedBody, Side};
+use crate::human::{BodyPart, PlacedBody, Side, is_kept_from};
 use crate::standards::BodyRegion;
 use crate::stop::Stop;
 
@@ -40,6 +40,9 @@ const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
 /// The same for many instants together: when that takes long, they are looked at in smaller groups.
 const NO_HAZARD: Aim = Aim { work_limit: 10_000, ..ANY_HAZARD };
+
+/// Boxes after which a search about many poses at once gives up: fewer poses are looked at then.
+const CARRIED_WORK: u32 = 1_000;
 
 /// The person at one instant.
 #[derive(Clone, Debug)]
@@ -81,6 +84,17 @@ struct Pair {
     link: usize,
     on_body: Vec3,
     on_robot: Vec3,
+}
+
+/// What is known of the contacts of an arm in many poses of a person.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ArmAnywhere {
+    /// There is none.
+    Nowhere,
+    /// There is one in the pose that was asked for, with the link of this number.
+    Touches(usize),
+    /// Neither was shown.
+    Unknown,
 }
 
 /// What an arm may touch.
@@ -149,6 +163,26 @@ impl ContactScore for ManyScores<'_> {
     }
 }
 
+/// The same for links of several instants, one each, of somebody who stands.
+struct EachScore<'a>(&'a [(&'a RobotFrame, usize)]);
+
+impl ContactScore for EachScore<'_> {
+    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
+        let (frame, link) = self.0[link];
+        ArmScore(frame, None, Vec3::ZERO).upper_bound(segment, link)
+    }
+
+    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
+        let (frame, link) = self.0[link];
+        ArmScore(frame, None, Vec3::ZERO).upper_bound_near(segment, link, points)
+    }
+
+    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
+        let (frame, link) = self.0[link];
+        ArmScore(frame, None, Vec3::ZERO).score(segment, link, on_link)
+    }
+}
+
 const fn arm_region(segment: ArmSegment) -> BodyRegion {
     match segment {
         ArmSegment::Hand => BodyRegion::Hand,
@@ -168,7 +202,7 @@ impl Encounter {
         counts: impl Fn(Vec3) -> bool,
         coverage: &mut Coverage,
     ) -> Option<Contact> {
-        let touching = touching(&person.body, frame, &mut coverage.closest_approach_m);
+        let touching = self.touching(&person.body, frame, &mut coverage.closest_approach_m);
         let mut harmful: Vec<Contact> = Vec::new();
         let mut harmless: Option<f64> = None;
         for contact in touching.iter().map(|pair| body_contact(person, frame, pair)) {
@@ -228,6 +262,8 @@ impl Encounter {
                 arm: &self.arm,
                 side,
                 world_from_shoulder: person.body.shoulder(side),
+                carried_m: 0.0,
+                hangs_from: None,
                 links: &links,
                 obstacles: &obstacles,
                 score: &ManyScores(frames, space.links, person.velocity),
@@ -242,6 +278,59 @@ impl Encounter {
         })
     }
 
+    /// An unsafe contact that an arm of somebody who stands can make with one of some links, each at an instant of its own; or
+    /// whether there is none wherever shoulder, elbow and wrist are no farther than `carried_m` from where that body has them. To
+    /// `try_only` takes little, and often finds one that there is.
+    #[must_use]
+    pub fn arm_anywhere(
+        &self,
+        (body, side): (&PlacedBody, Side),
+        carried_m: f64,
+        links: &[(&RobotFrame, usize)],
+        walls: &[Cuboid],
+        try_only: bool,
+        coverage: &mut Coverage,
+    ) -> ArmAnywhere {
+        let solids: Vec<Solid> = links.iter().map(|(frame, link)| frame.links[*link].clone()).collect();
+        let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(walls).copied().collect();
+        coverage.arm_checks += 1;
+        let outcome = reach(&ReachQuery {
+            arm: &self.arm,
+            side,
+            world_from_shoulder: body.shoulder(side),
+            carried_m,
+            // Planes are in the way of arms only: the person may stand in them as far as their sensor allows.
+            hangs_from: (carried_m > 0.0).then(|| (body.middle_of_shoulders(), self.obstacles.as_slice())),
+            links: &solids,
+            obstacles: &obstacles,
+            score: &EachScore(links),
+            threshold: NO_HAZARD.threshold,
+            tolerance_m: self.reach_tolerance_m,
+            enough: NO_HAZARD.enough,
+            work_limit: if carried_m > 0.0 || try_only { CARRIED_WORK } else { ANY_HAZARD.work_limit },
+            stop: Some(&self.stop),
+        });
+        coverage.arm_boxes += u64::from(outcome.boxes);
+        match outcome.best {
+            Some(found) => ArmAnywhere::Touches(found.link),
+            None if outcome.complete => ArmAnywhere::Nowhere,
+            None => ArmAnywhere::Unknown,
+        }
+    }
+
+    /// Whether a link at an instant may harm any arm of somebody who stands.
+    #[must_use]
+    pub fn may_harm_arms(frame: &RobotFrame, link: usize) -> bool {
+        let segments = [ArmSegment::Hand, ArmSegment::Elbow, ArmSegment::Forearm, ArmSegment::UpperArm];
+        segments.into_iter().any(|segment| Self::may_harm_arm(frame, link, segment))
+    }
+
+    /// The same of a part of an arm.
+    #[must_use]
+    pub fn may_harm_arm(frame: &RobotFrame, link: usize, segment: ArmSegment) -> bool {
+        ArmScore(frame, None, Vec3::ZERO).upper_bound(segment, link) > NO_HAZARD.threshold
+    }
+
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
     #[must_use]
     pub fn proximity(
@@ -251,7 +340,7 @@ impl Encounter {
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
     ) -> Proximity {
-        let touching = touching(&person.body, frame, &mut 0.0);
+        let touching = self.touching(&person.body, frame, &mut 0.0);
         let touched = touching.iter().map(|pair| body_contact(person, frame, pair).ratio());
         let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
             within_limits(contact.ratio(), coverage);
@@ -327,6 +416,8 @@ impl Encounter {
                 arm: &self.arm,
                 side,
                 world_from_shoulder,
+                carried_m: 0.0,
+                hangs_from: None,
                 links: &frame.links,
                 obstacles,
                 score: &score,
@@ -374,39 +465,65 @@ impl Encounter {
         Contact::new(&touch, frame.strike(touch.link))
     }
 
+    /// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
+    fn touching(&self, body: &PlacedBody, frame: &RobotFrame, closest_m: &mut f64) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        for (link, solid) in frame.links.iter().enumerate() {
+            let (centre, radius) = solid.bounding_sphere();
+            for &(part, capsule) in body.parts() {
+                // A cheap lower bound first: most pairs are far from the closest.
+                let middle = (capsule.a + capsule.b) * 0.5;
+                let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
+                let bound = (centre - middle).length() - radius - half;
+                if bound > 0.0 && bound >= *closest_m {
+                    continue;
+                }
+                let near = solid.segment_distance(capsule.a, capsule.b);
+                let distance = near.distance - capsule.radius;
+                *closest_m = closest_m.min(distance);
+                let is_kept = || self.obstacles.iter().any(|wall| is_kept_from(&capsule, solid, wall));
+                if distance <= 0.0 && !is_kept() {
+                    let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
+                    pairs.push(Pair { distance, part, link, on_body, on_robot: near.on_second });
+                }
+            }
+        }
+        pairs
+    }
+
     fn blocked(&self, from: Vec3, to: Vec3) -> bool {
         self.obstacles.iter().any(|o| segment_hits_cuboid(from, to, o))
     }
 }
 
+/// Whether a part of somebody who stands may be harmed by a link at all.
+#[must_use]
+pub fn may_harm_part(part: BodyPart, frame: &RobotFrame, link: usize, speed_m_s: f64) -> bool {
+    part.regions().iter().any(|region| frame.strike(link).may_harm_region(*region, speed_m_s))
+}
+
+/// Whether a part of somebody who stands may touch a link harmfully, no point of its core being farther than `by` from where it
+/// is in `capsule`. Wherever in that the core is, the touched point of the link is no farther from it than the part is thick, or,
+/// from inside the link, than it is deep there.
+#[must_use]
+pub fn may_meet(part: BodyPart, capsule: &Capsule, by: f64, frame: &RobotFrame, link: usize) -> bool {
+    let (solid, within) = (&frame.links[link], capsule.radius + by);
+    if solid.at_least(capsule.a, capsule.b) > within {
+        return false;
+    }
+    let near = solid.segment_distance(capsule.a, capsule.b).distance;
+    if near > within {
+        return false;
+    }
+    // Speed is a convex function of the point, so it is greatest around one of the ends.
+    let around = capsule.radius.max(by - near) + by;
+    let at = |end: Vec3| frame.deciding_speed_bound_near(link, &Neighbourhood::ball(end, around), Vec3::ZERO);
+    may_harm_part(part, frame, link, at(capsule.a).max(at(capsule.b)))
+}
+
 fn within_limits(ratio: f64, coverage: &mut Coverage) {
     coverage.contacts_within_limits += 1;
     coverage.highest_ratio_within_limits = coverage.highest_ratio_within_limits.max(ratio);
-}
-
-/// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
-fn touching(body: &PlacedBody, frame: &RobotFrame, closest_m: &mut f64) -> Vec<Pair> {
-    let mut pairs = Vec::new();
-    for (link, solid) in frame.links.iter().enumerate() {
-        let (centre, radius) = solid.bounding_sphere();
-        for &(part, capsule) in body.parts() {
-            // A cheap lower bound first: most pairs are far from the closest.
-            let middle = (capsule.a + capsule.b) * 0.5;
-            let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
-            let bound = (centre - middle).length() - radius - half;
-            if bound > 0.0 && bound >= *closest_m {
-                continue;
-            }
-            let near = solid.segment_distance(capsule.a, capsule.b);
-            let distance = near.distance - capsule.radius;
-            *closest_m = closest_m.min(distance);
-            if distance <= 0.0 {
-                let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
-                pairs.push(Pair { distance, part, link, on_body, on_robot: near.on_second });
-            }
-        }
-    }
-    pairs
 }
 
 /// The point of a capsule's surface towards a point of a link, seen from the nearest point of its axis, which may be `inside`

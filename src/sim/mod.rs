@@ -17,6 +17,7 @@
 //!
 //! [`Environment`]: crate::search::Environment
 
+pub mod anywhere;
 pub mod bound;
 pub mod coverage;
 pub mod curtain;

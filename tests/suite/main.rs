@@ -6,6 +6,7 @@
 mod common;
 
 mod advice;
+mod anywhere;
 mod bad_archives;
 mod bad_descriptions;
 mod bad_input;

@@ -69,6 +69,17 @@ impl Checker<'_> {
         Starts { tables, areas }
     }
 
+    /// The floor's boundary, if there is one.
+    pub(super) fn floor(&self, human: &HumanTable) -> Result<Option<Vec<[f64; 2]>>, Box<CellError>> {
+        let Some(floor) = &human.floor_m else { return Ok(None) };
+        let corners = floor.get_ref();
+        self.that(corners.len() >= 3, floor.span(), || {
+            (format!("human.floor_m has {} corners", corners.len()), "give at least three".to_owned())
+        })?;
+        self.finite(&corners.concat(), &floor.span(), "a corner of human.floor_m")?;
+        Ok(Some(corners.clone()))
+    }
+
     /// Free places of an area's lattice, row after row, and how many are not free.
     fn places(
         &self,

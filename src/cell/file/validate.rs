@@ -66,6 +66,7 @@ impl Checker<'_> {
         let body = self.problems.keep(self.body(&file));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
         let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
+        let floor = self.problems.keep(self.floor(&file.human));
         self.limits(&file);
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
@@ -90,6 +91,7 @@ impl Checker<'_> {
             beginning: 0,
             starts,
             start_areas,
+            floor: floor?,
             body: body?,
             search: file.search,
             baseline: baseline?,

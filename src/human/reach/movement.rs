@@ -37,8 +37,10 @@ impl Frame {
     }
 }
 
-/// How far elbow and wrist can be from where they are in the middle of a box, m.
+/// How far elbow and wrist can be from where they are in the middle of a box, m, wherever the arm is carried.
 pub(super) struct Movement {
+    /// How far the arm as a whole may be carried.
+    pub(super) shoulder: f64,
     pub(super) elbow: f64,
     pub(super) wrist: f64,
     /// The joint whose halving shrinks it most.
@@ -55,8 +57,9 @@ impl Movement {
     ///
     /// The joints are turned from the middle to any configuration of the box one after the other, the outermost first: when
     /// its turn comes, what is beyond a joint is still as in the middle, so its lever is the one there. In any
-    /// configuration a lever is longer by no more than what the joints beyond it move.
-    pub(super) fn of(arm: &ArmModel, b: &JointBox, placed: &Placed, frame: Frame) -> Self {
+    /// configuration a lever is longer by no more than what the joints beyond it move. What the arm as a whole is `carried`
+    /// comes on top.
+    pub(super) fn of(arm: &ArmModel, b: &JointBox, placed: &Placed, frame: Frame, carried: f64) -> Self {
         let (upper, fore) = (arm.upper_arm_m, arm.forearm_m);
         let quarters = b.half.map(|h| libm::sincos(0.5 * h));
         let halves = quarters.map(|(sin, cos)| (2.0 * sin * cos, 1.0 - 2.0 * sin * sin));
@@ -84,8 +87,9 @@ impl Movement {
         let sweep = Sweep::of(arm, b.half, &placed.turns, &halves, levers);
         let (by_corners, widest_joint) = sweep.size();
         Self {
-            elbow: abducted * chords[0] + upper * chords[1],
-            wrist: by_corners.min(by_joint.iter().sum()),
+            shoulder: carried,
+            elbow: abducted * chords[0] + upper * chords[1] + carried,
+            wrist: by_corners.min(by_joint.iter().sum()) + carried,
             widest_joint,
             frame,
             sweep,
@@ -94,7 +98,17 @@ impl Movement {
 
     /// How far elbow and wrist can move along `n`, no longer than a unit vector.
     pub(super) fn both(&self, n: Vec3) -> [Range; 2] {
-        self.sweep.both(self.frame.of(n))
+        self.sweep.both(self.frame.of(n)).map(|range| range.wider(self.shoulder))
+    }
+
+    /// How far the shoulder can.
+    pub(super) const fn of_shoulder(&self) -> Range {
+        Range::NONE.wider(self.shoulder)
+    }
+
+    /// How far a point of the arm can be from where it is in the middle, m.
+    fn at_most(&self, point: Share) -> f64 {
+        point.of(self.shoulder, self.elbow, self.wrist)
     }
 
     /// How far the wrist can.
@@ -104,7 +118,7 @@ impl Movement {
 
     /// How far the elbow can.
     pub(super) fn elbow(&self, n: Vec3) -> Range {
-        self.sweep.elbow(self.frame.of(n))
+        self.sweep.elbow(self.frame.of(n)).wider(self.shoulder)
     }
 }
 
@@ -124,8 +138,9 @@ impl Share {
         Self { elbow: 1.0 - part, wrist: part }
     }
 
-    pub(super) const fn of(self, elbow: f64, wrist: f64) -> f64 {
-        self.elbow * elbow + self.wrist * wrist
+    /// What moves with it, of shoulder, elbow and wrist.
+    const fn of(self, shoulder: f64, elbow: f64, wrist: f64) -> f64 {
+        self.elbow * elbow + self.wrist * wrist + (1.0 - self.elbow - self.wrist) * shoulder
     }
 
     pub(super) fn at(self, placed: &Placed) -> Vec3 {
@@ -147,7 +162,7 @@ impl Limb {
     /// it.
     pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> Option<Closest> {
         let ends = self.ends.map(|end| end.at(placed));
-        let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
+        let at_most = self.ends.map(|end| movement.at_most(end));
         let apart = |distance: f64| distance - self.radius - at_most[0].max(at_most[1]) > -depth;
         if !matches!(link, Solid::Capsule(_)) && apart(link.at_least(ends[0], ends[1])) {
             return None;
@@ -160,7 +175,7 @@ impl Limb {
         // Signed distance from a convex solid is convex: it stays above its tangent plane.
         let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - self.radius);
         let [elbow, wrist] = movement.both(n).map(|range| range.low);
-        let nearest = |k: usize| plane[k] + self.ends[k].of(elbow, wrist);
+        let nearest = |k: usize| plane[k] + self.ends[k].of(-movement.shoulder, elbow, wrist);
         (nearest(0).min(nearest(1)) <= -depth).then_some(near)
     }
 
@@ -181,7 +196,7 @@ impl Limb {
         movement: &Movement,
     ) -> Touched {
         let ends = self.ends.map(|end| end.at(placed));
-        let at_most = self.ends.map(|end| end.of(movement.elbow, movement.wrist));
+        let at_most = self.ends.map(|end| movement.at_most(end));
         let by = (at_most[0].max(at_most[1]) - tolerance).max(0.0);
         let on_core = match (link, link.outward(near)) {
             (Solid::Capsule(c), Some(outward)) if near.distance + c.radius > by => {

@@ -26,6 +26,11 @@ impl Range {
     /// Of what does not move.
     pub(super) const NONE: Self = Self { low: 0.0, high: 0.0 };
 
+    /// The same, farther to both sides.
+    pub(super) const fn wider(self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
+    }
+
     /// How far from the middle, m.
     pub(super) const fn most(self) -> f64 {
         self.high.max(-self.low)

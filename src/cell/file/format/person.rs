@@ -51,6 +51,11 @@ pub struct HumanTable {
     #[serde(default, rename = "start_area")]
     #[schemars(with = "Vec<StartAreaTable>")]
     pub start_areas: Vec<Spanned<StartAreaTable>>,
+    /// Floor that people may be on in a scan from anywhere: corners of a convex or concave polygon in the floor plane, m, in order.
+    /// Without it that is all floor that is joined to the outside; with it, they come from where they start.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
+    pub floor_m: Option<Spanned<Vec<[f64; 2]>>>,
     /// When the person begins, s after the FMU's own start; each is searched by itself, from every start. So a scan does
     /// not depend on where in its cycle the robot is. Until then the person stands at the start.
     #[serde(default = "at_once")]

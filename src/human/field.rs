@@ -1,0 +1,230 @@
+//! How far it is at least to walk over the floor: from some cells to each other, on a way that stays in others.
+//!
+//! A way leaves the disc around the cell that it begins in, if it does not end in there; from where it leaves it goes on in
+//! the same manner. Each such part is no shorter than the straight line between the two cells' middles, less what a point of
+//! a cell may be off its middle at both ends. Inside a disc only cells count that are joined to its middle within it. So every
+//! bound holds whatever the way does, and is a straight line's length where there is one: less a cell's diagonal for each
+//! radius of the disc.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::f64::consts::SQRT_2;
+
+use super::Floor;
+
+/// Radius of the discs, m.
+const DISC_M: f64 = 1.0;
+
+/// A lower bound on the length of ways to each cell of a floor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    floor: Floor,
+    /// Infinite where no way leads.
+    least_m: Vec<f64>,
+}
+
+/// A cell that a way leads to, by the least that it is long.
+#[derive(PartialEq)]
+struct Met(f64, usize);
+
+impl Eq for Met {}
+
+impl Ord for Met {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.0.total_cmp(&self.0).then(other.1.cmp(&self.1))
+    }
+}
+
+impl PartialOrd for Met {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Field {
+    /// Nothing to walk to these cells, and no way to others.
+    #[must_use]
+    pub fn at_once(floor: &Floor, cells: &[bool]) -> Self {
+        let least_m = cells.iter().map(|cell| if *cell { 0.0 } else { f64::INFINITY }).collect();
+        Self { floor: floor.clone(), least_m }
+    }
+
+    /// From any point of `sources`, through cells of `domain`; a source that is no cell of it is none.
+    #[must_use]
+    pub fn from(floor: &Floor, sources: &[bool], domain: &[bool]) -> Self {
+        let mut least_m = vec![f64::INFINITY; floor.cells()];
+        let mut starts = vec![f64::INFINITY; floor.cells()];
+        let mut next = BinaryHeap::new();
+        let is_source = |cell: usize| sources[cell] && domain[cell];
+        for cell in (0..floor.cells()).filter(|cell| is_source(*cell)) {
+            least_m[cell] = 0.0;
+            // A way from inside of the sources leaves them at one of their edges.
+            if floor.around(cell).any(|other| domain[other] && !sources[other]) {
+                starts[cell] = 0.0;
+                next.push(Met(0.0, cell));
+            }
+        }
+        let mut disc = Disc::new(floor);
+        while let Some(Met(far, cell)) = next.pop() {
+            if far > starts[cell] {
+                continue;
+            }
+            disc.around(floor, domain, cell, |other, apart, leaves| {
+                let length = far + (apart - SQRT_2 * floor.cell_m()).max(0.0);
+                least_m[other] = least_m[other].min(length);
+                if leaves && length < starts[other] {
+                    starts[other] = length;
+                    next.push(Met(length, other));
+                }
+            });
+        }
+        Self { floor: floor.clone(), least_m }
+    }
+
+    /// A lower bound for a cell, m; infinite where no way leads.
+    #[must_use]
+    pub fn at(&self, cell: usize) -> f64 {
+        self.least_m[cell]
+    }
+
+    /// The least within the square of half edge `half_m` around `xy_m`; 0 where that goes beyond the floor's rectangle, of which
+    /// nothing is known.
+    #[must_use]
+    pub fn least(&self, xy_m: [f64; 2], half_m: f64) -> f64 {
+        if !self.floor.holds(xy_m, half_m) {
+            return 0.0;
+        }
+        self.floor.within(xy_m, half_m).map(|cell| self.least_m[cell]).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The cells of a disc that are joined to its middle.
+struct Disc {
+    /// By cell, the last middle that it was met from, and that count.
+    met: Vec<usize>,
+    count: usize,
+    pending: Vec<usize>,
+}
+
+impl Disc {
+    fn new(floor: &Floor) -> Self {
+        Self { met: vec![0; floor.cells()], count: 0, pending: Vec::new() }
+    }
+
+    /// Tells of each cell how far its middle is from that of the disc, and whether it is the first outside of it.
+    fn around(&mut self, floor: &Floor, domain: &[bool], middle: usize, mut tell: impl FnMut(usize, f64, bool)) {
+        self.count += 1;
+        self.met[middle] = self.count;
+        self.pending.push(middle);
+        let [x, y] = floor.middle(middle);
+        while let Some(cell) = self.pending.pop() {
+            for other in floor.around(cell) {
+                if !domain[other] || self.met[other] == self.count {
+                    continue;
+                }
+                self.met[other] = self.count;
+                let at = floor.middle(other);
+                let apart = libm::hypot(at[0] - x, at[1] - y);
+                tell(other, apart, apart > DISC_M);
+                if apart <= DISC_M {
+                    self.pending.push(other);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Cuboid, Rotation, Vec3};
+    use crate::human::{Anthropometry, Body};
+    use crate::search::Rng;
+
+    fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {
+        Floor::new(&Body::new(&Anthropometry::default()).unwrap(), obstacles, ([-3.0, -3.0], [3.0, 3.0]), cell_m)
+    }
+
+    fn open(floor: &Floor) -> Vec<bool> {
+        (0..floor.cells()).map(|cell| floor.is_open(cell)).collect()
+    }
+
+    fn only(floor: &Floor, xy_m: [f64; 2]) -> Vec<bool> {
+        let cell = floor.within(xy_m, 0.0).next().unwrap();
+        (0..floor.cells()).map(|other| other == cell).collect()
+    }
+
+    fn wall(from: [f64; 2], to: [f64; 2]) -> Cuboid {
+        let half = Vec3::new(0.5 * (to[0] - from[0]), 0.5 * (to[1] - from[1]), 1.0);
+        let centre = Vec3::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 1.0);
+        Cuboid { centre, half, rotation: Rotation::IDENTITY }
+    }
+
+    #[test]
+    fn where_nothing_is_in_the_way_it_is_the_straight_line_less_a_little() {
+        let floor = floor(&[], 0.025);
+        let field = Field::from(&floor, &only(&floor, [0.01, 0.01]), &open(&floor));
+        for angle in 0..24 {
+            for far in [0.1, 0.5, 0.99, 1.5, 2.7] {
+                let (sin, cos) = libm::sincos(f64::from(angle) * 0.27);
+                let told = field.least([0.01 + far * cos, 0.01 + far * sin], 0.0);
+                assert!(told <= far, "{told} for {far}");
+                assert!(told >= 0.96 * far - 2.0 * SQRT_2 * 0.025, "{told} for {far}");
+            }
+        }
+    }
+
+    /// Random walks among random walls: none is shorter than what is told of the cells that it passes.
+    #[test]
+    fn no_walk_is_shorter() {
+        let mut rng = Rng::new(41);
+        let mut uniform = |low: f64, high: f64| {
+            low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+        };
+        let (mut far, mut near) = (0, 0);
+        for _ in 0..6 {
+            let walls: Vec<Cuboid> = (0..5)
+                .map(|_| {
+                    let at = [uniform(-2.0, 1.5), uniform(-2.0, 1.5)];
+                    let to = if uniform(0.0, 1.0) < 0.5 { [0.02, 1.2] } else { [1.2, 0.02] };
+                    wall(at, [at[0] + to[0], at[1] + to[1]])
+                })
+                .collect();
+            let floor = floor(&walls, 0.05);
+            let (domain, from) = (open(&floor), [uniform(-2.0, 2.0), uniform(-2.0, 2.0)]);
+            let field = Field::from(&floor, &only(&floor, from), &domain);
+            for _ in 0..60 {
+                let (mut at, mut walked, mut heading) = (from, 0.0, uniform(0.0, 6.3));
+                let on_floor = |at: [f64; 2]| floor.within(at, 0.0).next().is_some_and(|cell| domain[cell]);
+                for _ in 0..900 {
+                    heading += uniform(-0.3, 0.3);
+                    let (sin, cos) = libm::sincos(heading);
+                    let next = [at[0] + 0.01 * cos, at[1] + 0.01 * sin];
+                    if !on_floor(next) {
+                        heading += 1.0;
+                        continue;
+                    }
+                    (at, walked) = (next, walked + 0.01);
+                    let told = field.least(at, 0.0);
+                    assert!(told <= walked, "{told} after {walked} at {at:?}");
+                    far += usize::from(told > 1.2);
+                    near += usize::from(told > 0.85 * walked - 0.1);
+                }
+            }
+        }
+        assert!(far > 1000 && near > 1000, "{far} {near}");
+    }
+
+    /// Behind a wall of 4 m, the way leads round one of its ends.
+    #[test]
+    fn ways_lead_round_walls_and_none_through_closed_ones() {
+        let floor_of = floor(&[wall([-2.0, -0.01], [2.0, 0.01])], 0.025);
+        let field = Field::from(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of));
+        let round = 2.0 * libm::hypot(2.0, 0.3);
+        let told = field.least([0.0, 0.3], 0.0);
+        assert!(told <= round && told > 0.75 * round, "{told} for {round}");
+        let shut = floor(&[wall([-3.1, -0.01], [3.1, 0.01])], 0.025);
+        let field = Field::from(&shut, &only(&shut, [0.0, -0.3]), &open(&shut));
+        assert!(field.least([0.0, 0.3], 0.1).is_infinite());
+    }
+}

@@ -1,0 +1,266 @@
+//! The floor as cells: where a person has room, and what of that is joined to the outside.
+//!
+//! What has no room has none anywhere in its cell, shown by the signed distance from its middle, which changes by no more
+//! than the place does. So the cells with room hold every place that a person can be in; by how far they hold more is half a
+//! cell's diagonal.
+
+use std::f64::consts::SQRT_2;
+
+use super::Body;
+use crate::geometry::polygon::{contains, distance_to_edge};
+use crate::geometry::segment_cuboid::segment_cuboid;
+use crate::geometry::{Cuboid, Vec3};
+
+/// More than what rounding does to a place, m.
+const ROUNDING_M: f64 = 1e-9;
+
+/// Cells of a rectangle of the floor, row after row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Floor {
+    low_m: [f64; 2],
+    cell_m: f64,
+    columns: usize,
+    rows: usize,
+    open: Vec<bool>,
+    /// Whether there is nothing beyond.
+    bounded: bool,
+}
+
+impl Floor {
+    /// The rectangle from `low_m` to `high_m` in cells of `cell_m`, with room where some place of the cell has it.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cells to a side")]
+    pub fn new(body: &Body, obstacles: &[Cuboid], (low_m, high_m): ([f64; 2], [f64; 2]), cell_m: f64) -> Self {
+        let count = |axis: usize| ((high_m[axis] - low_m[axis]) / cell_m).ceil().max(1.0) as usize;
+        let mut floor = Self { low_m, cell_m, columns: count(0), rows: count(1), open: Vec::new(), bounded: false };
+        let moves = 0.5 * SQRT_2 * cell_m;
+        let open = |[x, y]: [f64; 2]| {
+            let capsule = body.blocking_capsule(Vec3::new(x, y, 0.0));
+            obstacles.iter().all(|o| {
+                let middle = o.centre - (capsule.a + capsule.b) * 0.5;
+                let far = o.half.length() + 0.5 * (capsule.b - capsule.a).length() + capsule.radius;
+                middle.length() > far || segment_cuboid(capsule.a, capsule.b, o).distance + moves >= capsule.radius
+            })
+        };
+        floor.open = (0..floor.columns * floor.rows).map(|cell| open(floor.middle(cell))).collect();
+        floor
+    }
+
+    /// The same, but there is no floor outside of a polygon: not in the rectangle, and not beyond it.
+    #[must_use]
+    pub fn bounded_by(mut self, polygon: &[[f64; 2]]) -> Self {
+        let moves = 0.5 * SQRT_2 * self.cell_m;
+        for cell in 0..self.cells() {
+            let at = self.middle(cell);
+            self.open[cell] &= contains(polygon, at) || distance_to_edge(polygon, at) <= moves;
+        }
+        self.bounded = true;
+        self
+    }
+
+    /// How many cells there are.
+    #[must_use]
+    pub const fn cells(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// Whether some place of a cell may have room.
+    #[must_use]
+    pub fn is_open(&self, cell: usize) -> bool {
+        self.open[cell]
+    }
+
+    /// The middle of a cell, m.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    pub fn middle(&self, cell: usize) -> [f64; 2] {
+        let at = [cell % self.columns, cell / self.columns];
+        std::array::from_fn(|axis| self.low_m[axis] + (at[axis] as f64 + 0.5) * self.cell_m)
+    }
+
+    /// Edge of a cell, m.
+    #[must_use]
+    pub const fn cell_m(&self) -> f64 {
+        self.cell_m
+    }
+
+    /// Leaves open only what is joined by open cells that `may_pass` to the edge of the rectangle, if the floor has no boundary, or
+    /// to a cell where somebody `starts`; cells that meet in a corner are joined.
+    #[must_use]
+    pub fn joined_to_the_outside(mut self, starts: &[[f64; 2]], may_pass: impl Fn(usize) -> bool) -> Self {
+        let mut joined = vec![false; self.cells()];
+        let passable: Vec<bool> = (0..self.cells()).map(|cell| self.open[cell] && may_pass(cell)).collect();
+        let (columns, rows) = (self.columns, self.rows);
+        let on_edge = |cell: &usize| {
+            let (column, row) = (cell % columns, cell / columns);
+            !self.bounded && (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows)
+        };
+        let is_start = |cell: &usize| {
+            let [x, y] = self.middle(*cell);
+            starts.iter().any(|start| (start[0] - x).abs().max((start[1] - y).abs()) <= 0.5 * self.cell_m + ROUNDING_M)
+        };
+        let mut next: Vec<usize> = (0..self.cells()).filter(|cell| passable[*cell]).filter(on_edge).collect();
+        // Who starts there is there, whatever sees them.
+        next.extend((0..self.cells()).filter(|cell| self.open[*cell]).filter(is_start));
+        next.iter().for_each(|cell| joined[*cell] = true);
+        while let Some(cell) = next.pop() {
+            for other in self.around(cell) {
+                if passable[other] && !joined[other] {
+                    joined[other] = true;
+                    next.push(other);
+                }
+            }
+        }
+        self.open = joined;
+        self
+    }
+
+    /// The cells that meet a cell in an edge or a corner, and itself.
+    pub fn around(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
+        let (columns, rows) = (self.columns, self.rows);
+        let (column, row) = (cell % columns, cell / columns);
+        let across = column.saturating_sub(1)..(column + 2).min(columns);
+        (row.saturating_sub(1)..(row + 2).min(rows))
+            .flat_map(move |row| across.clone().map(move |column| row * columns + column))
+    }
+
+    /// Whether all is known of the square of half edge `half_m` around `xy_m`: it is in the rectangle, or there is nothing beyond.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    pub fn holds(&self, xy_m: [f64; 2], half_m: f64) -> bool {
+        let high = |axis: usize, count: usize| self.low_m[axis] + count as f64 * self.cell_m;
+        self.bounded
+            || (0..2).all(|axis| xy_m[axis] - half_m >= self.low_m[axis] - ROUNDING_M)
+                && xy_m[0] + half_m <= high(0, self.columns) + ROUNDING_M
+                && xy_m[1] + half_m <= high(1, self.rows) + ROUNDING_M
+    }
+
+    /// The cells of which some point is in the square of half edge `half_m` around `xy_m`.
+    pub fn within(&self, xy_m: [f64; 2], half_m: f64) -> impl Iterator<Item = usize> + use<> {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "clamped to the rectangle"
+        )]
+        let span = |axis: usize, count: usize| {
+            let at = |value: f64| (value - self.low_m[axis]) / self.cell_m;
+            let (low, high) = (at(xy_m[axis] - half_m), at(xy_m[axis] + half_m));
+            let off = high < 0.0 || low > count as f64;
+            if off { 0..0 } else { low.max(0.0) as usize..(high as usize + 1).min(count) }
+        };
+        let (columns, across) = (self.columns, span(0, self.columns));
+        span(1, self.rows).flat_map(move |row| across.clone().map(move |column| row * columns + column))
+    }
+
+    /// The cells of which some point is no farther than `far_m` from one of some others, at least.
+    #[must_use]
+    pub fn grown(&self, cells: &[bool], far_m: f64) -> Vec<bool> {
+        let mut grown = vec![false; self.cells()];
+        let far = far_m + SQRT_2 * self.cell_m;
+        for cell in (0..self.cells()).filter(|cell| cells[*cell]) {
+            // Deep inside of them all are.
+            if self.around(cell).all(|other| cells[other]) {
+                grown[cell] = true;
+                continue;
+            }
+            let [x, y] = self.middle(cell);
+            for other in self.within([x, y], far) {
+                let at = self.middle(other);
+                grown[other] |= libm::hypot(at[0] - x, at[1] - y) <= far + ROUNDING_M;
+            }
+        }
+        grown
+    }
+
+    /// Whether some cell within the square of half edge `half_m` around `xy_m` is open; so is what is outside the rectangle, unless
+    /// the floor has a boundary.
+    #[must_use]
+    pub fn any_open(&self, xy_m: [f64; 2], half_m: f64) -> bool {
+        let [columns, rows] = [self.columns, self.rows];
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "clamped to the rectangle"
+        )]
+        let span = |axis: usize, count: usize| {
+            let at = |value: f64| (value - self.low_m[axis]) / self.cell_m;
+            let (low, high) = (at(xy_m[axis] - half_m), at(xy_m[axis] + half_m));
+            (low >= 0.0 && high <= count as f64)
+                .then(|| (low.floor() as usize).min(count - 1)..=(high.floor() as usize).min(count - 1))
+        };
+        if self.bounded {
+            return self.within(xy_m, half_m).any(|cell| self.open[cell]);
+        }
+        let (Some(across), Some(along)) = (span(0, columns), span(1, rows)) else { return true };
+        along.into_iter().any(|row| across.clone().any(|column| self.open[row * columns + column]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Rotation;
+    use crate::human::walk::Walker;
+    use crate::human::{Anthropometry, Place, Start};
+    use crate::search::Rng;
+
+    fn wall(x: f64, y: f64, half_x: f64, half_y: f64) -> Cuboid {
+        Cuboid { centre: Vec3::new(x, y, 1.0), half: Vec3::new(half_x, half_y, 1.0), rotation: Rotation::IDENTITY }
+    }
+
+    /// A room of 3 m with a door in its south wall.
+    fn room(door_m: f64) -> Vec<Cuboid> {
+        let side = 0.5 * (3.0 - door_m);
+        let front = [-1.0, 1.0].map(|s| wall(s * (0.5 * door_m + 0.5 * side), -1.5, 0.5 * side, 0.01));
+        [vec![wall(0.0, 1.5, 1.51, 0.01), wall(-1.5, 0.0, 0.01, 1.51), wall(1.5, 0.0, 0.01, 1.51)], front.to_vec()]
+            .concat()
+    }
+
+    fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        Floor::new(&body, obstacles, ([-2.5, -2.5], [2.5, 2.5]), cell_m)
+    }
+
+    #[test]
+    fn places_with_room_are_in_open_cells() {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let obstacles = room(0.8);
+        let mut rng = Rng::new(3);
+        let mut shut = 0;
+        for cell_m in [0.025, 0.1, 0.3] {
+            let floor = floor(&obstacles, cell_m);
+            for _ in 0..3000 {
+                let mut at =
+                    || 5.0 * (f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)) - 2.5;
+                let xy = [at(), at()];
+                let start = Start::new(xy[0], xy[1], 0.0);
+                let walker = Walker { body: &body, start: &start, sub_step_len_m: 0.032, obstacles: &obstacles };
+                let open = floor.any_open(xy, 0.0);
+                assert!(open || !walker.is_free(Place::START), "{xy:?} with {cell_m} m");
+                shut += usize::from(!open);
+            }
+        }
+        assert!(shut > 200, "{shut}");
+    }
+
+    /// The body is 0.28 m wide: a door of 0.25 m is shut, and one of 0.35 m lets in.
+    #[test]
+    fn a_room_is_joined_to_the_outside_through_a_door_that_is_wide_enough() {
+        for (door_m, joined) in [(0.0, false), (0.25, false), (0.35, true)] {
+            let floor = floor(&room(door_m), 0.025).joined_to_the_outside(&[], |_| true);
+            assert_eq!(floor.any_open([0.0, 0.0], 0.1), joined, "{door_m} m");
+            assert!(floor.any_open([2.0, 0.0], 0.1));
+        }
+        // Who starts in a closed room is in it.
+        let inside = floor(&room(0.0), 0.025).joined_to_the_outside(&[[0.3, 0.2]], |_| true);
+        assert!(inside.any_open([-0.5, 0.0], 0.1) && inside.any_open([2.0, 0.0], 0.1));
+        // Where nobody may pass the door, nobody is in the room.
+        let all = floor(&room(0.8), 0.025);
+        let shut = all
+            .clone()
+            .joined_to_the_outside(&[], |cell| all.middle(cell)[1].abs() > 0.2 + 1.5 || all.middle(cell)[1] > -1.3);
+        assert!(!shut.any_open([0.0, 0.0], 0.1));
+    }
+}

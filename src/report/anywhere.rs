@@ -1,0 +1,187 @@
+//! What is known of people whom no sensor sees, anywhere in a cell and at any moment: `anywhere.json`, and words for it.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::model::{SensorState, Subject, Verdict};
+use super::paragraph::wrapped_to;
+use crate::hazard::contact::{Class, Criterion};
+use crate::human::Action;
+use crate::standards::BodyRegion;
+
+/// What came out.
+#[derive(Clone, Debug, Serialize)]
+pub struct Anywhere {
+    /// Version of this form, that of scan results.
+    pub schema_version: u32,
+    /// Program and version.
+    pub tool: String,
+    /// Result in one word. `none_found` is said only where nothing is open.
+    pub verdict: Verdict,
+    /// What was looked at.
+    pub subject: Subject,
+    /// How long after the start of the FMU, s.
+    pub until_s: f64,
+    /// Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
+    pub speed_criterion: Criterion,
+    /// Edge of the cells of the floor, m.
+    pub cell_m: f64,
+    /// Contacts of trunk, head and legs that are harmless when the person stands no more than this elsewhere may be missed, m.
+    pub body_tolerance_m: f64,
+    /// The same of contacts of arms, and those with less room for the arm, m.
+    pub arm_tolerance_m: f64,
+    /// How often what sensors report changed at most, if that was limited: coming in is one change, going out another.
+    pub changes: Option<usize>,
+    /// What the robots did while sensors reported what they report of somebody unseen.
+    pub histories: Vec<Watched>,
+    /// Of each body region and robot link the worst that was tried, the worst first.
+    pub hazards: Vec<Place>,
+    /// Cells of the floor in which somebody who stands there is hit, row by row.
+    pub floor: Vec<Cell>,
+    /// Cells of the floor and postures of which it is not known whether anybody is hit in them.
+    pub open: usize,
+    /// Where of the first ten thousand of those something is open, floor plan, m.
+    pub open_m: Vec<[f64; 2]>,
+    /// Why the absence of further hazards is not shown.
+    pub reasons: Vec<String>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+    /// What it took.
+    pub spent: Spent,
+}
+
+/// One history of the FMU.
+#[derive(Clone, Debug, Serialize)]
+pub struct Watched {
+    /// What the sensors report since somebody came to where they do.
+    pub sensors: Vec<SensorState>,
+    /// Whether that is from the start on: nobody was seen before.
+    pub unseen: bool,
+    /// Different instants at which a robot could harm somebody.
+    pub instants: usize,
+}
+
+/// Somewhere to be hit.
+#[derive(Clone, Debug, Serialize)]
+pub struct Place {
+    /// Whether a run of its own shows it, with a fresh FMU and somebody who stands there.
+    pub confirmed: bool,
+    /// Its id there.
+    pub id: String,
+    /// Body region.
+    pub body_region: BodyRegion,
+    /// Robot link.
+    pub robot_link: String,
+    /// Why it is hazardous.
+    pub class: Option<Class>,
+    /// Force over limit.
+    pub ratio: f64,
+    /// Force, N.
+    pub force_n: f64,
+    /// Limit, N.
+    pub limit_n: f64,
+    /// Speed of the robot's point, m/s.
+    pub speed_m_s: f64,
+    /// When, after the start of the FMU, s; where a run shows it.
+    pub time_s: Option<f64>,
+    /// Where the person stands, floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Where the person looks, from +x towards +y, degrees.
+    pub heading_deg: f64,
+    /// How the person bends.
+    pub posture: &'static str,
+    /// Whether the person walks there; else stands there all the time.
+    pub walks_in: bool,
+    /// Where the person begins, floor plan, m.
+    pub start_m: [f64; 2],
+    /// Where they look there, degrees.
+    pub start_heading_deg: f64,
+    /// When a scan has to begin that shows it, after the start of the FMU, s.
+    pub begins_s: f64,
+    /// What the person does from there.
+    pub actions: Vec<Action>,
+    /// What the sensors report.
+    pub sensors: Vec<SensorState>,
+    /// In how many cells of the floor, one for each posture, this was met.
+    pub cells: usize,
+}
+
+/// A cell of the floor.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Cell {
+    /// Its middle, floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Force over limit of the worst that was tried.
+    pub ratio: f64,
+}
+
+/// What it took.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Spent {
+    /// Communication steps of the FMU.
+    pub fmu_steps: u64,
+    /// Sets of poses that were looked at.
+    pub boxes: u64,
+    /// Arm searches.
+    pub arm_checks: u64,
+    /// Boxes of joint angles that they looked at.
+    pub arm_boxes: u64,
+    /// Steps of the FMU that were run again from the start and compared.
+    pub run_again: u64,
+}
+
+impl Anywhere {
+    /// For people, no wider than `width`.
+    #[must_use]
+    pub fn render(&self, width: usize) -> String {
+        let mut text = String::new();
+        let until = format!("{:.1} s", self.until_s);
+        let confirmed = self.hazards.iter().filter(|hazard| hazard.confirmed).count();
+        let changes = self.changes.map_or(String::new(), |changes| {
+            format!(
+                " What the sensors report changes at most {} then.",
+                if changes == 1 { "once".to_owned() } else { format!("{changes} times") }
+            )
+        });
+        let first = match self.verdict {
+            Verdict::HazardsFound => format!(
+                "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start: \
+                 in {confirmed} ways that a run of their own shows."
+            ),
+            Verdict::NoneFound => format!(
+                "Nobody is hit harder than allowed within {until} of the start who comes from where no sensor sees them, wherever \
+                 and whenever they {}, and however they bend and reach.{changes}",
+                match self.speed_criterion {
+                    Criterion::Absolute => "walk or stand",
+                    Criterion::Approach => "stand",
+                },
+            ),
+            Verdict::Interrupted => "It was stopped: nothing is known of what was not looked at.".to_owned(),
+            _ => format!("No hazard is confirmed within {until} of the start, and none is excluded.{changes}"),
+        };
+        let _ = write!(text, "{}", wrapped_to(width, " ", &first));
+        for hazard in &self.hazards {
+            let sure = if hazard.confirmed { "" } else { "; not confirmed" };
+            let [x, y] = hazard.xy_m;
+            let after = hazard.time_s.map_or(String::new(), |time_s| format!(" after {time_s:.2} s"));
+            let how = if hazard.walks_in { "Walks to" } else { "Stands at" };
+            let line = format!(
+                "{:.2}x  {} hit by {}{after}: {:.0} N, limit {:.0} N. {how} ({x:.2}, {y:.2}) m, looks towards {:.0} \
+                 degrees, {}{sure}",
+                hazard.ratio,
+                hazard.body_region,
+                hazard.robot_link,
+                hazard.force_n,
+                hazard.limit_n,
+                hazard.heading_deg,
+                hazard.posture,
+            );
+            let _ = write!(text, "{}", wrapped_to(width, "   ", &line));
+        }
+        for reason in &self.reasons {
+            let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Not complete: {reason}.")));
+        }
+        text
+    }
+}

@@ -1,0 +1,113 @@
+//! A walk that ends where and when somebody may be harmed, for people of whom no sensor knew before: a straight line, or one
+//! with a turn at its end. Whether it does lead to harm, a run of its own says.
+
+use std::f64::consts::{FRAC_PI_4, TAU};
+
+use crate::cell::Workcell;
+use crate::human::{Action, Posture, Start, Walk};
+use crate::sim::anywhere::{Anywhere, Harm, History, Seen};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+/// Most actions of walking before the last one.
+const MOST_WALKING: usize = 7;
+
+/// Where somebody starts and when, and what they do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WalkIn {
+    /// Where.
+    pub start: Start,
+    /// Communication steps after the FMU's own start.
+    pub lead_in: usize,
+    /// What.
+    pub actions: Vec<Action>,
+}
+
+impl WalkIn {
+    /// Whoever stands there, from so many steps before the instant on.
+    pub fn standing(harm: &Harm, step: usize, before: usize) -> Self {
+        Self {
+            start: Start::new(harm.xy_m[0], harm.xy_m[1], harm.heading_rad.to_degrees()),
+            lead_in: step.saturating_sub(before),
+            actions: vec![Action::new(Walk::Stop, harm.posture)],
+        }
+    }
+
+    /// Walks to a harm, those first that take the fewest actions; all begin where sensors report `first`.
+    pub fn all(of: &Anywhere<'_>, cell: &Workcell, first: &[bool], history: &History, harm: &Harm) -> Vec<Self> {
+        let seen = &history.seen[harm.instant];
+        let steps = cell.steps_per_action;
+        let mut all = Vec::new();
+        for walking in 0..=MOST_WALKING {
+            for (last, turn) in
+                [(Walk::Forward, 0_i8), (Walk::Left45, 1), (Walk::Right45, -1), (Walk::Left90, 2), (Walk::Right90, -2)]
+            {
+                for reached in (1..=steps).rev() {
+                    let way = Way { harm, walking, last, turn, reached };
+                    all.extend(way.walks(of, cell, first, &history.readings, seen));
+                }
+            }
+        }
+        all
+    }
+}
+
+/// Straight on for some actions, then an action with a turn, in which the place is reached after so many steps.
+struct Way<'a> {
+    harm: &'a Harm,
+    walking: usize,
+    last: Walk,
+    turn: i8,
+    reached: usize,
+}
+
+impl Way<'_> {
+    /// The places and headings after each step, the start first.
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen steps")]
+    fn places(&self, cell: &Workcell) -> Vec<([f64; 2], f64)> {
+        let steps = cell.steps_per_action;
+        let length = WALKING_SPEED_M_S * cell.step_s;
+        let along = |from: [f64; 2], heading: f64, steps: f64| {
+            let (sin, cos) = libm::sincos(heading);
+            [from[0] + cos * length * steps, from[1] + sin * length * steps]
+        };
+        let last = self.harm.heading_rad;
+        let before = (last - f64::from(self.turn) * FRAC_PI_4).rem_euclid(TAU);
+        let corner = along(self.harm.xy_m, last, -(self.reached as f64));
+        let walked = self.walking * steps;
+        let first = (0..=walked).map(|step| (along(corner, before, step as f64 - walked as f64), before));
+        first.chain((1..=self.reached).map(|step| (along(corner, last, step as f64), last))).collect()
+    }
+
+    fn walks(&self, of: &Anywhere<'_>, cell: &Workcell, first: &[bool], then: &[bool], seen: &Seen) -> Vec<WalkIn> {
+        let places = self.places(cell);
+        let [(start, heading), ..] = places[..] else { return Vec::new() };
+        if !of.may_begin(start, heading, first) || !places.iter().all(|(at, _)| of.has_room(*at)) {
+            return Vec::new();
+        }
+        // The sample from which on the readings are those of the history.
+        let reads = |(at, heading): &([f64; 2], f64)| of.is_possible(*at, *heading, Posture::Upright, then);
+        let entered = if first == then { 0 } else { places.iter().position(reads).unwrap_or(places.len()) };
+        let arrived = places.len() - 1;
+        let posture = self.harm.posture;
+        let mut actions = vec![Action::new(Walk::Forward, Posture::Upright); self.walking];
+        actions.push(Action::new(self.last, posture));
+        // There just at the instant.
+        let mut all = Vec::new();
+        if let Some(lead_in) = seen.step.checked_sub(arrived) {
+            let start = Start::new(start[0], start[1], heading.to_degrees());
+            all.push(WalkIn { start, lead_in, actions: actions.clone() });
+        }
+        // Seen as long before as told, and there until then.
+        let begun = (seen.step - 1).saturating_sub(seen.lasting);
+        if self.reached == cell.steps_per_action
+            && let Some(lead_in) = begun.checked_sub(entered)
+            && seen.step > lead_in + arrived
+        {
+            let waits = (seen.step - lead_in - arrived).div_ceil(cell.steps_per_action);
+            actions.extend(vec![Action::new(Walk::Stop, posture); waits]);
+            let start = Start::new(start[0], start[1], heading.to_degrees());
+            all.push(WalkIn { start, lead_in, actions });
+        }
+        all
+    }
+}

@@ -1,0 +1,396 @@
+//! Somebody is anywhere, whom no sensor has seen so far, walks in any way, looks anywhere, bends and reaches: can a robot harm
+//! them, at any instant of any history of the FMU that this leads to?
+//!
+//! As long as the sensors report the same, the robots do the same, whoever is where. So there are as many histories as there are
+//! histories of readings ([`machine`]), and for each instant of each a set of places ([`zones`]). What remains is a question about sets of
+//! poses: a [`PoseBox`] of places and headings, for each posture, is settled when no robot of any instant can be met harmfully
+//! from any pose of it, shown by bounds; else its middle is tried, and it is halved. What is neither settled nor hazardous
+//! when the halves are small is *open*, and told.
+//!
+//! Bounds hold for all of a box because nothing of the body moves farther in it than [`PoseBox::moves_m`] says. Arms are
+//! looked at with the tolerance of every arm search and, in the smallest boxes, that much more. Of the body a smallest box is known
+//! by its middle: a harm that is gone when the person is moved by [`BODY_TOLERANCE_M`] may be missed, since depth, region and
+//! speed of what is touched may all be others then.
+
+pub mod machine;
+mod readings;
+mod within;
+pub mod zones;
+
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use self::readings::{may_report, may_stay_clear};
+use self::within::Within;
+use super::Coverage;
+use super::curtain::Curtain;
+use super::encounter::Encounter;
+use super::robot::RobotFrame;
+use super::sensors::{self, sees};
+use crate::cell::{Sensor, Workcell, Zone};
+use crate::geometry::segment_cuboid::segment_cuboid;
+use crate::geometry::{Cuboid, Vec3};
+use crate::hazard::Contact;
+use crate::human::arm::ArmModel;
+use crate::human::posture::cut_back;
+use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+use crate::stop::Stop;
+
+/// Edge of a cell of the floor, m.
+const FLOOR_M: f64 = 0.025;
+/// Half an edge of the boxes that a search begins with, m.
+const FIRST_M: f64 = 0.2;
+/// Half an edge of the cells in which a hazard is told once, m.
+pub const CELL_M: f64 = 0.05;
+/// Contacts of trunk, head and legs that are harmless when the person is moved by no more than this may be missed, m.
+pub const BODY_TOLERANCE_M: f64 = 0.01;
+/// Halves of boxes are made so that what is this far from the axis between the feet moves little, m.
+const LEVER_M: f64 = 0.8;
+
+/// Arcs of headings that are looked at one by one where somebody may pass a sensor unseen.
+const PASSING_HEADINGS: u32 = 16;
+/// The floor is looked at this far around what is on it, m: more than a person is wide.
+const AROUND_M: f64 = 0.5;
+/// Boxes of a cell of the floor and a posture after which it is left open.
+const MOST_BOXES: u64 = 20_000;
+/// The same where somebody is hit elsewhere.
+const FEW_BOXES: u64 = 60;
+
+/// The robots at an instant, and where somebody may be then.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Communication steps from the start of the FMU to the instant.
+    pub step: usize,
+    /// For how many of these the readings had lasted when the last one began, 0 for their first sample.
+    pub lasting: usize,
+    /// The robots.
+    pub frame: Arc<RobotFrame>,
+    /// No farther than this by the history's two fields, m; finite, as places where nobody can be are infinitely far.
+    pub within_m: [f64; 2],
+    /// An arm is no deeper than this behind planes that report it, m.
+    pub depth_m: f64,
+}
+
+/// What the robots do while the sensors report the same.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// What each sensor reported at the sample before each instant; of one inside the FMU it says nothing.
+    pub readings: Vec<bool>,
+    /// How far it is to places from where somebody was when these readings began, and from where they were never seen.
+    pub fields: [Arc<Field>; 2],
+    /// Instants at which the robots may harm anybody.
+    pub seen: Vec<Seen>,
+}
+
+impl History {
+    /// How far it is at least to any place of the square, by both fields.
+    fn least(&self, xy_m: [f64; 2], half_m: f64) -> [f64; 2] {
+        [0, 1].map(|n| self.fields[n].least(xy_m, half_m))
+    }
+}
+
+/// A pose in which somebody is harmed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Harm {
+    /// Where they stand, floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Where they look, from +x towards +y, rad.
+    pub heading_rad: f64,
+    /// How they bend.
+    pub posture: Posture,
+    /// Which of the instants of the history.
+    pub instant: usize,
+    /// Index of the link.
+    pub link: usize,
+    /// The contact.
+    pub contact: Contact,
+}
+
+/// What came out for one history.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Poses in which somebody is harmed: at least one in each cell of the floor in which there is any, but where it is open.
+    pub harms: Vec<Harm>,
+    /// Middles of the smallest boxes that are neither settled nor hazardous, floor plan, m.
+    pub open: Vec<[f64; 2]>,
+    /// Boxes that were looked at, once for each posture.
+    pub boxes: u64,
+    /// Whether it was told to end.
+    pub stopped: bool,
+}
+
+impl Outcome {
+    fn add(&mut self, other: Self) {
+        self.harms.extend(other.harms);
+        self.open.extend(other.open);
+        self.boxes += other.boxes;
+        self.stopped |= other.stopped;
+    }
+}
+
+/// Everything that stays the same over the search.
+#[derive(Debug)]
+pub struct Anywhere<'a> {
+    cell: &'a Workcell,
+    encounter: Encounter,
+    curtains: Vec<Curtain>,
+    /// Where somebody has room, joined to the outside.
+    ground: Floor,
+    /// The cells of it that are joined to the outside by others in which no sensor that keeps people out certainly sees them.
+    unseen: Vec<bool>,
+    /// How far somebody walks in a communication step, m.
+    step_m: f64,
+    /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
+    reach_m: f64,
+    body_m: f64,
+}
+
+/// Whether sensors can report something of somebody.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Somewhere {
+    /// Of somebody there, who looks there: floor plan, m, and rad.
+    At([f64; 2], f64),
+    /// Of nobody.
+    Nowhere,
+    /// Neither was shown.
+    Unknown,
+}
+
+impl<'a> Anywhere<'a> {
+    /// For a cell whose robots are never farther from each other, and from the places that matter, than `frames` show; where others are, nothing is left out.
+    #[must_use]
+    pub fn new<'b>(cell: &'a Workcell, frames: impl Iterator<Item = &'b RobotFrame>, stop: Stop) -> Self {
+        let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+        let arm = ArmModel::default();
+        let reach_m = cell.body.reach_from_one_metre(arm.reach());
+        let mut bounds: ([f64; 2], [f64; 2]) = ([-1.0; 2], [1.0; 2]);
+        let mut hold = |at: [f64; 2], far: f64| {
+            for (axis, at) in at.into_iter().enumerate() {
+                bounds.0[axis] = bounds.0[axis].min(at - far);
+                bounds.1[axis] = bounds.1[axis].max(at + far);
+            }
+        };
+        for link in frames.flat_map(|frame| &frame.links) {
+            let (centre, radius) = link.bounding_sphere();
+            hold([centre.x, centre.y], radius + reach_m);
+        }
+        // What keeps people away, or sees them, may be farther out.
+        let planes = cell.sensors.iter().filter_map(|sensor| Some(sensor.zone.plane()?.0));
+        for cuboid in obstacles.iter().chain(planes) {
+            hold([cuboid.centre.x, cuboid.centre.y], cuboid.half.length() + AROUND_M);
+        }
+        for sensor in &cell.sensors {
+            if let Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } = &sensor.zone {
+                polygon.iter().for_each(|corner| hold(*corner, AROUND_M));
+            }
+        }
+        let starts: Vec<[f64; 2]> = cell.beginnings.iter().map(|beginning| beginning.start.xy_m()).collect();
+        let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
+        let curtains = Curtain::all(cell, from, &obstacles);
+        let encounter =
+            Encounter { obstacles, arm, reach_tolerance_m: cell.search.reach_tolerance_m, worst: false, stop };
+        let floor = Floor::new(&cell.body, &encounter.obstacles, bounds, FLOOR_M);
+        let floor = match &cell.floor {
+            Some(polygon) => floor.bounded_by(polygon),
+            None => floor,
+        };
+        let ground = floor.joined_to_the_outside(&starts, |_| true);
+        let mut this = Self {
+            cell,
+            encounter,
+            curtains,
+            unseen: Vec::new(),
+            step_m: WALKING_SPEED_M_S * cell.step_s,
+            reach_m,
+            body_m: cell.body.reach_from_one_metre(0.0),
+            ground: ground.clone(),
+        };
+        let unseen = ground.joined_to_the_outside(&starts, |at| this.may_pass_unseen(this.ground.middle(at)));
+        this.unseen = (0..unseen.cells()).map(|at| unseen.is_open(at)).collect();
+        this
+    }
+
+    /// Whether somebody may be in a cell of the floor with no sensor seeing them that keeps people out.
+    fn may_pass_unseen(&self, xy_m: [f64; 2]) -> bool {
+        let keeps_out = |zone: &Zone| !matches!(zone, Zone::TwoHand { .. } | Zone::Reported);
+        let sensors: Vec<_> = self.cell.sensors.iter().filter(|sensor| keeps_out(&sensor.zone)).collect();
+        headings(PASSING_HEADINGS).any(|(heading_rad, half_rad)| {
+            let at = PoseBox { xy_m, half_m: 0.5 * FLOOR_M, heading_rad, half_rad };
+            // Who bends may pass below a plane, or above; legs and hips do not bend.
+            let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
+            sensors.iter().all(|sensor| may_stay_clear(sensor, &self.cell.body, &body, &at))
+        })
+    }
+
+    /// Whether nobody has room to stand anywhere in a box.
+    fn has_no_room(&self, at: &PoseBox) -> bool {
+        let capsule = self.cell.body.blocking_capsule(at.position());
+        let apart = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance;
+        self.encounter.obstacles.iter().any(|o| apart(o) + at.place_moves_m() < capsule.radius)
+    }
+
+    fn placed(&self, at: &PoseBox, posture: Posture, bend: BendFraction) -> PlacedBody {
+        self.cell.body.placed(at.position(), at.heading_rad, posture, bend)
+    }
+
+    /// Whether somebody can stand there.
+    #[must_use]
+    pub fn has_room(&self, xy_m: [f64; 2]) -> bool {
+        let capsule = self.cell.body.blocking_capsule(Vec3::new(xy_m[0], xy_m[1], 0.0));
+        let has_room = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance >= capsule.radius;
+        self.ground.any_open(xy_m, 0.0) && self.encounter.obstacles.iter().all(has_room)
+    }
+
+    /// Whether somebody may be there at the start, upright, of whom the sensors then report these readings.
+    #[must_use]
+    pub fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[bool]) -> bool {
+        let beyond = !self.ground.holds(xy_m, 0.0);
+        (beyond || self.ground.within(xy_m, 0.0).any(|cell| self.unseen[cell]))
+            && self.is_possible(xy_m, heading_rad, Posture::Upright, readings)
+    }
+
+    /// Whether somebody can stand there while the sensors report these readings.
+    #[must_use]
+    pub fn is_possible(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture, readings: &[bool]) -> bool {
+        let at = PoseBox::point(xy_m, heading_rad);
+        let position = at.position();
+        if !self.has_room(xy_m) {
+            return false;
+        }
+        // Who bends in a plane was upright in it, or comes into it: both are seen.
+        let reads = |posture: Posture| {
+            let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
+            let body = Some(self.placed(&at, posture, bend));
+            let seen = sensors::Seen { feet: self.cell.body.feet(position, heading_rad), body, position, heading_rad };
+            // What a plane reports may be an arm.
+            let told = |(sensor, reading): (&Sensor, &bool)| {
+                is_reported(sensor) || (*reading && is_plane(sensor)) || sees(sensor, &seen) == *reading
+            };
+            self.cell.sensors.iter().zip(readings).all(told)
+        };
+        reads(posture) && reads(Posture::Upright)
+    }
+
+    /// Whether the sensors may have reported these readings of somebody who is in a box, bends so, and was no more than a step
+    /// elsewhere.
+    fn may_have_read(&self, at: &PoseBox, body: &PlacedBody, readings: &[bool]) -> bool {
+        let around = PoseBox { half_m: at.half_m + self.step_m, ..*at };
+        let may = |(sensor, reading): (&Sensor, &bool)| {
+            (*reading && is_plane(sensor)) || may_report(sensor, &self.cell.body, body, &around).be(*reading)
+        };
+        self.cell.sensors.iter().zip(readings).all(may)
+    }
+
+    /// Whether there is a pose, upright, in which the sensors report these readings.
+    #[must_use]
+    pub fn somewhere(&self, readings: &[bool]) -> Somewhere {
+        let cells = (0..self.ground.cells()).filter(|cell| self.unseen[*cell]);
+        let first =
+            |cell| PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * FLOOR_M, heading_rad: 0.0, half_rad: PI };
+        let mut pending: Vec<PoseBox> = cells.map(first).collect();
+        let mut is_known = true;
+        while let Some(at) = pending.pop() {
+            let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
+            let may = |(sensor, reading): (&_, &bool)| may_report(sensor, &self.cell.body, &body, &at).be(*reading);
+            if !self.cell.sensors.iter().zip(readings).all(may) {
+                continue;
+            }
+            if self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, readings) {
+                return Somewhere::At(at.xy_m, at.heading_rad);
+            }
+            if is_smallest(&at) {
+                is_known = false;
+            } else {
+                pending.extend(at.parts(LEVER_M));
+            }
+        }
+        if is_known { Somewhere::Nowhere } else { Somewhere::Unknown }
+    }
+
+    /// Every pose in which the sensors report what they do in `history`, on so many threads; `tell` hears of the share that is
+    /// done, and may end it.
+    pub fn search(
+        &self,
+        history: &History,
+        workers: usize,
+        coverage: &mut Coverage,
+        tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Outcome {
+        let first = self.first_boxes(history);
+        let within = Within::new(self, history);
+        let mut all = Outcome::default();
+        let mut undecided = Vec::new();
+        let first = within
+            .in_parallel(workers, &first, &mut |share| tell(0.5 * share), |at, coverage| within.first(*at, coverage));
+        for ((part, cells), seen) in first {
+            coverage.merge(&seen);
+            all.add(part);
+            undecided.extend(cells);
+        }
+        // Where there are hazards, what is not decided yet is of less interest.
+        let most = if all.harms.is_empty() { MOST_BOXES } else { FEW_BOXES };
+        let mut closely = |share: f64| tell(0.5 + 0.5 * share);
+        let second = within
+            .in_parallel(workers, &undecided, &mut closely, |cell, coverage| within.closely(cell, most, coverage));
+        for (part, seen) in second {
+            coverage.merge(&seen);
+            all.add(part);
+        }
+        all
+    }
+
+    /// Boxes that hold every place from which a robot can be met.
+    fn first_boxes(&self, history: &History) -> Vec<PoseBox> {
+        let mut low = [f64::MAX; 2];
+        let mut high = [f64::MIN; 2];
+        for link in history.seen.iter().flat_map(|seen| &seen.frame.links) {
+            let (centre, radius) = link.bounding_sphere();
+            for (axis, at) in [centre.x, centre.y].into_iter().enumerate() {
+                low[axis] = low[axis].min(at - radius - self.reach_m);
+                high[axis] = high[axis].max(at + radius + self.reach_m);
+            }
+        }
+        let mut boxes = Vec::new();
+        // Whole multiples of the edge, so that cells stay where they are.
+        let from = low.map(|at| (at / (2.0 * FIRST_M)).floor());
+        let mut y = from[1];
+        while y * 2.0 * FIRST_M < high[1] {
+            let mut x = from[0];
+            while x * 2.0 * FIRST_M < high[0] {
+                let xy_m = [(x + 0.5) * 2.0 * FIRST_M, (y + 0.5) * 2.0 * FIRST_M];
+                boxes.push(PoseBox { xy_m, half_m: FIRST_M, heading_rad: 0.0, half_rad: PI });
+                x += 1.0;
+            }
+            y += 1.0;
+        }
+        boxes
+    }
+
+    /// Planes that nobody's arm passes while their sensors are clear.
+    fn walls(&self, history: &History) -> Vec<Cuboid> {
+        self.curtains.iter().filter(|c| !history.readings[c.sensor]).map(Curtain::unbroken).collect()
+    }
+}
+
+/// All headings as so many arcs: the middle of each, and half of it, rad.
+fn headings(count: u32) -> impl Iterator<Item = (f64, f64)> {
+    let arc = TAU / f64::from(count);
+    (0..count).map(move |number| (f64::from(number) * arc, 0.5 * arc))
+}
+
+/// Whether a box is not halved any more.
+fn is_smallest(at: &PoseBox) -> bool {
+    at.moves_m(LEVER_M) <= BODY_TOLERANCE_M
+}
+
+/// Whether a sensor is inside the FMU.
+const fn is_reported(sensor: &Sensor) -> bool {
+    matches!(sensor.zone, Zone::Reported)
+}
+
+/// Whether a sensor tells of arms.
+const fn is_plane(sensor: &Sensor) -> bool {
+    matches!(sensor.zone, Zone::Curtain(_) | Zone::Door(_))
+}

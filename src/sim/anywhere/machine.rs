@@ -1,0 +1,171 @@
+//! The FMU along all histories of readings, a communication step at a time: what the robots do, and for how long the readings
+//! before had lasted.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::zones::Zones;
+use super::{History, Seen};
+use crate::cell::{Binding, Workcell};
+use crate::geometry::Vec3;
+use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
+use crate::search::tracks::{Taken, Watch};
+use crate::sim::robot::RobotFrame;
+use crate::sim::sensors::{self, DelayLine, input_row};
+use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
+
+/// A state of the FMU, and what is on its way to it.
+pub type State = (NodeId, Box<[DelayLine]>);
+
+/// See the top of this file.
+pub struct Machine<'a, P: Plant> {
+    recall: Recall<P>,
+    cell: &'a Workcell,
+    binding: &'a Binding,
+    zones: &'a Zones,
+    /// The last transition: before it and after.
+    last: (NodeId, NodeId),
+    /// Why the FMU first could not finish a step.
+    fault: Option<String>,
+    /// What was seen on each way, by the bits of the outputs.
+    seen: Vec<BTreeMap<Box<[u64]>, Seen>>,
+    /// Robots at instants, by the bits of the outputs.
+    frames: BTreeMap<Box<[u64]>, Arc<RobotFrame>>,
+}
+
+impl<'a, P: Plant> Machine<'a, P> {
+    /// Ready to be stepped from where the FMU begins.
+    #[must_use]
+    pub fn new(recall: Recall<P>, cell: &'a Workcell, binding: &'a Binding, zones: &'a Zones) -> Self {
+        Self {
+            recall,
+            cell,
+            binding,
+            zones,
+            last: (NodeId::ROOT, NodeId::ROOT),
+            fault: None,
+            seen: vec![BTreeMap::new(); zones.ways.len()],
+            frames: BTreeMap::new(),
+        }
+    }
+
+    /// The FMU's states.
+    pub const fn recall(&self) -> &Recall<P> {
+        &self.recall
+    }
+
+    /// Why the FMU first could not finish a step.
+    #[must_use]
+    pub fn fault(&self) -> Option<&str> {
+        self.fault.as_deref()
+    }
+
+    /// Forgets what was seen, for another exploration of the same states.
+    pub fn begin(&mut self) {
+        self.seen.iter_mut().for_each(BTreeMap::clear);
+    }
+
+    /// Takes in the robots after a step.
+    #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
+    pub fn look(&mut self, taken: &Taken<'_, State>) {
+        let (before, node) = self.last;
+        let before = &**self.recall.outputs(before);
+        let rows = self.binding.rows(self.recall.outputs(node), Some(before), self.cell.step_s);
+        let bits: Box<[u64]> = rows.iter().map(|value| value.to_bits()).collect();
+        let frame = Arc::clone(
+            self.frames
+                .entry(bits.clone())
+                .or_insert_with(|| Arc::new(RobotFrame::new(self.cell, self.binding, &rows))),
+        );
+        if !frame.may_harm {
+            return;
+        }
+        let way = &self.zones.ways[taken.way];
+        let lasting = taken.lasting.steps;
+        let time_s = (lasting + 1) as f64 * self.cell.step_s;
+        let known_s = (taken.lasting.since_first + 1) as f64 * self.cell.step_s;
+        // Who was just seen for the first time had walked for a step since they were not.
+        let first_s = known_s + self.cell.step_s;
+        let seen = Seen {
+            step: taken.step,
+            lasting,
+            frame,
+            within_m: if way.from.is_none() { [f64::MAX; 2] } else { [time_s, first_s].map(|s| WALKING_SPEED_M_S * s) },
+            // Who comes back to a plane may have told it of an arm before.
+            depth_m: if way.from.is_some() { HAND_SPEED_M_S * known_s } else { f64::INFINITY },
+        };
+        let known = self.seen[taken.way].entry(bits).or_insert_with(|| seen.clone());
+        for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {
+            *known = known.max(seen);
+        }
+        known.depth_m = known.depth_m.max(seen.depth_m);
+        if lasting > known.lasting {
+            (known.lasting, known.step) = (lasting, taken.step);
+        }
+    }
+
+    /// How many instants there are to look at.
+    #[must_use]
+    pub fn instants(&self) -> usize {
+        self.seen.iter().map(BTreeMap::len).sum()
+    }
+
+    /// What was seen, one history for each way.
+    #[must_use]
+    pub fn histories(&self) -> Vec<History> {
+        let ways = self.zones.ways.iter().zip(&self.seen);
+        ways.map(|(way, seen)| {
+            let mut seen: Vec<Seen> = seen.values().cloned().collect();
+            seen.sort_by_key(|seen| (seen.step, seen.lasting));
+            History {
+                readings: self.zones.readings[way.to].clone(),
+                fields: [&way.field, self.zones.origin()].map(Arc::clone),
+                seen,
+            }
+        })
+        .collect()
+    }
+}
+
+impl<P: Plant> Watch for Machine<'_, P> {
+    type State = State;
+    type Error = PlantError;
+
+    fn begins(&self) -> Vec<usize> {
+        vec![0]
+    }
+
+    fn start(&mut self) -> Result<State, PlantError> {
+        let first = &self.zones.readings[self.zones.ways[0].to];
+        let sensors = self.cell.sensors.iter().zip(first);
+        let settled =
+            |(sensor, raw): (&crate::cell::Sensor, &bool)| DelayLine::settled(*raw, sensor.delay_steps).on_its_way();
+        Ok((NodeId::ROOT, sensors.map(settled).collect()))
+    }
+
+    fn step(&mut self, (node, lines): &State, way: usize) -> Result<Option<State>, PlantError> {
+        let reading = &self.zones.readings[self.zones.ways[way].to];
+        let mut lines = lines.clone();
+        let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(reading);
+        let told: Vec<bool> = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+        lines.iter_mut().for_each(|line| *line = line.on_its_way());
+        // Nothing of the person but that is told.
+        let nobody = sensors::Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+        let mut inputs = Vec::new();
+        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &told, &nobody, &mut inputs);
+        match self.recall.advance(*node, 1, &inputs)? {
+            Advanced::To(next) => {
+                self.last = (*node, next);
+                Ok(Some((self.recall.same(next), lines)))
+            }
+            Advanced::Fault(fault) => {
+                self.fault.get_or_insert_with(|| fault.message.clone());
+                Ok(None)
+            }
+        }
+    }
+
+    fn next(&self, way: usize) -> &[(usize, usize)] {
+        self.zones.next(way)
+    }
+}

@@ -1,0 +1,513 @@
+//! One history looked at: what bounds settle of the floor, poses that are tried, and what is left in ever smaller boxes.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
+use std::rc::Rc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Duration;
+
+use super::readings::lever;
+use super::{Anywhere, CELL_M, Harm, History, LEVER_M, Outcome, Seen, headings, is_smallest};
+use crate::geometry::{Cuboid, Vec3};
+use crate::human::posture::{cut_back, may_be_cut_back};
+use crate::human::reach::ArmSegment;
+use crate::human::reach::cells::{ArmCells, Target};
+use crate::human::shoulder::{is_available, is_certainly_unavailable};
+use crate::human::{BendFraction, BodyPart, PlacedBody, PoseBox, Posture, Side};
+use crate::sim::Coverage;
+use crate::sim::curtain::Curtain;
+use crate::sim::encounter::{ArmAnywhere, ArmSpace, Encounter, Person, may_harm_part, may_meet};
+
+/// Headings of which poses are tried.
+const TRIED_HEADINGS: u32 = 16;
+/// Arms that are tried in a cell.
+const TRIED_ARMS: u32 = 10;
+
+/// Pieces of the arc that a shoulder may be on are looked at one by one, m.
+const ARC_M: f64 = 0.02;
+/// Shoulders that may be this far from where they are in the middle of a box are not looked at by what they hang from, m.
+const HANGING_M: f64 = 0.1;
+/// With an arm that may be this far from where it is in the middle of a box, nothing is shown of links in its reach, m.
+const HOPELESS_M: f64 = 0.025;
+/// Between two looks at whether the search has to end.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// What is known of a box, for one posture.
+enum Judged {
+    Settled,
+    Harmed(Harm),
+    Unknown(Why),
+}
+
+/// Why nothing is known of a box.
+#[derive(Clone, Copy, PartialEq)]
+enum Why {
+    /// Trunk, head or legs may be met.
+    Body,
+    /// Arms may.
+    Arms,
+}
+
+impl Why {
+    /// What is no farther from the axis between the feet decides how a box is halved, m.
+    const fn lever_m(self) -> f64 {
+        match self {
+            Self::Body => LEVER_M,
+            // Exact searches are of a shoulder, and an arm's length beyond it.
+            Self::Arms => 0.5 * LEVER_M,
+        }
+    }
+}
+
+/// A link at an instant.
+struct Pair {
+    /// Number of the instant.
+    n: usize,
+    link: usize,
+    /// Only who is no farther by the history's fields may be there then, m.
+    within_m: [f64; 2],
+    centre: Vec3,
+    radius: f64,
+    /// Which parts of the body it may harm, in the order of [`BodyPart::ALL`].
+    parts: [bool; BodyPart::ALL.len()],
+    /// Whether it may harm arms.
+    arms: bool,
+}
+
+impl Pair {
+    /// Those of an instant that may harm anybody.
+    fn all(n: usize, Seen { frame, within_m, .. }: &Seen) -> impl Iterator<Item = Self> {
+        (0..frame.links.len()).filter_map(move |link| {
+            let (centre, radius) = frame.links[link].bounding_sphere();
+            let parts = BodyPart::ALL.map(|part| may_harm_part(part, frame, link, frame.speed_bounds[link]));
+            let arms = Encounter::may_harm_arms(frame, link);
+            (arms || parts.contains(&true)).then_some(Self {
+                n,
+                link,
+                within_m: *within_m,
+                centre,
+                radius,
+                parts,
+                arms,
+            })
+        })
+    }
+
+    fn target<'a>(&self, history: &'a History) -> Target<'a> {
+        let frame = &history.seen[self.n].frame;
+        let may = |segment| Encounter::may_harm_arm(frame, self.link, segment);
+        Target {
+            solid: &frame.links[self.link],
+            hand: may(ArmSegment::Hand),
+            forearm: may(ArmSegment::Forearm) || may(ArmSegment::Elbow),
+            upper_arm: may(ArmSegment::UpperArm),
+        }
+    }
+
+    /// Whether somebody may be there then who is so far at least by the history's fields.
+    fn is_within(&self, least: [f64; 2]) -> bool {
+        (0..2).all(|n| least[n] <= self.within_m[n])
+    }
+
+    /// Whether some of it is within `reach_m` of a point.
+    fn is_near(&self, point: Vec3, reach_m: f64) -> bool {
+        let reach = self.radius + reach_m;
+        (self.centre - point).length_squared() <= reach * reach
+    }
+}
+
+/// A cell of the floor in which somebody may be harmed, in some postures.
+pub(super) type Undecided = (PoseBox, Vec<Posture>);
+
+/// A search within one history.
+pub(super) struct Within<'a> {
+    of: &'a Anywhere<'a>,
+    history: &'a History,
+    /// Links at instants, one instant after the other.
+    pairs: Vec<Pair>,
+    walls: Vec<Cuboid>,
+    /// Where arms get to a robot at any instant.
+    arms: ArmCells,
+    end: AtomicBool,
+}
+
+impl<'a> Within<'a> {
+    pub(super) fn new(of: &'a Anywhere<'a>, history: &'a History) -> Self {
+        let pairs: Vec<Pair> = history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen)).collect();
+        let walls = of.walls(history);
+        let targets: Vec<Target<'_>> = pairs.iter().filter(|pair| pair.arms).map(|pair| pair.target(history)).collect();
+        let arms = ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls);
+        Self { of, history, pairs, walls, arms, end: AtomicBool::new(false) }
+    }
+
+    /// Does `work` for each of some items, on so many threads: the results in the order of the items.
+    pub(super) fn in_parallel<T: Sync, R: Send>(
+        &self,
+        workers: usize,
+        items: &[T],
+        tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
+        work: impl Fn(&T, &mut Coverage) -> R + Sync,
+    ) -> Vec<(R, Coverage)> {
+        let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let thread = || {
+            let mut mine = Vec::new();
+            loop {
+                let number = next.fetch_add(1, Ordering::Relaxed);
+                let Some(item) = items.get(number) else { return mine };
+                let mut coverage = Coverage::new(self.of.cell.sensors.len());
+                mine.push((number, work(item, &mut coverage), coverage));
+                done.fetch_add(1, Ordering::Relaxed);
+            }
+        };
+        let mut parts = std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..workers.max(1)).map(|_| scope.spawn(thread)).collect();
+            while !threads.iter().all(std::thread::ScopedJoinHandle::is_finished) {
+                #[expect(clippy::cast_precision_loss, reason = "some thousand")]
+                let share = done.load(Ordering::Relaxed) as f64 / items.len().max(1) as f64;
+                if tell(share).is_break() {
+                    self.end.store(true, Ordering::Relaxed);
+                }
+                std::thread::sleep(LOOK);
+            }
+            let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            joined.flatten().collect::<Vec<_>>()
+        });
+        parts.sort_by_key(|(number, ..)| *number);
+        parts.into_iter().map(|(_, result, coverage)| (result, coverage)).collect()
+    }
+
+    /// Everything in a first box that bounds settle, or a pose that is tried; and the cells of the floor that are left.
+    pub(super) fn first(&self, first: PoseBox, coverage: &mut Coverage) -> (Outcome, Vec<Undecided>) {
+        let (mut outcome, mut undecided) = (Outcome::default(), Vec::new());
+        let all: Rc<Vec<usize>> = Rc::new((0..self.pairs.len()).collect());
+        let mut pending = vec![(first, Posture::ALL.to_vec(), all)];
+        while let Some((at, mut postures, pairs)) = pending.pop() {
+            let near = Rc::new(self.near(&at, pairs.iter().copied()));
+            if near.is_empty() {
+                continue;
+            }
+            postures.retain(|posture| !self.is_settled(&at, *posture, &near, &mut outcome, coverage));
+            if self.is_over() {
+                outcome.stopped = true;
+                break;
+            }
+            if postures.is_empty() {
+                continue;
+            }
+            if at.half_m > CELL_M {
+                pending.extend(at.quarters().map(|part| (part, postures.clone(), Rc::clone(&near))));
+            } else {
+                let harms = self.try_poses(&at, &postures, &near, coverage);
+                if harms.is_empty() {
+                    undecided.push((at, postures));
+                }
+                outcome.harms.extend(harms);
+            }
+        }
+        (outcome, undecided)
+    }
+
+    /// Of some links at instants those that anybody in a box may meet.
+    fn near(&self, at: &PoseBox, pairs: impl Iterator<Item = usize>) -> Vec<usize> {
+        let (centre, moves) = (at.position() + Vec3::Z, at.place_moves_m());
+        let least = self.history.least(at.xy_m, at.half_m);
+        let near = |number: &usize| {
+            let pair = &self.pairs[*number];
+            pair.is_within(least)
+                && pair.is_near(centre, moves + if pair.arms { self.of.reach_m } else { self.of.body_m })
+        };
+        pairs.filter(near).collect()
+    }
+
+    /// Whether an arm of somebody whose shoulder is within `moves_m` of a point may be so deep behind the planes that report it as
+    /// a link is, or get there round them.
+    fn is_deep_enough(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> bool {
+        let Seen { frame, depth_m, .. } = &self.history.seen[pair.n];
+        let reach = self.of.encounter.arm.reach() + moves_m;
+        let is_beyond = |curtain: &&Curtain| {
+            self.history.readings[curtain.sensor]
+                && !curtain.hands_only
+                && curtain.depth(shoulder) + moves_m <= 0.0
+                && !curtain.within(*depth_m, &frame.links[pair.link])
+                && curtain.closed.out_of_reach(shoulder, reach, &frame.links[pair.link])
+        };
+        depth_m.is_infinite() || !self.of.curtains.iter().any(|curtain| is_beyond(&curtain))
+    }
+
+    fn is_over(&self) -> bool {
+        self.end.load(Ordering::Relaxed) || self.of.encounter.stop.is_due()
+    }
+
+    /// Whether it is shown of all of a box that nobody is harmed in it; a box of every heading in arcs, as far as that helps.
+    fn is_settled(
+        &self,
+        at: &PoseBox,
+        posture: Posture,
+        near: &[usize],
+        outcome: &mut Outcome,
+        coverage: &mut Coverage,
+    ) -> bool {
+        let mut pending = vec![*at];
+        while let Some(at) = pending.pop() {
+            outcome.boxes += 1;
+            match self.judge(&at, posture, near, false, coverage) {
+                Judged::Settled => {}
+                // What arms do is looked at arc by arc there.
+                Judged::Unknown(Why::Body) if at.moves_m(LEVER_M) > 2.0 * at.place_moves_m() => {
+                    pending.extend(at.halves());
+                }
+                Judged::Harmed(_) | Judged::Unknown(_) => return false,
+            }
+        }
+        true
+    }
+
+    /// A cell of the floor in ever smaller boxes, no more of them for a posture than told, up to the first harm.
+    pub(super) fn closely(&self, (at, postures): &Undecided, most: u64, coverage: &mut Coverage) -> Outcome {
+        let mut outcome = Outcome::default();
+        let near = self.near(at, 0..self.pairs.len());
+        for posture in postures {
+            let mut pending = VecDeque::from([*at]);
+            let mut boxes = 0;
+            while let Some(at) = pending.pop_front() {
+                if self.is_over() {
+                    outcome.stopped = true;
+                    return outcome;
+                }
+                boxes += 1;
+                if self.of.has_no_room(&at) {
+                    continue;
+                }
+                match self.judge(&at, *posture, &near, true, coverage) {
+                    Judged::Settled => {}
+                    Judged::Harmed(harm) => {
+                        outcome.boxes += boxes;
+                        outcome.harms.push(harm);
+                        return outcome;
+                    }
+                    Judged::Unknown(_) if is_smallest(&at) || boxes >= most => {
+                        outcome.boxes += boxes;
+                        outcome.open.push(at.xy_m);
+                        return outcome;
+                    }
+                    Judged::Unknown(why) => pending.extend(at.parts(why.lever_m())),
+                }
+            }
+            outcome.boxes += boxes;
+        }
+        outcome
+    }
+
+    /// Harms in some poses of a box: of each region of trunk, head and legs and each link the worst, and one of arms, those first
+    /// whose shoulders are nearest to a robot.
+    fn try_poses(&self, at: &PoseBox, postures: &[Posture], near: &[usize], coverage: &mut Coverage) -> Vec<Harm> {
+        let mut harms: BTreeMap<(u8, usize), Harm> = BTreeMap::new();
+        let Anywhere { cell, encounter, .. } = self.of;
+        let quarter = 0.5 * at.half_m;
+        let places = [(0.0, 0.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
+            .map(|(x, y)| [at.xy_m[0] + x * quarter, at.xy_m[1] + y * quarter]);
+        let mut reaching: Vec<(f64, PoseBox, Posture, PlacedBody, Side)> = Vec::new();
+        let headings = || headings(TRIED_HEADINGS).map(|(heading_rad, _)| heading_rad);
+        for (posture, xy_m) in postures.iter().flat_map(|posture| places.map(|xy_m| (*posture, xy_m))) {
+            for heading_rad in headings() {
+                let pose = PoseBox::point(xy_m, heading_rad);
+                let bend = cut_back(&cell.body, pose.position(), heading_rad, posture, &encounter.obstacles);
+                let body = self.of.placed(&pose, posture, bend);
+                let possible = || self.of.is_possible(xy_m, heading_rad, posture, &self.history.readings);
+                let parts = body.parts();
+                let least = self.history.least(xy_m, 0.0);
+                let near = || near.iter().map(|&number| &self.pairs[number]).filter(|pair| pair.is_within(least));
+                let met = near().find(|pair| {
+                    let frame = &self.history.seen[pair.n].frame;
+                    let harmed = parts.iter().zip(pair.parts).filter(|(_, harmed)| *harmed);
+                    harmed.into_iter().any(|((part, core), _)| {
+                        let middle = (core.a + core.b) * 0.5;
+                        pair.is_near(middle, 0.5 * (core.b - core.a).length() + core.radius)
+                            && may_meet(*part, core, 0.0, frame, pair.link)
+                    })
+                });
+                if let Some(pair) = met.filter(|_| possible())
+                    && let Some(harm) = self.harm(&pose, posture, &body, (pair.n, false), coverage)
+                {
+                    let known = harms.entry((harm.contact.region as u8, harm.link)).or_insert(harm);
+                    if harm.contact.ratio() > known.contact.ratio() {
+                        *known = harm;
+                    }
+                }
+                for side in Side::BOTH {
+                    let shoulder = body.shoulder(side).translation;
+                    let pairs = near().filter(|pair| pair.arms && self.is_deep_enough(pair, shoulder, 0.0));
+                    let gap =
+                        pairs.map(|pair| (pair.centre - shoulder).length() - pair.radius).fold(f64::MAX, f64::min);
+                    if gap <= encounter.arm.reach() {
+                        reaching.push((gap, pose, posture, body, side));
+                    }
+                }
+            }
+        }
+        reaching.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut tried = 0;
+        for (_, pose, posture, body, side) in reaching {
+            let shoulder = body.shoulder(side).translation;
+            if !is_available(&body, side, &encounter.obstacles)
+                || !self.arms.may_touch(shoulder, 0.0)
+                || !self.arms.may_touch_hanging(shoulder, 0.0, (body.middle_of_shoulders(), 0.0))
+                || !self.of.is_possible(pose.xy_m, pose.heading_rad, posture, &self.history.readings)
+            {
+                continue;
+            }
+            tried += 1;
+            if tried > TRIED_ARMS || self.is_over() {
+                break;
+            }
+            let least = self.history.least(pose.xy_m, 0.0);
+            let may = |pair: &&Pair| {
+                pair.arms
+                    && pair.is_within(least)
+                    && pair.is_near(shoulder, encounter.arm.reach())
+                    && self.is_deep_enough(pair, shoulder, 0.0)
+            };
+            let pairs: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(may).collect();
+            let links: Vec<_> = pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect();
+            if let ArmAnywhere::Touches(found) =
+                encounter.arm_anywhere((&body, side), 0.0, &links, &self.walls, true, coverage)
+                && let Some(harm) = self.harm(&pose, posture, &body, (pairs[found].n, true), coverage)
+            {
+                harms.insert((harm.contact.region as u8, harm.link), harm);
+                break;
+            }
+        }
+        harms.into_values().collect()
+    }
+
+    /// What is known of a box; if `search`, also what only a search of all that an arm can do tells.
+    fn judge(&self, at: &PoseBox, posture: Posture, near: &[usize], search: bool, coverage: &mut Coverage) -> Judged {
+        let Anywhere { cell, encounter, .. } = self.of;
+        let (least, most) = may_be_cut_back(&cell.body, at, posture, &encounter.obstacles);
+        let own = cut_back(&cell.body, at.position(), at.heading_rad, posture, &encounter.obstacles);
+        // Whether somebody can be as in the middle of the box: asked only where that matters.
+        let possible = || self.of.is_possible(at.xy_m, at.heading_rad, posture, &self.history.readings);
+        let far = self.history.least(at.xy_m, at.half_m);
+        let near_body = |pair: &&Pair| {
+            pair.is_within(far) && pair.is_near(at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m)
+        };
+        let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();
+        for bend in BendFraction::ALL.into_iter().filter(|bend| (least..=most).contains(bend)) {
+            let body = self.of.placed(at, posture, bend);
+            if !self.of.may_have_read(at, &body, &self.history.readings) {
+                continue;
+            }
+            // Around each part, with how far it moves.
+            let parts = body.parts().map(|(part, core)| {
+                let by = at.moves_m(lever(at, core.a.x, core.a.y).max(lever(at, core.b.x, core.b.y)));
+                let middle = (core.a + core.b) * 0.5;
+                (part, core, by, middle, 0.5 * (core.b - core.a).length() + core.radius + by)
+            });
+            let met = |pair: &&&Pair| {
+                let frame = &self.history.seen[pair.n].frame;
+                parts.iter().zip(pair.parts).any(|((part, core, by, middle, around), harmed)| {
+                    harmed && pair.is_near(*middle, *around) && may_meet(*part, core, *by, frame, pair.link)
+                })
+            };
+            let mut met = bodily.iter().filter(met).peekable();
+            if met.peek().is_some() {
+                let is = bend == own && possible();
+                if !search || !(is || is_smallest(at)) {
+                    return Judged::Unknown(Why::Body);
+                }
+                match met.find_map(|pair| self.harm(at, posture, &body, (pair.n, false), coverage)) {
+                    Some(harm) if is => return Judged::Harmed(harm),
+                    Some(_) => return Judged::Unknown(Why::Body),
+                    // What holds in the middle of a smallest box holds in all of it, but for the tolerance.
+                    None if is_smallest(at) => {}
+                    None => return Judged::Unknown(Why::Body),
+                }
+            }
+            for side in Side::BOTH {
+                let shoulder = body.shoulder(side).translation;
+                let from_axis = lever(at, shoulder.x, shoulder.y);
+                let carried = at.moves_m(from_axis + encounter.arm.upper_arm_m + encounter.arm.forearm_m);
+                let reach = encounter.arm.reach() + carried;
+                let in_reach = |pair: &&Pair| {
+                    pair.arms
+                        && pair.is_within(far)
+                        && pair.is_near(shoulder, reach)
+                        && self.is_deep_enough(pair, shoulder, carried)
+                };
+                let pairs: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(in_reach).collect();
+                if pairs.is_empty() || self.is_out_of_reach(at, (posture, bend, side)) {
+                    continue;
+                }
+                if !search || carried > HOPELESS_M {
+                    return Judged::Unknown(Why::Arms);
+                }
+                // What holds in the middle of a small box holds in all of it, but for the tolerance; not of a shoulder that is
+                // behind a wall there.
+                let available = is_available(&body, side, &encounter.obstacles);
+                let carried = if available && carried <= encounter.reach_tolerance_m { 0.0 } else { carried };
+                let links: Vec<_> = pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect();
+                match encounter.arm_anywhere((&body, side), carried, &links, &self.walls, false, coverage) {
+                    ArmAnywhere::Nowhere => {}
+                    ArmAnywhere::Unknown => return Judged::Unknown(Why::Arms),
+                    ArmAnywhere::Touches(found) => {
+                        let is = bend == own && available && possible();
+                        let harm = is.then(|| self.harm(at, posture, &body, (pairs[found].n, true), coverage));
+                        return harm.flatten().map_or(Judged::Unknown(Why::Arms), Judged::Harmed);
+                    }
+                }
+            }
+        }
+        Judged::Settled
+    }
+
+    /// Whether, wherever on its arc around the axis a shoulder is, no arm gets to a robot from there, or none is available.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten pieces")]
+    fn is_out_of_reach(&self, at: &PoseBox, (posture, bend, side): (Posture, BendFraction, Side)) -> bool {
+        let levers = |body: &PlacedBody| {
+            [body.shoulder(side).translation, body.middle_of_shoulders()].map(|point| lever(at, point.x, point.y))
+        };
+        let half_rad = at.half_rad.min(PI);
+        let [from_axis, _] = levers(&self.of.placed(at, posture, bend));
+        let pieces = (half_rad * from_axis / at.place_moves_m().clamp(0.5 * ARC_M, ARC_M)).ceil().max(1.0) as u32;
+        (0..pieces).all(|number| {
+            let half_rad = half_rad / f64::from(pieces);
+            let heading_rad = at.heading_rad - at.half_rad.min(PI) + f64::from(2 * number + 1) * half_rad;
+            let piece = PoseBox { heading_rad, half_rad, ..*at };
+            let body = self.of.placed(&piece, posture, bend);
+            let [shoulder, middle] = levers(&body);
+            let (by, from_by) = (piece.moves_m(shoulder), piece.moves_m(middle));
+            let obstacles = &self.of.encounter.obstacles;
+            let at = body.shoulder(side).translation;
+            let bends = || may_be_cut_back(&self.of.cell.body, &piece, posture, obstacles);
+            let is_bent_so = |(least, most): (BendFraction, BendFraction)| (least..=most).contains(&bend);
+            !self.arms.may_touch(at, by)
+                || !is_bent_so(bends())
+                || is_certainly_unavailable(&body, side, obstacles, by.max(from_by))
+                || (by <= HANGING_M && !self.arms.may_touch_hanging(at, by, (body.middle_of_shoulders(), from_by)))
+        })
+    }
+
+    /// The harm that somebody in the middle of a box comes to at an instant, if any: to an arm, else to the rest of the body.
+    fn harm(
+        &self,
+        at: &PoseBox,
+        posture: Posture,
+        body: &PlacedBody,
+        (n, arms): (usize, bool),
+        coverage: &mut Coverage,
+    ) -> Option<Harm> {
+        let (encounter, frame) = (&self.of.encounter, &self.history.seen[n].frame);
+        let available = Side::BOTH.into_iter().filter(|&side| is_available(body, side, &encounter.obstacles));
+        let person = Person { body: *body, arms: available.collect(), velocity: Vec3::ZERO };
+        let space = ArmSpace { walls: &self.walls, links: None };
+        let contact = if arms {
+            encounter.unsafe_arm_contact(&person, frame, &space, coverage)?.0
+        } else {
+            encounter.unsafe_body_contact(&person, frame, |_| true, coverage)?
+        };
+        let (xy_m, heading_rad) = (at.xy_m, at.heading_rad);
+        Some(Harm { xy_m, heading_rad, posture, instant: n, link: contact.link, contact })
+    }
+}

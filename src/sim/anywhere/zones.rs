@@ -1,0 +1,166 @@
+//! Where on the floor sensors may report what, and how somebody comes from one reading to another.
+//!
+//! The *readings* of all sensors together change when a person, sampled at each communication step, has gone from a place of
+//! one to a place of another in between. Where that happens is a strip of the floor, the same at all times. So how far somebody
+//! has come since is a [`Field`] made once for each pair of readings, and the set of places at any instant is where that is no
+//! more than the way walked in the time.
+//!
+//! Every rounding is outwards: a cell belongs to a reading when any pose in it may report it; cells are grown by a step where
+//! somebody may have been elsewhere between two samples.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::readings::{may_report, may_stay_clear};
+use super::{Anywhere, headings};
+use crate::cell::{Sensor, Zone};
+use crate::geometry::segment_cuboid::point_cuboid;
+use crate::human::{BendFraction, Field, Floor, PoseBox, Posture};
+
+/// Arcs of headings that are looked at one by one.
+const HEADINGS: u32 = 16;
+
+/// More than what rounding does to a number of steps.
+const ROUNDING: f64 = 1e-9;
+
+/// What the sensors report, one after the other.
+pub type Readings = Vec<bool>;
+
+/// A way to come to readings.
+#[derive(Clone, Debug)]
+pub struct Way {
+    /// The readings before, or none at the very start.
+    pub from: Option<usize>,
+    /// The readings.
+    pub to: usize,
+    /// Whether the readings before are those of the very start, never left.
+    pub is_first: bool,
+    /// How far somebody has to go at least, from the first sample with these readings on, to be there at the step after a sample
+    /// that reports them.
+    pub field: Arc<Field>,
+}
+
+/// See the top of this file.
+#[derive(Clone, Debug)]
+pub struct Zones {
+    /// All readings that somebody can come to.
+    pub readings: Vec<Readings>,
+    /// The ways to come to them; the first is to be there at the start.
+    pub ways: Vec<Way>,
+    /// Of each way, those that may follow, after so many steps at least.
+    next: Vec<Vec<(usize, usize)>>,
+    /// How far it is at least from where somebody is at the start.
+    origin: Arc<Field>,
+}
+
+impl Zones {
+    /// For people of whom the sensors report `first` at the start, who are on `unseen` floor then, and walk as far as `step_m` in
+    /// a communication step.
+    #[must_use]
+    pub fn new(of: &Anywhere<'_>, first: &[bool], step_m: f64) -> Self {
+        let ground = &of.ground;
+        let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
+        let all = of.readings_by_cell();
+        let readings: BTreeSet<&Readings> = all.iter().flatten().collect();
+        let mut readings: Vec<Readings> = readings.into_iter().cloned().collect();
+        readings.sort_by_key(|reading| (reading != first, reading.clone()));
+        let zone = |reading: &Readings| -> Vec<bool> { all.iter().map(|of_cell| of_cell.contains(reading)).collect() };
+        let zones: Vec<Vec<bool>> = readings.iter().map(zone).collect();
+        let both = |a: &[bool], b: &[bool]| -> Vec<bool> { a.iter().zip(b).map(|(a, b)| *a && *b).collect() };
+        let nowhere = Arc::new(Field::at_once(ground, &vec![false; ground.cells()]));
+        let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), origin: nowhere };
+        if this.readings.first().is_none_or(|reading| reading != first) {
+            return this;
+        }
+        let beside: Vec<Vec<bool>> = zones.iter().map(|zone| both(&ground.grown(zone, step_m), &free)).collect();
+        let at_first = both(&zones[0], &of.unseen);
+        let around = both(&ground.grown(&at_first, step_m), &free);
+        this.origin = Arc::new(Field::from(ground, &at_first, &free));
+        let add = |this: &mut Self, way: Way| {
+            this.ways.push(way);
+            this.ways.len() - 1
+        };
+        add(&mut this, Way { from: None, to: 0, is_first: true, field: Arc::new(Field::at_once(ground, &around)) });
+        let mut number = 0;
+        while number < this.ways.len() {
+            let Way { from, to, field, .. } = this.ways[number].clone();
+            let mut follow = Vec::new();
+            for (other, zone) in zones.iter().enumerate().filter(|(other, _)| *other != to) {
+                let leaves = if from.is_none() { &at_first } else { &zones[to] };
+                let strip = both(zone, &ground.grown(leaves, step_m));
+                let Some(least) = least_at(&field, leaves, &beside[other]) else { continue };
+                let is_first = from.is_none();
+                let same = |way: &Way| (way.from, way.to, way.is_first) == (Some(to), other, is_first);
+                let known = this.ways.iter().position(same).unwrap_or_else(|| {
+                    let field = Arc::new(Field::from(ground, &strip, &beside[other]));
+                    add(&mut this, Way { from: Some(to), to: other, is_first, field })
+                });
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand steps")]
+                follow.push((known, (least / step_m - ROUNDING).ceil().max(0.0) as usize));
+            }
+            this.next.push(follow);
+            number += 1;
+        }
+        this
+    }
+
+    /// How far it is at least from where somebody is at the start.
+    #[must_use]
+    pub const fn origin(&self) -> &Arc<Field> {
+        &self.origin
+    }
+
+    /// What may follow a way, after so many steps at least.
+    #[must_use]
+    pub fn next(&self, way: usize) -> &[(usize, usize)] {
+        &self.next[way]
+    }
+}
+
+/// The least that is told of cells that are both.
+fn least_at(field: &Field, some: &[bool], others: &[bool]) -> Option<f64> {
+    let both = (0..some.len()).filter(|cell| some[*cell] && others[*cell]);
+    both.map(|cell| field.at(cell)).filter(|least| least.is_finite()).reduce(f64::min)
+}
+
+impl Anywhere<'_> {
+    /// All that the sensors may report together of somebody in each cell of the floor, with an arm in a plane or without.
+    fn readings_by_cell(&self) -> Vec<BTreeSet<Readings>> {
+        (0..self.ground.cells()).map(|cell| self.readings_in(&self.ground, cell)).collect()
+    }
+
+    fn readings_in(&self, ground: &Floor, cell: usize) -> BTreeSet<Readings> {
+        let mut all = BTreeSet::new();
+        if !ground.is_open(cell) {
+            return all;
+        }
+        for (heading_rad, half_rad) in headings(HEADINGS) {
+            let at = PoseBox { xy_m: ground.middle(cell), half_m: 0.5 * ground.cell_m(), heading_rad, half_rad };
+            let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
+            let mut some = vec![Readings::new()];
+            for sensor in &self.cell.sensors {
+                let may = |reading: bool| match &sensor.zone {
+                    // An arm in a plane is reported as the body is.
+                    Zone::Curtain(_) | Zone::Door(_) if reading => self.is_near_plane(sensor, &at),
+                    Zone::Curtain(_) | Zone::Door(_) => may_stay_clear(sensor, &self.cell.body, &body, &at),
+                    Zone::Reported => !reading,
+                    _ => may_report(sensor, &self.cell.body, &body, &at).be(reading),
+                };
+                let may = [may(false), may(true)];
+                let with = |so_far: Readings| {
+                    let add = move |reading: bool| so_far.iter().copied().chain([reading]).collect::<Readings>();
+                    [false, true].into_iter().filter(|reading| may[usize::from(*reading)]).map(add).collect::<Vec<_>>()
+                };
+                some = some.into_iter().flat_map(with).collect();
+            }
+            all.extend(some);
+        }
+        all
+    }
+
+    /// Whether any part of somebody, arms as well, may be in the plane of a sensor.
+    fn is_near_plane(&self, sensor: &Sensor, at: &PoseBox) -> bool {
+        let near = |plane| point_cuboid(at.position().with_z(1.0), plane).distance <= self.reach_m + at.place_moves_m();
+        sensor.zone.plane().is_some_and(|(plane, _)| near(plane))
+    }
+}

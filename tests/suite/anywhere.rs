@@ -1,0 +1,206 @@
+//! People whom no sensor sees, anywhere and at any moment: against ordinary scans from random places, and in cells that are safe,
+//! or are not, by construction.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use crate::common::guarded::{bar, every_sequence, guarded};
+use crate::common::{examples, fmi_hazard, write};
+use fmi_hazard::human::Start;
+use fmi_hazard::report::anywhere::{Anywhere, Place};
+use fmi_hazard::report::model::Verdict;
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::anywhere::{Effort, anywhere};
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::search::Rng;
+
+/// A short bar that turns fast enough to hurt, at a height, with these parts around it.
+fn cell(z: f64, parts: &str) -> String {
+    let bar = bar("bar", 0.0, z).replace("to_m = [0.8,", "to_m = [0.35,");
+    format!(
+        "schema = 1\nname = \"anywhere\"\nfmu = \"guarded.fmu\"\n{bar}{parts}\n[human]\nstart = {{ xy_m = [0, -3], \
+         heading_deg = 90 }}\n[search]\nactions = 2\n[parameters]\n\"drive.speed\" = 5\n\"ssm.distance\" = 0.0\n"
+    )
+}
+
+fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
+    let path = write(dir, "cell.toml", text);
+    let effort = Effort { until_s, workers, most_states: 100_000, state: StateChoice::Auto };
+    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+/// A wall between two corners, `from_m` to `to_m` high.
+fn wall(name: &str, a: [f64; 2], b: [f64; 2], [from_m, to_m]: [f64; 2]) -> String {
+    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (from_m + to_m)];
+    let size = [(b[0] - a[0]).abs().max(0.02), (b[1] - a[1]).abs().max(0.02), to_m - from_m];
+    format!("[[obstacle]]\nname = \"{name}\"\ncentre_m = {middle:?}\nsize_m = {size:?}\n")
+}
+
+/// A fence around the bar, `half_m` from the middle; its front has an opening, `open` high, 0.3 m wide.
+fn fence(half_m: f64, open: Option<[f64; 2]>) -> String {
+    let h = half_m;
+    let mut walls = vec![
+        wall("back", [-h, h], [h, h], [0.0, 2.2]),
+        wall("left", [-h, -h], [-h, h], [0.0, 2.2]),
+        wall("right", [h, -h], [h, h], [0.0, 2.2]),
+    ];
+    match open {
+        None => walls.push(wall("front", [-h, -h], [h, -h], [0.0, 2.2])),
+        Some([low, high]) => walls.extend([
+            wall("front left", [-h, -h], [-0.15, -h], [0.0, 2.2]),
+            wall("front right", [0.15, -h], [h, -h], [0.0, 2.2]),
+            wall("below", [-0.15, -h], [0.15, -h], [0.0, low]),
+            wall("above", [-0.15, -h], [0.15, -h], [high, 2.2]),
+        ]),
+    }
+    walls.concat()
+}
+
+#[test]
+fn whatever_a_scan_from_a_random_place_finds_is_found() {
+    let dir = guarded();
+    let found = look(dir.path(), &cell(0.45, ""), 1.2, 2);
+    assert_eq!(found.verdict, Verdict::HazardsFound, "{found:#?}");
+    assert!(found.hazards.iter().all(|hazard| hazard.confirmed), "{found:#?}");
+    let half_m = 0.5 * found.cell_m + 1e-9;
+    let is_hazardous = |start: &Start| {
+        let near = |at: [f64; 2]| (0..2).all(|axis| (at[axis] - start.xy_m()[axis]).abs() <= half_m);
+        found.floor.iter().any(|cell| near(cell.xy_m)) || found.open_m.iter().any(|open| near(*open))
+    };
+    let prepared = prepare(&dir.path().join("cell.toml"), None).unwrap();
+    let mut rng = Rng::new(11);
+    let mut uniform = |low: f64, high: f64| {
+        low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+    };
+    let (mut met, mut harmless) = (BTreeSet::new(), 0);
+    for _ in 0..60 {
+        let start = Start::new(uniform(-1.9, 1.9), uniform(-1.9, 1.9), uniform(0.0, 360.0));
+        let lead_in = [0, 10, 25, 50][(0..3).filter(|part| uniform(0.0, 4.0) > f64::from(*part) + 1.0).count()];
+        let report = every_sequence(&prepared.standing(start, lead_in, 1).unwrap(), false);
+        for hazard in report.hazards.iter().filter(|hazard| hazard.actions[0].to_string().starts_with("stop")) {
+            assert!(is_hazardous(&start), "{start:?} {hazard:#?}");
+            met.insert(hazard.body_region);
+        }
+        harmless += usize::from(!is_hazardous(&start));
+    }
+    assert!(met.len() > 2 && harmless > 3, "{met:?} {harmless}");
+    // The same with one thread.
+    let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
+    assert_eq!(json(&look(dir.path(), &cell(0.45, ""), 1.2, 1)), json(&found));
+}
+
+#[test]
+fn a_closed_fence_lets_nobody_in_and_an_opening_lets_hands_in() {
+    let dir = guarded();
+    let shut = look(dir.path(), &cell(0.9, &fence(0.6, None)), 0.8, 2);
+    assert_eq!((shut.verdict, shut.open), (Verdict::NoneFound, 0), "{shut:#?}");
+    let open = look(dir.path(), &cell(0.9, &fence(0.6, Some([0.7, 1.1]))), 0.8, 2);
+    assert_eq!(open.verdict, Verdict::HazardsFound, "{open:#?}");
+    assert!(open.hazards.iter().all(|hazard| hazard.xy_m[1] < -0.6 && hazard.confirmed), "{open:#?}");
+}
+
+#[test]
+fn where_a_mat_leaves_room_somebody_is_hit_unseen_and_elsewhere_the_bar_stands_in_time() {
+    let dir = guarded();
+    let mat = |notch: &str| {
+        format!(
+            "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\nzone = {{ polygon_m = [[-2.1, \
+             -2.1], [2.1, -2.1], [2.1, 2.1], {notch}[-2.1, 2.1]] }}\n"
+        )
+    };
+    let whole = look(dir.path(), &cell(0.45, &mat("")), 0.8, 2);
+    assert_eq!((whole.verdict, whole.open, whole.changes), (Verdict::NoneFound, 0, None), "{whole:#?}");
+    // Coming in is one history of readings, and going out again another.
+    assert!(whole.histories.len() > 2 && whole.histories.iter().any(|history| !history.unseen), "{whole:#?}");
+    let hole = look(dir.path(), &cell(0.45, &mat("[0.25, 2.1], [0.25, 0.3], [-0.25, 0.3], [-0.25, 2.1], ")), 0.8, 2);
+    assert_eq!(hole.verdict, Verdict::HazardsFound, "{hole:#?}");
+    assert!(hole.hazards.iter().any(|hazard| hazard.confirmed && !hazard.walks_in && hazard.xy_m[0].abs() < 0.25));
+}
+
+/// By hand: the bar reaches 0.4 m, and stands 0.35 s after the mat was stepped on, 0.56 m of walking. Who reaches as far as
+/// 1.4 m has to be kept 2.36 m away or more to be safe by that; at 1.1 m a hand is there in time.
+#[test]
+fn who_walks_onto_a_mat_that_begins_too_near_is_hit() {
+    let dir = guarded();
+    let mat = "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\nzone = { polygon_m = [[-1.1, \
+               -1.1], [1.1, -1.1], [1.1, 1.1], [-1.1, 1.1]] }\n";
+    let near = look(dir.path(), &cell(0.9, mat), 0.8, 2);
+    assert_eq!(near.verdict, Verdict::HazardsFound, "{near:#?}");
+    let seen = |hazard: &&Place| hazard.confirmed && hazard.sensors[0].person_detected;
+    let hazard = near.hazards.iter().find(seen).expect("somebody who is seen is hit");
+    assert!(hazard.walks_in && !hazard.id.is_empty(), "{hazard:#?}");
+    // They start where nobody sees them, and a scan from there finds it.
+    let outside = hazard.start_m.map(f64::abs);
+    assert!(outside[0].max(outside[1]) > 1.1, "{hazard:#?}");
+}
+
+/// Every hazard of complete searches from places outside of a mat that begins too near lies where the sets say that there may be
+/// one: somebody who walks in, at several moments, and is told of or not.
+#[test]
+fn whatever_complete_searches_find_of_who_walks_in_is_in_the_sets() {
+    let dir = guarded();
+    let mat = "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\nzone = { polygon_m = [[-1.1, \
+               -1.1], [1.1, -1.1], [1.1, 1.1], [-1.1, 1.1]] }\n";
+    let found = look(dir.path(), &cell(0.9, mat), 1.2, 2);
+    let half_m = 0.5 * found.cell_m + 1e-9;
+    let near = |at: [f64; 2], to: [f64; 2]| (0..2).all(|axis| (at[axis] - to[axis]).abs() <= half_m);
+    let prepared = prepare(&dir.path().join("cell.toml"), None).unwrap();
+    let mut rng = Rng::new(23);
+    let (mut told, mut untold) = (0, 0);
+    for number in 0..12_u32 {
+        let around = f64::from(number) * 0.53;
+        let far = 1.25 / libm::cos(around).abs().max(libm::sin(around).abs());
+        let turned = f64::from(u32::try_from(rng.below(90)).unwrap()) - 45.0;
+        let start = Start::new(far * libm::cos(around), far * libm::sin(around), around.to_degrees() + 180.0 + turned);
+        let lead_in = [0, 7, 16][number as usize % 3];
+        let report = every_sequence(&prepared.standing(start, lead_in, 2).unwrap(), false);
+        for hazard in &report.hazards {
+            let at = hazard.person_xy_m;
+            let is_told =
+                found.floor.iter().any(|cell| near(cell.xy_m, at)) || found.open_m.iter().any(|o| near(*o, at));
+            assert!(is_told, "{at:?} from {start:?} after {lead_in}: {hazard:#?}");
+            *(if hazard.sensors[0].person_detected { &mut told } else { &mut untold }) += 1;
+        }
+    }
+    assert!(told > 5 && untold > 5, "{told} {untold}");
+}
+
+#[test]
+fn nobody_gets_through_a_light_curtain_in_time_but_where_there_is_none() {
+    let dir = guarded();
+    let walls = [
+        wall("back", [-1.7, 1.7], [1.7, 1.7], [0.0, 2.2]),
+        wall("left", [-1.7, -1.7], [-1.7, 1.7], [0.0, 2.2]),
+        wall("right", [1.7, -1.7], [1.7, 1.7], [0.0, 2.2]),
+    ]
+    .concat();
+    let curtain = "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\nzone = { line_m = [[-1.7, -1.7], [1.7, -1.7]], \
+                   heights_m = [0, 2.2] }\nvariable = \"clear\"\nactive = false\n";
+    let found = look(dir.path(), &cell(0.45, &format!("{walls}{curtain}")), 0.4, 2);
+    assert_eq!((found.verdict, found.open), (Verdict::NoneFound, 0), "{found:#?}");
+    let open = look(dir.path(), &cell(0.45, &walls), 0.4, 2);
+    assert_eq!(open.verdict, Verdict::HazardsFound, "{open:#?}");
+}
+
+#[test]
+fn a_place_is_a_cell_file_that_shows_what_happens_there() {
+    let dir = guarded();
+    write(dir.path(), "cell.toml", &cell(0.45, ""));
+    let out = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--from", "anywhere", "--until", "1s"]).output();
+    let out = out.unwrap();
+    let text = String::from_utf8_lossy(&out.stdout);
+    assert_eq!(out.status.code(), Some(1), "{text}");
+    assert!(text.contains("Somebody who comes from where no sensor sees them can be hit"), "{text}");
+    let place = "out/anywhere/place-1.toml";
+    assert!(text.contains(&format!("fmi-hazard scan {place}")), "{text}");
+    let again = fmi_hazard(dir.path()).args(["scan", place, "--no-advice"]).output().unwrap();
+    assert_eq!(again.status.code(), Some(1), "{}", String::from_utf8_lossy(&again.stderr));
+    // What robots do when they are told where somebody is, is not one history.
+    let told = examples();
+    let out = fmi_hazard(told.path()).args(["scan", "two-scanners/cell.toml", "--from", "anywhere"]).output();
+    let out = out.unwrap();
+    assert_eq!(out.status.code(), Some(2));
+    let text = String::from_utf8_lossy(&out.stderr).replace('\n', " ");
+    assert!(text.contains("is told where the person is"), "{text}");
+}
