@@ -151,11 +151,7 @@ impl Anywhere {
             ),
             Verdict::NoneFound => format!(
                 "Nobody is hit harder than allowed within {until} of the start who comes from where no sensor sees them, wherever \
-                 and whenever they {}, and however they bend and reach.{changes}",
-                match self.speed_criterion {
-                    Criterion::Absolute => "walk or stand",
-                    Criterion::Approach => "stand",
-                },
+                 and whenever they walk or stand, and however they bend and reach.{changes}"
             ),
             Verdict::Interrupted => "It was stopped: nothing is known of what was not looked at.".to_owned(),
             _ => format!("No hazard is confirmed within {until} of the start, and none is excluded.{changes}"),

@@ -12,6 +12,7 @@ use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
 use crate::cell::Zone;
+use crate::hazard::contact::Criterion;
 use crate::hazard::{Finding, Identity};
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
@@ -422,6 +423,12 @@ impl Looking<'_> {
         }
         if coverage.arm_checks_incomplete > 0 {
             found.reasons.push(format!("{} arm searches stopped at their work limit", coverage.arm_checks_incomplete));
+        }
+        if self.prepared.cell.search.criterion == Criterion::Approach {
+            found.reasons.push(
+                "with the speed of approach as criterion, who walks comes to the robot faster than looked at: only people who stand are"
+                    .to_owned(),
+            );
         }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {

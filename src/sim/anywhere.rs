@@ -33,7 +33,7 @@ use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
 use crate::human::arm::ArmModel;
-use crate::human::posture::cut_back;
+use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
@@ -275,10 +275,21 @@ impl<'a> Anywhere<'a> {
 
     /// Whether the sensors may have reported these readings of somebody who is in a box, bends so, and was no more than a step
     /// elsewhere.
-    fn may_have_read(&self, at: &PoseBox, body: &PlacedBody, readings: &[bool]) -> bool {
+    fn may_have_read(&self, at: &PoseBox, posture: Posture, body: &PlacedBody, readings: &[bool]) -> bool {
         let around = PoseBox { half_m: at.half_m + self.step_m, ..*at };
+        let obstacles = &self.encounter.obstacles;
         let may = |(sensor, reading): (&Sensor, &bool)| {
-            (*reading && is_plane(sensor)) || may_report(sensor, &self.cell.body, body, &around).be(*reading)
+            if !is_plane(sensor) {
+                return may_report(sensor, &self.cell.body, body, &around).be(*reading);
+            }
+            // Where obstacles limit the bend, it may have been another a step elsewhere.
+            let is_bent_alike = || {
+                let (least, most) = may_be_cut_back(&self.cell.body, &around, posture, obstacles);
+                least == most
+            };
+            *reading
+                || may_report(sensor, &self.cell.body, body, &around).clear
+                || (may_stay_clear(sensor, &self.cell.body, body, &around) && !is_bent_alike())
         };
         self.cell.sensors.iter().zip(readings).all(may)
     }

@@ -91,8 +91,8 @@ impl<'a, P: Plant> Machine<'a, P> {
             lasting,
             frame,
             within_m: if way.from.is_none() { [f64::MAX; 2] } else { [time_s, first_s].map(|s| WALKING_SPEED_M_S * s) },
-            // Who comes back to a plane may have told it of an arm before.
-            depth_m: if way.from.is_some() { HAND_SPEED_M_S * known_s } else { f64::INFINITY },
+            // Who comes back to a plane may have told it of an arm before; and since that sample the hand was one step longer on its way.
+            depth_m: if way.from.is_some() { HAND_SPEED_M_S * first_s } else { f64::INFINITY },
         };
         let known = self.seen[taken.way].entry(bits).or_insert_with(|| seen.clone());
         for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {

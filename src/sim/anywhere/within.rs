@@ -396,7 +396,7 @@ impl<'a> Within<'a> {
         let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();
         for bend in BendFraction::ALL.into_iter().filter(|bend| (least..=most).contains(bend)) {
             let body = self.of.placed(at, posture, bend);
-            if !self.of.may_have_read(at, &body, &self.history.readings) {
+            if !self.of.may_have_read(at, posture, &body, &self.history.readings) {
                 continue;
             }
             // Around each part, with how far it moves.
