@@ -1,4 +1,4 @@
-//! `fmi-hazard scan --from anywhere`: people whom no sensor sees, wherever they are and at any moment.
+//! `fmi-hazard scan --from anywhere`: people who come from where no sensor sees them, on any walk and at any moment.
 
 use std::fmt::Write as _;
 use std::ops::ControlFlow;

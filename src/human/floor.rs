@@ -146,8 +146,9 @@ impl Floor {
         let span = |axis: usize, count: usize| {
             let at = |value: f64| (value - self.low_m[axis]) / self.cell_m;
             let (low, high) = (at(xy_m[axis] - half_m), at(xy_m[axis] + half_m));
-            let off = high < 0.0 || low > count as f64;
-            if off { 0..0 } else { low.max(0.0) as usize..(high as usize + 1).min(count) }
+            let off = high < -ROUNDING_M || low > count as f64 + ROUNDING_M;
+            // What is on the rectangle's edge is in the cells beside it.
+            if off { 0..0 } else { (low.max(0.0) as usize).min(count - 1)..(high.max(0.0) as usize + 1).min(count) }
         };
         let (columns, across) = (self.columns, span(0, self.columns));
         span(1, self.rows).flat_map(move |row| across.clone().map(move |column| row * columns + column))
@@ -177,24 +178,7 @@ impl Floor {
     /// the floor has a boundary.
     #[must_use]
     pub fn any_open(&self, xy_m: [f64; 2], half_m: f64) -> bool {
-        let [columns, rows] = [self.columns, self.rows];
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "clamped to the rectangle"
-        )]
-        let span = |axis: usize, count: usize| {
-            let at = |value: f64| (value - self.low_m[axis]) / self.cell_m;
-            let (low, high) = (at(xy_m[axis] - half_m), at(xy_m[axis] + half_m));
-            (low >= 0.0 && high <= count as f64)
-                .then(|| (low.floor() as usize).min(count - 1)..=(high.floor() as usize).min(count - 1))
-        };
-        if self.bounded {
-            return self.within(xy_m, half_m).any(|cell| self.open[cell]);
-        }
-        let (Some(across), Some(along)) = (span(0, columns), span(1, rows)) else { return true };
-        along.into_iter().any(|row| across.clone().any(|column| self.open[row * columns + column]))
+        !self.holds(xy_m, half_m) || self.within(xy_m, half_m).any(|cell| self.open[cell])
     }
 }
 
@@ -221,6 +205,18 @@ mod tests {
     fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {
         let body = Body::new(&Anthropometry::default()).unwrap();
         Floor::new(&body, obstacles, ([-2.5, -2.5], [2.5, 2.5]), cell_m)
+    }
+
+    #[test]
+    fn the_edge_of_the_rectangle_is_in_it_and_beyond_nothing_is_known() {
+        let all = floor(&[], 0.025);
+        let bounded = all.clone().bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
+        for at in [[2.5, 0.0], [-2.5, 0.0], [0.0, 2.5], [2.5, -2.5]] {
+            assert!(all.holds(at, 0.0) && all.within(at, 0.0).count() > 0, "{at:?}");
+        }
+        assert!(!all.holds([2.6, 0.0], 0.0) && all.any_open([2.6, 0.0], 0.0));
+        assert!(bounded.holds([2.6, 0.0], 0.0) && !bounded.any_open([2.6, 0.0], 0.0));
+        assert!(bounded.any_open([0.9, 0.9], 0.0) && !bounded.any_open([1.1, 0.0], 0.0));
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! What is known of people whom no sensor sees, anywhere in a cell and at any moment: `anywhere.json`, and words for it.
+//! What is known of people who come from where no sensor sees them, on any walk and at any moment: `anywhere.json`, and
+//! words for it.
 
 use std::fmt::Write as _;
 

@@ -182,6 +182,7 @@ impl Looking<'_> {
         let search = Search::new(cell, unmoved.iter(), prepared.stop());
         let zones = Zones::new(&search, first, WALKING_SPEED_M_S * cell.step_s);
         if zones.ways.is_empty() {
+            self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
             return Ok(true);
         }
         let footing = Footing::asked(&there, self.effort.state, Merge::Auto);

@@ -25,7 +25,7 @@
 //! - [`explain`]: what there is to tell about a hazard
 //! - [`remedy`]: the smallest change of a cell that removes a hazard
 //! - [`advise`]: such changes for the causes of a scan
-//! - [`anywhere`](mod@anywhere): people whom no sensor sees, anywhere and at any moment
+//! - [`anywhere`](mod@anywhere): people who come from where no sensor sees them, on any walk and at any moment
 
 pub mod advise;
 pub mod anywhere;

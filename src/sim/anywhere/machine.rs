@@ -91,7 +91,8 @@ impl<'a, P: Plant> Machine<'a, P> {
             lasting,
             frame,
             within_m: if way.from.is_none() { [f64::MAX; 2] } else { [time_s, first_s].map(|s| WALKING_SPEED_M_S * s) },
-            // Who comes back to a plane may have told it of an arm before; and since that sample the hand was one step longer on its way.
+            // Who comes back to a plane may have told it of an arm before. Between the last sample at which it did not and this
+            // instant there is a step more.
             depth_m: if way.from.is_some() { HAND_SPEED_M_S * first_s } else { f64::INFINITY },
         };
         let known = self.seen[taken.way].entry(bits).or_insert_with(|| seen.clone());
@@ -102,12 +103,6 @@ impl<'a, P: Plant> Machine<'a, P> {
         if lasting > known.lasting {
             (known.lasting, known.step) = (lasting, taken.step);
         }
-    }
-
-    /// How many instants there are to look at.
-    #[must_use]
-    pub fn instants(&self) -> usize {
-        self.seen.iter().map(BTreeMap::len).sum()
     }
 
     /// What was seen, one history for each way.
