@@ -1,38 +1,37 @@
 //! `fmi-hazard scan --from anywhere`: people who come from where no sensor sees them, on any walk and at any moment.
 
-use std::fmt::Write as _;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::time::Instant;
 
-use super::exit::{self, Failure};
+use super::exit::Failure;
 use super::output::{self, Format, Progress};
-use super::scan::{Arguments, introduce};
-use super::stopping;
+use super::scan::{Run, file_name, introduce};
+use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
 use crate::report::anywhere::{Anywhere, Place};
-use crate::report::model::Verdict;
-use crate::scan::Prepared;
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
-use crate::stop::Stop;
+use crate::scan::{Prepared, Scanned};
 
 /// Where the result is kept.
 const RESULT: &str = "anywhere.json";
-/// How long after the start of the FMU is looked at.
-const UNTIL: Duration = Duration::from_secs(4);
 /// Steps of the progress bar.
 const STEPS: u64 = 1000;
 
 /// The command.
-pub(super) fn run(arguments: &Arguments, prepared: &Prepared, cell: &Path, stop: &Stop) -> Result<u8, Failure> {
+pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
+    let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
     if let Some(reason) = refusal(prepared) {
         return Err(Failure::unusable(reason));
     }
     stopping::by_signals(stop);
     introduce(prepared, arguments.state);
-    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(&prepared.cell.name));
+    let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
     std::fs::create_dir_all(&out)
         .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))?;
+    // It is about none of the cell's beginnings.
+    let baseline = run.baseline(prepared, None)?;
+    beginnings::forget(&out);
     if let Some(time) = arguments.time() {
         stop.within(time);
     }
@@ -57,13 +56,16 @@ pub(super) fn run(arguments: &Arguments, prepared: &Prepared, cell: &Path, stop:
         if stop.ends_search() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let effort = Effort {
-        until_s: arguments.until.unwrap_or(UNTIL).as_secs_f64(),
+        until_s: arguments.until().as_secs_f64(),
         workers: arguments.workers(),
         most_states: arguments.most_states(),
         state: arguments.state,
     };
-    let found = anywhere(prepared, effort, &mut tell)?;
+    let looked = anywhere(prepared, effort, &mut tell)?;
     progress.finish();
+    output::phase("confirming from a fresh start");
+    let Scanned { report, rung, effort: did, remembered } = looked.scanned(prepared, effort);
+    let found = looked.found;
     output::detail(&format!(
         "   Took    {:.1} s, {} FMU steps, {} sets of poses, {} arm searches",
         began.elapsed().as_secs_f64(),
@@ -71,42 +73,34 @@ pub(super) fn run(arguments: &Arguments, prepared: &Prepared, cell: &Path, stop:
         found.spent.boxes,
         found.spent.arm_checks
     ));
+    output::phase("writing the results");
     let json = output::pretty(&found)?;
     output::write_file(&out.join(RESULT), &json)?;
-    let first = places(&found, cell, &out)?;
+    places(&found, cell_path, &out)?;
+    let interrupted = stop.is_asked();
+    let (baseline, reproduce) = (baseline.as_ref(), &arguments.reproduce(path, &out, None, None));
+    let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
+    results::write(&report, &context, &out)?;
+    results::write_run(prepared, rung, (did, remembered), reproduce, &out)?;
     match arguments.format {
         Format::Json => output::json(&json),
-        Format::Table => {
-            let mut text = format!("\n{}", found.render(output::view().width));
-            let _ = writeln!(text, " Result  {}", out.join(RESULT).display());
-            if let Some(first) = first {
-                let _ = writeln!(text, " Next    fmi-hazard scan {}", first.display());
-            }
-            output::result(&text);
-        }
+        Format::Table => output::result(&format!("\n{}", found.render(&report, output::view()))),
     }
     found.warnings.iter().for_each(|warning| output::warning(warning));
-    Ok(match found.verdict {
-        Verdict::HazardsFound => exit::HAZARDS,
-        Verdict::NoneFound => exit::NO_HAZARD,
-        Verdict::Interrupted => exit::INTERRUPTED,
-        _ => exit::INCONCLUSIVE,
-    })
+    run.conclude((prepared, &report, interrupted), baseline, &out)
 }
 
-/// A cell file for each place, whose scan shows what happens there; the first of them.
-fn places(found: &Anywhere, cell: &Path, out: &Path) -> Result<Option<PathBuf>, Failure> {
+/// A cell file for each place, whose scan shows what happens there, too.
+fn places(found: &Anywhere, cell: &Path, out: &Path) -> Result<(), Failure> {
     if cell.extension().is_none_or(|ending| ending != "toml") {
-        return Ok(None);
+        return Ok(());
     }
-    let mut first = None;
     for (number, place) in found.hazards.iter().enumerate() {
         let path = out.join(format!("place-{}.toml", number + 1));
         let name = format!("{} place {}", found.subject.cell, number + 1);
         output::write_file(&path, &text(place, &name, &named_from(cell, out)))?;
-        first.get_or_insert(path);
     }
-    Ok(first)
+    Ok(())
 }
 
 fn text(place: &Place, name: &str, cell: &str) -> String {

@@ -87,8 +87,7 @@ pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting)
         }
         None => is_there(&path, "--fmu FILE, or --cell FILE with a cell file that names it")?,
     }
-    let prepared = prepare_in(&path, cell_file.as_deref(), hosting)?;
-    let prepared = prepared.beginning_of(own.beginning.as_ref())?;
+    let prepared = beginning_of(scan, prepare_in(&path, cell_file.as_deref(), hosting)?)?;
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");
     }
@@ -104,6 +103,14 @@ pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting)
         output::warning("the FMU has changed since the scan");
     }
     Ok(prepared)
+}
+
+/// The cell with the beginning that the scan was about. From anywhere each hazard has its own.
+pub(super) fn beginning_of(scan: &Recorded, prepared: Prepared) -> Result<Prepared, Failure> {
+    if scan.is_from_anywhere() {
+        return Ok(prepared);
+    }
+    Ok(prepared.beginning_of(scan.subject.beginning.as_ref())?)
 }
 
 fn is_cell(path: &Path) -> bool {

@@ -73,6 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 Outcome::StillThere { body_region, robot_link, .. } => {
                     format!("its sequences lead to {body_region} <- {robot_link} now")
                 }
+                Outcome::NoRoom => "nobody has room any more where it begins".to_owned(),
                 _ => "its sequences end without an unsafe contact now".to_owned(),
             };
             return Err(Failure::unusable_with_help(
@@ -82,12 +83,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
     }
     let failed = |cause| Failure::from(ScanError { cause });
-    let mut simulation = prepared.simulation(StateChoice::Auto, false).map_err(failed)?;
-    let watched = match film::watch(&mut simulation, &prepared, hazard) {
+    let there = prepared.of_hazard(hazard)?;
+    let mut simulation = there.simulation(StateChoice::Auto, false).map_err(failed)?;
+    let watched = match film::watch(&mut simulation, &there, hazard) {
         Err(error) if error.stopped => return Ok(INTERRUPTED),
         watched => watched.map_err(failed)?,
     };
-    let Some(mut explanation) = explain(&prepared, hazard, &watched) else {
+    let Some(mut explanation) = explain(&there, hazard, &watched) else {
         return Err(Failure::unusable(format!("the cell has no link {}", hazard.robot_link)));
     };
     if arguments.format == Format::Table {

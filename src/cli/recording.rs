@@ -23,7 +23,7 @@ pub(super) fn possible(hazards: usize, file: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs the hazard's sequence once more and writes what there is to see.
+/// Runs the hazard's sequence once more, in the cell with its beginning, and writes what there is to see.
 #[cfg(feature = "mcap")]
 pub(super) fn write(prepared: &Prepared, hazard: &Hazard, file: &Path) -> Result<(), Failure> {
     use crate::report::mcap::{self, Recording};

@@ -39,8 +39,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &arguments.hosting.hosting()?)?;
     let mut still_there = false;
     for hazard in wanted {
-        let cell = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-        let again = match replay(cell.0, cell.1, prepared.plant(StateChoice::Replay), &hazard.actions) {
+        let there = match prepared.of_hazard(hazard) {
+            Ok(there) => there,
+            Err(error) => {
+                output::result(&format!("{} NOT reproduced: {error}\n", hazard.id));
+                continue;
+            }
+        };
+        let cell = (Arc::clone(&there.cell), Arc::clone(&there.binding));
+        let again = match replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions) {
             Ok(again) => again,
             Err(error) => {
                 output::error(&format!("{}: the FMU failed: {error}", hazard.id));
@@ -49,16 +56,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         };
         still_there |= again.is_some();
         let recorded = told(hazard.deciding_force_n(), hazard.time_s, hazard.body_region, &hazard.robot_link);
+        let begins = hazard.begins.map_or_else(String::new, |begins| format!("; begins {}", begins.words()));
         let line = match &again {
             Some(f) => {
-                let link = &prepared.cell.links[f.contact.link].name;
+                let link = &there.cell.links[f.contact.link].name;
                 let now = told(f.contact.deciding_force_n(), f.time_s, f.contact.region, link);
                 // Two links may hit equally hard.
                 let same = f.contact.force_n.to_bits() == hazard.force_n.to_bits()
                     && f.time_s.to_bits() == hazard.time_s.to_bits()
                     && (f.contact.region, link) == (hazard.body_region, &hazard.robot_link);
                 match same {
-                    true => format!("{} reproduced: {now}, as recorded to the last bit", hazard.id),
+                    true => format!("{} reproduced: {now}, as recorded to the last bit{begins}", hazard.id),
                     false => format!("{} DIFFERS: {now}, recorded {recorded}", hazard.id),
                 }
             }
@@ -66,7 +74,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         };
         output::result(&(line + "\n"));
         if let Some(file) = &arguments.mcap {
-            recording::write(&prepared, hazard, file)?;
+            recording::write(&there, hazard, file)?;
             output::note(&format!("   Wrote   {}", file.display()));
         }
     }

@@ -19,6 +19,7 @@ use crate::report::moved;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
+use crate::scan::there::Runs;
 use crate::scan::{Prepared, StateChoice, film, picture};
 use crate::sim::simulation::Watched;
 
@@ -83,12 +84,12 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
 fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Result<Vec<Replay>, Failure> {
     let prepared = context.prepared;
     let hazards = shown(&report.causes, &report.hazards, &[]);
-    replays(prepared, context.rung, &hazards, |number, hazard, watched, svg| {
+    replays(prepared, context.rung, &hazards, |number, hazard, (there, watched), svg| {
         if number >= PICTURES {
             return Ok(());
         }
         output::write_file(&out.join(format!("{}.svg", hazard.id)), svg)?;
-        let traced = match film::trace(prepared, watched) {
+        let traced = match film::trace(there, watched) {
             Ok(trace) => trace,
             Err(error) => {
                 if !error.stopped {
@@ -111,7 +112,7 @@ pub(super) fn replays(
     prepared: &Prepared,
     rung: Rung,
     hazards: &[&Hazard],
-    mut each: impl FnMut(usize, &Hazard, &Watched, &str) -> Result<(), Failure>,
+    mut each: impl FnMut(usize, &Hazard, (&Prepared, &Watched), &str) -> Result<(), Failure>,
 ) -> Result<Vec<Replay>, Failure> {
     let mut replays = Vec::new();
     if hazards.is_empty() {
@@ -123,7 +124,7 @@ pub(super) fn replays(
         let of = hazards.len();
         output::note(&format!("   Stopped: {} of {of} hazards have no picture and no replay in the report", of - from));
     };
-    let mut simulation = match prepared.simulation(plainly, false) {
+    let mut runs = match Runs::new(prepared, plainly, hazards.iter().copied()) {
         Err(error) if error.stopped => {
             untold(0);
             return Ok(replays);
@@ -136,7 +137,7 @@ pub(super) fn replays(
         }
     };
     for (number, hazard) in hazards.iter().enumerate() {
-        let watched = match film::watch(&mut simulation, prepared, hazard) {
+        let (there, watched) = match runs.watch(hazard) {
             Ok(watched) => watched,
             Err(error) if error.stopped => {
                 untold(number);
@@ -148,9 +149,9 @@ pub(super) fn replays(
                 continue;
             }
         };
-        let svg = topview::render(&picture::scene(prepared, hazard, &watched));
-        each(number, hazard, &watched, &svg)?;
-        replays.push(film::replay(prepared, hazard, &watched, svg));
+        let svg = topview::render(&picture::scene(&there, hazard, &watched));
+        each(number, hazard, (&there, &watched), &svg)?;
+        replays.push(film::replay(&there, hazard, &watched, svg));
     }
     Ok(replays)
 }

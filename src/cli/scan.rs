@@ -19,7 +19,7 @@ use crate::cell::file::validate::BASELINE;
 use crate::host::selftest::Rung;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
-use crate::report::model::{Hazard, ScanReport, Verdict};
+use crate::report::model::{BeginningSubject, Hazard, ScanReport, Verdict};
 use crate::report::{moved, terminal};
 use crate::scan::advise::advise;
 use crate::scan::options::Method;
@@ -67,7 +67,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
     if arguments.from.is_some() {
-        return anywhere::run(arguments, &prepared, cell_path, &stop);
+        let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several: false };
+        return anywhere::run(&run, &prepared);
     }
     let all = match arguments.begin {
         Some(number) => vec![prepared.beginning(number as usize - 1)?],
@@ -97,7 +98,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     }
     let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several };
     let journals = command.is_some();
-    let baselines = all.iter().map(|prepared| run.baseline(prepared)).collect::<Result<Vec<_>, _>>()?;
+    let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
+    let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
     let code = if several {
         run.all(&all, &baselines, &out, journals)?
     } else {
@@ -118,12 +120,12 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
 }
 
 /// One run of the command.
-struct Run<'a> {
-    arguments: &'a Arguments,
-    path: &'a Path,
-    cell_path: &'a Path,
-    assessments: &'a Assessments,
-    stop: &'a Stop,
+pub(super) struct Run<'a> {
+    pub(super) arguments: &'a Arguments,
+    pub(super) path: &'a Path,
+    pub(super) cell_path: &'a Path,
+    pub(super) assessments: &'a Assessments,
+    pub(super) stop: &'a Stop,
     /// Whether it goes on with an interrupted one.
     goes_on: bool,
     /// Whether the cell is searched from several beginnings.
@@ -285,7 +287,7 @@ impl Run<'_> {
         }
         let several = prepared.cell.beginnings.len() > 1;
         let beginning = several.then_some(prepared.cell.beginning + 1);
-        let reproduce = &arguments.reproduce(path, out, beginning, &options);
+        let reproduce = &arguments.reproduce(path, out, beginning, Some(&options));
         let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
         let mut json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
@@ -307,15 +309,27 @@ impl Run<'_> {
             Format::Json => output::json(&json),
             Format::Table => output::result(&(String::from("\n") + &terminal::render(&report, output::view()))),
         }
-        conclude(&report, out);
+        let code = self.conclude((prepared, &report, interrupted), baseline, out)?;
+        Ok(Ended { report, code })
+    }
+
+    /// Tells where everything is and what is new, keeps the baseline if that is wanted, and gives the exit code.
+    pub(super) fn conclude(
+        &self,
+        (prepared, report, interrupted): (&Prepared, &ScanReport, bool),
+        baseline: Option<&Baseline>,
+        out: &Path,
+    ) -> Result<u8, Failure> {
+        conclude(report, out);
         if let Some(baseline) = baseline {
-            against(&report, baseline);
+            against(report, baseline);
         }
-        if arguments.write_baseline {
-            let path = self.baseline_path(prepared).unwrap_or_else(|| cell_path.with_file_name(BASELINE));
+        if self.arguments.write_baseline {
+            let path = self.baseline_path(prepared, report.subject.beginning.as_ref());
+            let path = path.unwrap_or_else(|| self.cell_path.with_file_name(BASELINE));
             if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
                 let beside = path.parent().unwrap_or(Path::new(""));
-                output::write_file(&path, &output::pretty(&moved::relative(&report, beside))?)?;
+                output::write_file(&path, &output::pretty(&moved::relative(report, beside))?)?;
                 output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
             } else {
                 output::warning(&format!(
@@ -324,8 +338,7 @@ impl Run<'_> {
                 ));
             }
         }
-        let code = code(&report, baseline, interrupted);
-        Ok(Ended { report, code })
+        Ok(code(report, baseline, interrupted))
     }
 
     /// Looks for changes that would be enough, and says whether there is something new to write: whoever interrupts that has
@@ -349,24 +362,28 @@ impl Run<'_> {
     }
 
     /// The hazards that are known from this beginning. Of one that a folder of earlier results has not, none is.
-    fn baseline(&self, prepared: &Prepared) -> Result<Option<Baseline>, Failure> {
+    pub(super) fn baseline(
+        &self,
+        prepared: &Prepared,
+        beginning: Option<&BeginningSubject>,
+    ) -> Result<Option<Baseline>, Failure> {
         if self.arguments.write_baseline {
             return Ok(None);
         }
         let named = self.arguments.baseline.is_some() || prepared.cell.baseline.is_some();
-        match self.baseline_path(prepared) {
+        match self.baseline_path(prepared, beginning) {
             Some(path) => known(&path, self.arguments).map(Some),
             None => Ok(named.then(Baseline::default)),
         }
     }
 
     /// The baseline: what the command line says, else what the cell says.
-    fn baseline_path(&self, prepared: &Prepared) -> Option<PathBuf> {
+    fn baseline_path(&self, prepared: &Prepared, beginning: Option<&BeginningSubject>) -> Option<PathBuf> {
         let own = || prepared.cell.baseline.as_ref().map(|name| self.cell_path.with_file_name(name));
         let path = self.arguments.baseline.clone().or_else(own)?;
         // The folder with a scan's results, as everywhere.
         Some(if beginnings::are_in(&path) {
-            match beginnings::same_in(&path, prepared.subject.beginning.as_ref()) {
+            match beginnings::same_in(&path, beginning) {
                 Ok(found) => found?.join("scan.json"),
                 // Reading it tells what is wrong with it.
                 Err(table) => table,
@@ -515,7 +532,7 @@ fn against(report: &ScanReport, baseline: &Baseline) {
 }
 
 /// A folder name from a cell's name.
-fn file_name(name: &str) -> String {
+pub(super) fn file_name(name: &str) -> String {
     let safe = |c: char| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' };
     let name: String = name.chars().map(safe).collect();
     if name.trim_matches('.').is_empty() { "cell".to_owned() } else { name }

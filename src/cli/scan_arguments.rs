@@ -37,18 +37,8 @@ pub(super) enum From {
 const MOST_STATES: usize = 300_000;
 
 /// What a scan from anywhere has not: sequences from a start.
-const ALONE: [&str; 10] = [
-    "begin",
-    "strategy",
-    "seed",
-    "iterations",
-    "stop_at",
-    "baseline",
-    "write_baseline",
-    "paper_iterations",
-    "no_advice",
-    "resume",
-];
+const ALONE: [&str; 8] =
+    ["begin", "strategy", "seed", "iterations", "stop_at", "paper_iterations", "no_advice", "resume"];
 
 /// What a scan that is resumed was told already.
 const OTHERS: [&str; 26] = [
@@ -232,6 +222,11 @@ impl Arguments {
         if asked == ExhaustiveArguments::default().max_states { MOST_STATES } else { asked }
     }
 
+    /// How long after the start of the FMU a scan from anywhere looks.
+    pub(super) fn until(&self) -> Duration {
+        self.until.unwrap_or(UNTIL)
+    }
+
     /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
     pub(super) fn advice(&self, several: bool) -> Option<Effort> {
         let usual = Effort::usual();
@@ -245,8 +240,14 @@ impl Arguments {
     }
 
     /// The command that gives the result of `options` again, in the folder `out` of the results. What only says how to come by it (threads, saved states,
-    /// folders) is left out. `beginning` is that of a cell with several.
-    pub(super) fn reproduce(&self, path: &Path, out: &Path, beginning: Option<usize>, options: &ScanOptions) -> String {
+    /// folders) is left out. `beginning` is that of a cell with several. A scan from anywhere has no options.
+    pub(super) fn reproduce(
+        &self,
+        path: &Path,
+        out: &Path,
+        beginning: Option<usize>,
+        options: Option<&ScanOptions>,
+    ) -> String {
         let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), seen_from(path, out)];
         let mut add = |option: &str, value: Option<String>| {
             words.push(option.to_owned());
@@ -258,15 +259,20 @@ impl Arguments {
         if let Some(number) = beginning {
             add("--begin", Some(number.to_string()));
         }
-        let strategy = self.strategy.to_possible_value().map(|value| value.get_name().to_owned());
-        add("--strategy", strategy);
-        add("--seed", Some(options.seed.to_string()));
-        add("--iterations", Some(options.iterations.to_string()));
-        if options.stop_at_first {
-            add("--stop-at", Some("first".to_owned()));
-        }
-        if !options.posture_sweep {
-            add("--paper-iterations", None);
+        if let Some(options) = options {
+            let strategy = self.strategy.to_possible_value().map(|value| value.get_name().to_owned());
+            add("--strategy", strategy);
+            add("--seed", Some(options.seed.to_string()));
+            add("--iterations", Some(options.iterations.to_string()));
+            if options.stop_at_first {
+                add("--stop-at", Some("first".to_owned()));
+            }
+            if !options.posture_sweep {
+                add("--paper-iterations", None);
+            }
+        } else {
+            add("--from", Some("anywhere".to_owned()));
+            add("--until", Some(short(self.until())));
         }
         if self.no_advice {
             add("--no-advice", None);
@@ -285,7 +291,7 @@ impl Arguments {
             add("--merge", Some(merge.get_name().to_owned()));
         }
         if let Some(time) = self.time {
-            add("--time", Some(humantime::format_duration(time).to_string().replace(' ', "")));
+            add("--time", Some(short(time)));
         }
         self.hosting.told(&mut add);
         // Nothing to quote it with is needed but for a zero byte, which no path holds.
@@ -317,6 +323,14 @@ impl Arguments {
             exhaustive: ExhaustiveArguments::default(),
         }
     }
+}
+
+/// How long after the start of the FMU is looked, unless told otherwise.
+const UNTIL: Duration = Duration::from_secs(4);
+
+/// As it is given: without spaces.
+fn short(time: Duration) -> String {
+    humantime::format_duration(time).to_string().replace(' ', "")
 }
 
 /// Time of `auto`.

@@ -28,7 +28,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let known = earlier::read(&arguments.scan)?;
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
-    let prepared = prepared.beginning_of(known.subject.beginning.as_ref())?;
+    let prepared = earlier::beginning_of(&known, prepared)?;
     let mut progress = output::Progress::new(known.hazards.len() as u64, "hazards");
     let mut verified = Vec::with_capacity(known.hazards.len());
     for (done, hazard) in (1..).zip(&known.hazards) {

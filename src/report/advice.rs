@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::model::Begin;
 use super::paragraph::wrapped;
 use super::terminal::grouped;
 use crate::human::Action;
@@ -126,17 +127,6 @@ pub struct Met {
     /// Which of its beginnings that is, from 0.
     #[serde(skip)]
     pub beginning: usize,
-}
-
-/// Where and when a person begins.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Begin {
-    /// Floor plan, m.
-    pub xy_m: [f64; 2],
-    /// Heading from +x towards +y, degrees.
-    pub heading_deg: f64,
-    /// Time from the FMU's own start, s.
-    pub begins_s: f64,
 }
 
 /// What is left after a change.

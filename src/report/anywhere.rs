@@ -5,11 +5,15 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::model::{SensorState, Subject, Verdict};
+use super::model::{ScanReport, SensorState, Subject, Verdict};
 use super::paragraph::wrapped_to;
+use super::terminal::{View, cards, counted};
 use crate::hazard::contact::{Class, Criterion};
 use crate::human::Action;
 use crate::standards::BodyRegion;
+
+/// Name of this way to search, where that of a strategy stands.
+pub const ANYWHERE: &str = "anywhere";
 
 /// What came out.
 #[derive(Clone, Debug, Serialize)]
@@ -133,12 +137,11 @@ pub struct Spent {
 }
 
 impl Anywhere {
-    /// For people, no wider than `width`.
+    /// For people. `report` is the record of the same scan.
     #[must_use]
-    pub fn render(&self, width: usize) -> String {
+    pub fn render(&self, report: &ScanReport, view: View) -> String {
         let mut text = String::new();
-        let until = format!("{:.1} s", self.until_s);
-        let confirmed = self.hazards.iter().filter(|hazard| hazard.confirmed).count();
+        let (until, width) = (format!("{:.1} s", self.until_s), view.width);
         let changes = self.changes.map_or(String::new(), |changes| {
             format!(
                 " What the sensors report changes at most {} then.",
@@ -147,8 +150,9 @@ impl Anywhere {
         });
         let first = match self.verdict {
             Verdict::HazardsFound => format!(
-                "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start: \
-                 in {confirmed} ways that a run of their own shows."
+                "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start. \
+                 {}",
+                counted(report)
             ),
             Verdict::NoneFound => format!(
                 "Nobody is hit harder than allowed within {until} of the start who comes from where no sensor sees them, wherever \
@@ -158,14 +162,12 @@ impl Anywhere {
             _ => format!("No hazard is confirmed within {until} of the start, and none is excluded.{changes}"),
         };
         let _ = write!(text, "{}", wrapped_to(width, " ", &first));
-        for hazard in &self.hazards {
-            let sure = if hazard.confirmed { "" } else { "; not confirmed" };
+        text += &cards(report, view);
+        for hazard in self.hazards.iter().filter(|hazard| !hazard.confirmed) {
             let [x, y] = hazard.xy_m;
-            let after = hazard.time_s.map_or(String::new(), |time_s| format!(" after {time_s:.2} s"));
-            let how = if hazard.walks_in { "Walks to" } else { "Stands at" };
             let line = format!(
-                "{:.2}x  {} hit by {}{after}: {:.0} N, limit {:.0} N. {how} ({x:.2}, {y:.2}) m, looks towards {:.0} \
-                 degrees, {}{sure}",
+                "Not confirmed: {:.2}x  {} hit by {}: {:.0} N, limit {:.0} N, by somebody at ({x:.2}, {y:.2}) m who looks \
+                 towards {:.0} degrees, {}",
                 hazard.ratio,
                 hazard.body_region,
                 hazard.robot_link,
@@ -174,7 +176,7 @@ impl Anywhere {
                 hazard.heading_deg,
                 hazard.posture,
             );
-            let _ = write!(text, "{}", wrapped_to(width, "   ", &line));
+            let _ = write!(text, "{}", wrapped_to(width, " ", &line));
         }
         for reason in &self.reasons {
             let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Not complete: {reason}.")));

@@ -70,7 +70,13 @@ impl Explanation {
     /// For people: what came of changes.
     #[must_use]
     pub fn render_changes(&self) -> String {
-        advice::render(&self.remedies)
+        let told = advice::render(&self.remedies);
+        if self.hazard.begins.is_none() || self.remedies.is_empty() {
+            return told;
+        }
+        let only = "Changes were held against walks from where this hazard begins, and against what is known of the scan's other \
+                    hazards: look at the changed cell from anywhere again.";
+        told + &wrapped(only, "   ")
     }
 
     /// For people: all but the changes.

@@ -149,6 +149,26 @@ impl BeginningSubject {
     /// For people.
     #[must_use]
     pub fn words(&self) -> String {
+        let Self { xy_m, heading_deg, begins_s, .. } = *self;
+        Begin { xy_m, heading_deg, begins_s }.words()
+    }
+}
+
+/// Where and when a person begins.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Begin {
+    /// Floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Heading from +x towards +y, degrees.
+    pub heading_deg: f64,
+    /// Time from the FMU's own start, s.
+    pub begins_s: f64,
+}
+
+impl Begin {
+    /// For people.
+    #[must_use]
+    pub fn words(&self) -> String {
         let [x, y] = self.xy_m;
         let heading = self.heading_deg;
         format!(
@@ -205,6 +225,9 @@ pub struct Settings {
     pub reach_tolerance_m: f64,
     /// Which speed makes the force that decides.
     pub speed_criterion: Criterion,
+    /// Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until_s: Option<f64>,
 }
 
 /// What the search cost.
@@ -240,6 +263,9 @@ pub struct Hazard {
     pub id: String,
     /// Whether a fresh instance without any restore gave the same contact; `None` before that was tried.
     pub confirmed: Option<bool>,
+    /// Where and when its sequences begin, if that is not where the scan did. Its times count from then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub begins: Option<Begin>,
     /// Why it is a finding.
     pub class: Class,
     /// Body region touched.
@@ -527,6 +553,7 @@ impl Hazard {
         Self {
             id: group.id.clone(),
             confirmed: None,
+            begins: None,
             class: f.class,
             body_region: c.region,
             robot_link: link_names[c.link].clone(),
@@ -595,9 +622,10 @@ impl Hazard {
             |s: &SensorState| format!("{} {}", s.name, if s.person_detected { "reports the person" } else { "clear" });
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
+        let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));
         format!(
             "at {:.2} s the robot's {} meets the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
-             {:.2}){sensors}",
+             {:.2}){sensors}{begins}",
             self.time_s,
             self.robot_link,
             self.body_region.words(),

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::anywhere::ANYWHERE;
 use super::cause::{Cause, CauseAdvice};
 use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 use super::moved::found;
@@ -139,6 +140,12 @@ impl Recorded {
     #[must_use]
     pub fn cell_file(&self) -> Option<PathBuf> {
         self.subject.cell_file.as_ref().map(|file| found(file, &self.folder))
+    }
+
+    /// Whether it is about people from anywhere, and none of the cell's beginnings.
+    #[must_use]
+    pub fn is_from_anywhere(&self) -> bool {
+        self.settings.get("strategy").is_some_and(|strategy| strategy == ANYWHERE)
     }
 
     /// Whether every sequence was accounted for.

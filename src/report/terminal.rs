@@ -69,10 +69,19 @@ pub fn render(report: &ScanReport, view: View) -> String {
     for line in wrapped_to(view.width, " ", &verdict).lines() {
         let _ = writeln!(out, "{on}{line}{off}");
     }
+    out += &cards(report, view);
+    if scope.is_empty() { out } else { out + &wrapped_to(view.width, " ", &scope) }
+}
+
+/// The causes, a card each, with empty lines around them.
+#[must_use]
+pub fn cards(report: &ScanReport, view: View) -> String {
+    let mut out = String::new();
     for cause in report.causes.iter().take(CAUSES) {
         out.push('\n');
-        card(cause, view, &mut out);
-        if let Some(worst) = report.hazards.iter().find(|hazard| hazard.id == cause.worst) {
+        let worst = report.hazards.iter().find(|hazard| hazard.id == cause.worst);
+        card(cause, worst, view, &mut out);
+        if let Some(worst) = worst {
             out += &other_force(worst, view);
         }
     }
@@ -82,7 +91,22 @@ pub fn render(report: &ScanReport, view: View) -> String {
     if !report.causes.is_empty() {
         out.push('\n');
     }
-    if scope.is_empty() { out } else { out + &wrapped_to(view.width, " ", &scope) }
+    out
+}
+
+/// How many causes and hazards there are, and how many are confirmed.
+#[must_use]
+pub fn counted(report: &ScanReport) -> String {
+    let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
+    let n = report.hazards.len();
+    let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
+    let sure = match (confirmed, n) {
+        (1, 1) => "confirmed".to_owned(),
+        _ if confirmed == n => "all confirmed".to_owned(),
+        _ => format!("{confirmed} confirmed"),
+    };
+    let causes = plural(report.causes.len(), "cause");
+    format!("{causes} of {}, {sure} by a fresh replay.", plural(n, "possible hazard"))
 }
 
 const RED: &str = "\u{1b}[1;31m";
@@ -96,8 +120,9 @@ impl View {
     }
 }
 
-/// One cause: what is wrong, how bad it is, what is hit by what, what helps.
-fn card(cause: &Cause, view: View, out: &mut String) {
+/// One cause: what is wrong, how bad it is, where its worst hazard begins if that is not where the scan did, what is hit by
+/// what, what helps.
+fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
     let ways = cause.hazards.len();
     let s = if ways == 1 { "" } else { "s" };
     let share = cause.share.map_or_else(String::new, |share| format!("; {} of all sequences", percent(share)));
@@ -105,8 +130,14 @@ fn card(cause: &Cause, view: View, out: &mut String) {
     let head = format!(" {bold}{}{off}  ", cause.id);
     let text = wrapped_to(view.width, &" ".repeat(cause.id.len() + 3), &cause.sentence);
     *out += &text.replacen(&" ".repeat(cause.id.len() + 3), &head, 1);
-    let figures = format!("{}; from {:.2} s on; {ways} way{s}{share}", cause.force_words(), cause.earliest_time_s);
+    let own = worst.and_then(|worst| Some((worst, worst.begins?)));
+    let from = if own.is_some() { String::new() } else { format!("; from {:.2} s on", cause.earliest_time_s) };
+    let figures = format!("{}{from}; {ways} way{s}{share}", cause.force_words());
     *out += &wrapped_to(view.width, "   ", &figures);
+    if let Some((worst, begins)) = own {
+        let begins = format!("The worst begins {}; hit {:.2} s later", begins.words(), worst.time_s);
+        *out += &wrapped_to(view.width, "   ", &begins);
+    }
     let mut regions: Vec<(String, Vec<&str>)> = Vec::new();
     for Line { body_region, robot_link, .. } in &cause.lines {
         match regions.iter_mut().find(|(region, _)| *region == body_region.words()) {
@@ -405,20 +436,11 @@ fn sentences(report: &ScanReport) -> (String, String) {
     };
     match report.verdict {
         Verdict::HazardsFound => {
-            let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
-            let n = report.hazards.len();
-            let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
-            let sure = match (confirmed, n) {
-                (1, 1) => "confirmed".to_owned(),
-                _ if confirmed == n => "all confirmed".to_owned(),
-                _ => format!("{confirmed} confirmed"),
-            };
             let others = match complete {
                 true => " There are no others within the stated actions and horizon, in this model.",
                 false => "",
             };
-            let causes = plural(report.causes.len(), "cause");
-            (format!("{causes} of {}, {sure} by a fresh replay.", plural(n, "possible hazard")), scope + others)
+            (counted(report), scope + others)
         }
         Verdict::NoneFound if complete => (
             "No sequence of the stated actions and horizon is hazardous, in this model.".to_owned(),

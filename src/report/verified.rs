@@ -23,6 +23,8 @@ pub struct Verified {
 pub enum Outcome {
     /// Its sequences end without an unsafe contact. Others may lead to the same hazard.
     Fixed,
+    /// Nobody has room any more where it begins. Others may lead to the same hazard from elsewhere.
+    NoRoom,
     /// One of them ends in an unsafe contact, the hardest of which is this.
     StillThere {
         /// Force relative to the limit.
@@ -44,12 +46,19 @@ pub enum Outcome {
 }
 
 impl Verified {
+    /// Whether its sequences lead to nothing any more.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        matches!(self.outcome, Outcome::Fixed | Outcome::NoRoom)
+    }
+
     /// In words.
     #[must_use]
     pub fn line(&self) -> String {
         let Hazard { id, ratio: was, .. } = &self.hazard;
         match &self.outcome {
             Outcome::Fixed => format!("fixed        {id}  {was:.2}x -> its sequences end without an unsafe contact"),
+            Outcome::NoRoom => format!("fixed        {id}  {was:.2}x -> nobody has room any more where it begins"),
             Outcome::StillThere { ratio, force_n, body_region, robot_link, time_s } => {
                 format!(
                     "STILL THERE  {id}  {was:.2}x -> {ratio:.2}x  {force_n:.0} N  {body_region} <- {robot_link}  at \
@@ -80,7 +89,7 @@ fn by_cause<'a>(causes: &'a [Cause], verified: &'a [Verified]) -> Vec<(Option<&'
 #[must_use]
 pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
     let mut out = String::new();
-    let is_fixed = |one: &&Verified| one.outcome == Outcome::Fixed;
+    let is_fixed = |one: &&Verified| one.is_fixed();
     let mut causes_fixed = 0;
     let by_cause = by_cause(causes, verified);
     for (cause, members) in &by_cause {
@@ -94,7 +103,15 @@ pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
         let there = members.iter().filter(|one| matches!(one.outcome, Outcome::StillThere { .. })).count();
         let (word, rest) = match (fixed == of, there) {
             (true, _) => {
-                ("fixed        ", format!("{}: the sequences of all {of} end without an unsafe contact", cause.id))
+                let room = members.iter().filter(|one| one.outcome == Outcome::NoRoom).count();
+                let room = match room {
+                    0 => String::new(),
+                    room => format!(", or nobody has room where they begin ({room})"),
+                };
+                (
+                    "fixed        ",
+                    format!("{}: the sequences of all {of} end without an unsafe contact{room}", cause.id),
+                )
             }
             (false, 0) => ("NOT RUN      ", format!("{}: the FMU failed in {} of {of} hazards", cause.id, of - fixed)),
             (false, there) => ("STILL THERE  ", format!("{}: {there} of {of} hazards", cause.id)),
@@ -127,8 +144,7 @@ pub fn as_junit(cell: &str, causes: &[Cause], verified: &[Verified]) -> Result<S
     let cell = xml(cell);
     let case = |(cause, members): (Option<&Cause>, Vec<&Verified>)| {
         let any = |of: fn(&Outcome) -> bool| members.iter().any(|one| of(&one.outcome));
-        let lines: Vec<String> =
-            members.iter().filter(|one| one.outcome != Outcome::Fixed).map(|one| one.line()).collect();
+        let lines: Vec<String> = members.iter().filter(|one| !one.is_fixed()).map(|one| one.line()).collect();
         let failed = |kind, of: &str| {
             let mut status = TestCaseStatus::non_success(kind);
             status.set_type(of).set_message(xml(lines.first().map_or("", String::as_str)));

@@ -1,11 +1,13 @@
 //! Anybody whom no sensor sees at first, anywhere, walking in any way: the FMU is stepped along all histories of what sensors
 //! then report, sets of poses are searched for harm, and what is found is shown by a run of its own from a place outside.
 
+mod record;
 mod walk_in;
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+use self::record::Rest;
 use self::walk_in::WalkIn;
 use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
@@ -22,7 +24,6 @@ use crate::report::model::{SCHEMA_VERSION, SensorState, Verdict};
 use crate::report::speeds::Speeds;
 use crate::search::Environment as _;
 use crate::search::tracks::explore;
-use crate::sim::Coverage;
 use crate::sim::anywhere::machine::Machine;
 use crate::sim::anywhere::zones::Zones;
 use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Harm, History, Somewhere};
@@ -112,17 +113,24 @@ struct Looking<'a> {
     prepared: &'a Prepared,
     effort: Effort,
     links: Vec<String>,
-    coverage: Coverage,
     found: Anywhere,
+    rest: Rest,
     /// Contacts that poses alone make possible, where somebody can be then.
     harms: Vec<Harm>,
+}
+
+/// What came out.
+pub struct Looked {
+    /// Where somebody is hit, and what is not known.
+    pub found: Anywhere,
+    rest: Rest,
 }
 
 /// Looks everywhere.
 ///
 /// # Errors
 /// When the FMU cannot be started or fails on its way there.
-pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Result<Anywhere, ScanError> {
+pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Result<Looked, ScanError> {
     let cell = &prepared.cell;
     let found = Anywhere {
         schema_version: SCHEMA_VERSION,
@@ -148,8 +156,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         prepared,
         effort,
         links: cell.links.iter().map(|link| link.name.clone()).collect(),
-        coverage: Coverage::new(cell.sensors.len()),
         found,
+        rest: Rest::new(cell.sensors.len()),
         harms: Vec::new(),
     };
     for first in unseen(prepared) {
@@ -203,8 +211,8 @@ impl Looking<'_> {
             let share = |part: f64| (done as f64 + part * history.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
             let workers = self.effort.workers;
-            let outcome =
-                search.search(history, workers, &mut self.coverage, &mut |part| tell(Told::Floor(share(part), known)));
+            let outcome = search
+                .search(history, workers, &mut self.rest.coverage, &mut |part| tell(Told::Floor(share(part), known)));
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
                 unseen: way.from.is_none(),
@@ -239,9 +247,11 @@ impl Looking<'_> {
         let still = vec![Action::new(Walk::Stop, Posture::Upright); self.steps().div_ceil(cell.steps_per_action)];
         let watched = simulation.watch(&still, &[])?;
         self.found.spent.fmu_steps += simulation.recall().steps();
+        self.rest.did = self.rest.did.and(simulation.recall().effort());
         let speeds = Speeds::new(cell, &self.prepared.binding, simulation.motion());
         self.found.reasons.extend(speeds.refusal());
         self.found.warnings.extend(speeds.sentences());
+        self.rest.speeds = speeds.records;
         Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
     }
 
@@ -284,6 +294,8 @@ impl Looking<'_> {
             (known, changes) = (Some(changes), changes + 2);
         }
         self.found.spent.fmu_steps += machine.recall().steps();
+        self.rest.states += machine.recall().states();
+        self.rest.did = self.rest.did.and(machine.recall().effort());
         if let Some(fault) = machine.fault() {
             self.found.reasons.push(format!("the FMU could not finish some steps: {fault}"));
         }
@@ -342,6 +354,9 @@ impl Looking<'_> {
                     (alike[0], WalkIn::standing(&alike[0], step, cell.steps_per_action), None)
                 }
             };
+            if let Some(finding) = &finding {
+                self.rest.shown.add(finding, &way, &self.links);
+            }
             let place = self.place(&harm, &way, finding.as_ref(), &as_told, alike.len());
             // What is told of a contact may be another region or link that is hit as soon and harder.
             let same = |known: &&mut Place| {
@@ -368,7 +383,6 @@ impl Looking<'_> {
         #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
         let seconds = |steps: usize| steps as f64 * self.prepared.cell.step_s;
         let contact = finding.map_or(&harm.contact, |finding| &finding.contact);
-        let [x, y] = way.start.xy_m();
         Place {
             confirmed: finding.is_some(),
             id: finding.map(|finding| Identity::of(finding, &self.links).id()).unwrap_or_default(),
@@ -384,8 +398,8 @@ impl Looking<'_> {
             heading_deg: harm.heading_rad.to_degrees(),
             posture: harm.posture.words(),
             walks_in: way.actions.iter().any(|action| action.walk() != Walk::Stop),
-            start_m: [x, y],
-            start_heading_deg: way.start.heading_deg(),
+            start_m: way.xy_m,
+            start_heading_deg: way.heading_deg,
             begins_s: seconds(way.lead_in),
             actions: way.actions.clone(),
             sensors: finding.map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &finding.sensors)),
@@ -394,8 +408,8 @@ impl Looking<'_> {
     }
 
     /// The verdict, and why.
-    fn conclude(mut self) -> Anywhere {
-        let (found, coverage) = (&mut self.found, &self.coverage);
+    fn conclude(mut self) -> Looked {
+        let (found, coverage) = (&mut self.found, &self.rest.coverage);
         found.floor = hazardous(&self.harms);
         found.spent.arm_checks = coverage.arm_checks;
         found.spent.arm_boxes = coverage.arm_boxes;
@@ -441,7 +455,7 @@ impl Looking<'_> {
         } else {
             Verdict::Inconclusive
         };
-        self.found
+        Looked { found: self.found, rest: self.rest }
     }
 }
 
@@ -492,7 +506,7 @@ fn hazardous(harms: &[Harm]) -> Vec<Cell> {
 /// The first harm that a walk leads to; while sensors report `readings`, if given.
 fn shown(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
     let actions = u32::try_from(way.actions.len()).ok()?;
-    let there = prepared.standing(way.start, way.lead_in, actions).ok()?;
+    let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
     let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;
     simulation.reset().ok()?;
     let mut findings = Vec::new();

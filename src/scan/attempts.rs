@@ -231,7 +231,7 @@ fn once(
 /// Whether a fresh instance without any restore gives the same contact to the last bit, and for how long each sensor had
 /// reported the person by then; nothing if there was no time to see, or the FMU does not begin any more: why is put into
 /// `not_run`.
-fn confirm(
+pub(super) fn confirm(
     prepared: &Prepared,
     plant: &mut Hosted,
     finding: &Finding,

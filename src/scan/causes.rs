@@ -7,14 +7,13 @@ use super::film;
 use super::hosting::StateChoice;
 use super::outline::{flat, heights, outline};
 use super::prepare::Prepared;
+use super::there::Runs;
 use crate::geometry::polygon::contains;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::cause::{self, Kind, Member, Part};
-use crate::host::Hosted;
 use crate::host::selftest::Rung;
 use crate::report::cause::{Cause, Circumstances};
 use crate::report::model::{Certificate, Hazard};
-use crate::sim::Simulation;
 
 /// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.
 const ALONG_M: f64 = 0.005;
@@ -45,26 +44,25 @@ pub fn causes(prepared: &Prepared, rung: Rung, hazards: &[Hazard], certificate: 
         return Vec::new();
     }
     let plainly = if rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
-    let mut simulation = prepared.simulation(plainly, false).ok();
+    let mut runs = Runs::new(prepared, plainly, hazards).ok();
     let all: Option<BigUint> = certificate.and_then(|certificate| certificate.sequences.parse().ok());
     let found = cause::causes(&members);
     let causes = found.into_iter().map(|cause::Cause { id, kind, members }| {
         let worst = &hazards[members[0]];
-        let around =
-            simulation.as_mut().map(|simulation| circumstances(prepared, simulation, worst)).unwrap_or_default();
+        let around = runs.as_mut().map(|runs| circumstances(prepared, runs, worst)).unwrap_or_default();
         let hazards: Vec<&Hazard> = members.iter().map(|&member| &hazards[member]).collect();
         Cause::new(id, (kind.robot, kind.part), &hazards, &around, all.as_ref())
     });
     causes.collect()
 }
 
-fn circumstances(prepared: &Prepared, simulation: &mut Simulation<Hosted>, hazard: &Hazard) -> Circumstances {
+fn circumstances(prepared: &Prepared, runs: &mut Runs<'_>, hazard: &Hazard) -> Circumstances {
     let cell = &prepared.cell;
     let (over, under) = past(prepared, hazard);
     let link = cell.links.iter().position(|link| link.name == hazard.robot_link);
     let mut around = Circumstances { over, under, ..Circumstances::default() };
     // An FMU that does not repeat itself, or none any more: what is known without it is told all the same.
-    let Ok(watched) = film::watch(simulation, prepared, hazard) else { return around };
+    let Ok((_, watched)) = runs.watch(hazard) else { return around };
     let contact = film::contact_frame(prepared, hazard, &watched);
     let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).reduce(f64::max);
     if let (Some(link), Some(since_s)) = (link, since) {

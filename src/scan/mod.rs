@@ -20,6 +20,7 @@
 //! - [`picture`]: the top view of one hazard
 //! - [`film`]: its replay, and what its FMU gets
 //! - `arms`: the person's arms in it
+//! - [`there`]: where and when a hazard begins, for whatever runs its sequence
 //! - `outline`: parts of a cell from above, for both
 //! - [`verify`]: known hazards tried again
 //! - [`explain`]: what there is to tell about a hazard
@@ -53,6 +54,7 @@ pub mod run;
 mod searched;
 mod seeds;
 mod stop_time;
+pub mod there;
 mod trial;
 pub mod verify;
 

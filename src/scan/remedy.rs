@@ -6,7 +6,7 @@
 //! 1. **Against the change itself** (`behaviour`): the person would start inside a field, the robot would hardly move or
 //!    merely be elsewhere in its programme, or sensors and robot would answer later to the same walks: a safeguard made
 //!    smaller. Such changes are no advice.
-//! 2. **Known sequences**, of all hazards of the scan.
+//! 2. **Known sequences**, of all hazards of the scan, each from where it begins.
 //! 3. **Quick searches**: from the start, for longer than the cell file says (a hazard that only comes later is not gone),
 //!    from the cell's other beginnings, and from places beside the start (`standpoint`): the person starts as precisely as
 //!    people do, and a gap is open to those who come from 3 cm beside.
@@ -32,7 +32,7 @@ use self::aim::{Aim, Whose};
 use self::behaviour::{Answers, Behaviour, Objection, probes};
 use self::looking::Known;
 pub use self::looking::Purse;
-use self::standpoint::{Standpoint, with_each_start};
+use self::standpoint::{Standpoint, begin_at, with_each_start};
 use self::trial::Trial;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
@@ -130,6 +130,9 @@ impl Why {
 /// Most sequences of the scan by which the number of steps is found; all of them are tried with what comes of that.
 const KNOWN: usize = 24;
 
+/// Most of these that begin elsewhere: each is run in a cell of its own.
+const ELSEWHERE: usize = 6;
+
 /// What all trials have in common.
 struct Bench<'a> {
     prepared: &'a Prepared,
@@ -142,7 +145,7 @@ struct Bench<'a> {
     around: Vec<Standpoint>,
     known: Vec<Known>,
     /// The sequences of all hazards of the scan.
-    all: Vec<Vec<Action>>,
+    all: Vec<Known>,
     links: Vec<String>,
     sensors: Vec<&'a str>,
     robots: Vec<&'a str>,
@@ -163,7 +166,12 @@ impl<'a> Bench<'a> {
     ) -> Result<Option<Self>, PlantError> {
         let cell = &prepared.cell;
         let Ok(text) = prepared.text.parse::<toml::Table>() else { return Ok(None) };
-        let Some(text) = with_each_start(text, cell) else { return Ok(None) };
+        let Some(mut text) = with_each_start(text, cell) else { return Ok(None) };
+        if let Some(begins) = hazard.begins
+            && begin_at(&mut text, begins, cell.search.actions).is_none()
+        {
+            return Ok(None);
+        }
         let kind = |hazard: &Hazard| {
             let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
             Some((hazard.body_region, link.robot))
@@ -171,11 +179,14 @@ impl<'a> Bench<'a> {
         let Some(own @ (_, robot)) = kind(hazard) else { return Ok(None) };
         // This hazard first, then in turns those of its kind and all of them, worst first as they stand in the scan.
         let alike: Vec<&Hazard> = known.iter().filter(|other| kind(other) == Some(own)).collect();
-        let mut all: Vec<Vec<Action>> = Vec::new();
-        let mut add = |hazard: &Hazard| {
-            for actions in [&hazard.actions, &hazard.shortest.actions] {
-                if !all.contains(actions) {
-                    all.push(actions.clone());
+        let standpoint = Standpoint::own(prepared);
+        let mut all: Vec<Known> = Vec::new();
+        let mut add = |other: &Hazard| {
+            let Some(standpoint) = standpoint.of_hazard(hazard.begins, other) else { return };
+            for actions in [&other.actions, &other.shortest.actions] {
+                let known = Known { standpoint, actions: actions.clone() };
+                if !all.contains(&known) {
+                    all.push(known);
                 }
             }
         };
@@ -183,14 +194,16 @@ impl<'a> Bench<'a> {
         for (number, any) in known.iter().enumerate() {
             alike.get(number).into_iter().copied().chain([any]).for_each(&mut add);
         }
-        let sequences = all[..all.len().min(KNOWN)].to_vec();
+        let here = all.iter().filter(|known| known.standpoint == standpoint).take(KNOWN);
+        let sequences: Vec<Vec<Action>> = here.clone().map(|known| known.actions.clone()).collect();
+        let elsewhere = all.iter().filter(|known| known.standpoint != standpoint).take(ELSEWHERE);
+        let first: Vec<Known> = here.chain(elsewhere).cloned().collect();
         let actions = cell.search.actions as usize;
         let probes = probes(&sequences, actions, cell.search.seed);
         let rest = actions + 4;
         let mut simulation = prepared.simulation(StateChoice::Auto, false)?;
         let before = Behaviour::observe(&mut simulation, rest)?;
         let answers = Answers::observe(&mut simulation, &probes)?;
-        let standpoint = Standpoint::own(prepared);
         let (beginnings, around) = Standpoint::others(prepared);
         let mut bench = Self {
             prepared,
@@ -202,7 +215,7 @@ impl<'a> Bench<'a> {
             beginnings,
             around: Vec::new(),
             all,
-            known: sequences.into_iter().map(|actions| Known { standpoint, actions }).collect(),
+            known: first,
             links: cell.links.iter().map(|link| link.name.clone()).collect(),
             sensors: cell.sensors.iter().map(|sensor| sensor.name.as_str()).collect(),
             robots: cell.robots.iter().map(|robot| robot.name.as_str()).collect(),
@@ -261,7 +274,9 @@ pub fn remedies(
     purse: &mut Purse,
     tell: &(dyn Fn(Told<'_>) + Sync),
 ) -> Result<Vec<Remedy>, PlantError> {
-    let Some(bench) = Bench::new(prepared, hazard, known, effort)? else { return Ok(Vec::new()) };
+    // Who has no room there is told by whoever runs the hazard first.
+    let Ok(there) = prepared.of_hazard(hazard) else { return Ok(Vec::new()) };
+    let Some(bench) = Bench::new(&there, hazard, known, effort)? else { return Ok(Vec::new()) };
     let units = BoundUnit::all(prepared.names.iter().zip(prepared.fmus.iter()));
     let encounter = Encounter { person_m: hazard.person_xy_m, robot: bench.robot };
     let Knobs { turned: knobs, held: kept } = Knobs::of(&prepared.cell, &bench.text, &units, &encounter);

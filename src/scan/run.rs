@@ -170,5 +170,6 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
         speed_criterion: prepared.cell.search.criterion,
+        until_s: None,
     }
 }

@@ -11,12 +11,16 @@ use crate::report::model::Hazard;
 use crate::report::verified::{Outcome, Verified};
 use crate::sim::replay::replay;
 
-/// Runs the worst and the shortest sequence of a hazard from a fresh instance each.
+/// Runs the worst and the shortest sequence of a hazard from a fresh instance each, from where and when it begins.
 #[must_use]
 pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
+    // The FMU and its variables are bound already: what can be wrong is the place.
+    let Ok(there) = prepared.of_hazard(hazard) else {
+        return Verified { hazard: hazard.clone(), outcome: Outcome::NoRoom };
+    };
     let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
-        let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-        replay(cell, binding, prepared.plant(StateChoice::Replay), actions)
+        let (cell, binding) = (Arc::clone(&there.cell), Arc::clone(&there.binding));
+        replay(cell, binding, there.plant(StateChoice::Replay), actions)
     };
     let sequences = [&hazard.actions, &hazard.shortest.actions];
     let different = if sequences[0] == sequences[1] { 1 } else { 2 };

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::common::guarded::{bar, every_sequence, guarded};
-use crate::common::{examples, fmi_hazard, write};
+use crate::common::{examples, fmi_hazard, json, scan_json, write};
 use fmi_hazard::human::Start;
 use fmi_hazard::report::anywhere::{Anywhere, Place};
 use fmi_hazard::report::model::Verdict;
@@ -27,7 +27,7 @@ fn cell(z: f64, parts: &str) -> String {
 fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
     let path = write(dir, "cell.toml", text);
     let effort = Effort { until_s, workers, most_states: 100_000, state: StateChoice::Auto };
-    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap()
+    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 
 /// A wall between two corners, `from_m` to `to_m` high.
@@ -191,18 +191,67 @@ fn nobody_gets_through_a_light_curtain_in_time_but_where_there_is_none() {
 }
 
 #[test]
-fn a_place_is_a_cell_file_that_shows_what_happens_there() {
+fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_shows_it() {
     let dir = guarded();
-    write(dir.path(), "cell.toml", &cell(0.45, ""));
-    let out = fmi_hazard(dir.path()).args(["scan", "cell.toml", "--from", "anywhere", "--until", "1s"]).output();
-    let out = out.unwrap();
-    let text = String::from_utf8_lossy(&out.stdout);
-    assert_eq!(out.status.code(), Some(1), "{text}");
+    let dir = dir.path();
+    write(dir, "cell.toml", &cell(0.45, ""));
+    let ran = |arguments: &[&str], code: i32| {
+        let out = fmi_hazard(dir).args(arguments).output().unwrap();
+        let text = String::from_utf8_lossy(&out.stdout).into_owned();
+        assert_eq!(out.status.code(), Some(code), "{arguments:?}: {text}{}", String::from_utf8_lossy(&out.stderr));
+        (text, String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    let folder = "out/anywhere";
+    let (text, notes) = ran(&["scan", "cell.toml", "--from", "anywhere", "--until", "1s"], 1);
     assert!(text.contains("Somebody who comes from where no sensor sees them can be hit"), "{text}");
-    let place = "out/anywhere/place-1.toml";
-    assert!(text.contains(&format!("fmi-hazard scan {place}")), "{text}");
-    let again = fmi_hazard(dir.path()).args(["scan", place, "--no-advice"]).output().unwrap();
-    assert_eq!(again.status.code(), Some(1), "{}", String::from_utf8_lossy(&again.stderr));
+    let scan = scan_json(&dir.join(folder));
+    let list = |of: &str| scan[of].as_array().unwrap().clone();
+    let (hazards, causes) = (list("hazards"), list("causes"));
+    let id = |of: &serde_json::Value| of["id"].as_str().unwrap().to_owned();
+    assert!(text.contains(&id(&causes[0])), "{text}");
+    assert!(notes.contains(&format!("fmi-hazard explain {folder} {}", id(&causes[0]))), "{notes}");
+    assert_eq!((&scan["settings"]["strategy"], &scan["settings"]["until_s"]), (&"anywhere".into(), &1.0.into()));
+    for hazard in &hazards {
+        assert_eq!((&hazard["confirmed"], &hazard["shortest"]["confirmed"]), (&true.into(), &true.into()));
+        assert!(hazard["begins"]["begins_s"].as_f64().unwrap() < 1.0, "{hazard}");
+        assert_eq!(
+            causes.iter().filter(|cause| cause["hazards"].as_array().unwrap().contains(&hazard["id"])).count(),
+            1
+        );
+    }
+    for file in ["report.html", "hazards.csv", "causes.csv", "junit.xml", "hazards.sarif", "hazards.jsonl", "run.json"]
+    {
+        assert!(dir.join(folder).join(file).is_file(), "{file}");
+    }
+    assert!(dir.join(folder).join(format!("{}.svg", id(&hazards[0]))).is_file());
+    // Each again, from where and when it begins.
+    let (text, _) = ran(&["replay", folder, "all"], 1);
+    assert_eq!(text.matches("as recorded to the last bit; begins at").count(), hazards.len(), "{text}");
+    let (text, _) = ran(&["verify", folder, "cell.toml"], 1);
+    assert_eq!(text.matches("STILL THERE  H-").count(), hazards.len(), "{text}");
+    write(dir, "slow.toml", &cell(0.45, "").replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02"));
+    let (text, _) = ran(&["verify", folder, "slow.toml"], 0);
+    assert!(text.contains(&format!("{0} of {0} known hazards fixed", hazards.len())), "{text}");
+    let (text, _) = ran(&["compare", folder, folder], 0);
+    assert!(text.contains(&format!("{} same.", hazards.len())), "{text}");
+    ran(&["report", folder, "--hazard", &id(&hazards[0]), "--out", "again.html"], 0);
+    assert!(dir.join("again.html").is_file());
+    // The last one begins elsewhere than the cell file says, and so does what is tried against it.
+    let last = hazards.last().unwrap();
+    let (text, _) = ran(&["explain", folder, &id(last), "--quick", "--iterations", "1", "--format", "json"], 0);
+    let told: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&told["start"][0], &told["begins_s"]), (&last["begins"]["xy_m"], &last["begins"]["begins_s"]));
+    // The worst place as a cell file.
+    let place = format!("{folder}/place-1.toml");
+    ran(&["scan", &place, "--no-advice", "--out", "place"], 1);
+    let there = scan_json(&dir.join("place"));
+    let found = json(&dir.join(folder).join("anywhere.json"));
+    assert!(there["hazards"].as_array().unwrap().iter().any(|hazard| hazard["id"] == found["hazards"][0]["id"]));
+    assert!(hazards.iter().any(|hazard| hazard["id"] == found["hazards"][0]["id"]));
+}
+
+#[test]
+fn a_cell_whose_fmu_is_told_where_the_person_is_is_refused() {
     // What robots do when they are told where somebody is, is not one history.
     let told = examples();
     let out = fmi_hazard(told.path()).args(["scan", "two-scanners/cell.toml", "--from", "anywhere"]).output();

@@ -20,11 +20,12 @@ export const colourOf = ({ number }) => COLOURS[(number - 1) % COLOURS.length];
 /** Number of a cause in its colour. */
 export const badge = (cause) => h("span", { class: "badge", style: `background:${colourOf(cause)}` }, String(cause.number));
 
-/** How often, how early, how many, as pairs. */
-export function figures(cause) {
+/** How often, how early, how many, as pairs; of a cause whose worst hazard has a beginning of its own, when that is. */
+export function figures(data, cause) {
+  const { begins } = data.hazard(cause.worst);
   return [
     ["share", typeof cause.share === "number" ? `${words.share(cause.share)} of all sequences` : ""],
-    ["earliest", `after ${words.time(cause.earliest_time_s)}`],
+    ["earliest", begins ? `worst begins ${words.begun(begins)}` : `after ${words.time(cause.earliest_time_s)}`],
     ["ways", `${words.count(cause.hazards.length, "way")}, ${cause.confirmed === cause.hazards.length ? (cause.confirmed === 1 ? "confirmed" : "all confirmed") : `${cause.confirmed} confirmed`}`],
   ].filter(([, text]) => text);
 }
@@ -108,7 +109,7 @@ export function causeCard(data, cause, { choose, assess, assessments }) {
     h("header", { class: "cause-head" }, badge(cause), h("h3", { class: cause.sentence.length > LONG ? "long" : null, "data-test": "cause-sentence" }, link), h("span", { class: "id" }, cause.id)),
     h("p", { class: "severity" }, h("b", { class: "worst" }, worst), " ", h("span", {}, sizes)),
     otherForce(data, cause),
-    h("ul", { class: "figures" }, figures(cause).map(([key, text]) => h("li", { class: `figure-${key}` }, text))),
+    h("ul", { class: "figures" }, figures(data, cause).map(([key, text]) => h("li", { class: `figure-${key}` }, text))),
     h("div", { class: "cause-body" }, remedy(cause), outline.element),
     h("div", { class: "decision-row" }, decision, h("button", { type: "button", class: "screen-only", onclick: assess }, "Assess it")),
     h("details", { class: "lines", "data-test": "lines" }, h("summary", {}, `${words.count(cause.hazards.length, "way")} of this cause, by region and link`), cause.lines.map(line)),

@@ -1,6 +1,7 @@
 // What the search covered and what that is worth: certificate, residual figures, coverage, faults, notes.
 
 import { definitions, h, section } from "./dom.js";
+import { fromAnywhere, lookedAt } from "./verdict.js";
 import { count, grouped, ratio, share, speed } from "./words.js";
 
 const ms = (seconds) => `${(1000 * seconds).toFixed(0)} ms`;
@@ -13,7 +14,11 @@ function again({ transitions, compared, merges, merges_compared: gone }) {
   return compared > 0 ? `${part(compared, transitions)} FMU transitions, by fresh instances from the start${merged}${sample}` : "";
 }
 
-function certificate({ certificate: c, settings }) {
+function certificate(scan) {
+  const { certificate: c, settings } = scan;
+  if (fromAnywhere(scan)) {
+    return [h("h3", {}, "From anywhere"), h("p", { "data-test": "anywhere" }, `Looked at: ${lookedAt(scan)}. What is not known is told in the notes.`)];
+  }
   if (!c) {
     return [
       h("h3", {}, "Not complete"),
@@ -68,7 +73,12 @@ function residual(r) {
   ];
 }
 
-function seen({ coverage: c, spent, certificate: complete }, cell) {
+function seen(scan, cell) {
+  const { coverage: c, spent, certificate: complete } = scan;
+  if (fromAnywhere(scan)) {
+    const cost = `${count(spent.fmu_steps, "FMU step")}, ${count(spent.fmu_states, "FMU state")}, ${count(spent.contact_checks, "set")} of poses, ${count(spent.arm_checks, "arm search").replace("searchs", "searches")}`;
+    return [h("h3", {}, "Coverage"), definitions([["spent", cost]])];
+  }
   const near = c.closest_approach_m < 1e6 ? `${c.closest_approach_m.toFixed(2)} m${c.closest_approach_m < 0 ? " (shapes overlap)" : ""}` : "never near";
   const names = cell.sensors;
   const fired = c.sensor_actions.map((times, index) => `${names[index]} in ${count(times, "action")}`).join(", ");

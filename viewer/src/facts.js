@@ -38,6 +38,7 @@ export function facts(hazard, settings, { short = false } = {}) {
   const list = definitions([
     ["what", what(hazard, settings)],
     ["where", `contact at ${words.point(hazard.contact_point_m)}; the person stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
+    ["begins", hazard.begins ? `at ${words.point(hazard.begins.xy_m)}, looking to ${hazard.begins.heading_deg.toFixed(0)}°, ${words.begun(hazard.begins)}; times count from then` : ""],
     ["force", bothForces(hazard, settings)],
     ["how computed", short ? "" : formula(hazard)],
     ["arm", hazard.arm && !short ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],

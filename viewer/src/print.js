@@ -5,7 +5,7 @@ import { bodyOutline } from "./body.js";
 import { badge, figures, otherForce, remedy } from "./card.js";
 import { definitions, drawing, h } from "./dom.js";
 import { facts } from "./facts.js";
-import { summary } from "./verdict.js";
+import { fromAnywhere, lookedAt, summary } from "./verdict.js";
 import * as words from "./words.js";
 
 /** Lines of a cause that have room on its page. */
@@ -16,6 +16,9 @@ const table = (heads, rows, kind) =>
 
 function covered({ scan }) {
   const { certificate: c, spent } = scan;
+  if (fromAnywhere(scan)) {
+    return `${lookedAt(scan)}.`;
+  }
   return c?.complete
     ? `All ${words.grouped(c.sequences)} sequences of ${c.horizon} actions, ${words.time(scan.settings.action_s)} each, in this model.`
     : `${words.count(spent.iterations, "sequence")} of actions; the search is not complete.`;
@@ -65,7 +68,7 @@ function causePage(data, cause, assessments) {
     h("h2", {}, badge(cause), ` ${cause.sentence}`),
     h("p", { class: "severity" }, h("b", {}, worst), ` ${sizes}`),
     otherForce(data, cause),
-    h("p", {}, [...figures(cause).map(([, text]) => text), cause.id].join(" · ")),
+    h("p", {}, [...figures(data, cause).map(([, text]) => text), cause.id].join(" · ")),
     h("div", { class: "print-pictures" }, view ? drawing(view) : h("p", { class: "note" }, "This report carries no drawing of its worst way."), outline.element),
     h("div", { class: "print-columns" }, h("div", {}, remedy(cause)), h("div", {}, h("h4", {}, "Assessment (ISO 12100)"), definitions([
       ...FIELDS.map(({ key, label }) => [label.split(":")[0].toLowerCase(), key === "decision" ? assessments.ofCause(cause.id) : given[key]]),

@@ -25,8 +25,14 @@ function sentence(scan) {
   }
 }
 
-/** Which sequences were looked at. */
-function lookedAt({ certificate, settings, spent }) {
+/** Whether the scan was about people from anywhere, of whom each begins elsewhere. */
+export const fromAnywhere = ({ settings }) => settings.strategy === "anywhere";
+
+/** What was looked at. */
+export function lookedAt({ certificate, settings, spent }) {
+  if (settings.strategy === "anywhere") {
+    return `people who come from anywhere that no sensor sees, at any moment within ${settings.until_s} s of the FMU's start`;
+  }
   const quick = `a quick search of ${count(spent.iterations, "sequence")}`;
   if (certificate) {
     const beginnings = `all beginnings of ${certificate.complete_for_actions} of ${certificate.horizon} actions`;
@@ -44,6 +50,9 @@ function scope(scan) {
       "Complete.",
       `All ${grouped(scan.certificate.sequences)} sequences are accounted for: ${others} within the stated actions and horizon, in this model. A statement about the model, not about the real cell.`,
     ];
+  }
+  if (fromAnywhere(scan) && scan.verdict === "none_found") {
+    return ["Nothing was left open.", `Looked at: ${lookedAt(scan)}. A statement about the model, not about the real cell.`];
   }
   const left = scan.residual ? " The residual figures under coverage bound what is left." : "";
   return ["Not complete.", `Looked at: ${lookedAt(scan)}. Not finding more is not proof of safety.${left}`];

@@ -39,6 +39,9 @@ export const speed = (value) => `${value.toFixed(2)} m/s`;
 /** A time. */
 export const time = (value) => `${value.toFixed(2)} s`;
 
+/** When somebody begins who does not where the scan did. */
+export const begun = ({ begins_s: at }) => `${time(at)} after the FMU's start`;
+
 /** A point. */
 export const point = (values) => `(${values.map((value) => value.toFixed(2)).join(", ")}) m`;
 

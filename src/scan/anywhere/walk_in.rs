@@ -14,8 +14,10 @@ const MOST_WALKING: usize = 7;
 /// Where somebody starts and when, and what they do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WalkIn {
-    /// Where.
-    pub start: Start,
+    /// Where, floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Where they look there, from +x towards +y, degrees.
+    pub heading_deg: f64,
     /// Communication steps after the FMU's own start.
     pub lead_in: usize,
     /// What.
@@ -23,10 +25,23 @@ pub struct WalkIn {
 }
 
 impl WalkIn {
+    /// Where they start.
+    pub fn start(&self) -> Start {
+        let [x, y] = self.xy_m;
+        Start::new(x, y, self.heading_deg)
+    }
+
+    /// When they start, after the FMU, s.
+    #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
+    pub fn begins_s(&self, step_s: f64) -> f64 {
+        self.lead_in as f64 * step_s
+    }
+
     /// Whoever stands there, from so many steps before the instant on.
     pub fn standing(harm: &Harm, step: usize, before: usize) -> Self {
         Self {
-            start: Start::new(harm.xy_m[0], harm.xy_m[1], harm.heading_rad.to_degrees()),
+            xy_m: harm.xy_m,
+            heading_deg: harm.heading_rad.to_degrees(),
             lead_in: step.saturating_sub(before),
             actions: vec![Action::new(Walk::Stop, harm.posture)],
         }
@@ -93,9 +108,9 @@ impl Way<'_> {
         actions.push(Action::new(self.last, posture));
         // There just at the instant.
         let mut all = Vec::new();
+        let (xy_m, heading_deg) = (start, heading.to_degrees());
         if let Some(lead_in) = seen.step.checked_sub(arrived) {
-            let start = Start::new(start[0], start[1], heading.to_degrees());
-            all.push(WalkIn { start, lead_in, actions: actions.clone() });
+            all.push(WalkIn { xy_m, heading_deg, lead_in, actions: actions.clone() });
         }
         // Seen as long before as told, and there until then.
         let begun = (seen.step - 1).saturating_sub(seen.lasting);
@@ -105,8 +120,7 @@ impl Way<'_> {
         {
             let waits = (seen.step - lead_in - arrived).div_ceil(cell.steps_per_action);
             actions.extend(vec![Action::new(Walk::Stop, posture); waits]);
-            let start = Start::new(start[0], start[1], heading.to_degrees());
-            all.push(WalkIn { start, lead_in, actions });
+            all.push(WalkIn { xy_m, heading_deg, lead_in, actions });
         }
         all
     }

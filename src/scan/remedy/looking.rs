@@ -9,8 +9,8 @@ use crate::cell::knob::Knob;
 use crate::hazard::{Finding, Groups, Identity};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
-use crate::report::advice::{Begin, Complete, Met};
-use crate::report::model::{Certificate, Hazard, Verdict};
+use crate::report::advice::{Complete, Met};
+use crate::report::model::{Begin, Certificate, Hazard, Verdict};
 use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
@@ -147,6 +147,23 @@ impl<'a> Changed<'a> {
             cell: there.map_or_else(String::new, |prepared| prepared.text),
             beginning: standpoint.beginning,
         }
+    }
+
+    /// Runs sequences, those from one place together; the first hazard that counts.
+    pub fn run_all(&self, known: &[&Known], pass: &mut Pass) -> Looked {
+        let mut standpoints: Vec<Standpoint> = Vec::new();
+        for Known { standpoint, .. } in known {
+            if !standpoints.contains(standpoint) {
+                standpoints.push(*standpoint);
+            }
+        }
+        for standpoint in standpoints {
+            let from = known.iter().filter(|known| known.standpoint == standpoint);
+            if let Some(witness) = self.run(standpoint, from.map(|known| known.actions.as_slice()), pass)? {
+                return Ok(Some(witness));
+            }
+        }
+        Ok(None)
     }
 
     /// Runs sequences from one place; the first hazard that counts.
@@ -363,7 +380,8 @@ impl Purse {
 pub(super) fn shifted(known: &[Known], actions: usize, more: usize) -> Vec<Vec<Action>> {
     let whole = actions + more;
     let mut all: Vec<Vec<Action>> = Vec::new();
-    for Known { actions, .. } in known.iter().filter(|known| known.standpoint.more == 0).take(SHIFTED) {
+    let is_here = |known: &&Known| known.standpoint.more == 0 && known.standpoint.elsewhere.is_none();
+    for Known { actions, .. } in known.iter().filter(is_here).take(SHIFTED) {
         for stops in (0..=more).step_by(2) {
             for then in [Action::REST, Action::new(Walk::Forward, Posture::Upright)] {
                 let mut sequence = vec![Action::REST; stops];
@@ -385,7 +403,7 @@ mod tests {
 
     #[test]
     fn sequences_begin_later_and_end_with_standing_still() {
-        let standpoint = Standpoint { beginning: 0, beside: [0.0; 3], more: 0 };
+        let standpoint = Standpoint { beginning: 0, beside: [0.0; 3], more: 0, elsewhere: None };
         let walk = Action::ALL[7];
         let known =
             [Known { standpoint, actions: vec![walk; 2] }, Known { standpoint: standpoint.longer(1), actions: vec![] }];

@@ -1,9 +1,11 @@
 //! Where and when the person begins while a change is tried, and for how long: from the start that the hazard is about, from
-//! the cell's other beginnings, from beside the start, and for longer than the cell says.
+//! the cell's other beginnings, from beside the start, for longer than the cell says, and from where other hazards of the scan
+//! begin.
 
 use toml::{Table, Value};
 
 use crate::cell::Workcell;
+use crate::report::model::{Begin, Hazard};
 use crate::scan::prepare::Prepared;
 
 /// Where a sequence begins, and how many actions it may have.
@@ -15,6 +17,8 @@ pub(super) struct Standpoint {
     pub beside: [f64; 3],
     /// Actions more than the cell says.
     pub more: u32,
+    /// Where and when instead, and for how many actions: where another hazard has a beginning of its own.
+    pub elsewhere: Option<(Begin, u32)>,
 }
 
 /// Places beside a start, m to the front and to the left, and turns to the left, degrees: within 5 cm, and off the grid that
@@ -33,7 +37,20 @@ const AROUND: [[f64; 3]; 8] = [
 impl Standpoint {
     /// The beginning that a prepared cell is about.
     pub fn own(prepared: &Prepared) -> Self {
-        Self { beginning: prepared.cell.beginning, beside: [0.0; 3], more: 0 }
+        Self { beginning: prepared.cell.beginning, beside: [0.0; 3], more: 0, elsewhere: None }
+    }
+
+    /// Where a hazard begins, of a scan whose hazards begin where each of them says; seen from where `own` does, which is about
+    /// another of them. Nothing if one of the two begins where the scan did, and the other does not.
+    pub fn of_hazard(self, own: Option<Begin>, hazard: &Hazard) -> Option<Self> {
+        match (own, hazard.begins) {
+            (own, begins) if own == begins => Some(self),
+            (Some(_), Some(begins)) => {
+                let longest = hazard.actions.len().max(hazard.shortest.actions.len());
+                Some(Self { elsewhere: Some((begins, u32::try_from(longest).ok()?)), ..self })
+            }
+            _ => None,
+        }
     }
 
     /// The cell's other beginnings, then places around the own start.
@@ -52,6 +69,9 @@ impl Standpoint {
     /// The cell file with the person there; nothing if the file is not as expected.
     fn text(&self, table: &Table, actions: u32) -> Option<String> {
         let mut table = table.clone();
+        if let Some((begin, actions)) = self.elsewhere {
+            begin_at(&mut table, begin, actions)?;
+        }
         if self.beside != [0.0; 3] {
             let human = table.get_mut("human")?.as_table_mut()?;
             let others = human.get("other_starts").and_then(Value::as_array).map_or(0, Vec::len);
@@ -109,6 +129,20 @@ pub(super) fn with_each_start(mut table: Table, cell: &Workcell) -> Option<Table
     Some(table)
 }
 
+/// Writes the only beginning into a cell file, and for how many actions. Nothing if the file is not as expected.
+pub(super) fn begin_at(table: &mut Table, begin: Begin, actions: u32) -> Option<()> {
+    let human = table.get_mut("human")?.as_table_mut()?;
+    human.remove("start_area");
+    human.remove("other_starts");
+    let xy_m = Value::Array(begin.xy_m.map(Value::Float).to_vec());
+    let start = Table::from_iter([("xy_m".to_owned(), xy_m), ("heading_deg".to_owned(), begin.heading_deg.into())]);
+    human.insert("start".to_owned(), Value::Table(start));
+    human.insert("begins_s".to_owned(), Value::Array(vec![begin.begins_s.into()]));
+    let search = table.entry("search").or_insert_with(|| Value::Table(Table::new())).as_table_mut()?;
+    search.insert("actions".to_owned(), i64::from(actions).into());
+    Some(())
+}
+
 /// Most actions that a cell file may ask for.
 pub(super) const MOST_ACTIONS: u32 = 64;
 
@@ -128,7 +162,7 @@ mod tests {
             .parse()
             .expect("it is TOML");
         let at = |beginning| {
-            let text = Standpoint { beginning, beside: [0.25, -0.5, 7.0], more: 3 }
+            let text = Standpoint { beginning, beside: [0.25, -0.5, 7.0], more: 3, elsewhere: None }
                 .text(&table, 8)
                 .expect("it can be changed");
             text.parse::<Table>().expect("it is TOML")

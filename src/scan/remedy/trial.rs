@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::looking::{Changed, Known, Pass, Purse, SHIFTED, SPENT, Witness, shifted};
-use super::standpoint::{MOST_ACTIONS, Standpoint};
+use super::standpoint::MOST_ACTIONS;
 use super::{Bench, Goal, Why};
 use crate::cell::knob::Knob;
 use crate::human::action::ACTION_S;
@@ -332,26 +332,14 @@ impl<'a> Trial<'a> {
         let (bench, goal) = (self.bench, self.goal);
         let known: Vec<Known> =
             self.known.iter().filter(|known| bench.is_from(goal, &known.standpoint)).cloned().collect();
-        let changed = self.changed(steps)?;
-        let mut standpoints: Vec<Standpoint> = Vec::new();
-        for Known { standpoint, .. } in &known {
-            if !standpoints.contains(standpoint) {
-                standpoints.push(*standpoint);
+        let witness = self.changed(steps)?.run_all(&known.iter().collect::<Vec<_>>(), pass)?;
+        if let Some(Witness { known: Known { standpoint, actions }, .. }) = &witness {
+            let led = |known: &Known| known.standpoint == *standpoint && known.actions.starts_with(actions);
+            if let Some(place) = self.known.iter().position(led) {
+                self.known[..=place].rotate_right(1);
             }
         }
-        for standpoint in standpoints {
-            let from =
-                known.iter().filter(|known| known.standpoint == standpoint).map(|known| known.actions.as_slice());
-            if let Some(witness) = changed.run(standpoint, from, pass)? {
-                let led =
-                    |known: &Known| known.standpoint == standpoint && known.actions.starts_with(&witness.known.actions);
-                if let Some(place) = self.known.iter().position(led) {
-                    self.known[..=place].rotate_right(1);
-                }
-                return Ok(Some(witness));
-            }
-        }
-        Ok(None)
+        Ok(witness)
     }
 
     /// Tries a step; completely if there is a purse for it.
@@ -437,7 +425,7 @@ impl<'a> Trial<'a> {
         let changed = self.changed(steps)?;
         let iterations = bench.effort.iterations;
         let mut checked = Checked { known_sequences, searched: iterations, ..Checked::default() };
-        if let Some(witness) = match changed.run(bench.own, bench.all.iter().map(Vec::as_slice), pass)? {
+        if let Some(witness) = match changed.run_all(&bench.all.iter().collect::<Vec<_>>(), pass)? {
             None => changed.search(bench.own, iterations, pass)?,
             met => met,
         } {

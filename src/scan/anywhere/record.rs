@@ -1,0 +1,201 @@
+//! What was shown by runs of its own, as the ordinary record of a scan: hazards with where and when each begins, their causes,
+//! and what is not known.
+
+use std::collections::BTreeMap;
+
+use super::walk_in::WalkIn;
+use super::{Effort, Looked};
+use crate::hazard::{Finding, Group, Identity};
+use crate::host::{self, PlantError};
+use crate::human::action::ACTION_S;
+use crate::report::anywhere::{ANYWHERE, Anywhere};
+use crate::report::model::{
+    Begin, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Shortest, Spent, Subject, Verdict,
+};
+use crate::report::speeds::SpeedRecord;
+use crate::scan::attempts::confirm;
+use crate::scan::causes::causes;
+use crate::scan::footing::Footing;
+use crate::scan::hosting::StateChoice;
+use crate::scan::minimise::minimise;
+use crate::scan::prepare::Prepared;
+use crate::scan::run::Scanned;
+use crate::sim::Coverage;
+use crate::sim::expansion::Merge;
+use crate::standards::tables::tables;
+
+/// Hazards that a run of their own has shown.
+#[derive(Debug, Default)]
+pub(super) struct Shown(BTreeMap<Identity, Way>);
+
+/// The worst of the runs that show a hazard.
+#[derive(Debug)]
+struct Way {
+    finding: Finding,
+    way: WalkIn,
+    times: u64,
+}
+
+impl Shown {
+    /// Takes in what a walk leads to.
+    pub fn add(&mut self, finding: &Finding, way: &WalkIn, links: &[String]) {
+        let new = || Way { finding: finding.clone(), way: way.clone(), times: 0 };
+        let known = self.0.entry(Identity::of(finding, links)).or_insert_with(new);
+        known.times += 1;
+        if finding.contact.ratio() > known.finding.contact.ratio() {
+            *known = Way { times: known.times, ..new() };
+        }
+    }
+}
+
+/// What came of it besides places.
+#[derive(Debug)]
+pub(super) struct Rest {
+    /// Hazards.
+    pub shown: Shown,
+    /// What was seen.
+    pub coverage: Coverage,
+    /// What is told of speeds that are not those of the motion.
+    pub speeds: Vec<SpeedRecord>,
+    /// Different states of the FMU.
+    pub states: usize,
+    /// What the FMU did.
+    pub did: host::Effort,
+}
+
+impl Rest {
+    /// Of nothing so far, with `sensors` sensors.
+    pub fn new(sensors: usize) -> Self {
+        Self {
+            shown: Shown::default(),
+            coverage: Coverage::new(sensors),
+            speeds: Vec::new(),
+            states: 0,
+            did: host::Effort::default(),
+        }
+    }
+}
+
+impl Looked {
+    /// The ordinary record: its hazards are confirmed by fresh instances, their sequences shortened, and causes told.
+    #[must_use]
+    pub fn scanned(&self, prepared: &Prepared, effort: Effort) -> Scanned {
+        let (found, rest) = (&self.found, &self.rest);
+        prepared.stop().finishing();
+        let footing = Footing::asked(prepared, effort.state, Merge::Auto);
+        let mut hazards: Vec<Hazard> =
+            rest.shown.0.iter().map(|(identity, way)| hazard(prepared, footing, identity, way)).collect();
+        hazards.sort_by(|a, b| b.ratio.total_cmp(&a.ratio).then_with(|| a.id.cmp(&b.id)));
+        let rung = footing.rung(prepared);
+        let causes = causes(prepared, rung, &hazards, None);
+        let report = ScanReport {
+            schema_version: SCHEMA_VERSION,
+            tool: found.tool.clone(),
+            verdict: found.verdict,
+            // It is about none of the cell's beginnings.
+            subject: Subject { beginning: None, ..prepared.subject.clone() },
+            settings: settings(prepared, found),
+            causes,
+            warnings: warnings(found, &hazards),
+            hazards,
+            certificate: None,
+            residual: None,
+            coverage: rest.coverage.clone(),
+            spent: Spent {
+                iterations: 0,
+                actions: 0,
+                fmu_steps: found.spent.fmu_steps,
+                fmu_states: rest.states,
+                contact_checks: found.spent.boxes,
+                arm_checks: found.spent.arm_checks,
+            },
+            speeds: rest.speeds.clone(),
+            faults: Vec::new(),
+            self_test: prepared.self_test.clone(),
+            standard_edition: STANDARD_EDITION,
+            tables: tables().collect(),
+        };
+        Scanned { report, rung, effort: rest.did, remembered: 0 }
+    }
+}
+
+fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
+    let search = &prepared.cell.search;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an hour of actions at most")]
+    let actions = (found.until_s / ACTION_S).ceil() as u32;
+    Settings {
+        strategy: ANYWHERE.to_owned(),
+        seed: search.seed,
+        iterations: 0,
+        stop_at_first: false,
+        posture_sweep: true,
+        actions_per_sequence: actions,
+        action_s: ACTION_S,
+        contact_check_interval_s: prepared.cell.step_s,
+        reach_tolerance_m: search.reach_tolerance_m,
+        speed_criterion: search.criterion,
+        until_s: Some(found.until_s),
+    }
+}
+
+/// What the user should know, and why the absence of further hazards is not shown.
+fn warnings(found: &Anywhere, hazards: &[Hazard]) -> Vec<String> {
+    let mut all = found.warnings.clone();
+    let unconfirmed = hazards.iter().filter(|hazard| hazard.confirmed != Some(true)).count();
+    if unconfirmed > 0 {
+        all.push(format!("{unconfirmed} hazards were not confirmed by another fresh run"));
+    }
+    all.extend(found.reasons.iter().map(|reason| format!("not complete: {reason}")));
+    if found.verdict == Verdict::HazardsFound {
+        all.push("of each body region and robot link the worst that was tried is told; there may be others".to_owned());
+    }
+    all
+}
+
+/// The record of a hazard.
+fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Way) -> Hazard {
+    let cell = &prepared.cell;
+    let links: Vec<String> = cell.links.iter().map(|link| link.name.clone()).collect();
+    let sensors: Vec<String> = cell.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+    let Way { finding, way, times } = shown;
+    let mut group = Group {
+        id: identity.id(),
+        worst: finding.clone(),
+        first_iteration: 0,
+        times_found: *times,
+        earliest_s: finding.time_s,
+        shortest: finding.clone(),
+        sequences: None,
+    };
+    let begins = Begin { xy_m: way.xy_m, heading_deg: way.heading_deg, begins_s: way.begins_s(cell.step_s) };
+    let with = |group: &Group| Hazard { begins: Some(begins), ..Hazard::new(group, &links, &sensors) };
+    let first = with(&group);
+    // A run of its own has shown it there.
+    let Ok(there) = prepared.of_hazard(&first) else { return first };
+    let shortest = || -> Result<Finding, PlantError> {
+        let mut simulation = there.simulation(StateChoice::Replay, false)?;
+        minimise(&mut simulation, finding, identity, &links, |_| !there.stop().is_asked())
+    };
+    if finding.actions.len() > 1
+        && let Ok(shortest) = shortest()
+    {
+        group.shortest = shortest;
+    }
+    let mut hazard = with(&group);
+    let mut plain = footing.plain(&there);
+    let (confirmed, since) = confirm(&there, &mut plain, &group.worst, &mut None);
+    hazard.confirmed = confirmed;
+    for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
+        sensor.since_s = since_s;
+    }
+    hazard.shortest.confirmed = match group.shortest == group.worst {
+        true => confirmed,
+        false => confirm(&there, &mut plain, &group.shortest, &mut None).0,
+    };
+    if hazard.shortest.confirmed != Some(true) {
+        // The worst is sure, so it stands for both.
+        group.shortest = group.worst.clone();
+        hazard.shortest = Shortest { confirmed, ..with(&group).shortest };
+    }
+    hazard
+}
