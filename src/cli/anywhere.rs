@@ -10,11 +10,15 @@ use super::scan::{Run, file_name, introduce};
 use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
 use crate::report::anywhere::{Anywhere, Place};
+use crate::report::floorplan;
+use crate::report::whole::Whole;
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
-use crate::scan::{Prepared, Scanned};
+use crate::scan::{Prepared, Scanned, picture};
 
 /// Where the result is kept.
 const RESULT: &str = "anywhere.json";
+/// The floor as a picture.
+const FLOOR: &str = "floor.svg";
 /// Steps of the progress bar.
 const STEPS: u64 = 1000;
 
@@ -41,6 +45,9 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
     let mut tell = |told: Told| {
         match told {
             Told::States(states, most) => output::phase(&format!("stepping the FMU: {states} states, {most} at most")),
+            Told::Asked(share) => {
+                output::phase(&format!("asking the FMU what its sensors report: {:.0} %", share * 100.0));
+            }
             Told::RunAgain(done, of) => output::phase(&format!("running again from the start: {done} of {of}")),
             Told::Floor(share, hazards) => {
                 #[expect(
@@ -76,10 +83,12 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
     output::phase("writing the results");
     let json = output::pretty(&found)?;
     output::write_file(&out.join(RESULT), &json)?;
+    output::write_file(&out.join(FLOOR), &floorplan::render(&Whole::from(&found), &picture::plan(prepared)))?;
     places(&found, cell_path, &out)?;
     let interrupted = stop.is_asked();
     let (baseline, reproduce) = (baseline.as_ref(), &arguments.reproduce(path, &out, None, None));
-    let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
+    let context =
+        results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: Some(&found) };
     results::write(&report, &context, &out)?;
     results::write_run(prepared, rung, (did, remembered), reproduce, &out)?;
     match arguments.format {

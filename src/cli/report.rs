@@ -59,7 +59,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let subject = &prepared.subject;
     let reproduce = earlier::reproduce(&arguments.scan)
         .unwrap_or_else(|| format!("fmi-hazard scan {}", recorded.subject.path.display()));
-    let page = page::render(&scan, &subject.title(), &reproduce, &assessments, &film::scenery(&prepared), &replays);
+    let page =
+        page::render(&scan, &subject.title(), &reproduce, &assessments, &film::scenery(&prepared), &replays, None);
     let out = arguments.out.clone().unwrap_or_else(|| recorded.folder.join("report.html"));
     output::write_file(&out, &page.map_err(Failure::unusable)?)?;
     output::note(&format!(" Report  {} with {} replays", out.display(), replays.len()));

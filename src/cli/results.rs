@@ -11,6 +11,7 @@ use crate::cell::workcell::Link;
 use crate::host::Effort;
 use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
+use crate::report::anywhere::Anywhere;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::cause::Cause;
@@ -43,6 +44,8 @@ pub(super) struct Context<'a> {
     pub baseline: Option<&'a Baseline>,
     /// What people decided.
     pub assessments: &'a Assessments,
+    /// What is known of people from anywhere, if that was looked at.
+    pub whole: Option<&'a Anywhere>,
 }
 
 /// What people decided about this cell's hazards.
@@ -75,7 +78,7 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     let replays = write_hazards(report, context, out)?;
     let scenery = film::scenery(context.prepared);
     let title = report.subject.title();
-    let page = page::render(report, &title, context.reproduce, context.assessments, &scenery, &replays);
+    let page = page::render(report, &title, context.reproduce, context.assessments, &scenery, &replays, context.whole);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
     Ok(json)
 }

@@ -288,7 +288,8 @@ impl Run<'_> {
         let several = prepared.cell.beginnings.len() > 1;
         let beginning = several.then_some(prepared.cell.beginning + 1);
         let reproduce = &arguments.reproduce(path, out, beginning, Some(&options));
-        let context = results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments };
+        let context =
+            results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: None };
         let mut json = results::write(&report, &context, out)?;
         results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
         let written = began.elapsed() - searched;

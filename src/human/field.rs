@@ -49,9 +49,10 @@ impl Field {
         Self { floor: floor.clone(), least_m }
     }
 
-    /// From any point of `sources`, through cells of `domain`; a source that is no cell of it is none.
+    /// From any point of `sources`, through cells of `domain`; a source that is no cell of it is none. Of ways that are longer than
+    /// `most_m` it is told only that they are.
     #[must_use]
-    pub fn from(floor: &Floor, sources: &[bool], domain: &[bool]) -> Self {
+    pub fn from(floor: &Floor, sources: &[bool], domain: &[bool], most_m: f64) -> Self {
         let mut least_m = vec![f64::INFINITY; floor.cells()];
         let mut starts = vec![f64::INFINITY; floor.cells()];
         let mut next = BinaryHeap::new();
@@ -72,11 +73,19 @@ impl Field {
             disc.around(floor, domain, cell, |other, apart, leaves| {
                 let length = far + (apart - SQRT_2 * floor.cell_m()).max(0.0);
                 least_m[other] = least_m[other].min(length);
-                if leaves && length < starts[other] {
+                if leaves && length < starts[other] && length <= most_m {
                     starts[other] = length;
                     next.push(Met(length, other));
                 }
             });
+        }
+        for (least, _) in least_m.iter_mut().zip(domain).filter(|(least, inside)| **inside && least.is_finite()) {
+            *least = least.min(most_m);
+        }
+        // Where no way led so far, one that is longer may.
+        if most_m.is_finite() {
+            let farther = least_m.iter_mut().zip(domain).filter(|(least, inside)| **inside && least.is_infinite());
+            farther.for_each(|(least, _)| *least = most_m);
         }
         Self { floor: floor.clone(), least_m }
     }
@@ -103,31 +112,42 @@ struct Disc {
     /// By cell, the last middle that it was met from, and that count.
     met: Vec<usize>,
     count: usize,
-    pending: Vec<usize>,
+    pending: Vec<(usize, usize)>,
+    /// Lengths by how many columns and rows apart two cells are, m; as many of each as it takes to leave a disc.
+    apart_m: Vec<f64>,
+    width: usize,
 }
 
 impl Disc {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten cells")]
+    #[expect(clippy::cast_precision_loss, reason = "some ten cells")]
     fn new(floor: &Floor) -> Self {
-        Self { met: vec![0; floor.cells()], count: 0, pending: Vec::new() }
+        let width = (DISC_M / floor.cell_m()).ceil() as usize + 2;
+        let apart = |n: usize| floor.cell_m() * libm::hypot((n % width) as f64, (n / width) as f64);
+        let apart_m = (0..width * width).map(apart).collect();
+        Self { met: vec![0; floor.cells()], count: 0, pending: Vec::new(), apart_m, width }
     }
 
     /// Tells of each cell how far its middle is from that of the disc, and whether it is the first outside of it.
     fn around(&mut self, floor: &Floor, domain: &[bool], middle: usize, mut tell: impl FnMut(usize, f64, bool)) {
         self.count += 1;
         self.met[middle] = self.count;
-        self.pending.push(middle);
-        let [x, y] = floor.middle(middle);
-        while let Some(cell) = self.pending.pop() {
-            for other in floor.around(cell) {
-                if !domain[other] || self.met[other] == self.count {
-                    continue;
-                }
-                self.met[other] = self.count;
-                let at = floor.middle(other);
-                let apart = libm::hypot(at[0] - x, at[1] - y);
-                tell(other, apart, apart > DISC_M);
-                if apart <= DISC_M {
-                    self.pending.push(other);
+        let [columns, rows] = floor.size();
+        let (column, row) = (middle % columns, middle / columns);
+        self.pending.push((column, row));
+        while let Some((at_column, at_row)) = self.pending.pop() {
+            for other_row in at_row.saturating_sub(1)..(at_row + 2).min(rows) {
+                for other_column in at_column.saturating_sub(1)..(at_column + 2).min(columns) {
+                    let other = other_row * columns + other_column;
+                    if !domain[other] || self.met[other] == self.count {
+                        continue;
+                    }
+                    self.met[other] = self.count;
+                    let apart = self.apart_m[other_row.abs_diff(row) * self.width + other_column.abs_diff(column)];
+                    tell(other, apart, apart > DISC_M);
+                    if apart <= DISC_M {
+                        self.pending.push((other_column, other_row));
+                    }
                 }
             }
         }
@@ -163,7 +183,7 @@ mod tests {
     #[test]
     fn where_nothing_is_in_the_way_it_is_the_straight_line_less_a_little() {
         let floor = floor(&[], 0.025);
-        let field = Field::from(&floor, &only(&floor, [0.01, 0.01]), &open(&floor));
+        let field = Field::from(&floor, &only(&floor, [0.01, 0.01]), &open(&floor), f64::INFINITY);
         for angle in 0..24 {
             for far in [0.1, 0.5, 0.99, 1.5, 2.7] {
                 let (sin, cos) = libm::sincos(f64::from(angle) * 0.27);
@@ -192,7 +212,7 @@ mod tests {
                 .collect();
             let floor = floor(&walls, 0.05);
             let (domain, from) = (open(&floor), [uniform(-2.0, 2.0), uniform(-2.0, 2.0)]);
-            let field = Field::from(&floor, &only(&floor, from), &domain);
+            let field = Field::from(&floor, &only(&floor, from), &domain, f64::INFINITY);
             for _ in 0..60 {
                 let (mut at, mut walked, mut heading) = (from, 0.0, uniform(0.0, 6.3));
                 let on_floor = |at: [f64; 2]| floor.within(at, 0.0).next().is_some_and(|cell| domain[cell]);
@@ -219,12 +239,12 @@ mod tests {
     #[test]
     fn ways_lead_round_walls_and_none_through_closed_ones() {
         let floor_of = floor(&[wall([-2.0, -0.01], [2.0, 0.01])], 0.025);
-        let field = Field::from(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of));
+        let field = Field::from(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of), f64::INFINITY);
         let round = 2.0 * libm::hypot(2.0, 0.3);
         let told = field.least([0.0, 0.3], 0.0);
         assert!(told <= round && told > 0.75 * round, "{told} for {round}");
         let shut = floor(&[wall([-3.1, -0.01], [3.1, 0.01])], 0.025);
-        let field = Field::from(&shut, &only(&shut, [0.0, -0.3]), &open(&shut));
+        let field = Field::from(&shut, &only(&shut, [0.0, -0.3]), &open(&shut), f64::INFINITY);
         assert!(field.least([0.0, 0.3], 0.1).is_infinite());
     }
 }

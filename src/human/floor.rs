@@ -78,6 +78,29 @@ impl Floor {
         std::array::from_fn(|axis| self.low_m[axis] + (at[axis] as f64 + 0.5) * self.cell_m)
     }
 
+    /// How many cells along x and along y.
+    #[must_use]
+    pub const fn size(&self) -> [usize; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// The place so many cells along x and along y from the rectangle's low corner, m.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    pub fn corner(&self, (column, row): (usize, usize)) -> [f64; 2] {
+        [self.low_m[0] + column as f64 * self.cell_m, self.low_m[1] + row as f64 * self.cell_m]
+    }
+
+    /// The cells beside which the rectangle ends; none if there is nothing beyond.
+    pub fn edge(&self) -> impl Iterator<Item = usize> + '_ {
+        let (columns, rows) = (self.columns, self.rows);
+        let on_edge = move |cell: &usize| {
+            let (column, row) = (cell % columns, cell / columns);
+            !self.bounded && (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows)
+        };
+        (0..self.cells()).filter(on_edge)
+    }
+
     /// Edge of a cell, m.
     #[must_use]
     pub const fn cell_m(&self) -> f64 {
@@ -90,16 +113,11 @@ impl Floor {
     pub fn joined_to_the_outside(mut self, starts: &[[f64; 2]], may_pass: impl Fn(usize) -> bool) -> Self {
         let mut joined = vec![false; self.cells()];
         let passable: Vec<bool> = (0..self.cells()).map(|cell| self.open[cell] && may_pass(cell)).collect();
-        let (columns, rows) = (self.columns, self.rows);
-        let on_edge = |cell: &usize| {
-            let (column, row) = (cell % columns, cell / columns);
-            !self.bounded && (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows)
-        };
         let is_start = |cell: &usize| {
             let [x, y] = self.middle(*cell);
             starts.iter().any(|start| (start[0] - x).abs().max((start[1] - y).abs()) <= 0.5 * self.cell_m + ROUNDING_M)
         };
-        let mut next: Vec<usize> = (0..self.cells()).filter(|cell| passable[*cell]).filter(on_edge).collect();
+        let mut next: Vec<usize> = self.edge().filter(|cell| passable[*cell]).collect();
         // Who starts there is there, whatever sees them.
         next.extend((0..self.cells()).filter(|cell| self.open[*cell]).filter(is_start));
         next.iter().for_each(|cell| joined[*cell] = true);
@@ -174,6 +192,55 @@ impl Floor {
         grown
     }
 
+    /// What is beyond the rectangle, as far as this, as rectangles like those of [`Self::rectangles`]: none if there is no floor.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    pub fn beyond(&self, far_m: f64) -> Vec<[f64; 4]> {
+        let [left, low] = self.low_m;
+        let (right, high) = (left + self.columns as f64 * self.cell_m, low + self.rows as f64 * self.cell_m);
+        let (from, to) = (left - far_m, right + far_m);
+        let all = [
+            [from, low - far_m, to, low],
+            [from, low, left, high],
+            [right, low, to, high],
+            [from, high, to, high + far_m],
+        ];
+        if self.bounded { Vec::new() } else { all.to_vec() }
+    }
+
+    /// Some cells as rectangles, each by its low x and y and its high ones, m: of neighbours in a row one, and of equal ones in rows
+    /// one above the other.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    pub fn rectangles(&self, cells: &[bool]) -> Vec<[f64; 4]> {
+        // Columns from and to, rows from and to.
+        let mut done: Vec<[usize; 4]> = Vec::new();
+        let mut growing: Vec<[usize; 4]> = Vec::new();
+        for row in 0..self.rows {
+            let mut now = Vec::new();
+            let is = |column: usize| column < self.columns && cells[row * self.columns + column];
+            let mut column = 0;
+            while column < self.columns {
+                let from = column;
+                while is(column) {
+                    column += 1;
+                }
+                if column > from {
+                    let below = growing.iter().position(|[a, b, ..]| (*a, *b) == (from, column));
+                    let since = below.map_or(row, |number| growing.swap_remove(number)[2]);
+                    now.push([from, column, since, row + 1]);
+                }
+                column += 1;
+            }
+            done.append(&mut growing);
+            growing = now;
+        }
+        done.append(&mut growing);
+        done.sort_by_key(|[left, _, low, _]| (*low, *left));
+        let at = |axis: usize, number: usize| self.low_m[axis] + number as f64 * self.cell_m;
+        done.into_iter().map(|[left, right, low, high]| [at(0, left), at(1, low), at(0, right), at(1, high)]).collect()
+    }
+
     /// Whether some cell within the square of half edge `half_m` around `xy_m` is open; so is what is outside the rectangle, unless
     /// the floor has a boundary.
     #[must_use]
@@ -217,6 +284,23 @@ mod tests {
         assert!(!all.holds([2.6, 0.0], 0.0) && all.any_open([2.6, 0.0], 0.0));
         assert!(bounded.holds([2.6, 0.0], 0.0) && !bounded.any_open([2.6, 0.0], 0.0));
         assert!(bounded.any_open([0.9, 0.9], 0.0) && !bounded.any_open([1.1, 0.0], 0.0));
+    }
+
+    #[test]
+    fn rectangles_hold_the_cells_and_nothing_else() {
+        let floor = floor(&room(0.8), 0.05);
+        let open: Vec<bool> = (0..floor.cells()).map(|cell| floor.is_open(cell)).collect();
+        let all = floor.rectangles(&open);
+        assert!(all.len() < 100, "{}", all.len());
+        for (cell, is_open) in open.iter().enumerate() {
+            let [x, y] = floor.middle(cell);
+            let holds = |[left, low, right, high]: &&[f64; 4]| *left < x && x < *right && *low < y && y < *high;
+            assert_eq!(all.iter().filter(holds).count(), usize::from(*is_open), "{x} {y}");
+        }
+        // Beyond there is floor all around, and none with a boundary.
+        let area = |all: &[[f64; 4]]| all.iter().map(|[a, b, c, d]| (c - a) * (d - b)).sum::<f64>();
+        assert!((area(&floor.beyond(1.0)) - (7.0 * 7.0 - 5.0 * 5.0)).abs() < 1e-6);
+        assert!(floor.bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]]).beyond(1.0).is_empty());
     }
 
     #[test]

@@ -42,8 +42,16 @@ pub struct Anywhere {
     pub histories: Vec<Watched>,
     /// Of each body region and robot link the worst that was tried, the worst first.
     pub hazards: Vec<Place>,
+    /// Length of the spans of time of `floor`, s: the first begins with the FMU.
+    pub span_s: f64,
     /// Cells of the floor in which somebody who stands there is hit, row by row.
     pub floor: Vec<Cell>,
+    /// What was tried out, and not shown, of the FMU.
+    pub rests_on: Vec<String>,
+    /// Whether poses that are hit at some moment were looked at in each span of time.
+    pub followed: bool,
+    /// The floor, and what the robots sweep.
+    pub ground: Ground,
     /// Cells of the floor and postures of which it is not known whether anybody is hit in them.
     pub open: usize,
     /// Where of the first ten thousand of those something is open, floor plan, m.
@@ -113,12 +121,39 @@ pub struct Place {
 }
 
 /// A cell of the floor.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Cell {
     /// Its middle, floor plan, m.
     pub xy_m: [f64; 2],
     /// Force over limit of the worst that was tried.
     pub ratio: f64,
+    /// Whether somebody is hit there whom no sensor has seen; else only who was seen on the way, as soon as they may be there by
+    /// bounds on their way.
+    pub unseen: bool,
+    /// When the earliest of those is hit, after the start of the FMU, s.
+    pub earliest_s: f64,
+    /// Number of a span of time, and force over limit of the worst that was tried there and then. Of spans that are not listed
+    /// nothing was found in the poses that were tried; others may be hit then.
+    pub spans: Vec<(usize, f64)>,
+}
+
+/// The floor as rectangles, each by its low x and y and its high x and y, m.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Ground {
+    /// Where people can be who came there unseen, as far as sensors leave that open.
+    pub unseen_m: Vec<[f64; 4]>,
+    /// Where else people can be: sensors see them there, or on the way there.
+    pub watched_m: Vec<[f64; 4]>,
+    /// What the robots sweep, seen from above, while nobody is seen.
+    pub swept_m: Vec<[f64; 4]>,
+}
+
+impl Ground {
+    /// Whether nothing is known of it.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.unseen_m.is_empty() && self.watched_m.is_empty()
+    }
 }
 
 /// What it took.
@@ -177,6 +212,9 @@ impl Anywhere {
                 hazard.posture,
             );
             let _ = write!(text, "{}", wrapped_to(width, " ", &line));
+        }
+        for ground in &self.rests_on {
+            let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Tried out, not shown: {ground}.")));
         }
         for reason in &self.reasons {
             let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Not complete: {reason}.")));

@@ -18,6 +18,8 @@
 //! - [`speeds`]: told speeds that are not those of the motion
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
+//! - [`anywhere`]: what is known of people who come from anywhere
+//! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
 //! - [`campaign`]: many seeds of several strategies side by side
 //! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
 //! - [`growth`]: how the number of hazards found grows with the iterations
@@ -32,6 +34,7 @@ pub mod comparison;
 pub mod csv;
 pub mod difference;
 pub mod explanation;
+pub mod floorplan;
 #[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;
@@ -51,6 +54,7 @@ pub mod terminal;
 pub mod topview;
 pub mod trace;
 pub mod verified;
+pub mod whole;
 
 /// Rows under a header in aligned columns, for a terminal or as Markdown.
 fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {

@@ -9,7 +9,9 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde::{Serialize, Serializer};
 
+use super::anywhere::Anywhere;
 use super::assessment::Assessments;
+use super::whole::Whole;
 
 /// What the viewer is built to.
 const SCRIPT: &str = include_str!("viewer/viewer.js");
@@ -29,6 +31,9 @@ struct Data<'a, S> {
     cell: &'a Scenery,
     /// A list of [`Replay`] as JSON, gzip, base64: so that fifty of them can be mailed.
     replays: String,
+    /// The map of the floor, where people come from anywhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    whole: Option<Whole<'a>>,
 }
 
 /// The cell.
@@ -286,7 +291,8 @@ fn packed_list<T: Serialize, S: Serializer>(list: &[T], to: S) -> Result<S::Ok, 
     to.serialize_str(&packed(list).map_err(serde::ser::Error::custom)?)
 }
 
-/// The page. `scan` is a [`ScanReport`](super::model::ScanReport), or one that was read back as JSON.
+/// The page. `scan` is a [`ScanReport`](super::model::ScanReport), or one that was read back as JSON; `whole` is what is known of people
+/// who come from anywhere, if that was asked.
 ///
 /// # Errors
 /// When the data cannot be written as JSON, or not be packed.
@@ -297,9 +303,10 @@ pub fn render(
     assessments: &Assessments,
     cell: &Scenery,
     replays: &[Replay],
+    whole: Option<&Anywhere>,
 ) -> std::io::Result<String> {
-    let replays = packed(replays)?;
-    let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays };
+    let (replays, whole) = (packed(replays)?, whole.map(Whole::from));
+    let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays, whole };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
     let title = title.replace('&', "&amp;").replace('<', "&lt;");

@@ -5,6 +5,8 @@ use svg::node::element::{Circle, Group, Line, Polygon, Polyline, Rectangle, Text
 
 /// Pixels per metre.
 const SCALE: f64 = 160.0;
+/// Floor on which nobody is seen.
+const UNSEEN: &str = "#7cc47c";
 /// Most starts that have their names beside them.
 const NAMED: usize = 20;
 /// Free margin around what is drawn, m.
@@ -22,6 +24,8 @@ pub struct Scene {
     pub obstacles: Vec<(String, Vec<Point>, f64)>,
     /// Sensor zones with names.
     pub zones: Vec<(String, Vec<Point>)>,
+    /// Floor on which people may be whom no sensor has seen, as rectangles: low x and y, high x and y.
+    pub unseen: Vec<[f64; 4]>,
     /// Where the person may come to.
     pub reachable: Vec<Point>,
     /// The robot's shapes, for some instants, the last being the contact.
@@ -124,6 +128,18 @@ pub fn render(scene: &Scene) -> String {
         Circle::new().set("cx", x).set("cy", y).set("r", 14).set("fill", "#d6ebfa")
     });
     document = document.add(dots.fold(Group::new(), Group::add));
+    let unseen = scene.unseen.iter().map(|[left, low, right, high]| {
+        // What is seen of it.
+        let part = |a: f64, b: f64, most: f64| (a.clamp(0.0, most), b.clamp(0.0, most));
+        let ((x, y), (to_x, to_y)) = (view.at([*left, *high]), view.at([*right, *low]));
+        let ((x, to_x), (y, to_y)) = (part(x, to_x, width), part(y, to_y, height));
+        Rectangle::new().set("x", x).set("y", y).set("width", to_x - x).set("height", to_y - y)
+    });
+    if !scene.unseen.is_empty() {
+        let title = Title::new("floor on which people can be whom no sensor has seen");
+        let floor = Group::new().set("fill", UNSEEN).set("fill-opacity", 0.35).set("shape-rendering", "crispEdges");
+        document = document.add(unseen.fold(floor.add(title), Group::add));
+    }
     for (name, polygon) in &scene.zones {
         document = document.add(
             Polygon::new()
@@ -191,6 +207,11 @@ pub fn render(scene: &Scene) -> String {
             "#c53030",
             15.0,
         ));
+    }
+    if !scene.unseen.is_empty() {
+        let told = "green: people can be here whom no sensor has seen; --from anywhere lets them begin here";
+        document = document
+            .add(Text::new(told).set("x", 10).set("y", height - 6.0).set("font-size", 13).set("fill", "#2f6b3c"));
     }
     // One metre, for the eye.
     let origin = [min[0] + 0.15, min[1] + 0.12];

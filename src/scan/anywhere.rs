@@ -1,12 +1,15 @@
 //! Anybody whom no sensor sees at first, anywhere, walking in any way: the FMU is stepped along all histories of what sensors
 //! then report, sets of poses are searched for harm, and what is found is shown by a run of its own from a place outside.
 
+mod alike;
+pub(super) mod map;
 mod record;
 mod walk_in;
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+use self::alike::{Kind, Trial};
 use self::record::Rest;
 use self::walk_in::WalkIn;
 use super::footing::{Doubt, Footing};
@@ -17,16 +20,17 @@ use crate::cell::Zone;
 use crate::hazard::contact::Criterion;
 use crate::hazard::{Finding, Identity};
 use crate::host::audit::{Scope, audit};
-use crate::host::{Hosted, PlantError, Recall};
+use crate::host::{Hosted, PlantError, Policy, Recall};
 use crate::human::{Action, Posture, Start, Walk};
-use crate::report::anywhere::{Anywhere, Cell, Place, Spent, Watched};
+use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::report::model::{SCHEMA_VERSION, SensorState, Verdict};
 use crate::report::speeds::Speeds;
-use crate::search::Environment as _;
 use crate::search::tracks::explore;
-use crate::sim::anywhere::machine::Machine;
+use crate::search::{Environment as _, Rng};
+use crate::sim::anywhere::machine::{Machine, Part};
+use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople, seen};
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Harm, History, Somewhere};
+use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Harm, History, Moment, Somewhere, known};
 use crate::sim::expansion::Merge;
 use crate::sim::robot::RobotFrame;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
@@ -41,6 +45,13 @@ const MOST_SHOWN: usize = 8;
 const MOST_WALKS: usize = 24;
 /// Runs of those of a region and link.
 const MOST_RUNS: usize = 120;
+/// Steps for which somebody stays of whom the FMU is asked what its sensors report.
+const LONGEST_TOLD: usize = 1;
+/// So much floor around what robots reach is looked at, m, where sensors inside the FMU may see people beyond it: they come over its
+/// edge, seen just then or long before.
+const AROUND_M: f64 = 2.0;
+/// Of what is tried out at random.
+const SEED: u64 = 1;
 /// Open places that are told.
 const MOST_OPEN: usize = 10_000;
 
@@ -49,6 +60,8 @@ const MOST_OPEN: usize = 10_000;
 pub enum Told {
     /// States of the FMU so far, of so many at most.
     States(usize, usize),
+    /// The share of the floor of which the FMU was asked what its sensors report there.
+    Asked(f64),
     /// Runs of the audit, of so many.
     RunAgain(usize, usize),
     /// The share of the floor that is done, and hazards so far.
@@ -61,19 +74,10 @@ pub type Tell<'a> = dyn FnMut(Told) -> ControlFlow<()> + 'a;
 /// Why nobody can be looked for anywhere in a cell.
 #[must_use]
 pub fn refusal(prepared: &Prepared) -> Option<String> {
-    let told = !prepared.cell.pose.is_empty();
     let controls = two_hand(prepared).len();
-    if told {
-        Some(
-            "the FMU is told where the person is, so what its robots do is another matter for each place. Use start areas \
-             instead: [[human.start_area]] in the cell file"
-                .to_owned(),
-        )
-    } else if controls > MOST_TWO_HAND {
-        Some(format!("the cell has {controls} two-hand controls; up to {MOST_TWO_HAND} can be looked at from anywhere"))
-    } else {
-        None
-    }
+    (controls > MOST_TWO_HAND).then(|| {
+        format!("the cell has {controls} two-hand controls; up to {MOST_TWO_HAND} can be looked at from anywhere")
+    })
 }
 
 /// Sensors that report whoever is *not* at them.
@@ -115,8 +119,8 @@ struct Looking<'a> {
     links: Vec<String>,
     found: Anywhere,
     rest: Rest,
-    /// Contacts that poses alone make possible, where somebody can be then.
-    harms: Vec<Harm>,
+    /// What poses alone make possible, where somebody can be then, and whether they are unseen.
+    met: Vec<(Moment, bool)>,
 }
 
 /// What came out.
@@ -145,7 +149,11 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         changes: None,
         histories: Vec::new(),
         hazards: Vec::new(),
+        span_s: map::span_s(effort.until_s, cell.step_s),
         floor: Vec::new(),
+        rests_on: Vec::new(),
+        followed: true,
+        ground: Ground::default(),
         open: 0,
         open_m: Vec::new(),
         reasons: Vec::new(),
@@ -158,7 +166,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         links: cell.links.iter().map(|link| link.name.clone()).collect(),
         found,
         rest: Rest::new(cell.sensors.len()),
-        harms: Vec::new(),
+        met: Vec::new(),
     };
     for first in unseen(prepared) {
         if !looking.from(&first, tell).map_err(|cause| ScanError { cause })? {
@@ -169,38 +177,228 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
     Ok(looking.conclude())
 }
 
-impl Looking<'_> {
+impl<'a> Looking<'a> {
     /// Looks from where the sensors report `first`; `false` if it was told to end.
     fn from(&mut self, first: &[bool], tell: &mut Tell<'_>) -> Result<bool, PlantError> {
-        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
-        // Where somebody is unseen decides nothing but where the person stands: the FMU gets the same inputs everywhere.
-        let probe = Search::new(cell, std::iter::empty(), prepared.stop());
-        let (xy_m, heading) = match probe.somewhere(first) {
-            Somewhere::At(xy_m, heading) => (xy_m, heading),
-            Somewhere::Nowhere => return Ok(true),
-            Somewhere::Unknown => {
-                let words = words(prepared, first);
-                self.found.reasons.push(format!("whether sensors ever report {words} is not known"));
-                return Ok(true);
-            }
-        };
+        let prepared = self.prepared;
+        let Some((xy_m, heading)) = self.unseen_start(first)? else { return Ok(true) };
         let start = Start::new(xy_m[0], xy_m[1], heading.to_degrees());
         let there = prepared.standing(start, 0, 1).map_err(|error| PlantError::of(error.to_string().as_str()))?;
         let unmoved = self.unmoved(&there)?;
-        let search = Search::new(cell, unmoved.iter(), prepared.stop());
-        let zones = Zones::new(&search, first, WALKING_SPEED_M_S * cell.step_s);
+        let footing = Footing::asked(&there, self.effort.state, Merge::Auto);
+        let Some((search, told)) = self.ask(&there, footing, &unmoved, tell)? else { return Ok(self.goes_on(tell)) };
+        if self.found.ground.is_empty() {
+            self.found.ground = map::ground(&search, &unmoved);
+        }
+        let kinds = self.kinds(&search, told.as_ref(), first);
+        let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(true) };
+        let all = parts.len();
+        for (number, part) in parts.iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "a few robots")]
+            let mut tell = |told: Told| match told {
+                Told::Floor(share, hazards) => tell(Told::Floor((number as f64 + share) / all as f64, hazards)),
+                told => tell(told),
+            };
+            if !self.part(&there, footing, &search, part, &kinds, &mut tell)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn goes_on(&self, tell: &mut Tell<'_>) -> bool {
+        !self.prepared.stop().is_asked() && tell(Told::Asked(1.0)).is_continue()
+    }
+
+    /// Where somebody may be of whom the sensors report `first`: decides nothing but where the person stands, as the FMU gets the
+    /// same inputs everywhere.
+    fn unseen_start(&mut self, first: &[bool]) -> Result<Option<Stance>, PlantError> {
+        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
+        let probe = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+        if !cell.pose.is_empty() {
+            // Only the FMU knows where nobody is seen: where the cell file says that people start, it may be.
+            let starts =
+                cell.beginnings.iter().map(|begins| (begins.start.xy_m(), begins.start.heading_deg().to_radians()));
+            let may = |(xy_m, heading): &Stance| probe.is_possible(*xy_m, *heading, Posture::Upright, &known(first));
+            for start in starts.filter(may) {
+                let mut asking = self.asking(prepared, Footing::asked(prepared, self.effort.state, Merge::Auto))?;
+                if !asking.reports(start)?.last().is_some_and(|last| last.contains(&true)) {
+                    return Ok(Some(start));
+                }
+            }
+            self.found.reasons.push(
+                "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen"
+                    .to_owned(),
+            );
+            return Ok(None);
+        }
+        match probe.somewhere(first) {
+            Somewhere::At(xy_m, heading) => Ok(Some((xy_m, heading))),
+            Somewhere::Nowhere => Ok(None),
+            Somewhere::Unknown => {
+                let words = words(prepared, first);
+                self.found.reasons.push(format!("whether sensors ever report {words} is not known"));
+                Ok(None)
+            }
+        }
+    }
+
+    /// Ready to ask the FMU what its sensors report of people.
+    fn asking<'b>(&self, there: &'b Prepared, footing: Footing) -> Result<Asking<'b, Hosted>, PlantError> {
+        let saves = matches!(footing.policy(there), Policy::States { .. });
+        Asking::new(footing.plant(there), &there.cell, &there.binding, LONGEST_TOLD, saves)
+    }
+
+    /// The search, with what sensors inside the FMU report, if it is told where people are; nothing if it was told to end, or if
+    /// that cannot be known.
+    fn ask(
+        &mut self,
+        there: &Prepared,
+        footing: Footing,
+        unmoved: &[RobotFrame],
+        tell: &mut Tell<'_>,
+    ) -> Result<Option<(Search<'a>, Option<ToldPeople>)>, PlantError> {
+        // By the cell's own starts: the front of planes is on their side.
+        let prepared = self.prepared;
+        let cell = &*prepared.cell;
+        let stop = || self.prepared.stop();
+        if cell.pose.is_empty() {
+            return Ok(Some((Search::new(cell, unmoved.iter(), 0.0, stop()), None)));
+        }
+        let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
+        let mut asking = self.asking(there, footing)?;
+        let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
+        let Some(told) = told else {
+            if self.goes_on(tell) {
+                self.found.reasons.push("sensors inside the FMU report too many different things together".to_owned());
+            }
+            return Ok(None);
+        };
+        self.found.spent.fmu_steps += told.asked * LONGEST_TOLD as u64;
+        Ok(Some((search.with(told.clone()), Some(told))))
+    }
+
+    /// Everything that may be reported of somebody, and people of whom it is; `first` first.
+    fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Vec<Kind> {
+        let sensors = &self.prepared.cell.sensors;
+        let people = |readings: &[bool]| match told {
+            Some(told) => told.people(readings, |sensor| matches!(sensors[sensor].zone, Zone::Reported)).collect(),
+            None => vec![Stance::default()],
+        };
+        let mut all = search.readings();
+        all.sort_by_key(|readings| readings != first);
+        let kinds = all.into_iter().map(|readings| Kind { people: people(&readings), readings });
+        kinds.filter(|kind| !kind.people.is_empty()).collect()
+    }
+
+    /// Robots that are looked at together, with the sensors that they heed; nothing if that cannot be known.
+    fn parts(&mut self, there: &Prepared, footing: Footing, kinds: &[Kind]) -> Result<Option<Vec<Part>>, PlantError> {
+        let cell = &there.cell;
+        let all = Part { sensors: vec![true; cell.sensors.len()], links: vec![true; cell.links.len()].into() };
+        let factors = cell.robots.len() > 1 && cell.sensors.len() > 1;
+        if cell.pose.is_empty() && !factors {
+            return Ok(Some(vec![all]));
+        }
+        let mut trial = Trial {
+            plant: footing.plant(there),
+            cell,
+            binding: &there.binding,
+            kinds,
+            steps: self.steps(),
+            rng: Rng::new(SEED),
+            taken: 0,
+        };
+        if !cell.pose.is_empty() {
+            match trial.are_people_alike() {
+                Ok(true) => self.found.rests_on.push(
+                    "the FMU is told where people are; its robots did the same with all people of whom its sensors report the \
+                     same, in all runs in which that was tried"
+                        .to_owned(),
+                ),
+                Err(error) if error.stopped => return Ok(None),
+                Ok(false) | Err(_) => {
+                    self.found.reasons.push(
+                        "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
+                         instead: [[human.start_area]] in the cell file"
+                            .to_owned(),
+                    );
+                    return Ok(None);
+                }
+            }
+        }
+        let heeded = match factors.then(|| trial.heeded()) {
+            Some(Ok(heeded)) => heeded,
+            Some(Err(error)) if error.stopped => return Ok(None),
+            Some(Err(_)) | None => return Ok(Some(vec![all])),
+        };
+        self.found.spent.fmu_steps += trial.taken;
+        let mut parts: Vec<Part> = Vec::new();
+        for (robot, sensors) in heeded.iter().enumerate() {
+            let links = cell.links.iter().map(|link| link.robot == robot);
+            if let Some(part) = parts.iter_mut().find(|part| part.sensors == *sensors) {
+                part.links = part.links.iter().zip(links).map(|(known, own)| *known || own).collect();
+            } else {
+                parts.push(Part { sensors: sensors.clone(), links: links.collect() });
+            }
+            let unheeded: Vec<&str> = cell
+                .sensors
+                .iter()
+                .zip(sensors)
+                .filter(|(_, heeds)| !**heeds)
+                .map(|(sensor, _)| sensor.name.as_str())
+                .collect();
+            if !unheeded.is_empty() {
+                let name = &cell.robots[robot].name;
+                self.found.rests_on.push(format!(
+                    "{name} does not heed {}: it did the same whatever that reported, in all runs in which it was tried",
+                    unheeded.join(" and ")
+                ));
+            }
+        }
+        if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) {
+            return Ok(Some(vec![all]));
+        }
+        Ok(Some(parts))
+    }
+
+    /// Looks at the robots of one part; `false` if it was told to end.
+    fn part(
+        &mut self,
+        there: &Prepared,
+        footing: Footing,
+        search: &Search<'_>,
+        part: &Part,
+        kinds: &[Kind],
+        tell: &mut Tell<'_>,
+    ) -> Result<bool, PlantError> {
+        let (prepared, cell) = (self.prepared, &there.cell);
+        let Some(Kind { readings: first, .. }) = kinds.first() else {
+            self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
+            return Ok(true);
+        };
+        let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()));
         if zones.ways.is_empty() {
             self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
             return Ok(true);
         }
-        let footing = Footing::asked(&there, self.effort.state, Merge::Auto);
-        let mut recall = Recall::new(footing.plant(&there), footing.policy(&there))?;
+        // Of those that matter to these robots, what is reported is given; of the others, what is there at first, if that goes together.
+        let person = |readings: &Vec<bool>| {
+            let is = |kind: &&Kind| {
+                let mut matter = kind.readings.iter().zip(readings).zip(&part.sensors);
+                matter.all(|((own, wanted), matters)| !matters || own == wanted)
+            };
+            let exact = kinds.iter().find(|kind| kind.readings == *readings);
+            let stance = exact.or_else(|| kinds.iter().find(is)).and_then(|kind| kind.people.first().copied());
+            seen(cell, stance.unwrap_or_default())
+        };
+        let people = zones.readings.iter().map(person).collect();
+        let mut recall = Recall::new(footing.plant(there), footing.policy(there))?;
         recall.ends_at(self.steps());
         if footing.merge == Merge::Auto {
             recall.merge_equal_states()?;
         }
-        let mut machine = Machine::new(recall, cell, &there.binding, &zones);
-        if !self.explore(&mut machine, tell)? || !self.run_again(&there, footing, &machine, tell)? {
+        let mut machine = Machine::new(recall, (cell, &there.binding), (&zones, people), part);
+        if !self.explore(&mut machine, tell)? || !self.run_again(there, footing, &machine, tell)? {
             return Ok(false);
         }
         let histories = machine.histories();
@@ -210,9 +408,9 @@ impl Looking<'_> {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * history.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
-            let workers = self.effort.workers;
-            let outcome = search
-                .search(history, workers, &mut self.rest.coverage, &mut |part| tell(Told::Floor(share(part), known)));
+            let (workers, span) = (self.effort.workers, map::span(self.effort.until_s, cell.step_s));
+            let mut told = |part| tell(Told::Floor(share(part), known));
+            let outcome = search.search(history, span, workers, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
                 unseen: way.from.is_none(),
@@ -223,8 +421,10 @@ impl Looking<'_> {
             self.found.open_m.extend(outcome.open.iter().take(MOST_OPEN.saturating_sub(self.found.open_m.len())));
             // What was found is looked at once more, even where the time is up.
             prepared.stop().finishing();
-            self.harms.extend_from_slice(&outcome.harms);
-            self.show(&search, first, history, way.from.is_none(), outcome.harms);
+            let harms = outcome.harms.iter().map(|harm| harm.at(history));
+            self.met.extend(harms.chain(outcome.moments).map(|moment| (moment, way.from.is_none())));
+            self.found.followed &= outcome.followed;
+            self.show(search, first, history, way.from.is_none(), outcome.harms);
             if outcome.stopped {
                 return Ok(false);
             }
@@ -288,7 +488,8 @@ impl Looking<'_> {
                 continue;
             }
             if outcome.left_out == 0 || is_last {
-                self.found.changes = (outcome.left_out > 0).then_some(changes);
+                let limit = (outcome.left_out > 0).then_some(changes);
+                self.found.changes = [self.found.changes, limit].into_iter().flatten().min();
                 break;
             }
             (known, changes) = (Some(changes), changes + 2);
@@ -402,7 +603,8 @@ impl Looking<'_> {
             start_heading_deg: way.heading_deg,
             begins_s: seconds(way.lead_in),
             actions: way.actions.clone(),
-            sensors: finding.map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &finding.sensors)),
+            sensors: finding
+                .map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &known(&finding.sensors))),
             cells,
         }
     }
@@ -410,7 +612,8 @@ impl Looking<'_> {
     /// The verdict, and why.
     fn conclude(mut self) -> Looked {
         let (found, coverage) = (&mut self.found, &self.rest.coverage);
-        found.floor = hazardous(&self.harms);
+        let step_s = self.prepared.cell.step_s;
+        found.floor = map::hazardous(&self.met, map::span(found.until_s, step_s), step_s);
         found.spent.arm_checks = coverage.arm_checks;
         found.spent.arm_boxes = coverage.arm_boxes;
         // What was not confirmed one way may have been another.
@@ -468,13 +671,11 @@ fn words(prepared: &Prepared, readings: &[bool]) -> String {
     two_hand(prepared).into_iter().map(of).collect::<Vec<_>>().join(" and ")
 }
 
-fn sensors(prepared: &Prepared, readings: &[bool]) -> Vec<SensorState> {
-    let state = |(sensor, detected): (&crate::cell::Sensor, &bool)| SensorState {
-        name: sensor.name.clone(),
-        person_detected: *detected,
-        since_s: None,
+fn sensors(prepared: &Prepared, readings: &[Option<bool>]) -> Vec<SensorState> {
+    let state = |(sensor, detected): (&crate::cell::Sensor, &Option<bool>)| {
+        detected.map(|person_detected| SensorState { name: sensor.name.clone(), person_detected, since_s: None })
     };
-    prepared.cell.sensors.iter().zip(readings).map(state).collect()
+    prepared.cell.sensors.iter().zip(readings).filter_map(state).collect()
 }
 
 /// Those of each region and link together, the worst first.
@@ -487,20 +688,6 @@ fn alike(harms: Vec<Harm>) -> Vec<Vec<Harm>> {
         alike.sort_by(|a, b| b.contact.ratio().total_cmp(&a.contact.ratio()));
     }
     by.into_values().collect()
-}
-
-/// The cells of the floor in which somebody is harmed, with the worst that was tried there.
-fn hazardous(harms: &[Harm]) -> Vec<Cell> {
-    let mut by: BTreeMap<[i64; 2], f64> = BTreeMap::new();
-    for harm in harms {
-        #[expect(clippy::cast_possible_truncation, reason = "some thousand cells to a side")]
-        let cell = harm.xy_m.map(|at| (at / (2.0 * CELL_M)).floor() as i64);
-        let worst = by.entry(cell).or_insert(0.0);
-        *worst = worst.max(harm.contact.ratio());
-    }
-    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-    let middle = |cell: [i64; 2]| cell.map(|at| (at as f64 + 0.5) * 2.0 * CELL_M);
-    by.into_iter().map(|(cell, ratio)| Cell { xy_m: middle(cell), ratio }).collect()
 }
 
 /// The first harm that a walk leads to; while sensors report `readings`, if given.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::anywhere::map;
 use super::film;
 use super::outline::{flat, outline, top, zone};
 use super::prepare::Prepared;
@@ -11,6 +12,7 @@ use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::human::action::Walk;
 use crate::human::{Action, Place, Posture};
+use crate::report::floorplan::Plan;
 use crate::report::model::Hazard;
 use crate::report::topview::{Part, Point, Scene};
 use crate::sim::World;
@@ -38,6 +40,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        unseen: Vec::new(),
         reachable: Vec::new(),
         robot: robot.map(|links| links.iter().map(part).collect()).collect(),
         path: until.iter().map(|instant| flat(instant.position)).collect(),
@@ -49,7 +52,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
 }
 
 /// A link from above; of a mesh the outline of its hull.
-fn part(link: &Solid) -> Part {
+pub(super) fn part(link: &Solid) -> Part {
     let outline = |points: &[Vec3], pose: Pose| {
         Part::Outline(convex_outline(points.iter().map(|point| flat(pose * *point)).collect()))
     };
@@ -60,11 +63,32 @@ fn part(link: &Solid) -> Part {
     }
 }
 
+/// What stands around on the map of a whole floor.
+#[must_use]
+pub fn plan(prepared: &Prepared) -> Plan {
+    let (cell, subject) = (&prepared.cell, &prepared.subject);
+    let fmus: Vec<&str> = subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
+    let based = cell.robots.iter().filter(|robot| robot.kinematics.is_some());
+    Plan {
+        name: cell.name.clone(),
+        source: format!(
+            "fmi-hazard {}. SHA-256 of the cell file {}, of its FMU {}.",
+            env!("CARGO_PKG_VERSION"),
+            subject.cell_sha256,
+            fmus.join(", ")
+        ),
+        obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c))).collect(),
+        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        robots: based.map(|robot| (robot.name.clone(), flat(robot.world_from_base.translation))).collect(),
+    }
+}
+
 /// Instants of the sweep that are drawn.
 const SWEEP: usize = 60;
 
 /// The cell before any scan: obstacles, zones, what the robots sweep while nobody is detected (as `found` saw it), the
-/// person's starts (`others` are the further ones) and all places that a sequence can lead to.
+/// person's starts (`others` are the further ones) and all places that a sequence can lead to, and the floor on which a scan from
+/// anywhere lets people begin.
 #[must_use]
 pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>) -> Scene {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
@@ -76,12 +100,15 @@ pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>)
     let mut robot: Vec<Vec<Part>> = robot.collect();
     // The last is drawn as it stands: the start.
     robot.reverse();
+    let frames: Vec<RobotFrame> =
+        rows.chunks(width).map(|row| RobotFrame::new(cell, binding, &binding.rows(row, None, cell.step_s))).collect();
     let all: Vec<&Prepared> = std::iter::once(prepared).chain(others).collect();
     let mut starts = all.iter().map(|one| one.cell.start.xy_m());
     Scene {
         title: format!("{}: the cell from above", cell.name),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        unseen: map::unseen(prepared, &frames),
         reachable: reachable(&all),
         robot,
         path: starts.by_ref().take(1).collect(),

@@ -12,17 +12,23 @@
 //! by its middle: a harm that is gone when the person is moved by [`BODY_TOLERANCE_M`] may be missed, since depth, region and
 //! speed of what is touched may all be others then.
 
+mod behind;
 pub mod machine;
 mod readings;
+mod shoulders;
+pub mod told;
 mod within;
 pub mod zones;
 
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use self::readings::{may_report, may_stay_clear};
+use self::told::{Told, arc};
 use self::within::Within;
+use self::within::moments::worth_following;
 use super::Coverage;
 use super::curtain::Curtain;
 use super::encounter::Encounter;
@@ -49,8 +55,6 @@ pub const BODY_TOLERANCE_M: f64 = 0.01;
 /// Halves of boxes are made so that what is this far from the axis between the feet moves little, m.
 const LEVER_M: f64 = 0.8;
 
-/// Arcs of headings that are looked at one by one where somebody may pass a sensor unseen.
-const PASSING_HEADINGS: u32 = 16;
 /// The floor is looked at this far around what is on it, m: more than a person is wide.
 const AROUND_M: f64 = 0.5;
 /// Boxes of a cell of the floor and a posture after which it is left open.
@@ -76,8 +80,10 @@ pub struct Seen {
 /// What the robots do while the sensors report the same.
 #[derive(Clone, Debug)]
 pub struct History {
-    /// What each sensor reported at the sample before each instant; of one inside the FMU it says nothing.
-    pub readings: Vec<bool>,
+    /// What each sensor reported at the sample before each instant; of those that do not matter nothing.
+    pub readings: Vec<Option<bool>>,
+    /// Which links count.
+    pub links: Arc<[bool]>,
     /// How far it is to places from where somebody was when these readings began, and from where they were never seen.
     pub fields: [Arc<Field>; 2],
     /// Instants at which the robots may harm anybody.
@@ -108,13 +114,36 @@ pub struct Harm {
     pub contact: Contact,
 }
 
+impl Harm {
+    /// When and how hard, in its history.
+    #[must_use]
+    pub fn at(&self, history: &History) -> Moment {
+        Moment { xy_m: self.xy_m, step: history.seen[self.instant].step, ratio: self.contact.ratio() }
+    }
+}
+
+/// Harm at an instant to somebody who is in a pose in which a search found harm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Where they stand, floor plan, m.
+    pub xy_m: [f64; 2],
+    /// Communication steps from the start of the FMU.
+    pub step: usize,
+    /// Force over limit.
+    pub ratio: f64,
+}
+
 /// What came out for one history.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
     /// Poses in which somebody is harmed: at least one in each cell of the floor in which there is any, but where it is open.
     pub harms: Vec<Harm>,
-    /// Middles of the smallest boxes that are neither settled nor hazardous, floor plan, m.
+    /// Middles of the cells of the floor in which some boxes are neither settled nor hazardous, floor plan, m.
     pub open: Vec<[f64; 2]>,
+    /// What comes to people in poses of `harms` at other instants, the worst of each span.
+    pub moments: Vec<Moment>,
+    /// Whether there was time for all of that.
+    pub followed: bool,
     /// Boxes that were looked at, once for each posture.
     pub boxes: u64,
     /// Whether it was told to end.
@@ -138,8 +167,12 @@ pub struct Anywhere<'a> {
     curtains: Vec<Curtain>,
     /// Where somebody has room, joined to the outside.
     ground: Floor,
+    /// What sensors inside the FMU report there, where it is told where people are.
+    told: Option<Told>,
     /// The cells of it that are joined to the outside by others in which no sensor that keeps people out certainly sees them.
     unseen: Vec<bool>,
+    /// Of each plane, whether whoever it tells of was before it until then.
+    come_before: Vec<bool>,
     /// How far somebody walks in a communication step, m.
     step_m: f64,
     /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
@@ -160,8 +193,14 @@ pub enum Somewhere {
 
 impl<'a> Anywhere<'a> {
     /// For a cell whose robots are never farther from each other, and from the places that matter, than `frames` show; where others are, nothing is left out.
+    /// The floor goes on for `around_m` more.
     #[must_use]
-    pub fn new<'b>(cell: &'a Workcell, frames: impl Iterator<Item = &'b RobotFrame>, stop: Stop) -> Self {
+    pub fn new<'b>(
+        cell: &'a Workcell,
+        frames: impl Iterator<Item = &'b RobotFrame>,
+        around_m: f64,
+        stop: Stop,
+    ) -> Self {
         let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
         let arm = ArmModel::default();
         let reach_m = cell.body.reach_from_one_metre(arm.reach());
@@ -174,7 +213,7 @@ impl<'a> Anywhere<'a> {
         };
         for link in frames.flat_map(|frame| &frame.links) {
             let (centre, radius) = link.bounding_sphere();
-            hold([centre.x, centre.y], radius + reach_m);
+            hold([centre.x, centre.y], radius + reach_m + around_m);
         }
         // What keeps people away, or sees them, may be farther out.
         let planes = cell.sensors.iter().filter_map(|sensor| Some(sensor.zone.plane()?.0));
@@ -186,7 +225,7 @@ impl<'a> Anywhere<'a> {
                 polygon.iter().for_each(|corner| hold(*corner, AROUND_M));
             }
         }
-        let starts: Vec<[f64; 2]> = cell.beginnings.iter().map(|beginning| beginning.start.xy_m()).collect();
+        let starts = starts(cell);
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
         let curtains = Curtain::all(cell, from, &obstacles);
         let encounter =
@@ -202,26 +241,77 @@ impl<'a> Anywhere<'a> {
             encounter,
             curtains,
             unseen: Vec::new(),
+            come_before: Vec::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
             reach_m,
             body_m: cell.body.reach_from_one_metre(0.0),
-            ground: ground.clone(),
+            ground,
+            told: None,
         };
-        let unseen = ground.joined_to_the_outside(&starts, |at| this.may_pass_unseen(this.ground.middle(at)));
-        this.unseen = (0..unseen.cells()).map(|at| unseen.is_open(at)).collect();
+        this.look_for_unseen();
         this
     }
 
+    /// The same with what sensors inside the FMU report of people.
+    #[must_use]
+    pub fn with(mut self, told: Told) -> Self {
+        self.told = Some(told);
+        self.look_for_unseen();
+        self
+    }
+
+    /// Where somebody has room.
+    #[must_use]
+    pub const fn floor(&self) -> &Floor {
+        &self.ground
+    }
+
+    /// Whether it is known what sensors inside the FMU report.
+    #[must_use]
+    pub const fn is_told(&self) -> bool {
+        self.told.is_some()
+    }
+
+    /// The cells over which people come who may be seen already, as sensors inside the FMU may see beyond the floor.
+    fn entrances(&self) -> Vec<bool> {
+        let mut entrances = vec![false; self.ground.cells()];
+        if self.told.is_some() {
+            self.ground.edge().for_each(|cell| entrances[cell] = self.ground.is_open(cell));
+        }
+        entrances
+    }
+
+    fn look_for_unseen(&mut self) {
+        let floor = self.ground.clone();
+        let unseen = floor.joined_to_the_outside(&starts(self.cell), |cell| self.may_pass_unseen(cell));
+        self.unseen = (0..unseen.cells()).map(|at| unseen.is_open(at)).collect();
+        self.come_before = self.come_before();
+    }
+
     /// Whether somebody may be in a cell of the floor with no sensor seeing them that keeps people out.
-    fn may_pass_unseen(&self, xy_m: [f64; 2]) -> bool {
+    fn may_pass_unseen(&self, cell: usize) -> bool {
         let keeps_out = |zone: &Zone| !matches!(zone, Zone::TwoHand { .. } | Zone::Reported);
         let sensors: Vec<_> = self.cell.sensors.iter().filter(|sensor| keeps_out(&sensor.zone)).collect();
-        headings(PASSING_HEADINGS).any(|(heading_rad, half_rad)| {
-            let at = PoseBox { xy_m, half_m: 0.5 * FLOOR_M, heading_rad, half_rad };
+        (0..).zip(headings(told::ARCS)).any(|(arc, (heading_rad, half_rad))| {
+            let at = PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * FLOOR_M, heading_rad, half_rad };
             // Who bends may pass below a plane, or above; legs and hips do not bend.
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
+            let is_clear = |told: &Told| told.kinds(cell, arc).any(|kind| !kind.contains(&true));
             sensors.iter().all(|sensor| may_stay_clear(sensor, &self.cell.body, &body, &at))
+                && self.told.as_ref().is_none_or(is_clear)
         })
+    }
+
+    /// Whether sensors inside the FMU may report this of somebody.
+    fn may_be_told(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[Option<bool>]) -> bool {
+        let Some(told) = &self.told else { return true };
+        let matches = |kind: &[bool]| {
+            let sensors = self.cell.sensors.iter().zip(kind).zip(readings);
+            sensors
+                .into_iter()
+                .all(|((sensor, told), reading)| !is_reported(sensor) || reading.is_none_or(|reading| reading == *told))
+        };
+        self.ground.within(xy_m, 0.0).any(|cell| told.kinds(cell, arc(heading_rad)).any(matches))
     }
 
     /// Whether nobody has room to stand anywhere in a box.
@@ -235,6 +325,14 @@ impl<'a> Anywhere<'a> {
         self.cell.body.placed(at.position(), at.heading_rad, posture, bend)
     }
 
+    /// The floor as cells: where people can be whom no sensor sees that keeps people out, having come there unseen; and where else
+    /// people can be.
+    #[must_use]
+    pub fn ground(&self) -> (&Floor, Vec<bool>, Vec<bool>) {
+        let watched = (0..self.ground.cells()).map(|cell| self.ground.is_open(cell) && !self.unseen[cell]);
+        (&self.ground, self.unseen.clone(), watched.collect())
+    }
+
     /// Whether somebody can stand there.
     #[must_use]
     pub fn has_room(&self, xy_m: [f64; 2]) -> bool {
@@ -245,7 +343,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether somebody may be there at the start, upright, of whom the sensors then report these readings.
     #[must_use]
-    pub fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[bool]) -> bool {
+    pub fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[Option<bool>]) -> bool {
         let beyond = !self.ground.holds(xy_m, 0.0);
         (beyond || self.ground.within(xy_m, 0.0).any(|cell| self.unseen[cell]))
             && self.is_possible(xy_m, heading_rad, Posture::Upright, readings)
@@ -253,10 +351,10 @@ impl<'a> Anywhere<'a> {
 
     /// Whether somebody can stand there while the sensors report these readings.
     #[must_use]
-    pub fn is_possible(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture, readings: &[bool]) -> bool {
+    pub fn is_possible(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture, readings: &[Option<bool>]) -> bool {
         let at = PoseBox::point(xy_m, heading_rad);
         let position = at.position();
-        if !self.has_room(xy_m) {
+        if !self.has_room(xy_m) || !self.may_be_told(xy_m, heading_rad, readings) {
             return false;
         }
         // Who bends in a plane was upright in it, or comes into it: both are seen.
@@ -265,8 +363,9 @@ impl<'a> Anywhere<'a> {
             let body = Some(self.placed(&at, posture, bend));
             let seen = sensors::Seen { feet: self.cell.body.feet(position, heading_rad), body, position, heading_rad };
             // What a plane reports may be an arm.
-            let told = |(sensor, reading): (&Sensor, &bool)| {
-                is_reported(sensor) || (*reading && is_plane(sensor)) || sees(sensor, &seen) == *reading
+            let told = |(sensor, reading): (&Sensor, &Option<bool>)| {
+                let is = |reading| (reading && is_plane(sensor)) || sees(sensor, &seen) == reading;
+                is_reported(sensor) || reading.is_none_or(is)
             };
             self.cell.sensors.iter().zip(readings).all(told)
         };
@@ -275,19 +374,20 @@ impl<'a> Anywhere<'a> {
 
     /// Whether the sensors may have reported these readings of somebody who is in a box, bends so, and was no more than a step
     /// elsewhere.
-    fn may_have_read(&self, at: &PoseBox, posture: Posture, body: &PlacedBody, readings: &[bool]) -> bool {
+    fn may_have_read(&self, at: &PoseBox, posture: Posture, body: &PlacedBody, readings: &[Option<bool>]) -> bool {
         let around = PoseBox { half_m: at.half_m + self.step_m, ..*at };
         let obstacles = &self.encounter.obstacles;
-        let may = |(sensor, reading): (&Sensor, &bool)| {
+        let may = |(sensor, reading): (&Sensor, &Option<bool>)| {
+            let Some(reading) = *reading else { return true };
             if !is_plane(sensor) {
-                return may_report(sensor, &self.cell.body, body, &around).be(*reading);
+                return may_report(sensor, &self.cell.body, body, &around).be(reading);
             }
             // Where obstacles limit the bend, it may have been another a step elsewhere.
             let is_bent_alike = || {
                 let (least, most) = may_be_cut_back(&self.cell.body, &around, posture, obstacles);
                 least == most
             };
-            *reading
+            reading
                 || may_report(sensor, &self.cell.body, body, &around).clear
                 || (may_stay_clear(sensor, &self.cell.body, body, &around) && !is_bent_alike())
         };
@@ -308,7 +408,7 @@ impl<'a> Anywhere<'a> {
             if !self.cell.sensors.iter().zip(readings).all(may) {
                 continue;
             }
-            if self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, readings) {
+            if self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(readings)) {
                 return Somewhere::At(at.xy_m, at.heading_rad);
             }
             if is_smallest(&at) {
@@ -320,11 +420,12 @@ impl<'a> Anywhere<'a> {
         if is_known { Somewhere::Nowhere } else { Somewhere::Unknown }
     }
 
-    /// Every pose in which the sensors report what they do in `history`, on so many threads; `tell` hears of the share that is
-    /// done, and may end it.
+    /// Every pose in which the sensors report what they do in `history`, on so many threads; what is hit is looked at again in
+    /// each span of so many steps. `tell` hears of the share that is done, and may end it.
     pub fn search(
         &self,
         history: &History,
+        span: usize,
         workers: usize,
         coverage: &mut Coverage,
         tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -348,6 +449,23 @@ impl<'a> Anywhere<'a> {
         for (part, seen) in second {
             coverage.merge(&seen);
             all.add(part);
+        }
+        if !all.stopped {
+            let mut by_cell: BTreeMap<[i64; 2], Vec<Harm>> = BTreeMap::new();
+            for harm in &all.harms {
+                by_cell.entry(told_in(harm.xy_m)).or_default().push(*harm);
+            }
+            let poses: Vec<Harm> = by_cell.into_values().flat_map(worth_following).collect();
+            let followed = within
+                .in_parallel(workers, &poses, &mut |_| tell(1.0), |harm, coverage| within.follow(harm, span, coverage));
+            all.followed = true;
+            for (moments, seen) in followed {
+                // Nothing is excluded by these: one that gave up early leaves nothing open.
+                coverage.arm_checks += seen.arm_checks;
+                coverage.arm_boxes += seen.arm_boxes;
+                all.followed &= moments.is_some();
+                all.moments.extend(moments.unwrap_or_default());
+            }
         }
         all
     }
@@ -381,8 +499,27 @@ impl<'a> Anywhere<'a> {
 
     /// Planes that nobody's arm passes while their sensors are clear.
     fn walls(&self, history: &History) -> Vec<Cuboid> {
-        self.curtains.iter().filter(|c| !history.readings[c.sensor]).map(Curtain::unbroken).collect()
+        let is_clear = |c: &&Curtain| history.readings[c.sensor] == Some(false);
+        self.curtains.iter().filter(is_clear).map(Curtain::unbroken).collect()
     }
+}
+
+/// Where people start by the cell file, floor plan, m.
+fn starts(cell: &Workcell) -> Vec<[f64; 2]> {
+    cell.beginnings.iter().map(|beginning| beginning.start.xy_m()).collect()
+}
+
+/// Readings of all sensors, where all matter.
+#[must_use]
+pub fn known(readings: &[bool]) -> Vec<Option<bool>> {
+    readings.iter().copied().map(Some).collect()
+}
+
+/// The cell of the floor in which something there is told.
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "some thousand cells to a side")]
+pub fn told_in(xy_m: [f64; 2]) -> [i64; 2] {
+    xy_m.map(|at| (at / (2.0 * CELL_M)).floor() as i64)
 }
 
 /// All headings as so many arcs: the middle of each, and half of it, rad.

@@ -96,6 +96,12 @@ impl Curtain {
         self.depths(shape).0 <= depth
     }
 
+    /// Whether no part of `shape` is deeper than `depth` behind the plane.
+    #[must_use]
+    pub fn holds(&self, depth: f64, shape: &Solid) -> bool {
+        self.depths(shape).1 <= depth
+    }
+
     /// Whether some part of `shape` is before the plane, no farther than `depth`.
     #[must_use]
     pub fn within_before(&self, depth: f64, shape: &Solid) -> bool {

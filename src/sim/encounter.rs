@@ -192,14 +192,13 @@ const fn arm_region(segment: ArmSegment) -> BodyRegion {
 }
 
 impl Encounter {
-    /// The unsafe contact of trunk, head or legs with the robot, if there is one, of those at points of the robot that
-    /// `counts`: of the pairs touched first the one with the highest ratio of force and limit.
+    /// The unsafe contact of trunk, head or legs with the robot, if there is one, of those that `counts`: of the pairs touched first the one with the highest ratio of force and limit.
     #[must_use]
     pub fn unsafe_body_contact(
         &self,
         person: &Person,
         frame: &RobotFrame,
-        counts: impl Fn(Vec3) -> bool,
+        counts: impl Fn(&Contact) -> bool,
         coverage: &mut Coverage,
     ) -> Option<Contact> {
         let touching = self.touching(&person.body, frame, &mut coverage.closest_approach_m);
@@ -208,7 +207,7 @@ impl Encounter {
         for contact in touching.iter().map(|pair| body_contact(person, frame, pair)) {
             if contact.class().is_none() {
                 harmless = Some(harmless.map_or(contact.ratio(), |worst| worst.max(contact.ratio())));
-            } else if counts(contact.on_robot) {
+            } else if counts(&contact) {
                 harmful.push(contact);
             }
         }

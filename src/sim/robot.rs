@@ -121,11 +121,25 @@ impl RobotFrame {
         &self.outputs
     }
 
+    /// Whether any contact at all with one of some links could be above its limit.
+    #[must_use]
+    pub fn may_harm_by(&self, counts: &[bool]) -> bool {
+        let mut links = self.speed_bounds.iter().enumerate();
+        links.any(|(link, bound)| counts[link] && self.strike(link).may_harm(*bound))
+    }
+
     /// Whether the FMU's outputs are the same to the last bit.
     #[must_use]
     pub fn same_outputs(&self, other: &Self) -> bool {
         self.outputs.iter().zip(&other.outputs).all(|(a, b)| a.to_bits() == b.to_bits())
     }
+}
+
+/// Whether a robot is, moves and strikes the same by two rows of FMU outputs.
+#[must_use]
+pub fn moves_alike(robot: &Robot, binding: &RobotBinding, a: &[f64], b: &[f64]) -> bool {
+    let carries = |outputs: &[f64]| binding.payload.read(outputs).to_bits();
+    carries(a) == carries(b) && place(robot, binding, a) == place(robot, binding, b)
 }
 
 /// Pose and velocity of each moving part of a robot, world.

@@ -497,7 +497,7 @@ impl World {
 
     /// The unsafe contact of trunk, head or legs, if there is one.
     fn body_hit(&self, person: &Person, stance: &Stance, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Hit> {
-        let counts = |on_robot| self.in_time(on_robot, person, stance);
+        let counts = |contact: &Contact| self.in_time(contact.on_robot, person, stance);
         let contact = self.encounter.unsafe_body_contact(person, frame, counts, coverage)?;
         Some(Hit::new((contact, None), frame))
     }

@@ -25,9 +25,12 @@ fn cell(z: f64, parts: &str) -> String {
 }
 
 fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
-    let path = write(dir, "cell.toml", text);
+    look_at(&write(dir, "cell.toml", text), until_s, workers)
+}
+
+fn look_at(path: &Path, until_s: f64, workers: usize) -> Anywhere {
     let effort = Effort { until_s, workers, most_states: 100_000, state: StateChoice::Auto };
-    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
+    anywhere(&prepare(path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 
 /// A wall between two corners, `from_m` to `to_m` high.
@@ -103,19 +106,25 @@ fn a_closed_fence_lets_nobody_in_and_an_opening_lets_hands_in() {
 #[test]
 fn where_a_mat_leaves_room_somebody_is_hit_unseen_and_elsewhere_the_bar_stands_in_time() {
     let dir = guarded();
-    let mat = |notch: &str| {
-        format!(
-            "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\nzone = {{ polygon_m = [[-2.1, \
-             -2.1], [2.1, -2.1], [2.1, 2.1], {notch}[-2.1, 2.1]] }}\n"
-        )
+    // Feet are 0.18 m apart: whoever looks along the gap keeps to the middle by 0.035 m, who looks across it by half of it.
+    let mats = |gap_m: f64| {
+        let mat = |name: &str, from: f64, to: f64| {
+            format!(
+                "[[sensor]]\nname = \"{name}\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\nzone = {{ polygon_m = \
+                 [[{from}, -2.1], [{to}, -2.1], [{to}, 2.1], [{from}, 2.1]] }}\n"
+            )
+        };
+        format!("{}{}", mat("left", -2.1, -0.5 * gap_m), mat("right", 0.5 * gap_m, 2.1))
     };
-    let whole = look(dir.path(), &cell(0.45, &mat("")), 0.8, 2);
+    let whole = look(dir.path(), &cell(0.45, &mats(-0.1)), 0.5, 2);
     assert_eq!((whole.verdict, whole.open, whole.changes), (Verdict::NoneFound, 0, None), "{whole:#?}");
     // Coming in is one history of readings, and going out again another.
     assert!(whole.histories.len() > 2 && whole.histories.iter().any(|history| !history.unseen), "{whole:#?}");
-    let hole = look(dir.path(), &cell(0.45, &mat("[0.25, 2.1], [0.25, 0.3], [-0.25, 0.3], [-0.25, 2.1], ")), 0.8, 2);
+    let hole = look(dir.path(), &cell(0.45, &mats(0.25)), 0.5, 2);
     assert_eq!(hole.verdict, Verdict::HazardsFound, "{hole:#?}");
-    assert!(hole.hazards.iter().any(|hazard| hazard.confirmed && !hazard.walks_in && hazard.xy_m[0].abs() < 0.25));
+    let unseen = |hazard: &&Place| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 2.0;
+    assert!(hole.hazards.iter().filter(unseen).count() > 0, "{hole:#?}");
+    assert!(hole.hazards.iter().filter(unseen).all(|hazard| hazard.xy_m[0].abs() < 0.126), "{hole:#?}");
 }
 
 /// By hand: the bar reaches 0.4 m, and stands 0.35 s after the mat was stepped on, 0.56 m of walking. Who reaches as far as
@@ -186,8 +195,36 @@ fn nobody_gets_through_a_light_curtain_in_time_but_where_there_is_none() {
                    heights_m = [0, 2.2] }\nvariable = \"clear\"\nactive = false\n";
     let found = look(dir.path(), &cell(0.45, &format!("{walls}{curtain}")), 0.4, 2);
     assert_eq!((found.verdict, found.open), (Verdict::NoneFound, 0), "{found:#?}");
+    // An example: who bends in the plane has no hand deeper behind it than 2.0 m/s take it, and the front is where the cell's own
+    // start is. Without either some hands are not excluded.
+    let examples = examples();
+    let repaired = look_at(&examples.path().join("light-curtain/fixed.toml"), 0.7, 2);
+    assert_eq!((repaired.verdict, repaired.open), (Verdict::NoneFound, 0), "{repaired:#?}");
     let open = look(dir.path(), &cell(0.45, &walls), 0.4, 2);
     assert_eq!(open.verdict, Verdict::HazardsFound, "{open:#?}");
+}
+
+/// By hand: the bar turns at 5 rad/s, so whoever is hit is hit again a turn later, 1.257 s, in the twelfth or thirteenth span from
+/// there. A contact of a single sample may fall between two of the next turn.
+#[test]
+fn the_floor_tells_when_it_is_hit_and_a_turn_of_the_bar_later_it_is_hit_again() {
+    let dir = guarded();
+    let found = look(dir.path(), &cell(0.45, ""), 2.6, 2);
+    assert!((found.span_s - 0.1).abs() < 1e-9 && found.followed, "{}", found.span_s);
+    let (mut hit, mut again) = (0_u32, 0_u32);
+    for cell in &found.floor {
+        assert!(cell.unseen && cell.spans.is_sorted_by_key(|(span, _)| *span), "{cell:?}");
+        let (first, worst) = (cell.spans[0].0, cell.spans.iter().map(|(_, ratio)| *ratio).fold(0.0, f64::max));
+        let earliest = cell.earliest_s / found.span_s;
+        let begins = f64::from(u32::try_from(first).unwrap());
+        assert!(earliest > begins && earliest <= begins + 1.0 + 1e-9, "{cell:?}");
+        assert!((worst - cell.ratio).abs() < 1e-3, "{cell:?}");
+        for (span, _) in cell.spans.iter().filter(|(span, _)| (3..12).contains(span)) {
+            hit += 1;
+            again += u32::from(cell.spans.iter().any(|(later, _)| (span + 12..=span + 13).contains(later)));
+        }
+    }
+    assert!(hit > 100 && 10 * again > 9 * hit, "{again} of {hit}");
 }
 
 #[test]
@@ -224,6 +261,8 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
         assert!(dir.join(folder).join(file).is_file(), "{file}");
     }
     assert!(dir.join(folder).join(format!("{}.svg", id(&hazards[0]))).is_file());
+    let map = std::fs::read_to_string(dir.join("out/anywhere/floor.svg")).unwrap();
+    assert!(map.contains("somebody whom no sensor sees can be hit harder than allowed"), "{map}");
     // Each again, from where and when it begins.
     let (text, _) = ran(&["replay", folder, "all"], 1);
     assert_eq!(text.matches("as recorded to the last bit; begins at").count(), hazards.len(), "{text}");
@@ -250,13 +289,66 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
     assert!(hazards.iter().any(|hazard| hazard["id"] == found["hazards"][0]["id"]));
 }
 
+/// An FMU that is told where people are, and has a field of its own around the bar.
+fn told(radius_m: f64, others: &str) -> String {
+    let field = "[[sensor]]\nname = \"field\"\nkind = \"reported\"\nvariable = \"field.occupied\"\nactive = true\n[pose]\nx = \
+                 \"person.x\"\ny = \"person.y\"\n";
+    format!("{}\"field.radius\" = {radius_m}\n{others}", cell(0.9, field))
+}
+
 #[test]
-fn a_cell_whose_fmu_is_told_where_the_person_is_is_refused() {
-    // What robots do when they are told where somebody is, is not one history.
-    let told = examples();
-    let out = fmi_hazard(told.path()).args(["scan", "two-scanners/cell.toml", "--from", "anywhere"]).output();
-    let out = out.unwrap();
-    assert_eq!(out.status.code(), Some(2));
-    let text = String::from_utf8_lossy(&out.stderr).replace('\n', " ");
-    assert!(text.contains("is told where the person is"), "{text}");
+fn a_field_inside_the_fmu_is_found_by_asking_it() {
+    let dir = guarded();
+    // By hand: who reaches 1.4 m to a bar that reaches 0.4 m has to be kept 2.36 m away, and up to two samples and a cell more.
+    let far = look(dir.path(), &told(2.6, ""), 0.8, 2);
+    assert_eq!((far.verdict, far.open), (Verdict::NoneFound, 0), "{far:#?}");
+    assert!(far.rests_on.iter().any(|ground| ground.contains("all people of whom its sensors report the same")));
+    let near = look(dir.path(), &told(1.2, ""), 0.8, 2);
+    assert_eq!(near.verdict, Verdict::HazardsFound, "{near:#?}");
+    // Somebody is hit who has come into the field; and it is where a field outside of the FMU would see them.
+    let walks = near.hazards.iter().find(|hazard| hazard.confirmed && hazard.walks_in).expect("somebody walks in");
+    assert!(libm::hypot(walks.start_m[0], walks.start_m[1]) > 1.2 && libm::hypot(walks.xy_m[0], walks.xy_m[1]) < 1.2);
+    // What the bar does depends on the distance too, and no sensor reports that.
+    let more = look(dir.path(), &told(2.6, "\"ssm.distance\" = 3.0\n").replace("\"ssm.distance\" = 0.0\n", ""), 0.8, 2);
+    assert_eq!((more.verdict, more.histories.len()), (Verdict::Inconclusive, 0), "{more:#?}");
+    assert!(more.reasons[0].contains("in more ways than its sensors report"), "{more:#?}");
+}
+
+/// Two bars, each stopped by a mat of its own, far enough apart: looked at one by one, as each heeds one mat only, and nobody is hit.
+/// With the wires changed over each heeds the other mat.
+#[test]
+fn robots_that_heed_different_sensors_are_looked_at_one_by_one() {
+    let dir = guarded();
+    let two = |wired: [&str; 2], until_s: f64| {
+        let places = [("a", -2.3), ("b", 2.3)];
+        let robot = |(unit, x): (&str, f64)| {
+            bar(unit, x, 0.45)
+                .replace("to_m = [0.8,", "to_m = [0.35,")
+                .replace("variable = \"", &format!("variable = \"{unit}:"))
+        };
+        let unit = |(unit, _): (&str, f64)| format!("[[unit]]\nname = \"{unit}\"\nfmu = \"guarded.fmu\"\n");
+        let mat = |((unit, x), wired): ((&str, f64), &str)| {
+            let (low, high) = (x - 2.1, x + 2.1);
+            format!(
+                "[[sensor]]\nname = \"mat {unit}\"\nkind = \"mat\"\nvariable = \"{wired}:clear\"\nactive = false\nzone = {{ \
+                 polygon_m = [[{low}, -2.1], [{high}, -2.1], [{high}, 2.1], [{low}, 2.1]] }}\n"
+            )
+        };
+        let (units, bars) = (places.map(unit).concat(), places.map(robot).concat());
+        let mats = places.into_iter().zip(wired).map(mat).collect::<Vec<_>>().concat();
+        let text = format!(
+            "schema = 1\nname = \"two\"\n{units}{mats}{bars}[human]\nstart = {{ xy_m = [0, -3], heading_deg = 90 }}\n[search]\n\
+             actions = 2\n[parameters]\n\"a:drive.speed\" = 5\n\"b:drive.speed\" = 5\n"
+        );
+        look(dir.path(), &text, until_s, 2)
+    };
+    let safe = two(["a", "b"], 0.5);
+    assert_eq!((safe.verdict, safe.open), (Verdict::NoneFound, 0), "{safe:#?}");
+    let grounds = |found: &Anywhere| found.rests_on.iter().map(|ground| ground[..21].to_owned()).collect::<Vec<_>>();
+    assert_eq!(grounds(&safe), ["a does not heed mat b", "b does not heed mat a"]);
+    // Of each robot: nobody was seen, its mat sees somebody, it does no more.
+    assert!((4..=8).contains(&safe.histories.len()), "{safe:#?}");
+    assert!(safe.histories.iter().all(|history| history.sensors.len() == 1), "{safe:#?}");
+    let wrong = two(["b", "a"], 0.1);
+    assert_eq!(grounds(&wrong), ["a does not heed mat a", "b does not heed mat b"]);
 }

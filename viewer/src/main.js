@@ -15,6 +15,7 @@ import { makeReplay } from "./replay.js";
 import { makeSelection } from "./selection.js";
 import { hazardTable } from "./table.js";
 import { verdict } from "./verdict.js";
+import { wholeSection } from "./whole.js";
 
 function unknownNote(selection) {
   const note = h("p", { class: "notice", "data-test": "unknown-id" });
@@ -31,7 +32,7 @@ async function build(root) {
   const data = await readData();
   root.append(verdict(data));
   const selection = makeSelection(data.causes);
-  root.append(unknownNote(selection));
+  root.append(unknownNote(selection), ...(data.whole ? [wholeSection(data)] : []));
   if (data.causes.length > 0) {
     const assessments = makeAssessments(data);
     const replay = makeReplay(data, selection);

@@ -6,6 +6,7 @@ import { badge, figures, otherForce, remedy } from "./card.js";
 import { definitions, drawing, h } from "./dom.js";
 import { facts } from "./facts.js";
 import { fromAnywhere, lookedAt, summary } from "./verdict.js";
+import { wholePage } from "./whole.js";
 import * as words from "./words.js";
 
 /** Lines of a cause that have room on its page. */
@@ -86,7 +87,7 @@ function causePage(data, cause, assessments) {
 /** The part for paper; it is filled when the page is printed, and empty on the screen. */
 export function printPart(data, assessments) {
   const element = h("section", { class: "print-only", id: "print" });
-  addEventListener("beforeprint", () => element.replaceChildren(firstPage(data, assessments), ...data.causes.map((cause) => causePage(data, cause, assessments))));
+  addEventListener("beforeprint", () => element.replaceChildren(firstPage(data, assessments), ...(data.whole ? [wholePage(data)] : []), ...data.causes.map((cause) => causePage(data, cause, assessments))));
   addEventListener("afterprint", () => element.replaceChildren());
   return element;
 }

@@ -109,6 +109,7 @@ const replayed = (data) => data.scan.hazards.map((z) => z.id).filter((id) => dat
 
 /** Needs that a check has of a report. */
 const any = () => true;
+const withFloor = (data) => data.whole !== undefined;
 const hazards = (number) => (data) => data.scan.hazards.length >= number;
 const replays = (number) => (data) => replayed(data).length >= number;
 
@@ -406,7 +407,7 @@ export const CHECKS = [
   {
     name: "shows verdict, worst cause, its picture and its remedy on the first screen",
     main: true,
-    needs: replays(1),
+    needs: (data) => replays(1)(data) && !withFloor(data),
     async run({ page, data }) {
       await page.setViewportSize(OFFICE);
       await settle(page);
@@ -533,6 +534,70 @@ export const CHECKS = [
     },
   },
   {
+    name: "shows the floor at once, and reads it by pointer and by key",
+    main: true,
+    needs: withFloor,
+    async run({ page, data: { whole } }) {
+      await page.setViewportSize(OFFICE);
+      await settle(page);
+      assert.equal(await page.locator(test("whole-head")).textContent(), whole.said);
+      assert.equal(await page.locator(test("whole-square")).count(), whole.floor.length);
+      const map = page.locator(test("whole-map"));
+      const { y, height } = await map.boundingBox();
+      assert.ok(y >= 0 && y + height <= OFFICE.height, `the map ends at ${y + height} px`);
+      const told = page.locator(test("whole-told"));
+      await map.focus();
+      await page.keyboard.press("ArrowRight");
+      const worst = Math.max(...whole.floor.map(({ ratio }) => ratio));
+      assert.match(await told.textContent(), whole.floor.length > 0 ? new RegExp(`up to ${worst.toFixed(2)}x, first at [0-9.]+ s`) : /(not known|no hit found)$/);
+      const before = await told.textContent();
+      await page.keyboard.press("ArrowUp");
+      assert.notEqual(await told.textContent(), before);
+      const unclear = page.locator(`${test("whole-map")} .open rect`);
+      if ((await unclear.count()) > 0) {
+        await unclear.first().hover({ force: true });
+        assert.match(await told.textContent(), /: not known$/);
+      }
+      assert.equal(await page.locator(test("whole-reasons")).count(), whole.reasons.length > 0 ? 1 : 0);
+    },
+  },
+  {
+    name: "colours the floor by how hard, how early, and at one moment",
+    needs: (data) => withFloor(data) && data.whole.floor.length > 0,
+    async run({ page, data: { whole } }) {
+      const fills = () => page.locator(test("whole-square")).evaluateAll((all) => all.map((square) => square.style.fill));
+      const hard = await fills();
+      assert.ok(hard.every((fill) => fill !== ""));
+      await page.locator(test("whole-earliest")).check();
+      const early = await fills();
+      const of = (least) => early[whole.floor.reduce((a, b, index) => (least(b.earliest_s, whole.floor[a].earliest_s) ? index : a), 0)];
+      const [first, last] = [of((a, b) => a < b), of((a, b) => a > b)];
+      assert.equal(first === last, new Set(whole.floor.map(({ earliest_s: at }) => at)).size === 1);
+      assert.equal(await page.locator(test("whole-moment")).count(), whole.followed ? 1 : 0);
+      if (!whole.followed) {
+        return;
+      }
+      const [span] = whole.floor[0].spans[0];
+      await page.locator(test("whole-slider")).fill(String(span));
+      assert.ok(await page.locator(test("whole-moment")).isChecked());
+      const now = await fills();
+      whole.floor.forEach((square, index) => assert.equal(now[index] !== "", square.spans.some(([at]) => at === span), `${square.xy_m}`));
+      assert.match(await page.locator(test("whole-now")).textContent(), /hits on [0-9.]+ m²$/);
+    },
+  },
+  {
+    name: "numbers the worst places, and prints the floor",
+    needs: (data) => withFloor(data) && hazards(1)(data),
+    async run({ page, data: { whole } }) {
+      const number = Math.min(6, whole.places.length);
+      assert.equal(await page.locator(test("whole-place")).count(), number);
+      assert.equal(await page.locator("#whole .whole-places li").count(), number);
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      assert.equal(await page.locator(`${test("print-whole")} ${test("whole-square")}`).count(), whole.floor.length);
+      await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    },
+  },
+  {
     name: "works without 3-D graphics",
     graphics: false,
     needs: replays(1),
@@ -542,7 +607,8 @@ export const CHECKS = [
       await setScrub(page, 0);
       assert.match(await page.locator(test("instant")).textContent(), /^0\.00 s/);
       const { bottom } = await page.locator(".flat svg").evaluate((drawing) => drawing.getBoundingClientRect());
-      assert.ok(bottom <= OFFICE.height, `the drawing ends at ${bottom} px`);
+      // The floor comes before it.
+      assert.ok(withFloor(data) || bottom <= OFFICE.height, `the drawing ends at ${bottom} px`);
       const id = replayed(data).at(-1);
       await unfold(page);
       await page.locator(`${test("row")}[data-id="${id}"] a`).click();

@@ -270,14 +270,39 @@ function scan(hazards, { exhaustive, faults }) {
 
 const QUARTER = Math.SQRT1_2;
 
+/** The floor in front of the table: who stands there is hit twice, later the farther off they are; beside it only who walks in. */
+function whole(hazards) {
+  const squares = [];
+  for (let i = -8; i < 8; i++) {
+    for (let j = -9; j < -2; j++) {
+      const far = Math.hypot(i + 0.5, j + 2) / 10;
+      const first = Math.round(4 + 10 * far);
+      const ratio = 2.3 - 1.6 * far;
+      squares.push({ xy_m: [(i + 0.5) / 10, (j + 0.5) / 10], ratio, unseen: i < 5, earliest_s: first / 10 + 0.04, spans: [[first, ratio], [first + 3, 0.9 * ratio]] });
+    }
+  }
+  return {
+    said: "On 0.9 m² of the floor somebody whom no sensor sees can be hit harder than allowed within 2.0 s of the start.",
+    until_s: 2, cell_m: 0.1, span_s: 0.1, followed: true,
+    floor: squares,
+    open_m: [[-0.85, -0.45], [-0.85, -0.55], [0.85, -0.45]],
+    ground: { unseen_m: [[-3, -3, 3, -0.15]], watched_m: [[-0.6, 1, 0.6, 1.6]], swept_m: [[-0.7, -0.4, 0.7, 0.9]] },
+    places: hazards.map(({ id, body_region, robot_link, ratio, time_s, person_xy_m }, index) => ({
+      id, body_region, robot_link, ratio, time_s, confirmed: index < 7, xy_m: person_xy_m, posture: "bent forward", walks_in: index % 2 === 1, start_m: index % 2 === 1 ? [1.4, -1.2] : person_xy_m,
+    })),
+    reasons: ["3 cells of the floor are open: whether anybody is hit there is not known"],
+  };
+}
+
 /** Data of a report with so many hazards, of which the first `replays` can be replayed. */
-export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, pedestal = false, looks = [], assessments = {}, name = "invented-cell" } = {}) {
+export function report({ hazards = 8, replays = 50, arm = "some", hitting = "tool", exhaustive = false, faults = 0, pedestal = false, looks = [], floor = false, assessments = {}, name = "invented-cell" } = {}) {
   const next = random(7 + hazards);
   const episodes = Array.from({ length: hazards }, (_, index) => episode(index, next, { arm, hitting }));
   episodes.sort((a, b) => b.hazard.ratio - a.hazard.ratio);
   return {
     format: 2,
     scan: scan(episodes.map(({ hazard }) => hazard), { exhaustive, faults }),
+    ...(floor ? { whole: whole(episodes.map(({ hazard }) => hazard)) } : {}),
     reproduce: "fmi-hazard scan cell.toml --strategy hybrid --seed 1 --iterations 320",
     assumptions: [
       "The person walks at 1.6 m/s and does not run, jump, fall or climb; arms are posed at once, not swung.",

@@ -22,6 +22,8 @@ const REPORTS = {
   "none, not complete, with faults": { hazards: 0, faults: 2 },
   one: { hazards: 1, arm: "none" },
   "one with an arm": { hazards: 1, arm: "all", exhaustive: true },
+  "none, with a floor": { hazards: 0, floor: true },
+  "nine, with a floor": { hazards: 9, replays: 3, floor: true },
   many: { hazards: 9, replays: 6, faults: 2, assessments: GIVEN },
   fifty: { hazards: 60, replays: 50, exhaustive: true },
 };

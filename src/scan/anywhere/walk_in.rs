@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 use crate::cell::Workcell;
 use crate::human::{Action, Posture, Start, Walk};
-use crate::sim::anywhere::{Anywhere, Harm, History, Seen};
+use crate::sim::anywhere::{Anywhere, Harm, History, Seen, known};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most actions of walking before the last one.
@@ -93,15 +93,23 @@ impl Way<'_> {
         first.chain((1..=self.reached).map(|step| (along(corner, last, step as f64), last))).collect()
     }
 
-    fn walks(&self, of: &Anywhere<'_>, cell: &Workcell, first: &[bool], then: &[bool], seen: &Seen) -> Vec<WalkIn> {
+    fn walks(
+        &self,
+        of: &Anywhere<'_>,
+        cell: &Workcell,
+        first: &[bool],
+        then: &[Option<bool>],
+        seen: &Seen,
+    ) -> Vec<WalkIn> {
         let places = self.places(cell);
         let [(start, heading), ..] = places[..] else { return Vec::new() };
-        if !of.may_begin(start, heading, first) || !places.iter().all(|(at, _)| of.has_room(*at)) {
+        if !of.may_begin(start, heading, &known(first)) || !places.iter().all(|(at, _)| of.has_room(*at)) {
             return Vec::new();
         }
         // The sample from which on the readings are those of the history.
         let reads = |(at, heading): &([f64; 2], f64)| of.is_possible(*at, *heading, Posture::Upright, then);
-        let entered = if first == then { 0 } else { places.iter().position(reads).unwrap_or(places.len()) };
+        let is_first = then.iter().zip(first).all(|(then, first)| then.is_none_or(|then| then == *first));
+        let entered = if is_first { 0 } else { places.iter().position(reads).unwrap_or(places.len()) };
         let arrived = places.len() - 1;
         let posture = self.harm.posture;
         let mut actions = vec![Action::new(Walk::Forward, Posture::Upright); self.walking];

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use super::zones::Zones;
 use super::{History, Seen};
 use crate::cell::{Binding, Workcell};
-use crate::geometry::Vec3;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::search::tracks::{Taken, Watch};
 use crate::sim::robot::RobotFrame;
@@ -17,12 +16,25 @@ use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
 /// A state of the FMU, and what is on its way to it.
 pub type State = (NodeId, Box<[DelayLine]>);
 
+/// Robots that are looked at together, with the sensors that they heed.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Which sensors.
+    pub sensors: Vec<bool>,
+    /// Which links.
+    pub links: Arc<[bool]>,
+}
+
 /// See the top of this file.
 pub struct Machine<'a, P: Plant> {
     recall: Recall<P>,
     cell: &'a Workcell,
     binding: &'a Binding,
     zones: &'a Zones,
+    /// A person of whom each of the readings is reported, as far as the FMU is told of people.
+    people: Vec<sensors::Seen>,
+    /// Which sensors matter, and which links count.
+    part: &'a Part,
     /// The last transition: before it and after.
     last: (NodeId, NodeId),
     /// Why the FMU first could not finish a step.
@@ -36,12 +48,19 @@ pub struct Machine<'a, P: Plant> {
 impl<'a, P: Plant> Machine<'a, P> {
     /// Ready to be stepped from where the FMU begins.
     #[must_use]
-    pub fn new(recall: Recall<P>, cell: &'a Workcell, binding: &'a Binding, zones: &'a Zones) -> Self {
+    pub fn new(
+        recall: Recall<P>,
+        (cell, binding): (&'a Workcell, &'a Binding),
+        (zones, people): (&'a Zones, Vec<sensors::Seen>),
+        part: &'a Part,
+    ) -> Self {
         Self {
             recall,
             cell,
             binding,
             zones,
+            people,
+            part,
             last: (NodeId::ROOT, NodeId::ROOT),
             fault: None,
             seen: vec![BTreeMap::new(); zones.ways.len()],
@@ -77,7 +96,7 @@ impl<'a, P: Plant> Machine<'a, P> {
                 .entry(bits.clone())
                 .or_insert_with(|| Arc::new(RobotFrame::new(self.cell, self.binding, &rows))),
         );
-        if !frame.may_harm {
+        if !frame.may_harm_by(&self.part.links) {
             return;
         }
         let way = &self.zones.ways[taken.way];
@@ -112,8 +131,10 @@ impl<'a, P: Plant> Machine<'a, P> {
         ways.map(|(way, seen)| {
             let mut seen: Vec<Seen> = seen.values().cloned().collect();
             seen.sort_by_key(|seen| (seen.step, seen.lasting));
+            let matter = self.part.sensors.iter().zip(&self.zones.readings[way.to]);
             History {
-                readings: self.zones.readings[way.to].clone(),
+                readings: matter.map(|(matters, reading)| matters.then_some(*reading)).collect(),
+                links: Arc::clone(&self.part.links),
                 fields: [&way.field, self.zones.origin()].map(Arc::clone),
                 seen,
             }
@@ -144,10 +165,9 @@ impl<P: Plant> Watch for Machine<'_, P> {
         let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(reading);
         let told: Vec<bool> = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
         lines.iter_mut().for_each(|line| *line = line.on_its_way());
-        // Nothing of the person but that is told.
-        let nobody = sensors::Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+        let person = &self.people[self.zones.ways[way].to];
         let mut inputs = Vec::new();
-        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &told, &nobody, &mut inputs);
+        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &told, person, &mut inputs);
         match self.recall.advance(*node, 1, &inputs)? {
             Advanced::To(next) => {
                 self.last = (*node, next);

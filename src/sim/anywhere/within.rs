@@ -1,34 +1,33 @@
 //! One history looked at: what bounds settle of the floor, poses that are tried, and what is left in ever smaller boxes.
 
+pub(super) mod moments;
+
 use std::collections::{BTreeMap, VecDeque};
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
+use super::behind::Kept;
 use super::readings::lever;
 use super::{Anywhere, CELL_M, Harm, History, LEVER_M, Outcome, Seen, headings, is_smallest};
 use crate::geometry::{Cuboid, Vec3};
+use crate::hazard::Contact;
 use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::reach::ArmSegment;
 use crate::human::reach::cells::{ArmCells, Target};
-use crate::human::shoulder::{is_available, is_certainly_unavailable};
+use crate::human::shoulder::is_available;
 use crate::human::{BendFraction, BodyPart, PlacedBody, PoseBox, Posture, Side};
 use crate::sim::Coverage;
-use crate::sim::curtain::Curtain;
 use crate::sim::encounter::{ArmAnywhere, ArmSpace, Encounter, Person, may_harm_part, may_meet};
+use crate::sim::robot::RobotFrame;
 
 /// Headings of which poses are tried.
 const TRIED_HEADINGS: u32 = 16;
 /// Arms that are tried in a cell.
 const TRIED_ARMS: u32 = 10;
 
-/// Pieces of the arc that a shoulder may be on are looked at one by one, m.
-const ARC_M: f64 = 0.02;
-/// Shoulders that may be this far from where they are in the middle of a box are not looked at by what they hang from, m.
-const HANGING_M: f64 = 0.1;
 /// With an arm that may be this far from where it is in the middle of a box, nothing is shown of links in its reach, m.
 const HOPELESS_M: f64 = 0.025;
 /// Between two looks at whether the search has to end.
@@ -78,8 +77,8 @@ struct Pair {
 
 impl Pair {
     /// Those of an instant that may harm anybody.
-    fn all(n: usize, Seen { frame, within_m, .. }: &Seen) -> impl Iterator<Item = Self> {
-        (0..frame.links.len()).filter_map(move |link| {
+    fn all(n: usize, Seen { frame, within_m, .. }: &Seen, counts: &[bool]) -> impl Iterator<Item = Self> {
+        (0..frame.links.len()).filter(|link| counts[*link]).filter_map(move |link| {
             let (centre, radius) = frame.links[link].bounding_sphere();
             let parts = BodyPart::ALL.map(|part| may_harm_part(part, frame, link, frame.speed_bounds[link]));
             let arms = Encounter::may_harm_arms(frame, link);
@@ -135,7 +134,8 @@ pub(super) struct Within<'a> {
 
 impl<'a> Within<'a> {
     pub(super) fn new(of: &'a Anywhere<'a>, history: &'a History) -> Self {
-        let pairs: Vec<Pair> = history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen)).collect();
+        let pairs: Vec<Pair> =
+            history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen, &history.links)).collect();
         let walls = of.walls(history);
         let targets: Vec<Target<'_>> = pairs.iter().filter(|pair| pair.arms).map(|pair| pair.target(history)).collect();
         let arms = ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls);
@@ -221,19 +221,40 @@ impl<'a> Within<'a> {
         pairs.filter(near).collect()
     }
 
-    /// Whether an arm of somebody whose shoulder is within `moves_m` of a point may be so deep behind the planes that report it as
-    /// a link is, or get there round them.
-    fn is_deep_enough(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> bool {
-        let Seen { frame, depth_m, .. } = &self.history.seen[pair.n];
-        let reach = self.of.encounter.arm.reach() + moves_m;
-        let is_beyond = |curtain: &&Curtain| {
-            self.history.readings[curtain.sensor]
-                && !curtain.hands_only
-                && curtain.depth(shoulder) + moves_m <= 0.0
-                && !curtain.within(*depth_m, &frame.links[pair.link])
-                && curtain.closed.out_of_reach(shoulder, reach, &frame.links[pair.link])
+    /// What keeps an arm whose shoulder is within `moves_m` of a point from a link at an instant, if anything does.
+    fn kept(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> Option<Kept> {
+        let seen = &self.history.seen[pair.n];
+        self.of.kept(self.history, (seen, &seen.frame.links[pair.link]), shoulder, moves_m)
+    }
+
+    /// Whether an arm of somebody whose shoulder is within `moves_m` of a point may get to a link at an instant in time.
+    fn is_in_time(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> bool {
+        self.kept(pair, shoulder, moves_m) != Some(Kept::Out)
+    }
+
+    /// Links at instants by what keeps arms from them.
+    fn by_walls<'p>(
+        &self,
+        pairs: impl Iterator<Item = &'p Pair>,
+        shoulder: Vec3,
+        moves_m: f64,
+    ) -> Vec<(Vec<Cuboid>, Vec<&'p Pair>)> {
+        let mut groups: Vec<(Option<Kept>, Vec<&Pair>)> = Vec::new();
+        for pair in pairs {
+            let kept = self.kept(pair, shoulder, moves_m);
+            if kept == Some(Kept::Out) {
+                continue;
+            }
+            match groups.iter_mut().find(|(known, _)| *known == kept) {
+                Some((_, pairs)) => pairs.push(pair),
+                None => groups.push((kept, vec![pair])),
+            }
+        }
+        let walls = |kept: Option<Kept>| {
+            let own = kept.map_or_else(Vec::new, |kept| kept.walls(&self.of.curtains));
+            self.walls.iter().copied().chain(own).collect()
         };
-        depth_m.is_infinite() || !self.of.curtains.iter().any(|curtain| is_beyond(&curtain))
+        groups.into_iter().map(|(kept, pairs)| (walls(kept), pairs)).collect()
     }
 
     fn is_over(&self) -> bool {
@@ -265,11 +286,11 @@ impl<'a> Within<'a> {
     }
 
     /// A cell of the floor in ever smaller boxes, no more of them for a posture than told, up to the first harm.
-    pub(super) fn closely(&self, (at, postures): &Undecided, most: u64, coverage: &mut Coverage) -> Outcome {
+    pub(super) fn closely(&self, (cell, postures): &Undecided, most: u64, coverage: &mut Coverage) -> Outcome {
         let mut outcome = Outcome::default();
-        let near = self.near(at, 0..self.pairs.len());
+        let near = self.near(cell, 0..self.pairs.len());
         for posture in postures {
-            let mut pending = VecDeque::from([*at]);
+            let mut pending = VecDeque::from([*cell]);
             let mut boxes = 0;
             while let Some(at) = pending.pop_front() {
                 if self.is_over() {
@@ -289,7 +310,7 @@ impl<'a> Within<'a> {
                     }
                     Judged::Unknown(_) if is_smallest(&at) || boxes >= most => {
                         outcome.boxes += boxes;
-                        outcome.open.push(at.xy_m);
+                        outcome.open.push(cell.xy_m);
                         return outcome;
                     }
                     Judged::Unknown(why) => pending.extend(at.parts(why.lever_m())),
@@ -329,7 +350,7 @@ impl<'a> Within<'a> {
                     })
                 });
                 if let Some(pair) = met.filter(|_| possible())
-                    && let Some(harm) = self.harm(&pose, posture, &body, (pair.n, false), coverage)
+                    && let Some(harm) = self.harm_of_body(&pose, posture, &body, pair, coverage)
                 {
                     let known = harms.entry((harm.contact.region as u8, harm.link)).or_insert(harm);
                     if harm.contact.ratio() > known.contact.ratio() {
@@ -338,10 +359,13 @@ impl<'a> Within<'a> {
                 }
                 for side in Side::BOTH {
                     let shoulder = body.shoulder(side).translation;
-                    let pairs = near().filter(|pair| pair.arms && self.is_deep_enough(pair, shoulder, 0.0));
-                    let gap =
-                        pairs.map(|pair| (pair.centre - shoulder).length() - pair.radius).fold(f64::MAX, f64::min);
-                    if gap <= encounter.arm.reach() {
+                    let may = |pair: &&Pair| {
+                        pair.arms
+                            && pair.is_near(shoulder, encounter.arm.reach())
+                            && self.is_in_time(pair, shoulder, 0.0)
+                    };
+                    let gap = |pair: &Pair| (pair.centre - shoulder).length() - pair.radius;
+                    if let Some(gap) = near().filter(may).map(gap).reduce(f64::min) {
                         reaching.push((gap, pose, posture, body, side));
                     }
                 }
@@ -363,18 +387,15 @@ impl<'a> Within<'a> {
                 break;
             }
             let least = self.history.least(pose.xy_m, 0.0);
-            let may = |pair: &&Pair| {
-                pair.arms
-                    && pair.is_within(least)
-                    && pair.is_near(shoulder, encounter.arm.reach())
-                    && self.is_deep_enough(pair, shoulder, 0.0)
-            };
-            let pairs: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(may).collect();
-            let links: Vec<_> = pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect();
-            if let ArmAnywhere::Touches(found) =
-                encounter.arm_anywhere((&body, side), 0.0, &links, &self.walls, true, coverage)
-                && let Some(harm) = self.harm(&pose, posture, &body, (pairs[found].n, true), coverage)
-            {
+            let may =
+                |pair: &&Pair| pair.arms && pair.is_within(least) && pair.is_near(shoulder, encounter.arm.reach());
+            let near = near.iter().map(|&number| &self.pairs[number]).filter(may);
+            let harm = self.by_walls(near, shoulder, 0.0).into_iter().find_map(|(walls, pairs)| {
+                let met = encounter.arm_anywhere((&body, side), 0.0, &self.links(&pairs), &walls, true, coverage);
+                let ArmAnywhere::Touches(found) = met else { return None };
+                self.harm_of_arm(&pose, posture, &body, (pairs[found], &walls), coverage)
+            });
+            if let Some(harm) = harm {
                 harms.insert((harm.contact.region as u8, harm.link), harm);
                 break;
             }
@@ -391,7 +412,10 @@ impl<'a> Within<'a> {
         let possible = || self.of.is_possible(at.xy_m, at.heading_rad, posture, &self.history.readings);
         let far = self.history.least(at.xy_m, at.half_m);
         let near_body = |pair: &&Pair| {
-            pair.is_within(far) && pair.is_near(at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m)
+            let seen = &self.history.seen[pair.n];
+            pair.is_within(far)
+                && pair.is_near(at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m)
+                && !self.of.keeps_bodies(self.history, seen, &seen.frame.links[pair.link])
         };
         let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();
         for bend in BendFraction::ALL.into_iter().filter(|bend| (least..=most).contains(bend)) {
@@ -417,7 +441,7 @@ impl<'a> Within<'a> {
                 if !search || !(is || is_smallest(at)) {
                     return Judged::Unknown(Why::Body);
                 }
-                match met.find_map(|pair| self.harm(at, posture, &body, (pair.n, false), coverage)) {
+                match met.find_map(|pair| self.harm_of_body(at, posture, &body, pair, coverage)) {
                     Some(harm) if is => return Judged::Harmed(harm),
                     Some(_) => return Judged::Unknown(Why::Body),
                     // What holds in the middle of a smallest box holds in all of it, but for the tolerance.
@@ -430,14 +454,10 @@ impl<'a> Within<'a> {
                 let from_axis = lever(at, shoulder.x, shoulder.y);
                 let carried = at.moves_m(from_axis + encounter.arm.upper_arm_m + encounter.arm.forearm_m);
                 let reach = encounter.arm.reach() + carried;
-                let in_reach = |pair: &&Pair| {
-                    pair.arms
-                        && pair.is_within(far)
-                        && pair.is_near(shoulder, reach)
-                        && self.is_deep_enough(pair, shoulder, carried)
-                };
-                let pairs: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(in_reach).collect();
-                if pairs.is_empty() || self.is_out_of_reach(at, (posture, bend, side)) {
+                let in_reach = |pair: &&Pair| pair.arms && pair.is_within(far) && pair.is_near(shoulder, reach);
+                let pairs = near.iter().map(|&number| &self.pairs[number]).filter(in_reach);
+                let groups = self.by_walls(pairs, shoulder, carried);
+                if groups.is_empty() || self.of.is_out_of_reach(&self.arms, at, (posture, bend, side)) {
                     continue;
                 }
                 if !search || carried > HOPELESS_M {
@@ -447,14 +467,17 @@ impl<'a> Within<'a> {
                 // behind a wall there.
                 let available = is_available(&body, side, &encounter.obstacles);
                 let carried = if available && carried <= encounter.reach_tolerance_m { 0.0 } else { carried };
-                let links: Vec<_> = pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect();
-                match encounter.arm_anywhere((&body, side), carried, &links, &self.walls, false, coverage) {
-                    ArmAnywhere::Nowhere => {}
-                    ArmAnywhere::Unknown => return Judged::Unknown(Why::Arms),
-                    ArmAnywhere::Touches(found) => {
-                        let is = bend == own && available && possible();
-                        let harm = is.then(|| self.harm(at, posture, &body, (pairs[found].n, true), coverage));
-                        return harm.flatten().map_or(Judged::Unknown(Why::Arms), Judged::Harmed);
+                for (walls, pairs) in groups {
+                    let links = self.links(&pairs);
+                    match encounter.arm_anywhere((&body, side), carried, &links, &walls, false, coverage) {
+                        ArmAnywhere::Nowhere => {}
+                        ArmAnywhere::Unknown => return Judged::Unknown(Why::Arms),
+                        ArmAnywhere::Touches(found) => {
+                            let is = bend == own && available && possible();
+                            let contact = (pairs[found], walls.as_slice());
+                            let harm = is.then(|| self.harm_of_arm(at, posture, &body, contact, coverage));
+                            return harm.flatten().map_or(Judged::Unknown(Why::Arms), Judged::Harmed);
+                        }
                     }
                 }
             }
@@ -462,52 +485,48 @@ impl<'a> Within<'a> {
         Judged::Settled
     }
 
-    /// Whether, wherever on its arc around the axis a shoulder is, no arm gets to a robot from there, or none is available.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten pieces")]
-    fn is_out_of_reach(&self, at: &PoseBox, (posture, bend, side): (Posture, BendFraction, Side)) -> bool {
-        let levers = |body: &PlacedBody| {
-            [body.shoulder(side).translation, body.middle_of_shoulders()].map(|point| lever(at, point.x, point.y))
-        };
-        let half_rad = at.half_rad.min(PI);
-        let [from_axis, _] = levers(&self.of.placed(at, posture, bend));
-        let pieces = (half_rad * from_axis / at.place_moves_m().clamp(0.5 * ARC_M, ARC_M)).ceil().max(1.0) as u32;
-        (0..pieces).all(|number| {
-            let half_rad = half_rad / f64::from(pieces);
-            let heading_rad = at.heading_rad - at.half_rad.min(PI) + f64::from(2 * number + 1) * half_rad;
-            let piece = PoseBox { heading_rad, half_rad, ..*at };
-            let body = self.of.placed(&piece, posture, bend);
-            let [shoulder, middle] = levers(&body);
-            let (by, from_by) = (piece.moves_m(shoulder), piece.moves_m(middle));
-            let obstacles = &self.of.encounter.obstacles;
-            let at = body.shoulder(side).translation;
-            let bends = || may_be_cut_back(&self.of.cell.body, &piece, posture, obstacles);
-            let is_bent_so = |(least, most): (BendFraction, BendFraction)| (least..=most).contains(&bend);
-            !self.arms.may_touch(at, by)
-                || !is_bent_so(bends())
-                || is_certainly_unavailable(&body, side, obstacles, by.max(from_by))
-                || (by <= HANGING_M && !self.arms.may_touch_hanging(at, by, (body.middle_of_shoulders(), from_by)))
-        })
+    fn links(&self, pairs: &[&Pair]) -> Vec<(&RobotFrame, usize)> {
+        pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect()
     }
 
-    /// The harm that somebody in the middle of a box comes to at an instant, if any: to an arm, else to the rest of the body.
-    fn harm(
+    /// The harm to trunk, head or legs that somebody in the middle of a box comes to at an instant, if any.
+    fn harm_of_body(
         &self,
         at: &PoseBox,
         posture: Posture,
         body: &PlacedBody,
-        (n, arms): (usize, bool),
+        pair: &Pair,
         coverage: &mut Coverage,
     ) -> Option<Harm> {
-        let (encounter, frame) = (&self.of.encounter, &self.history.seen[n].frame);
+        let seen = &self.history.seen[pair.n];
+        let person = Person { body: *body, arms: Vec::new(), velocity: Vec3::ZERO };
+        let counts = |contact: &Contact| {
+            self.history.links[contact.link] && self.of.may_be_at(self.history, seen, contact.on_robot)
+        };
+        let contact = self.of.encounter.unsafe_body_contact(&person, &seen.frame, counts, coverage)?;
+        Some(harm(at, posture, pair, contact))
+    }
+
+    /// The same of an arm and one link, with what else keeps it off.
+    fn harm_of_arm(
+        &self,
+        at: &PoseBox,
+        posture: Posture,
+        body: &PlacedBody,
+        (pair, walls): (&Pair, &[Cuboid]),
+        coverage: &mut Coverage,
+    ) -> Option<Harm> {
+        let (encounter, frame) = (&self.of.encounter, &self.history.seen[pair.n].frame);
         let available = Side::BOTH.into_iter().filter(|&side| is_available(body, side, &encounter.obstacles));
         let person = Person { body: *body, arms: available.collect(), velocity: Vec3::ZERO };
-        let space = ArmSpace { walls: &self.walls, links: None };
-        let contact = if arms {
-            encounter.unsafe_arm_contact(&person, frame, &space, coverage)?.0
-        } else {
-            encounter.unsafe_body_contact(&person, frame, |_| true, coverage)?
-        };
-        let (xy_m, heading_rad) = (at.xy_m, at.heading_rad);
-        Some(Harm { xy_m, heading_rad, posture, instant: n, link: contact.link, contact })
+        let links: Vec<bool> = (0..frame.links.len()).map(|link| link == pair.link).collect();
+        let space = ArmSpace { walls, links: Some(&links) };
+        let (contact, _) = encounter.unsafe_arm_contact(&person, frame, &space, coverage)?;
+        Some(harm(at, posture, pair, contact))
     }
+}
+
+fn harm(at: &PoseBox, posture: Posture, pair: &Pair, contact: Contact) -> Harm {
+    let (xy_m, heading_rad) = (at.xy_m, at.heading_rad);
+    Harm { xy_m, heading_rad, posture, instant: pair.n, link: contact.link, contact }
 }

@@ -12,13 +12,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::readings::{may_report, may_stay_clear};
-use super::{Anywhere, headings};
+use super::{Anywhere, headings, told};
 use crate::cell::{Sensor, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::human::{BendFraction, Field, Floor, PoseBox, Posture};
-
-/// Arcs of headings that are looked at one by one.
-const HEADINGS: u32 = 16;
 
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
@@ -55,27 +52,45 @@ pub struct Zones {
 
 impl Zones {
     /// For people of whom the sensors report `first` at the start, who are on `unseen` floor then, and walk as far as `step_m` in
-    /// a communication step.
+    /// each of so many communication steps. What sensors report that do not `matter` is left at what it is then.
     #[must_use]
-    pub fn new(of: &Anywhere<'_>, first: &[bool], step_m: f64) -> Self {
+    pub fn new(of: &Anywhere<'_>, first: &[bool], matter: &[bool], (step_m, steps): (f64, usize)) -> Self {
         let ground = &of.ground;
         let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
-        let all = of.readings_by_cell();
+        // Nobody gets farther, with the step before the first sample and the one after the last.
+        #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
+        let most_m = step_m * (steps + 4) as f64;
+        let all: Vec<BTreeSet<Readings>> = of.readings_by_cell();
+        let as_first = |reading: Readings| -> Readings {
+            reading
+                .iter()
+                .zip(first)
+                .zip(matter)
+                .map(|((own, first), matters)| if *matters { *own } else { *first })
+                .collect()
+        };
+        let unseen = |cell: usize| of.unseen[cell] && all[cell].contains(first);
+        let unseen: Vec<bool> = (0..ground.cells()).map(unseen).collect();
+        let all: Vec<BTreeSet<Readings>> =
+            all.into_iter().map(|cell| cell.into_iter().map(as_first).collect()).collect();
         let readings: BTreeSet<&Readings> = all.iter().flatten().collect();
         let mut readings: Vec<Readings> = readings.into_iter().cloned().collect();
         readings.sort_by_key(|reading| (reading != first, reading.clone()));
         let zone = |reading: &Readings| -> Vec<bool> { all.iter().map(|of_cell| of_cell.contains(reading)).collect() };
         let zones: Vec<Vec<bool>> = readings.iter().map(zone).collect();
         let both = |a: &[bool], b: &[bool]| -> Vec<bool> { a.iter().zip(b).map(|(a, b)| *a && *b).collect() };
+        let either = |a: &[bool], b: &[bool]| -> Vec<bool> { a.iter().zip(b).map(|(a, b)| *a || *b).collect() };
+        // What is reported of people beyond the floor may change there.
+        let entrances = of.entrances();
         let nowhere = Arc::new(Field::at_once(ground, &vec![false; ground.cells()]));
         let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), origin: nowhere };
         if this.readings.first().is_none_or(|reading| reading != first) {
             return this;
         }
         let beside: Vec<Vec<bool>> = zones.iter().map(|zone| both(&ground.grown(zone, step_m), &free)).collect();
-        let at_first = both(&zones[0], &of.unseen);
+        let at_first = both(&zones[0], &unseen);
         let around = both(&ground.grown(&at_first, step_m), &free);
-        this.origin = Arc::new(Field::from(ground, &at_first, &free));
+        this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m));
         let add = |this: &mut Self, way: Way| {
             this.ways.push(way);
             this.ways.len() - 1
@@ -87,12 +102,14 @@ impl Zones {
             let mut follow = Vec::new();
             for (other, zone) in zones.iter().enumerate().filter(|(other, _)| *other != to) {
                 let leaves = if from.is_none() { &at_first } else { &zones[to] };
-                let strip = both(zone, &ground.grown(leaves, step_m));
-                let Some(least) = least_at(&field, leaves, &beside[other]) else { continue };
+                let strip = both(zone, &either(&ground.grown(leaves, step_m), &entrances));
+                let over = [least_at(&field, leaves, &beside[other]), least_at(&field, leaves, &entrances)];
+                let least = over.into_iter().flatten().reduce(f64::min).filter(|least| *least < most_m);
+                let Some(least) = least else { continue };
                 let is_first = from.is_none();
                 let same = |way: &Way| (way.from, way.to, way.is_first) == (Some(to), other, is_first);
                 let known = this.ways.iter().position(same).unwrap_or_else(|| {
-                    let field = Arc::new(Field::from(ground, &strip, &beside[other]));
+                    let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m));
                     add(&mut this, Way { from: Some(to), to: other, is_first, field })
                 });
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand steps")]
@@ -124,6 +141,12 @@ fn least_at(field: &Field, some: &[bool], others: &[bool]) -> Option<f64> {
 }
 
 impl Anywhere<'_> {
+    /// All that the sensors may report together of somebody.
+    #[must_use]
+    pub fn readings(&self) -> Vec<Readings> {
+        self.readings_by_cell().into_iter().flatten().collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
     /// All that the sensors may report together of somebody in each cell of the floor, with an arm in a plane or without.
     fn readings_by_cell(&self) -> Vec<BTreeSet<Readings>> {
         (0..self.ground.cells()).map(|cell| self.readings_in(&self.ground, cell)).collect()
@@ -134,7 +157,7 @@ impl Anywhere<'_> {
         if !ground.is_open(cell) {
             return all;
         }
-        for (heading_rad, half_rad) in headings(HEADINGS) {
+        for (arc, (heading_rad, half_rad)) in (0..).zip(headings(told::ARCS)) {
             let at = PoseBox { xy_m: ground.middle(cell), half_m: 0.5 * ground.cell_m(), heading_rad, half_rad };
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
             let mut some = vec![Readings::new()];
@@ -153,7 +176,15 @@ impl Anywhere<'_> {
                 };
                 some = some.into_iter().flat_map(with).collect();
             }
-            all.extend(some);
+            let Some(told) = &self.told else {
+                all.extend(some);
+                continue;
+            };
+            for kind in told.kinds(cell, arc) {
+                // What is reported is of sensors inside the FMU only.
+                let with = |own: &Readings| own.iter().zip(kind).map(|(own, told)| *own || *told).collect::<Readings>();
+                all.extend(some.iter().map(with));
+            }
         }
         all
     }

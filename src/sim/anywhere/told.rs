@@ -1,0 +1,211 @@
+//! What sensors inside the FMU report of people, where it is told where they are.
+//!
+//! Nothing but the FMU knows where these sensors see somebody. So it is asked: from its start, with a person at the corners of
+//! all cells of the floor and at all edges of arcs of headings, for as many steps as its sensors take to tell. What differs at the
+//! corners of a cell differs somewhere in it, and both is possible in it; what is narrower than a cell everywhere may be missed.
+//! What the robots do then is asked with one such person for each thing that is reported, and that it is the same with others is
+//! tried out (`scan/anywhere/alike.rs`): it rests on that.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use crate::cell::binding::SensorBinding;
+use crate::cell::{Binding, Workcell};
+use crate::geometry::Vec3;
+use crate::host::{Plant, PlantError};
+use crate::human::Floor;
+use crate::sim::sensors::{Seen, input_row};
+
+/// Arcs of headings.
+pub const ARCS: u32 = 16;
+/// Cells of the floor to a side of the blocks that are asked about first.
+const COARSE: usize = 4;
+/// Most different things that may be reported together.
+const MOST_KINDS: usize = 32;
+
+/// A person somewhere, upright.
+pub type Stance = ([f64; 2], f64);
+
+/// See the top of this file.
+#[derive(Clone, Debug)]
+pub struct Told {
+    /// What is reported together, by sensor; of those outside of the FMU nothing.
+    kinds: Vec<Vec<bool>>,
+    /// Of each kind, people of whom it is reported.
+    people: Vec<Vec<Stance>>,
+    /// Of each cell of the floor and arc of headings the kinds that are possible, as bits.
+    possible: Vec<u32>,
+    /// How often the FMU was asked.
+    pub asked: u64,
+}
+
+/// Asks an FMU.
+pub struct Asking<'a, P: Plant> {
+    plant: P,
+    cell: &'a Workcell,
+    binding: &'a Binding,
+    /// Steps for which somebody stays.
+    steps: usize,
+    root: Option<P::Checkpoint>,
+    kinds: Vec<Vec<bool>>,
+    asked: u64,
+}
+
+impl<'a, P: Plant> Asking<'a, P> {
+    /// With people who stay for so many steps; from a saved state, or from a fresh start each time.
+    ///
+    /// # Errors
+    /// When the FMU cannot be started.
+    pub fn new(
+        mut plant: P,
+        cell: &'a Workcell,
+        binding: &'a Binding,
+        steps: usize,
+        saves: bool,
+    ) -> Result<Self, PlantError> {
+        plant.restart()?;
+        let root = if saves { Some(plant.save()?) } else { None };
+        Ok(Self { plant, cell, binding, steps, root, kinds: Vec::new(), asked: 0 })
+    }
+
+    /// What is reported of somebody after each step of their stay: all sensors, nothing of those outside of the FMU.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn reports(&mut self, at: Stance) -> Result<Vec<Vec<bool>>, PlantError> {
+        self.asked += 1;
+        match &self.root {
+            Some(root) => self.plant.restore(root)?,
+            None => {
+                self.plant.restart()?;
+            }
+        }
+        let mut inputs = Vec::new();
+        let nobody = vec![false; self.cell.sensors.len()];
+        let seen = seen(self.cell, at);
+        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &nobody, &seen, &mut inputs);
+        let rows = self.plant.advance(self.steps, &inputs.repeat(self.steps))?;
+        let told = |row: &[f64]| -> Vec<bool> {
+            let sensors = self.cell.sensors.iter().zip(&self.binding.sensors);
+            let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| match bound {
+                SensorBinding::Output(reader) => (reader.read(row) != 0.0) == sensor.active,
+                SensorBinding::Input(_) => false,
+            };
+            sensors.map(reads).collect()
+        };
+        Ok(rows.chunks(self.plant.output_count()).map(told).collect())
+    }
+
+    /// The kind of what is reported in the end; `None` if there are too many.
+    fn kind(&mut self, at: Stance) -> Result<Option<usize>, PlantError> {
+        let Some(last) = self.reports(at)?.pop() else { return Ok(None) };
+        let known = self.kinds.iter().position(|kind| *kind == last);
+        if known.is_none() {
+            self.kinds.push(last);
+        }
+        Ok(Some(known.unwrap_or(self.kinds.len() - 1)).filter(|kind| *kind < MOST_KINDS))
+    }
+}
+
+/// The person as the FMU is told.
+#[must_use]
+pub fn seen(cell: &Workcell, (xy_m, heading_rad): Stance) -> Seen {
+    let position = Vec3::new(xy_m[0], xy_m[1], 0.0);
+    Seen { feet: cell.body.feet(position, heading_rad), body: None, position, heading_rad }
+}
+
+impl Told {
+    /// Asks about all of a floor; `None` if it was told to end, or if what is reported is of too many kinds. `tell` hears of the
+    /// share that is done.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn ask<P: Plant>(
+        asking: &mut Asking<'_, P>,
+        floor: &Floor,
+        tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Option<Self>, PlantError> {
+        let [columns, rows] = floor.size();
+        let mut known: BTreeMap<(usize, usize, u32), usize> = BTreeMap::new();
+        let mut people: Vec<Vec<Stance>> = Vec::new();
+        let mut possible = vec![0_u32; columns * rows * ARCS as usize];
+        let blocks: Vec<(usize, usize)> = (0..rows)
+            .step_by(COARSE)
+            .flat_map(|row| (0..columns).step_by(COARSE).map(move |column| (column, row)))
+            .collect();
+        for (number, &(column, row)) in blocks.iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "some thousand blocks")]
+            if tell(number as f64 / blocks.len() as f64).is_break() {
+                return Ok(None);
+            }
+            let (to_column, to_row) = ((column + COARSE).min(columns), (row + COARSE).min(rows));
+            let cells = || (row..to_row).flat_map(move |row| (column..to_column).map(move |column| (column, row)));
+            if !cells().any(|(column, row)| floor.is_open(row * columns + column)) {
+                continue;
+            }
+            let mut kind = |corner: (usize, usize), heading: u32| -> Result<Option<usize>, PlantError> {
+                let heading = heading % ARCS;
+                if let Some(kind) = known.get(&(corner.0, corner.1, heading)) {
+                    return Ok(Some(*kind));
+                }
+                let at = (floor.corner(corner), TAU * (f64::from(heading) - 0.5) / f64::from(ARCS));
+                let Some(kind) = asking.kind(at)? else { return Ok(None) };
+                known.insert((corner.0, corner.1, heading), kind);
+                people.resize(people.len().max(kind + 1), Vec::new());
+                people[kind].push(at);
+                Ok(Some(kind))
+            };
+            // Corners of the block, its middle, and all headings.
+            let (middle_column, middle_row) = ((column + to_column) / 2, (row + to_row) / 2);
+            let corners =
+                [(column, row), (to_column, row), (column, to_row), (to_column, to_row), (middle_column, middle_row)];
+            let mut bits = 0_u32;
+            for corner in corners {
+                for heading in 0..ARCS {
+                    let Some(kind) = kind(corner, heading)? else { return Ok(None) };
+                    bits |= 1 << kind;
+                }
+            }
+            for (column, row) in cells() {
+                let cell = row * columns + column;
+                for arc in 0..ARCS {
+                    let mut own = bits;
+                    if bits.count_ones() > 1 {
+                        own = 0;
+                        for corner in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
+                            for heading in [arc, arc + 1] {
+                                let Some(kind) = kind(corner, heading)? else { return Ok(None) };
+                                own |= 1 << kind;
+                            }
+                        }
+                    }
+                    possible[cell * ARCS as usize + arc as usize] = own;
+                }
+            }
+        }
+        Ok(Some(Self { kinds: asking.kinds.clone(), people, possible, asked: asking.asked }))
+    }
+
+    /// What may be reported together of people in a cell who look into an arc: by sensor, nothing of those outside of the FMU.
+    pub fn kinds(&self, cell: usize, arc: u32) -> impl Iterator<Item = &[bool]> {
+        let bits = self.possible[cell * ARCS as usize + (arc % ARCS) as usize];
+        let is = move |(kind, _): &(usize, &Vec<bool>)| bits >> kind & 1 == 1;
+        self.kinds.iter().enumerate().filter(is).map(|(_, kind)| kind.as_slice())
+    }
+
+    /// People of whom just this is reported, as far as `matters` says.
+    pub fn people(&self, readings: &[bool], matters: impl Fn(usize) -> bool) -> impl Iterator<Item = Stance> {
+        let same =
+            move |kind: &[bool]| (0..kind.len()).all(|sensor| !matters(sensor) || kind[sensor] == readings[sensor]);
+        let kinds = self.kinds.iter().zip(&self.people).filter(move |(kind, _)| same(kind));
+        kinds.flat_map(|(_, people)| people.iter().copied())
+    }
+}
+
+/// The number of the arc that holds a heading: the first is around that along x.
+#[must_use]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten arcs")]
+pub fn arc(heading_rad: f64) -> u32 {
+    (heading_rad.rem_euclid(TAU) / TAU * f64::from(ARCS)).round() as u32 % ARCS
+}
