@@ -111,26 +111,33 @@ impl Floor {
     /// to a cell where somebody `starts`; cells that meet in a corner are joined.
     #[must_use]
     pub fn joined_to_the_outside(mut self, starts: &[[f64; 2]], may_pass: impl Fn(usize) -> bool) -> Self {
-        let mut joined = vec![false; self.cells()];
         let passable: Vec<bool> = (0..self.cells()).map(|cell| self.open[cell] && may_pass(cell)).collect();
         let is_start = |cell: &usize| {
             let [x, y] = self.middle(*cell);
             starts.iter().any(|start| (start[0] - x).abs().max((start[1] - y).abs()) <= 0.5 * self.cell_m + ROUNDING_M)
         };
-        let mut next: Vec<usize> = self.edge().filter(|cell| passable[*cell]).collect();
+        let mut from = vec![false; self.cells()];
+        self.edge().filter(|cell| passable[*cell]).for_each(|cell| from[cell] = true);
         // Who starts there is there, whatever sees them.
-        next.extend((0..self.cells()).filter(|cell| self.open[*cell]).filter(is_start));
-        next.iter().for_each(|cell| joined[*cell] = true);
+        (0..self.cells()).filter(|cell| self.open[*cell]).filter(is_start).for_each(|cell| from[cell] = true);
+        self.open = self.spread(&from, &passable);
+        self
+    }
+
+    /// Some cells, and all that are joined to them by others that `may_pass` holds.
+    #[must_use]
+    pub fn spread(&self, from: &[bool], may_pass: &[bool]) -> Vec<bool> {
+        let mut joined = from.to_vec();
+        let mut next: Vec<usize> = (0..self.cells()).filter(|cell| from[*cell]).collect();
         while let Some(cell) = next.pop() {
             for other in self.around(cell) {
-                if passable[other] && !joined[other] {
+                if may_pass[other] && !joined[other] {
                     joined[other] = true;
                     next.push(other);
                 }
             }
         }
-        self.open = joined;
-        self
+        joined
     }
 
     /// The cells that meet a cell in an edge or a corner, and itself.

@@ -169,7 +169,11 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         met: Vec::new(),
     };
     for first in unseen(prepared) {
-        if !looking.from(&first, tell).map_err(|cause| ScanError { cause })? {
+        let goes_on = match looking.from(&first, tell) {
+            Err(error) if error.stopped => false,
+            outcome => outcome.map_err(|cause| ScanError { cause })?,
+        };
+        if !goes_on {
             looking.found.reasons.push("it was stopped, or its time was up".to_owned());
             break;
         }
@@ -191,7 +195,7 @@ impl<'a> Looking<'a> {
             self.found.ground = map::ground(&search, &unmoved);
         }
         let kinds = self.kinds(&search, told.as_ref(), first);
-        let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(true) };
+        let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.goes_on(tell)) };
         let all = parts.len();
         for (number, part) in parts.iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few robots")]
@@ -315,7 +319,7 @@ impl<'a> Looking<'a> {
                      same, in all runs in which that was tried"
                         .to_owned(),
                 ),
-                Err(error) if error.stopped => return Ok(None),
+                Err(error) if error.stopped => return Err(error),
                 Ok(false) | Err(_) => {
                     self.found.reasons.push(
                         "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
@@ -328,7 +332,7 @@ impl<'a> Looking<'a> {
         }
         let heeded = match factors.then(|| trial.heeded()) {
             Some(Ok(heeded)) => heeded,
-            Some(Err(error)) if error.stopped => return Ok(None),
+            Some(Err(error)) if error.stopped => return Err(error),
             Some(Err(_)) | None => return Ok(Some(vec![all])),
         };
         self.found.spent.fmu_steps += trial.taken;

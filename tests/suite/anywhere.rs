@@ -314,6 +314,18 @@ fn a_field_inside_the_fmu_is_found_by_asking_it() {
     assert!(more.reasons[0].contains("in more ways than its sensors report"), "{more:#?}");
 }
 
+/// The flaw of an example: who is in the field of one robot, and not in that of the other, reaches that. Each robot is looked at by its
+/// own field alone, so who is seen by the other one counts as unseen there.
+#[test]
+fn who_is_seen_by_the_other_robots_field_only_is_hit() {
+    let examples = examples();
+    let found = look_at(&examples.path().join("two-scanners/cell.toml"), 0.5, 2);
+    assert_eq!(found.verdict, Verdict::HazardsFound, "{:?}", found.reasons);
+    let in_field_a = |[x, y]: [f64; 2]| x < 0.0 && x > -2.4 && y > -1.6;
+    let is = |place: &&Place| in_field_a(place.xy_m) && place.robot_link.starts_with("robot B");
+    assert!(found.hazards.iter().any(|place| is(&place) && place.confirmed), "{:#?}", found.hazards);
+}
+
 /// Two bars, each stopped by a mat of its own, far enough apart: looked at one by one, as each heeds one mat only, and nobody is hit.
 /// With the wires changed over each heeds the other mat.
 #[test]

@@ -65,6 +65,7 @@ impl<P: Plant> Trial<'_, P> {
         let sensors = self.cell.sensors.len();
         let mut heeded = vec![vec![false; sensors]; self.cell.robots.len()];
         for sensor in 0..sensors {
+            let mut is_tried = false;
             for run in 0..OTHER_READINGS {
                 let (one, flips) = (self.random(run), self.random(run / 4));
                 let other: Vec<usize> = one
@@ -79,6 +80,7 @@ impl<P: Plant> Trial<'_, P> {
                 if one == other {
                     continue;
                 }
+                is_tried = true;
                 let people = |kinds: &[usize]| -> Vec<Stance> {
                     kinds.iter().map(|kind| self.kinds[*kind].people.first().copied().unwrap_or_default()).collect()
                 };
@@ -91,6 +93,8 @@ impl<P: Plant> Trial<'_, P> {
                     heeds[sensor] |= a.chunks(width).zip(b.chunks(width)).any(|(a, b)| !moves_alike(of, bound, a, b));
                 }
             }
+            // What never changes alone was not told apart.
+            heeded.iter_mut().for_each(|heeds| heeds[sensor] |= !is_tried);
         }
         Ok(heeded)
     }

@@ -88,7 +88,8 @@ impl Zones {
             return this;
         }
         let beside: Vec<Vec<bool>> = zones.iter().map(|zone| both(&ground.grown(zone, step_m), &free)).collect();
-        let at_first = both(&zones[0], &unseen);
+        // Sensors that do not matter may see them later: wherever they get to with those that do still reporting the same.
+        let at_first = ground.spread(&both(&zones[0], &either(&unseen, &entrances)), &zones[0]);
         let around = both(&ground.grown(&at_first, step_m), &free);
         this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m));
         let add = |this: &mut Self, way: Way| {
