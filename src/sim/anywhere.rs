@@ -25,6 +25,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use self::behind::ToldOf;
 use self::readings::{may_report, may_stay_clear};
 use self::told::{Told, arc};
 use self::within::Within;
@@ -171,8 +172,8 @@ pub struct Anywhere<'a> {
     told: Option<Told>,
     /// The cells of it that are joined to the outside by others in which no sensor that keeps people out certainly sees them.
     unseen: Vec<bool>,
-    /// Of each plane, whether whoever it tells of was before it until then.
-    come_before: Vec<bool>,
+    /// What is known of each plane.
+    told_of: Vec<ToldOf>,
     /// How far somebody walks in a communication step, m.
     step_m: f64,
     /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
@@ -241,7 +242,7 @@ impl<'a> Anywhere<'a> {
             encounter,
             curtains,
             unseen: Vec::new(),
-            come_before: Vec::new(),
+            told_of: Vec::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
             reach_m,
             body_m: cell.body.reach_from_one_metre(0.0),
@@ -282,21 +283,29 @@ impl<'a> Anywhere<'a> {
     }
 
     fn look_for_unseen(&mut self) {
-        let floor = self.ground.clone();
-        let unseen = floor.joined_to_the_outside(&starts(self.cell), |cell| self.may_pass_unseen(cell));
-        self.unseen = (0..unseen.cells()).map(|at| unseen.is_open(at)).collect();
-        self.come_before = self.come_before();
+        self.unseen = self.untold_by(|_| true);
+        self.told_of = self.curtains.iter().map(|curtain| self.told_of(curtain)).collect();
     }
 
-    /// Whether somebody may be in a cell of the floor with no sensor seeing them that keeps people out.
-    fn may_pass_unseen(&self, cell: usize) -> bool {
+    /// Where people get to of whom some sensors have told nothing.
+    fn untold_by(&self, sensors: impl Fn(usize) -> bool) -> Vec<bool> {
+        let may_pass = |cell| self.may_pass_unseen(cell, &sensors);
+        let untold = self.ground.clone().joined_to_the_outside(&starts(self.cell), may_pass);
+        (0..untold.cells()).map(|cell| untold.is_open(cell)).collect()
+    }
+
+    /// Whether somebody may be in a cell of the floor with none of some sensors seeing them that keeps people out.
+    fn may_pass_unseen(&self, cell: usize, counts: &dyn Fn(usize) -> bool) -> bool {
         let keeps_out = |zone: &Zone| !matches!(zone, Zone::TwoHand { .. } | Zone::Reported);
-        let sensors: Vec<_> = self.cell.sensors.iter().filter(|sensor| keeps_out(&sensor.zone)).collect();
+        let sensors = self.cell.sensors.iter().enumerate();
+        let sensors: Vec<_> =
+            sensors.filter(|(n, sensor)| counts(*n) && keeps_out(&sensor.zone)).map(|(_, sensor)| sensor).collect();
         (0..).zip(headings(told::ARCS)).any(|(arc, (heading_rad, half_rad))| {
             let at = PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * FLOOR_M, heading_rad, half_rad };
             // Who bends may pass below a plane, or above; legs and hips do not bend.
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
-            let is_clear = |told: &Told| told.kinds(cell, arc).any(|kind| !kind.contains(&true));
+            let clear = |kind: &[bool]| kind.iter().enumerate().all(|(sensor, told)| !told || !counts(sensor));
+            let is_clear = |told: &Told| told.kinds(cell, arc).any(clear);
             sensors.iter().all(|sensor| may_stay_clear(sensor, &self.cell.body, &body, &at))
                 && self.told.as_ref().is_none_or(is_clear)
         })

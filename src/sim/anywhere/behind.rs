@@ -31,25 +31,33 @@ impl Kept {
     }
 }
 
+/// What is known of a plane.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ToldOf {
+    /// Whether whoever it tells of was before it until then.
+    come_before: bool,
+    /// The cells of the floor behind it to which people get of whom it has told nothing: another way.
+    others: Vec<bool>,
+}
+
 impl Anywhere<'_> {
-    /// For each plane, whether whoever it tells of was before it until then.
-    pub(super) fn come_before(&self) -> Vec<bool> {
-        let of = |curtain: &Curtain| {
-            if curtain.hands_only {
-                return false;
-            }
-            let Some(solid) = solid(&curtain.unbroken()) else { return false };
-            let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
-            let arms = ArmCells::new(&self.encounter.arm, &[target], &self.encounter.obstacles, &[]);
-            let is_behind = |cell: usize| curtain.depth(self.at_height_of_plane(cell)) > 0.0;
-            let near = |cell: usize| {
-                let (centre, radius) = solid.bounding_sphere();
-                (centre - self.at_height_of_plane(cell)).length() <= radius + self.reach_m
-            };
-            let behind = (0..self.ground.cells()).filter(|cell| self.unseen[*cell] && is_behind(*cell) && near(*cell));
-            !behind.into_iter().any(|cell| self.may_reach(&arms, cell))
-        };
-        self.curtains.iter().map(of).collect()
+    /// What is known of a plane.
+    pub(super) fn told_of(&self, curtain: &Curtain) -> ToldOf {
+        let all = ToldOf { come_before: false, others: vec![true; self.ground.cells()] };
+        let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return all };
+        let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
+        let arms = ArmCells::new(&self.encounter.arm, &[target], &self.encounter.obstacles, &[]);
+        // Other sensors may have told of them.
+        let untold = self.untold_by(|sensor| sensor == curtain.sensor);
+        let is_behind = |cell: usize| curtain.depth(self.at_height_of_plane(cell)) > 0.0;
+        let behind: Vec<bool> = (0..self.ground.cells()).map(|cell| untold[cell] && is_behind(cell)).collect();
+        let (centre, radius) = solid.bounding_sphere();
+        let near = |cell: usize| (centre - self.at_height_of_plane(cell)).length() <= radius + self.reach_m;
+        let mut near_behind = (0..self.ground.cells()).filter(|cell| behind[*cell] && near(*cell));
+        if near_behind.any(|cell| self.may_reach(&arms, cell)) {
+            return all;
+        }
+        ToldOf { come_before: true, others: behind }
     }
 
     fn at_height_of_plane(&self, cell: usize) -> Vec3 {
@@ -72,14 +80,14 @@ impl Anywhere<'_> {
         })
     }
 
-    /// What keeps an arm whose shoulder is within `moves_m` of a point from a link at an instant, if anything more does than at
-    /// others.
+    /// What keeps an arm of somebody in a box, whose shoulder is within `moves_m` of a point, from a link at an instant, if anything
+    /// more does than at others.
     pub(super) fn kept(
         &self,
         history: &History,
         (seen, link): (&Seen, &Solid),
-        shoulder: Vec3,
-        moves_m: f64,
+        at: &PoseBox,
+        (shoulder, moves_m): (Vec3, f64),
     ) -> Option<Kept> {
         if seen.depth_m.is_infinite() {
             return None;
@@ -90,9 +98,8 @@ impl Anywhere<'_> {
             let depth = curtain.depth(shoulder);
             let is_told = history.readings[curtain.sensor] == Some(true) && !curtain.hands_only;
             // What holds of arms from before the plane holds of whoever is there.
-            if !(self.come_before[number] || (is_told && depth + moves_m <= 0.0))
-                || (depth - moves_m <= 0.0 && !curtain.closed.out_of_reach(shoulder, reach, link))
-            {
+            let is_limited = || is_told && depth + moves_m <= 0.0 || self.has_told_of(number, is_told, at);
+            if !is_limited() || (depth - moves_m <= 0.0 && !curtain.closed.out_of_reach(shoulder, reach, link)) {
                 continue;
             }
             if !curtain.within(seen.depth_m, link) {
@@ -103,6 +110,15 @@ impl Anywhere<'_> {
             }
         }
         (!planes.is_empty()).then_some(Kept::Beyond(seen.depth_m, planes))
+    }
+
+    /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
+    /// gets of whom it has told nothing. Who leans over it may be told by other sensors only.
+    fn has_told_of(&self, number: usize, is_told: bool, at: &PoseBox) -> bool {
+        let ToldOf { come_before, others } = &self.told_of[number];
+        let another = || self.ground.within(at.xy_m, at.half_m).any(|cell| others[cell]);
+        let is_behind = || self.curtains[number].depth(at.position() + Vec3::Z) > at.place_moves_m();
+        *come_before && (is_told || (is_behind() && self.ground.holds(at.xy_m, at.half_m) && !another()))
     }
 
     /// Whether no part of a body that a plane tells of gets to a link at an instant.
@@ -118,10 +134,10 @@ impl Anywhere<'_> {
     /// Planes that tell of a body which was before them.
     fn limiting<'a>(&'a self, history: &'a History, seen: &Seen) -> impl Iterator<Item = &'a Curtain> {
         let is_finite = seen.depth_m.is_finite();
-        let planes = self.curtains.iter().zip(&self.come_before).filter(move |_| is_finite);
-        planes
-            .filter(|(curtain, before)| **before && history.readings[curtain.sensor] == Some(true))
-            .map(|(curtain, _)| curtain)
+        let planes = self.curtains.iter().zip(&self.told_of).filter(move |_| is_finite);
+        let is =
+            |(curtain, told): &(&Curtain, &ToldOf)| told.come_before && history.readings[curtain.sensor] == Some(true);
+        planes.filter(is).map(|(curtain, _)| curtain)
     }
 }
 

@@ -221,27 +221,27 @@ impl<'a> Within<'a> {
         pairs.filter(near).collect()
     }
 
-    /// What keeps an arm whose shoulder is within `moves_m` of a point from a link at an instant, if anything does.
-    fn kept(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> Option<Kept> {
+    /// What keeps an arm of somebody in a box, whose shoulder is no farther from a point than so, from a link at an instant, if anything does.
+    fn kept(&self, pair: &Pair, at: &PoseBox, shoulder: (Vec3, f64)) -> Option<Kept> {
         let seen = &self.history.seen[pair.n];
-        self.of.kept(self.history, (seen, &seen.frame.links[pair.link]), shoulder, moves_m)
+        self.of.kept(self.history, (seen, &seen.frame.links[pair.link]), at, shoulder)
     }
 
-    /// Whether an arm of somebody whose shoulder is within `moves_m` of a point may get to a link at an instant in time.
-    fn is_in_time(&self, pair: &Pair, shoulder: Vec3, moves_m: f64) -> bool {
-        self.kept(pair, shoulder, moves_m) != Some(Kept::Out)
+    /// Whether such an arm may get to a link at an instant in time.
+    fn is_in_time(&self, pair: &Pair, at: &PoseBox, shoulder: (Vec3, f64)) -> bool {
+        self.kept(pair, at, shoulder) != Some(Kept::Out)
     }
 
     /// Links at instants by what keeps arms from them.
     fn by_walls<'p>(
         &self,
         pairs: impl Iterator<Item = &'p Pair>,
-        shoulder: Vec3,
-        moves_m: f64,
+        at: &PoseBox,
+        shoulder: (Vec3, f64),
     ) -> Vec<(Vec<Cuboid>, Vec<&'p Pair>)> {
         let mut groups: Vec<(Option<Kept>, Vec<&Pair>)> = Vec::new();
         for pair in pairs {
-            let kept = self.kept(pair, shoulder, moves_m);
+            let kept = self.kept(pair, at, shoulder);
             if kept == Some(Kept::Out) {
                 continue;
             }
@@ -362,7 +362,7 @@ impl<'a> Within<'a> {
                     let may = |pair: &&Pair| {
                         pair.arms
                             && pair.is_near(shoulder, encounter.arm.reach())
-                            && self.is_in_time(pair, shoulder, 0.0)
+                            && self.is_in_time(pair, &pose, (shoulder, 0.0))
                     };
                     let gap = |pair: &Pair| (pair.centre - shoulder).length() - pair.radius;
                     if let Some(gap) = near().filter(may).map(gap).reduce(f64::min) {
@@ -390,7 +390,7 @@ impl<'a> Within<'a> {
             let may =
                 |pair: &&Pair| pair.arms && pair.is_within(least) && pair.is_near(shoulder, encounter.arm.reach());
             let near = near.iter().map(|&number| &self.pairs[number]).filter(may);
-            let harm = self.by_walls(near, shoulder, 0.0).into_iter().find_map(|(walls, pairs)| {
+            let harm = self.by_walls(near, &pose, (shoulder, 0.0)).into_iter().find_map(|(walls, pairs)| {
                 let met = encounter.arm_anywhere((&body, side), 0.0, &self.links(&pairs), &walls, true, coverage);
                 let ArmAnywhere::Touches(found) = met else { return None };
                 self.harm_of_arm(&pose, posture, &body, (pairs[found], &walls), coverage)
@@ -456,7 +456,7 @@ impl<'a> Within<'a> {
                 let reach = encounter.arm.reach() + carried;
                 let in_reach = |pair: &&Pair| pair.arms && pair.is_within(far) && pair.is_near(shoulder, reach);
                 let pairs = near.iter().map(|&number| &self.pairs[number]).filter(in_reach);
-                let groups = self.by_walls(pairs, shoulder, carried);
+                let groups = self.by_walls(pairs, at, (shoulder, carried));
                 if groups.is_empty() || self.of.is_out_of_reach(&self.arms, at, (posture, bend, side)) {
                     continue;
                 }

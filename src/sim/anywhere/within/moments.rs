@@ -86,7 +86,7 @@ impl Within<'_> {
                     }
                     let in_reach = pairs.iter().map(|number| &self.pairs[*number]);
                     let in_reach = in_reach.filter(|pair| pair.arms && pair.is_near(shoulder, encounter.arm.reach()));
-                    for (walls, pairs) in self.by_walls(in_reach, shoulder, 0.0) {
+                    for (walls, pairs) in self.by_walls(in_reach, &pose, (shoulder, 0.0)) {
                         let links = self.links(&pairs);
                         let found = encounter.arm_anywhere((&body, *side), 0.0, &links, &walls, true, coverage);
                         if let ArmAnywhere::Touches(found) = found {
