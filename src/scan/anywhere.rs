@@ -2,49 +2,40 @@
 //! then report, sets of poses are searched for harm, and what is found is shown by a run of its own from a place outside.
 
 mod alike;
+mod ask;
 pub(super) mod map;
+mod parts;
 mod record;
+mod show;
 mod walk_in;
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use self::alike::{Kind, Trial};
+use self::alike::Kind;
 use self::record::Rest;
-use self::walk_in::WalkIn;
+use self::show::sensors;
 use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::hazard::contact::Criterion;
-use crate::hazard::{Finding, Identity};
 use crate::host::audit::{Scope, audit};
-use crate::host::{Hosted, PlantError, Policy, Recall};
-use crate::human::{Action, Posture, Start, Walk};
+use crate::host::{Hosted, PlantError, Recall};
+use crate::human::Start;
 use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
-use crate::report::model::{SCHEMA_VERSION, SensorState, Verdict};
-use crate::report::speeds::Speeds;
+use crate::report::model::{SCHEMA_VERSION, Verdict};
 use crate::search::tracks::explore;
-use crate::search::{Environment as _, Rng};
 use crate::sim::anywhere::machine::{Machine, Part};
-use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople, seen};
+use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Harm, History, Moment, Somewhere, known};
+use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Moment};
 use crate::sim::expansion::Merge;
-use crate::sim::robot::RobotFrame;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
 const MOST_TWO_HAND: usize = 3;
 
-/// Places of one region and link of which a run of their own is tried, at most.
-const MOST_SHOWN: usize = 8;
-
-/// Walks to each that are tried.
-const MOST_WALKS: usize = 24;
-/// Runs of those of a region and link.
-const MOST_RUNS: usize = 120;
 /// Steps for which somebody stays of whom the FMU is asked what its sensors report.
 const LONGEST_TOLD: usize = 1;
 /// So much floor around what robots reach is looked at, m, where sensors inside the FMU may see people beyond it: they come over its
@@ -214,157 +205,6 @@ impl<'a> Looking<'a> {
         !self.prepared.stop().is_asked() && tell(Told::Asked(1.0)).is_continue()
     }
 
-    /// Where somebody may be of whom the sensors report `first`: decides nothing but where the person stands, as the FMU gets the
-    /// same inputs everywhere.
-    fn unseen_start(&mut self, first: &[bool]) -> Result<Option<Stance>, PlantError> {
-        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
-        let probe = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
-        if !cell.pose.is_empty() {
-            // Only the FMU knows where nobody is seen: where the cell file says that people start, it may be.
-            let starts =
-                cell.beginnings.iter().map(|begins| (begins.start.xy_m(), begins.start.heading_deg().to_radians()));
-            let may = |(xy_m, heading): &Stance| probe.is_possible(*xy_m, *heading, Posture::Upright, &known(first));
-            for start in starts.filter(may) {
-                let mut asking = self.asking(prepared, Footing::asked(prepared, self.effort.state, Merge::Auto))?;
-                if !asking.reports(start)?.last().is_some_and(|last| last.contains(&true)) {
-                    return Ok(Some(start));
-                }
-            }
-            self.found.reasons.push(
-                "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen"
-                    .to_owned(),
-            );
-            return Ok(None);
-        }
-        match probe.somewhere(first) {
-            Somewhere::At(xy_m, heading) => Ok(Some((xy_m, heading))),
-            Somewhere::Nowhere => Ok(None),
-            Somewhere::Unknown => {
-                let words = words(prepared, first);
-                self.found.reasons.push(format!("whether sensors ever report {words} is not known"));
-                Ok(None)
-            }
-        }
-    }
-
-    /// Ready to ask the FMU what its sensors report of people.
-    fn asking<'b>(&self, there: &'b Prepared, footing: Footing) -> Result<Asking<'b, Hosted>, PlantError> {
-        let saves = matches!(footing.policy(there), Policy::States { .. });
-        Asking::new(footing.plant(there), &there.cell, &there.binding, LONGEST_TOLD, saves)
-    }
-
-    /// The search, with what sensors inside the FMU report, if it is told where people are; nothing if it was told to end, or if
-    /// that cannot be known.
-    fn ask(
-        &mut self,
-        there: &Prepared,
-        footing: Footing,
-        unmoved: &[RobotFrame],
-        tell: &mut Tell<'_>,
-    ) -> Result<Option<(Search<'a>, Option<ToldPeople>)>, PlantError> {
-        // By the cell's own starts: the front of planes is on their side.
-        let prepared = self.prepared;
-        let cell = &*prepared.cell;
-        let stop = || self.prepared.stop();
-        if cell.pose.is_empty() {
-            return Ok(Some((Search::new(cell, unmoved.iter(), 0.0, stop()), None)));
-        }
-        let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
-        let mut asking = self.asking(there, footing)?;
-        let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
-        let Some(told) = told else {
-            if self.goes_on(tell) {
-                self.found.reasons.push("sensors inside the FMU report too many different things together".to_owned());
-            }
-            return Ok(None);
-        };
-        self.found.spent.fmu_steps += told.asked * LONGEST_TOLD as u64;
-        Ok(Some((search.with(told.clone()), Some(told))))
-    }
-
-    /// Everything that may be reported of somebody, and people of whom it is; `first` first.
-    fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Vec<Kind> {
-        let sensors = &self.prepared.cell.sensors;
-        let people = |readings: &[bool]| match told {
-            Some(told) => told.people(readings, |sensor| matches!(sensors[sensor].zone, Zone::Reported)).collect(),
-            None => vec![Stance::default()],
-        };
-        let mut all = search.readings();
-        all.sort_by_key(|readings| readings != first);
-        let kinds = all.into_iter().map(|readings| Kind { people: people(&readings), readings });
-        kinds.filter(|kind| !kind.people.is_empty()).collect()
-    }
-
-    /// Robots that are looked at together, with the sensors that they heed; nothing if that cannot be known.
-    fn parts(&mut self, there: &Prepared, footing: Footing, kinds: &[Kind]) -> Result<Option<Vec<Part>>, PlantError> {
-        let cell = &there.cell;
-        let all = Part { sensors: vec![true; cell.sensors.len()], links: vec![true; cell.links.len()].into() };
-        let factors = cell.robots.len() > 1 && cell.sensors.len() > 1;
-        if cell.pose.is_empty() && !factors {
-            return Ok(Some(vec![all]));
-        }
-        let mut trial = Trial {
-            plant: footing.plant(there),
-            cell,
-            binding: &there.binding,
-            kinds,
-            steps: self.steps(),
-            rng: Rng::new(SEED),
-            taken: 0,
-        };
-        if !cell.pose.is_empty() {
-            match trial.are_people_alike() {
-                Ok(true) => self.found.rests_on.push(
-                    "the FMU is told where people are; its robots did the same with all people of whom its sensors report the \
-                     same, in all runs in which that was tried"
-                        .to_owned(),
-                ),
-                Err(error) if error.stopped => return Err(error),
-                Ok(false) | Err(_) => {
-                    self.found.reasons.push(
-                        "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
-                         instead: [[human.start_area]] in the cell file"
-                            .to_owned(),
-                    );
-                    return Ok(None);
-                }
-            }
-        }
-        let heeded = match factors.then(|| trial.heeded()) {
-            Some(Ok(heeded)) => heeded,
-            Some(Err(error)) if error.stopped => return Err(error),
-            Some(Err(_)) | None => return Ok(Some(vec![all])),
-        };
-        self.found.spent.fmu_steps += trial.taken;
-        let mut parts: Vec<Part> = Vec::new();
-        for (robot, sensors) in heeded.iter().enumerate() {
-            let links = cell.links.iter().map(|link| link.robot == robot);
-            if let Some(part) = parts.iter_mut().find(|part| part.sensors == *sensors) {
-                part.links = part.links.iter().zip(links).map(|(known, own)| *known || own).collect();
-            } else {
-                parts.push(Part { sensors: sensors.clone(), links: links.collect() });
-            }
-            let unheeded: Vec<&str> = cell
-                .sensors
-                .iter()
-                .zip(sensors)
-                .filter(|(_, heeds)| !**heeds)
-                .map(|(sensor, _)| sensor.name.as_str())
-                .collect();
-            if !unheeded.is_empty() {
-                let name = &cell.robots[robot].name;
-                self.found.rests_on.push(format!(
-                    "{name} does not heed {}: it did the same whatever that reported, in all runs in which it was tried",
-                    unheeded.join(" and ")
-                ));
-            }
-        }
-        if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) {
-            return Ok(Some(vec![all]));
-        }
-        Ok(Some(parts))
-    }
-
     /// Looks at the robots of one part; `false` if it was told to end.
     fn part(
         &mut self,
@@ -444,21 +284,6 @@ impl<'a> Looking<'a> {
         (self.effort.until_s / self.prepared.cell.step_s).ceil().max(1.0) as usize
     }
 
-    /// What the robots do while somebody stands there; and whether what the FMU tells of their speeds can be relied on.
-    fn unmoved(&mut self, there: &Prepared) -> Result<Vec<RobotFrame>, PlantError> {
-        let cell = &there.cell;
-        let mut simulation = there.simulation(StateChoice::Replay, true)?;
-        let still = vec![Action::new(Walk::Stop, Posture::Upright); self.steps().div_ceil(cell.steps_per_action)];
-        let watched = simulation.watch(&still, &[])?;
-        self.found.spent.fmu_steps += simulation.recall().steps();
-        self.rest.did = self.rest.did.and(simulation.recall().effort());
-        let speeds = Speeds::new(cell, &self.prepared.binding, simulation.motion());
-        self.found.reasons.extend(speeds.refusal());
-        self.found.warnings.extend(speeds.sentences());
-        self.rest.speeds = speeds.records;
-        Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
-    }
-
     /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow; `false` if it was told to
     /// end.
     fn explore(&mut self, machine: &mut Machine<'_, Hosted>, tell: &mut Tell<'_>) -> Result<bool, PlantError> {
@@ -527,92 +352,6 @@ impl<'a> Looking<'a> {
         Ok(!audited.stopped)
     }
 
-    /// Shows with runs of their own what harms there are.
-    fn show(&mut self, search: &Search<'_>, first: &[bool], history: &History, is_unseen: bool, harms: Vec<Harm>) {
-        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
-        let as_told = sensors(prepared, &history.readings);
-        for alike in alike(harms) {
-            let ways = |harm: &Harm| {
-                let step = history.seen[harm.instant].step;
-                if is_unseen {
-                    // Standing there for a whole action before; where that is hit otherwise first, for the last step of it.
-                    [cell.steps_per_action, 1].map(|before| WalkIn::standing(harm, step, before)).to_vec()
-                } else {
-                    WalkIn::all(search, cell, first, history, harm)
-                }
-            };
-            let unseen = is_unseen.then_some(first);
-            let mut tried = 0;
-            let shown = alike.iter().take(MOST_SHOWN).find_map(|harm| {
-                ways(harm).into_iter().take(MOST_WALKS).find_map(|way| {
-                    tried += 1;
-                    (tried <= MOST_RUNS)
-                        .then(|| shown(prepared, &way, unseen))
-                        .flatten()
-                        .map(|finding| (*harm, way, finding))
-                })
-            });
-            let (harm, way, finding) = match shown {
-                Some((harm, way, finding)) => (harm, way, Some(finding)),
-                None => {
-                    let step = history.seen[alike[0].instant].step;
-                    (alike[0], WalkIn::standing(&alike[0], step, cell.steps_per_action), None)
-                }
-            };
-            if let Some(finding) = &finding {
-                self.rest.shown.add(finding, &way, &self.links);
-            }
-            let place = self.place(&harm, &way, finding.as_ref(), &as_told, alike.len());
-            // What is told of a contact may be another region or link that is hit as soon and harder.
-            let same = |known: &&mut Place| {
-                known.confirmed
-                    && (known.body_region, &known.robot_link, known.walks_in)
-                        == (place.body_region, &place.robot_link, place.walks_in)
-            };
-            match self.found.hazards.iter_mut().find(same) {
-                Some(known) if place.ratio <= known.ratio || !place.confirmed => known.cells += place.cells,
-                Some(known) => *known = Place { cells: known.cells + place.cells, ..place },
-                None => self.found.hazards.push(place),
-            }
-        }
-    }
-
-    fn place(
-        &self,
-        harm: &Harm,
-        way: &WalkIn,
-        finding: Option<&Finding>,
-        sensors: &[SensorState],
-        cells: usize,
-    ) -> Place {
-        #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
-        let seconds = |steps: usize| steps as f64 * self.prepared.cell.step_s;
-        let contact = finding.map_or(&harm.contact, |finding| &finding.contact);
-        Place {
-            confirmed: finding.is_some(),
-            id: finding.map(|finding| Identity::of(finding, &self.links).id()).unwrap_or_default(),
-            body_region: contact.region,
-            robot_link: self.links[contact.link].clone(),
-            class: contact.class(),
-            ratio: contact.ratio(),
-            force_n: contact.deciding_force_n(),
-            limit_n: contact.limit_n,
-            speed_m_s: contact.speed_m_s,
-            time_s: finding.map(|finding| seconds(way.lead_in + finding.step)),
-            xy_m: harm.xy_m,
-            heading_deg: harm.heading_rad.to_degrees(),
-            posture: harm.posture.words(),
-            walks_in: way.actions.iter().any(|action| action.walk() != Walk::Stop),
-            start_m: way.xy_m,
-            start_heading_deg: way.heading_deg,
-            begins_s: seconds(way.lead_in),
-            actions: way.actions.clone(),
-            sensors: finding
-                .map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &known(&finding.sensors))),
-            cells,
-        }
-    }
-
     /// The verdict, and why.
     fn conclude(mut self) -> Looked {
         let (found, coverage) = (&mut self.found, &self.rest.coverage);
@@ -664,57 +403,4 @@ impl<'a> Looking<'a> {
         };
         Looked { found: self.found, rest: self.rest }
     }
-}
-
-/// Readings of two-hand controls in words.
-fn words(prepared: &Prepared, readings: &[bool]) -> String {
-    let of = |n: usize| {
-        let hands = if readings[n] { "nobody at" } else { "both hands at" };
-        format!("{hands} {}", prepared.cell.sensors[n].name)
-    };
-    two_hand(prepared).into_iter().map(of).collect::<Vec<_>>().join(" and ")
-}
-
-fn sensors(prepared: &Prepared, readings: &[Option<bool>]) -> Vec<SensorState> {
-    let state = |(sensor, detected): (&crate::cell::Sensor, &Option<bool>)| {
-        detected.map(|person_detected| SensorState { name: sensor.name.clone(), person_detected, since_s: None })
-    };
-    prepared.cell.sensors.iter().zip(readings).filter_map(state).collect()
-}
-
-/// Those of each region and link together, the worst first.
-fn alike(harms: Vec<Harm>) -> Vec<Vec<Harm>> {
-    let mut by: BTreeMap<(u8, usize), Vec<Harm>> = BTreeMap::new();
-    for harm in harms {
-        by.entry((harm.contact.region as u8, harm.link)).or_default().push(harm);
-    }
-    for alike in by.values_mut() {
-        alike.sort_by(|a, b| b.contact.ratio().total_cmp(&a.contact.ratio()));
-    }
-    by.into_values().collect()
-}
-
-/// The first harm that a walk leads to; while sensors report `readings`, if given.
-fn shown(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
-    let actions = u32::try_from(way.actions.len()).ok()?;
-    let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
-    let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;
-    simulation.reset().ok()?;
-    let mut findings = Vec::new();
-    for action in &way.actions {
-        let step = simulation.step(action.index()).ok()?;
-        findings.extend(simulation.take_findings());
-        if step.end.is_some() {
-            break;
-        }
-    }
-    let as_told = |finding: &Finding| {
-        let Some(readings) = readings else { return true };
-        let sensors = prepared.cell.sensors.iter().zip(finding.sensors.iter().zip(readings));
-        finding.through.is_empty()
-            && sensors
-                .into_iter()
-                .all(|(sensor, (told, reading))| told == reading || matches!(sensor.zone, Zone::Reported))
-    };
-    findings.into_iter().find(as_told)
 }

@@ -1,0 +1,123 @@
+//! What a search from anywhere has to know before it can begin: what the robots do while nobody comes, where nobody is seen, and what
+//! is reported of people elsewhere, which only the FMU knows of sensors that are inside it.
+
+use super::alike::Kind;
+use super::{AROUND_M, LONGEST_TOLD, Looking, Tell, Told, two_hand};
+use crate::cell::Zone;
+use crate::host::{Hosted, PlantError, Policy};
+use crate::human::{Action, Posture, Walk};
+use crate::report::speeds::Speeds;
+use crate::scan::footing::Footing;
+use crate::scan::hosting::StateChoice;
+use crate::scan::prepare::Prepared;
+use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople};
+use crate::sim::anywhere::{Anywhere as Search, Somewhere, known};
+use crate::sim::expansion::Merge;
+use crate::sim::robot::RobotFrame;
+
+impl<'a> Looking<'a> {
+    /// What the robots do while somebody stands there; and whether what the FMU tells of their speeds can be relied on.
+    pub(super) fn unmoved(&mut self, there: &Prepared) -> Result<Vec<RobotFrame>, PlantError> {
+        let cell = &there.cell;
+        let mut simulation = there.simulation(StateChoice::Replay, true)?;
+        let still = vec![Action::new(Walk::Stop, Posture::Upright); self.steps().div_ceil(cell.steps_per_action)];
+        let watched = simulation.watch(&still, &[])?;
+        self.found.spent.fmu_steps += simulation.recall().steps();
+        self.rest.did = self.rest.did.and(simulation.recall().effort());
+        let speeds = Speeds::new(cell, &self.prepared.binding, simulation.motion());
+        self.found.reasons.extend(speeds.refusal());
+        self.found.warnings.extend(speeds.sentences());
+        self.rest.speeds = speeds.records;
+        Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
+    }
+
+    /// Where somebody may be of whom the sensors report `first`: decides nothing but where the person stands, as the FMU gets the
+    /// same inputs everywhere.
+    pub(super) fn unseen_start(&mut self, first: &[bool]) -> Result<Option<Stance>, PlantError> {
+        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
+        let probe = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+        if !cell.pose.is_empty() {
+            // Only the FMU knows where nobody is seen: where the cell file says that people start, it may be.
+            let starts =
+                cell.beginnings.iter().map(|begins| (begins.start.xy_m(), begins.start.heading_deg().to_radians()));
+            let may = |(xy_m, heading): &Stance| probe.is_possible(*xy_m, *heading, Posture::Upright, &known(first));
+            for start in starts.filter(may) {
+                let mut asking = self.asking(prepared, Footing::asked(prepared, self.effort.state, Merge::Auto))?;
+                if !asking.reports(start)?.last().is_some_and(|last| last.contains(&true)) {
+                    return Ok(Some(start));
+                }
+            }
+            self.found.reasons.push(
+                "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen"
+                    .to_owned(),
+            );
+            return Ok(None);
+        }
+        match probe.somewhere(first) {
+            Somewhere::At(xy_m, heading) => Ok(Some((xy_m, heading))),
+            Somewhere::Nowhere => Ok(None),
+            Somewhere::Unknown => {
+                let words = words(prepared, first);
+                self.found.reasons.push(format!("whether sensors ever report {words} is not known"));
+                Ok(None)
+            }
+        }
+    }
+
+    /// Ready to ask the FMU what its sensors report of people.
+    fn asking<'b>(&self, there: &'b Prepared, footing: Footing) -> Result<Asking<'b, Hosted>, PlantError> {
+        let saves = matches!(footing.policy(there), Policy::States { .. });
+        Asking::new(footing.plant(there), &there.cell, &there.binding, LONGEST_TOLD, saves)
+    }
+
+    /// The search, with what sensors inside the FMU report, if it is told where people are; nothing if it was told to end, or if
+    /// that cannot be known.
+    pub(super) fn ask(
+        &mut self,
+        there: &Prepared,
+        footing: Footing,
+        unmoved: &[RobotFrame],
+        tell: &mut Tell<'_>,
+    ) -> Result<Option<(Search<'a>, Option<ToldPeople>)>, PlantError> {
+        // By the cell's own starts: the front of planes is on their side.
+        let prepared = self.prepared;
+        let cell = &*prepared.cell;
+        let stop = || self.prepared.stop();
+        if cell.pose.is_empty() {
+            return Ok(Some((Search::new(cell, unmoved.iter(), 0.0, stop()), None)));
+        }
+        let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
+        let mut asking = self.asking(there, footing)?;
+        let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
+        let Some(told) = told else {
+            if self.goes_on(tell) {
+                self.found.reasons.push("sensors inside the FMU report too many different things together".to_owned());
+            }
+            return Ok(None);
+        };
+        self.found.spent.fmu_steps += told.asked * LONGEST_TOLD as u64;
+        Ok(Some((search.with(told.clone()), Some(told))))
+    }
+
+    /// Everything that may be reported of somebody, and people of whom it is; `first` first.
+    pub(super) fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Vec<Kind> {
+        let sensors = &self.prepared.cell.sensors;
+        let people = |readings: &[bool]| match told {
+            Some(told) => told.people(readings, |sensor| matches!(sensors[sensor].zone, Zone::Reported)).collect(),
+            None => vec![Stance::default()],
+        };
+        let mut all = search.readings();
+        all.sort_by_key(|readings| readings != first);
+        let kinds = all.into_iter().map(|readings| Kind { people: people(&readings), readings });
+        kinds.filter(|kind| !kind.people.is_empty()).collect()
+    }
+}
+
+/// Readings of two-hand controls in words.
+fn words(prepared: &Prepared, readings: &[bool]) -> String {
+    let of = |n: usize| {
+        let hands = if readings[n] { "nobody at" } else { "both hands at" };
+        format!("{hands} {}", prepared.cell.sensors[n].name)
+    };
+    two_hand(prepared).into_iter().map(of).collect::<Vec<_>>().join(" and ")
+}

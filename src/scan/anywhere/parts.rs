@@ -1,0 +1,86 @@
+//! Robots that heed different sensors are looked at one after the other, each with the sensors that it heeds: how they are told apart.
+
+use super::alike::{Kind, Trial};
+use super::{Looking, SEED};
+use crate::host::PlantError;
+use crate::scan::footing::Footing;
+use crate::scan::prepare::Prepared;
+use crate::search::Rng;
+use crate::sim::anywhere::machine::Part;
+
+impl Looking<'_> {
+    /// Robots that are looked at together, with the sensors that they heed; nothing if that cannot be known.
+    pub(super) fn parts(
+        &mut self,
+        there: &Prepared,
+        footing: Footing,
+        kinds: &[Kind],
+    ) -> Result<Option<Vec<Part>>, PlantError> {
+        let cell = &there.cell;
+        let all = Part { sensors: vec![true; cell.sensors.len()], links: vec![true; cell.links.len()].into() };
+        let factors = cell.robots.len() > 1 && cell.sensors.len() > 1;
+        if cell.pose.is_empty() && !factors {
+            return Ok(Some(vec![all]));
+        }
+        let mut trial = Trial {
+            plant: footing.plant(there),
+            cell,
+            binding: &there.binding,
+            kinds,
+            steps: self.steps(),
+            rng: Rng::new(SEED),
+            taken: 0,
+        };
+        if !cell.pose.is_empty() {
+            match trial.are_people_alike() {
+                Ok(true) => self.found.rests_on.push(
+                    "the FMU is told where people are; its robots did the same with all people of whom its sensors report the \
+                     same, in all runs in which that was tried"
+                        .to_owned(),
+                ),
+                Err(error) if error.stopped => return Err(error),
+                Ok(false) | Err(_) => {
+                    self.found.reasons.push(
+                        "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
+                         instead: [[human.start_area]] in the cell file"
+                            .to_owned(),
+                    );
+                    return Ok(None);
+                }
+            }
+        }
+        let heeded = match factors.then(|| trial.heeded()) {
+            Some(Ok(heeded)) => heeded,
+            Some(Err(error)) if error.stopped => return Err(error),
+            Some(Err(_)) | None => return Ok(Some(vec![all])),
+        };
+        self.found.spent.fmu_steps += trial.taken;
+        let mut parts: Vec<Part> = Vec::new();
+        for (robot, sensors) in heeded.iter().enumerate() {
+            let links = cell.links.iter().map(|link| link.robot == robot);
+            if let Some(part) = parts.iter_mut().find(|part| part.sensors == *sensors) {
+                part.links = part.links.iter().zip(links).map(|(known, own)| *known || own).collect();
+            } else {
+                parts.push(Part { sensors: sensors.clone(), links: links.collect() });
+            }
+            let unheeded: Vec<&str> = cell
+                .sensors
+                .iter()
+                .zip(sensors)
+                .filter(|(_, heeds)| !**heeds)
+                .map(|(sensor, _)| sensor.name.as_str())
+                .collect();
+            if !unheeded.is_empty() {
+                let name = &cell.robots[robot].name;
+                self.found.rests_on.push(format!(
+                    "{name} does not heed {}: it did the same whatever that reported, in all runs in which it was tried",
+                    unheeded.join(" and ")
+                ));
+            }
+        }
+        if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) {
+            return Ok(Some(vec![all]));
+        }
+        Ok(Some(parts))
+    }
+}

@@ -1,0 +1,162 @@
+//! A harm that poses alone make possible is a hazard when a run of its own shows it: somebody stands there, or walks in.
+
+use std::collections::BTreeMap;
+
+use super::Looking;
+use super::walk_in::WalkIn;
+use crate::cell::Zone;
+use crate::hazard::{Finding, Identity};
+use crate::human::Walk;
+use crate::report::anywhere::Place;
+use crate::report::model::SensorState;
+use crate::scan::hosting::StateChoice;
+use crate::scan::prepare::Prepared;
+use crate::search::Environment as _;
+use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
+
+/// Places of one region and link of which a run of their own is tried, at most.
+const MOST_SHOWN: usize = 8;
+/// Walks to each that are tried.
+const MOST_WALKS: usize = 24;
+/// Runs of those of a region and link.
+const MOST_RUNS: usize = 120;
+
+impl Looking<'_> {
+    /// Shows with runs of their own what harms there are.
+    pub(super) fn show(
+        &mut self,
+        search: &Search<'_>,
+        first: &[bool],
+        history: &History,
+        is_unseen: bool,
+        harms: Vec<Harm>,
+    ) {
+        let (prepared, cell) = (self.prepared, &*self.prepared.cell);
+        let as_told = sensors(prepared, &history.readings);
+        for alike in alike(harms) {
+            let ways = |harm: &Harm| {
+                let step = history.seen[harm.instant].step;
+                if is_unseen {
+                    // Standing there for a whole action before; where that is hit otherwise first, for the last step of it.
+                    [cell.steps_per_action, 1].map(|before| WalkIn::standing(harm, step, before)).to_vec()
+                } else {
+                    WalkIn::all(search, cell, first, history, harm)
+                }
+            };
+            let unseen = is_unseen.then_some(first);
+            let mut tried = 0;
+            let shown = alike.iter().take(MOST_SHOWN).find_map(|harm| {
+                ways(harm).into_iter().take(MOST_WALKS).find_map(|way| {
+                    tried += 1;
+                    (tried <= MOST_RUNS)
+                        .then(|| shown(prepared, &way, unseen))
+                        .flatten()
+                        .map(|finding| (*harm, way, finding))
+                })
+            });
+            let (harm, way, finding) = match shown {
+                Some((harm, way, finding)) => (harm, way, Some(finding)),
+                None => {
+                    let step = history.seen[alike[0].instant].step;
+                    (alike[0], WalkIn::standing(&alike[0], step, cell.steps_per_action), None)
+                }
+            };
+            if let Some(finding) = &finding {
+                self.rest.shown.add(finding, &way, &self.links);
+            }
+            let place = self.place(&harm, &way, finding.as_ref(), &as_told, alike.len());
+            // What is told of a contact may be another region or link that is hit as soon and harder.
+            let same = |known: &&mut Place| {
+                known.confirmed
+                    && (known.body_region, &known.robot_link, known.walks_in)
+                        == (place.body_region, &place.robot_link, place.walks_in)
+            };
+            match self.found.hazards.iter_mut().find(same) {
+                Some(known) if place.ratio <= known.ratio || !place.confirmed => known.cells += place.cells,
+                Some(known) => *known = Place { cells: known.cells + place.cells, ..place },
+                None => self.found.hazards.push(place),
+            }
+        }
+    }
+
+    fn place(
+        &self,
+        harm: &Harm,
+        way: &WalkIn,
+        finding: Option<&Finding>,
+        sensors: &[SensorState],
+        cells: usize,
+    ) -> Place {
+        #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
+        let seconds = |steps: usize| steps as f64 * self.prepared.cell.step_s;
+        let contact = finding.map_or(&harm.contact, |finding| &finding.contact);
+        Place {
+            confirmed: finding.is_some(),
+            id: finding.map(|finding| Identity::of(finding, &self.links).id()).unwrap_or_default(),
+            body_region: contact.region,
+            robot_link: self.links[contact.link].clone(),
+            class: contact.class(),
+            ratio: contact.ratio(),
+            force_n: contact.deciding_force_n(),
+            limit_n: contact.limit_n,
+            speed_m_s: contact.speed_m_s,
+            time_s: finding.map(|finding| seconds(way.lead_in + finding.step)),
+            xy_m: harm.xy_m,
+            heading_deg: harm.heading_rad.to_degrees(),
+            posture: harm.posture.words(),
+            walks_in: way.actions.iter().any(|action| action.walk() != Walk::Stop),
+            start_m: way.xy_m,
+            start_heading_deg: way.heading_deg,
+            begins_s: seconds(way.lead_in),
+            actions: way.actions.clone(),
+            sensors: finding
+                .map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &known(&finding.sensors))),
+            cells,
+        }
+    }
+}
+
+/// What sensors report, without those of which that is not known.
+pub(super) fn sensors(prepared: &Prepared, readings: &[Option<bool>]) -> Vec<SensorState> {
+    let state = |(sensor, detected): (&crate::cell::Sensor, &Option<bool>)| {
+        detected.map(|person_detected| SensorState { name: sensor.name.clone(), person_detected, since_s: None })
+    };
+    prepared.cell.sensors.iter().zip(readings).filter_map(state).collect()
+}
+
+/// Those of each region and link together, the worst first.
+fn alike(harms: Vec<Harm>) -> Vec<Vec<Harm>> {
+    let mut by: BTreeMap<(u8, usize), Vec<Harm>> = BTreeMap::new();
+    for harm in harms {
+        by.entry((harm.contact.region as u8, harm.link)).or_default().push(harm);
+    }
+    for alike in by.values_mut() {
+        alike.sort_by(|a, b| b.contact.ratio().total_cmp(&a.contact.ratio()));
+    }
+    by.into_values().collect()
+}
+
+/// The first harm that a walk leads to; while sensors report `readings`, if given.
+fn shown(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
+    let actions = u32::try_from(way.actions.len()).ok()?;
+    let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
+    let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;
+    simulation.reset().ok()?;
+    let mut findings = Vec::new();
+    for action in &way.actions {
+        let step = simulation.step(action.index()).ok()?;
+        findings.extend(simulation.take_findings());
+        if step.end.is_some() {
+            break;
+        }
+    }
+    let as_told = |finding: &Finding| {
+        let Some(readings) = readings else { return true };
+        let sensors = prepared.cell.sensors.iter().zip(finding.sensors.iter().zip(readings));
+        finding.through.is_empty()
+            && sensors
+                .into_iter()
+                .all(|(sensor, (told, reading))| told == reading || matches!(sensor.zone, Zone::Reported))
+    };
+    findings.into_iter().find(as_told)
+}
