@@ -41,6 +41,7 @@ mod rules_twice;
 mod safeguards;
 mod safety_fence;
 mod scan_is_reproducible;
+mod second_opinion;
 mod speeds_and_motion;
 mod ssp;
 mod states_that_lie;
