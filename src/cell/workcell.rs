@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use toml::Spanned;
 
-use super::file::format::{CellFile, PoseQuantity, SearchTable, StartTable};
+use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::human::{Body, Start};
@@ -50,6 +50,10 @@ pub struct Workcell {
     pub start_areas: Vec<StartArea>,
     /// Corners of the floor that people may be on in a scan from anywhere, floor plan, m, if that is bounded.
     pub floor: Option<Vec<[f64; 2]>>,
+    /// Where a scan has people begin that is not told it.
+    pub from: PeopleFrom,
+    /// Corners of the floor from which people come in a scan from anywhere, floor plan, m, if that is not the outside.
+    pub start_region: Option<Vec<[f64; 2]>>,
     /// The person's start.
     pub start: Start,
     /// The person's body.

@@ -63,7 +63,7 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
         if stop.ends_search() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let effort = Effort {
-        until_s: arguments.until().as_secs_f64(),
+        until: arguments.until(),
         workers: arguments.workers(),
         most_states: arguments.most_states(),
         state: arguments.state,
@@ -116,7 +116,7 @@ fn text(place: &Place, name: &str, cell: &str) -> String {
     let Place { start_m: [x, y], start_heading_deg: heading_deg, begins_s, actions, .. } = place;
     let count = actions.len();
     format!(
-        "# Written by fmi-hazard: {} hit by {}, {:.2}x the limit, {}.\nextends = {cell:?}\nname = {name:?}\n\n[human]\nstart = {{ xy_m = [{x}, \
+        "# Written by fmi-hazard: {} hit by {}, {:.2}x the limit, {}.\nextends = {cell:?}\nname = {name:?}\n\n[human]\nfrom = \"start\"\nstart = {{ xy_m = [{x}, \
          {y}], heading_deg = {heading_deg} }}\nother_starts = []\nstart_area = []\nbegins_s = [{begins_s}]\n\n[search]\n\
          actions = {count}\n",
         place.body_region, place.robot_link, place.ratio, place.posture

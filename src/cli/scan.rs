@@ -66,7 +66,20 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let stop = Stop::default();
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
-    if arguments.from.is_some() {
+    let from_anywhere = arguments.is_from_anywhere(&prepared.cell);
+    if let (true, Some(option)) = (from_anywhere, arguments.of_starts()) {
+        return Err(Failure::unusable_with_help(
+            format!("{option} is for scans from the cell's starts, and this one is from anywhere"),
+            "leave it out, or add --from start",
+        ));
+    }
+    if let (false, Some(_)) = (from_anywhere, arguments.until) {
+        return Err(Failure::unusable_with_help(
+            "--until is for scans from anywhere",
+            "add --from anywhere; how long a scan from the cell's starts is says [search] actions in the cell file",
+        ));
+    }
+    if from_anywhere {
         let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several: false };
         return anywhere::run(&run, &prepared);
     }

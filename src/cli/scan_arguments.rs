@@ -9,7 +9,10 @@ use clap::builder::PossibleValue;
 
 use super::hosting::HostingArguments;
 use super::output::Format;
+use crate::cell::Workcell;
+use crate::cell::file::format::PeopleFrom;
 use crate::report::moved::seen_from;
+use crate::scan::anywhere::Until;
 use crate::scan::options::Method;
 use crate::scan::remedy::Effort;
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
@@ -29,16 +32,14 @@ pub(super) enum StopAt {
 /// Where people come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum From {
-    /// Anywhere that no sensor sees.
+    /// The cell's starts.
+    Start,
+    /// Anywhere that no sensor sees, at any moment.
     Anywhere,
 }
 
 /// States of the FMU that a scan from anywhere steps from, unless told otherwise.
 const MOST_STATES: usize = 300_000;
-
-/// What a scan from anywhere has not: sequences from a start.
-const ALONE: [&str; 8] =
-    ["begin", "strategy", "seed", "iterations", "stop_at", "paper_iterations", "no_advice", "resume"];
 
 /// What a scan that is resumed was told already.
 const OTHERS: [&str; 26] = [
@@ -86,12 +87,13 @@ pub(super) struct Arguments {
     /// each with its results in a folder of its own)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) begin: Option<u32>,
-    /// Look from there instead of the cell's start: from anywhere that no sensor sees, at any moment
-    #[arg(long, value_enum, conflicts_with_all = ALONE)]
+    /// Where people begin (default: what the cell file says, else its starts)
+    #[arg(long, value_enum)]
     pub(super) from: Option<From>,
-    /// With --from: how long after the start of the FMU, for instance 6s [default: 4s]
-    #[arg(long, value_name = "TIME", value_parser = time, requires = "from")]
-    pub(super) until: Option<Duration>,
+    /// From anywhere: how long after the start of the FMU, for instance 6s, or 2cycles of what the robots do while nobody comes
+    /// [default: 4s]
+    #[arg(long, value_name = "TIME", value_parser = until)]
+    pub(super) until: Option<Until>,
     /// How sequences are chosen
     #[arg(long, value_enum, default_value = "auto")]
     strategy: Choice,
@@ -222,8 +224,28 @@ impl Arguments {
         if asked == ExhaustiveArguments::default().max_states { MOST_STATES } else { asked }
     }
 
+    /// Whether people come from anywhere in this cell.
+    pub(super) fn is_from_anywhere(&self, cell: &Workcell) -> bool {
+        let asked = self.from.map(|from| from == From::Anywhere);
+        asked.unwrap_or(cell.from == PeopleFrom::Anywhere)
+    }
+
+    /// An option that only a scan from the cell's starts has.
+    pub(super) fn of_starts(&self) -> Option<&'static str> {
+        let given = [
+            ("--begin", self.begin.is_some()),
+            ("--strategy", self.strategy != Choice::Auto),
+            ("--seed", self.seed.is_some()),
+            ("--iterations", self.iterations.is_some()),
+            ("--stop-at", self.stop_at != StopAt::default()),
+            ("--paper-iterations", self.paper_iterations),
+            ("--no-advice", self.no_advice),
+        ];
+        given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
+    }
+
     /// How long after the start of the FMU a scan from anywhere looks.
-    pub(super) fn until(&self) -> Duration {
+    pub(super) fn until(&self) -> Until {
         self.until.unwrap_or(UNTIL)
     }
 
@@ -272,7 +294,7 @@ impl Arguments {
             }
         } else {
             add("--from", Some("anywhere".to_owned()));
-            add("--until", Some(short(self.until())));
+            add("--until", Some(until_words(self.until())));
         }
         if self.no_advice {
             add("--no-advice", None);
@@ -326,7 +348,7 @@ impl Arguments {
 }
 
 /// How long after the start of the FMU is looked, unless told otherwise.
-const UNTIL: Duration = Duration::from_secs(4);
+const UNTIL: Until = Until::Seconds(4.0);
 
 /// As it is given: without spaces.
 fn short(time: Duration) -> String {
@@ -335,6 +357,25 @@ fn short(time: Duration) -> String {
 
 /// Time of `auto`.
 const AUTO_TIME: Duration = Duration::from_secs(600);
+
+/// When a scan from anywhere ends.
+fn until(text: &str) -> Result<Until, String> {
+    let Some(count) = text.strip_suffix("cycles").or_else(|| text.strip_suffix("cycle")) else {
+        return time(text).map(|time| Until::Seconds(time.as_secs_f64())).map_err(|e| format!("{e}, or as 2cycles"));
+    };
+    match count.trim().parse() {
+        Ok(count) if (1..=1000).contains(&count) => Ok(Until::Cycles(count)),
+        _ => Err("give a number of cycles, for instance 2cycles".to_owned()),
+    }
+}
+
+/// The same as an argument.
+fn until_words(until: Until) -> String {
+    match until {
+        Until::Seconds(seconds) => short(Duration::from_secs_f64(seconds)),
+        Until::Cycles(count) => format!("{count}cycles"),
+    }
+}
 
 /// A time of a second at least.
 fn time(text: &str) -> Result<Duration, String> {

@@ -24,6 +24,8 @@ pub struct Floor {
     open: Vec<bool>,
     /// Whether there is nothing beyond.
     bounded: bool,
+    /// Where people come from, if that is not the edge.
+    entry: Option<Vec<bool>>,
 }
 
 impl Floor {
@@ -32,7 +34,8 @@ impl Floor {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cells to a side")]
     pub fn new(body: &Body, obstacles: &[Cuboid], (low_m, high_m): ([f64; 2], [f64; 2]), cell_m: f64) -> Self {
         let count = |axis: usize| ((high_m[axis] - low_m[axis]) / cell_m).ceil().max(1.0) as usize;
-        let mut floor = Self { low_m, cell_m, columns: count(0), rows: count(1), open: Vec::new(), bounded: false };
+        let mut floor =
+            Self { low_m, cell_m, columns: count(0), rows: count(1), open: Vec::new(), bounded: false, entry: None };
         let moves = 0.5 * SQRT_2 * cell_m;
         let open = |[x, y]: [f64; 2]| {
             let capsule = body.blocking_capsule(Vec3::new(x, y, 0.0));
@@ -55,6 +58,15 @@ impl Floor {
             self.open[cell] &= contains(polygon, at) || distance_to_edge(polygon, at) <= moves;
         }
         self.bounded = true;
+        self
+    }
+
+    /// The same, but people come from within a polygon.
+    #[must_use]
+    pub fn entered_in(mut self, polygon: &[[f64; 2]]) -> Self {
+        let moves = 0.5 * SQRT_2 * self.cell_m;
+        let may_be_in = |at| contains(polygon, at) || distance_to_edge(polygon, at) <= moves;
+        self.entry = Some((0..self.cells()).map(|cell| may_be_in(self.middle(cell))).collect());
         self
     }
 
@@ -107,8 +119,8 @@ impl Floor {
         self.cell_m
     }
 
-    /// Leaves open only what is joined by open cells that `may_pass` to the edge of the rectangle, if the floor has no boundary, or
-    /// to a cell where somebody `starts`; cells that meet in a corner are joined.
+    /// Leaves open only what is joined by open cells that `may_pass` to where people come from, else to the edge of the rectangle, if
+    /// the floor has no boundary, or to a cell where somebody `starts`; cells that meet in a corner are joined.
     #[must_use]
     pub fn joined_to_the_outside(mut self, starts: &[[f64; 2]], may_pass: impl Fn(usize) -> bool) -> Self {
         let passable: Vec<bool> = (0..self.cells()).map(|cell| self.open[cell] && may_pass(cell)).collect();
@@ -117,10 +129,19 @@ impl Floor {
             starts.iter().any(|start| (start[0] - x).abs().max((start[1] - y).abs()) <= 0.5 * self.cell_m + ROUNDING_M)
         };
         let mut from = vec![false; self.cells()];
-        self.edge().filter(|cell| passable[*cell]).for_each(|cell| from[cell] = true);
+        let edge: Vec<usize> = self.edge().filter(|cell| passable[*cell]).collect();
+        match &self.entry {
+            None => edge.iter().for_each(|cell| from[*cell] = true),
+            Some(entry) => (0..self.cells()).for_each(|cell| from[cell] = entry[cell] && passable[cell]),
+        }
         // Who starts there is there, whatever sees them.
         (0..self.cells()).filter(|cell| self.open[*cell]).filter(is_start).for_each(|cell| from[cell] = true);
         self.open = self.spread(&from, &passable);
+        // Who leaves the rectangle comes back anywhere.
+        if edge.iter().any(|cell| self.open[*cell]) {
+            edge.iter().for_each(|cell| from[*cell] = true);
+            self.open = self.spread(&from, &passable);
+        }
         self
     }
 
@@ -343,6 +364,11 @@ mod tests {
         // Who starts in a closed room is in it.
         let inside = floor(&room(0.0), 0.025).joined_to_the_outside(&[[0.3, 0.2]], |_| true);
         assert!(inside.any_open([-0.5, 0.0], 0.1) && inside.any_open([2.0, 0.0], 0.1));
+        // Who comes from the room only is in the room only, where it is shut, and anywhere else.
+        let in_room = [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3]];
+        let within = |door_m| floor(&room(door_m), 0.025).entered_in(&in_room).joined_to_the_outside(&[], |_| true);
+        assert!(within(0.0).any_open([-0.5, 0.0], 0.1) && !within(0.0).any_open([2.0, 0.0], 0.1));
+        assert!(within(0.35).any_open([2.0, 0.0], 0.1) && within(0.35).any_open([-0.5, 0.0], 0.1));
         // Where nobody may pass the door, nobody is in the room.
         let all = floor(&room(0.8), 0.025);
         let shut = all

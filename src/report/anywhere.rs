@@ -28,6 +28,8 @@ pub struct Anywhere {
     pub subject: Subject,
     /// How long after the start of the FMU, s.
     pub until_s: f64,
+    /// How often the robots repeat what they do while nobody comes, s, if they did so twice until then.
+    pub cycle_s: Option<f64>,
     /// Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
     pub speed_criterion: Criterion,
     /// Edge of the cells of the floor, m.
@@ -172,6 +174,19 @@ pub struct Spent {
 }
 
 impl Anywhere {
+    /// How long that is, measured by what the robots repeat.
+    fn cycles(&self) -> String {
+        match self.cycle_s {
+            Some(cycle_s) => format!(
+                "While nobody comes the robots repeat what they do every {cycle_s:.2} s: that is {:.1} times.",
+                self.until_s / cycle_s
+            ),
+            None => "While nobody comes the robots do not do the same twice in that time: where they have a cycle, most of what \
+                     they do later was not looked at. --until 2cycles asks for two of them."
+                .to_owned(),
+        }
+    }
+
     /// For people. `report` is the record of the same scan.
     #[must_use]
     pub fn render(&self, report: &ScanReport, view: View) -> String {
@@ -197,6 +212,9 @@ impl Anywhere {
             _ => format!("No hazard is confirmed within {until} of the start, and none is excluded.{changes}"),
         };
         let _ = write!(text, "{}", wrapped_to(width, " ", &first));
+        if self.verdict != Verdict::Interrupted {
+            let _ = write!(text, "{}", wrapped_to(width, " ", &self.cycles()));
+        }
         text += &cards(report, view);
         for hazard in self.hazards.iter().filter(|hazard| !hazard.confirmed) {
             let [x, y] = hazard.xy_m;

@@ -3,6 +3,7 @@
 
 mod alike;
 mod ask;
+mod cycle;
 pub(super) mod map;
 mod parts;
 mod record;
@@ -90,11 +91,20 @@ fn unseen(prepared: &Prepared) -> Vec<Vec<bool>> {
         .collect()
 }
 
+/// When a search ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Until {
+    /// So many seconds after the start of the FMU.
+    Seconds(f64),
+    /// After so many cycles of the robots while nobody comes, and what they do before these.
+    Cycles(u32),
+}
+
 /// How far and how hard is looked.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// How long after the start of the FMU, s.
-    pub until_s: f64,
+    /// How long after the start of the FMU.
+    pub until: Until,
     /// Threads.
     pub workers: usize,
     /// Most states of the FMU.
@@ -132,7 +142,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
         verdict: Verdict::NoneFound,
         subject: prepared.subject.clone(),
-        until_s: effort.until_s,
+        until_s: 0.0,
+        cycle_s: None,
         speed_criterion: cell.search.criterion,
         cell_m: 2.0 * CELL_M,
         body_tolerance_m: BODY_TOLERANCE_M,
@@ -140,7 +151,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         changes: None,
         histories: Vec::new(),
         hazards: Vec::new(),
-        span_s: map::span_s(effort.until_s, cell.step_s),
+        span_s: 0.0,
         floor: Vec::new(),
         rests_on: Vec::new(),
         followed: true,
@@ -159,7 +170,12 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         rest: Rest::new(cell.sensors.len()),
         met: Vec::new(),
     };
-    for first in unseen(prepared) {
+    let kinds = unseen(prepared);
+    match looking.horizon(&kinds[0]).map_err(|cause| ScanError { cause })? {
+        Some(until_s) => (looking.found.until_s, looking.found.span_s) = (until_s, map::span_s(until_s, cell.step_s)),
+        None => return Ok(looking.conclude()),
+    }
+    for first in kinds {
         let goes_on = match looking.from(&first, tell) {
             Err(error) if error.stopped => false,
             outcome => outcome.map_err(|cause| ScanError { cause })?,
@@ -252,7 +268,7 @@ impl<'a> Looking<'a> {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * history.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
-            let (workers, span) = (self.effort.workers, map::span(self.effort.until_s, cell.step_s));
+            let (workers, span) = (self.effort.workers, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
             let outcome = search.search(history, span, workers, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
@@ -281,7 +297,7 @@ impl<'a> Looking<'a> {
     /// Communication steps that are looked at.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an hour of small steps at most")]
     fn steps(&self) -> usize {
-        (self.effort.until_s / self.prepared.cell.step_s).ceil().max(1.0) as usize
+        (self.found.until_s / self.prepared.cell.step_s).ceil().max(1.0) as usize
     }
 
     /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow; `false` if it was told to

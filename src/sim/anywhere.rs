@@ -236,6 +236,10 @@ impl<'a> Anywhere<'a> {
             Some(polygon) => floor.bounded_by(polygon),
             None => floor,
         };
+        let floor = match &cell.start_region {
+            Some(polygon) => floor.entered_in(polygon),
+            None => floor,
+        };
         let ground = floor.joined_to_the_outside(&starts, |_| true);
         let mut this = Self {
             cell,
@@ -353,7 +357,7 @@ impl<'a> Anywhere<'a> {
     /// Whether somebody may be there at the start, upright, of whom the sensors then report these readings.
     #[must_use]
     pub fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[Option<bool>]) -> bool {
-        let beyond = !self.ground.holds(xy_m, 0.0);
+        let beyond = self.cell.start_region.is_none() && !self.ground.holds(xy_m, 0.0);
         (beyond || self.ground.within(xy_m, 0.0).any(|cell| self.unseen[cell]))
             && self.is_possible(xy_m, heading_rad, Posture::Upright, readings)
     }

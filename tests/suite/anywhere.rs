@@ -11,7 +11,7 @@ use fmi_hazard::human::Start;
 use fmi_hazard::report::anywhere::{Anywhere, Place};
 use fmi_hazard::report::model::Verdict;
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::anywhere::{Effort, anywhere};
+use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::standards::BodyRegion;
@@ -30,7 +30,7 @@ fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
 }
 
 fn look_at(path: &Path, until_s: f64, workers: usize) -> Anywhere {
-    let effort = Effort { until_s, workers, most_states: 100_000, state: StateChoice::Auto };
+    let effort = Effort { until: Until::Seconds(until_s), workers, most_states: 100_000, state: StateChoice::Auto };
     anywhere(&prepare(path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 
@@ -258,7 +258,8 @@ fn the_floor_tells_when_it_is_hit_and_a_turn_of_the_bar_later_it_is_hit_again() 
 fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_shows_it() {
     let dir = guarded();
     let dir = dir.path();
-    write(dir, "cell.toml", &cell(0.45, ""));
+    let own = cell(0.45, "").replace("[human]\n", "[human]\nfrom = \"anywhere\"\n");
+    write(dir, "cell.toml", &own);
     let ran = |arguments: &[&str], code: i32| {
         let out = fmi_hazard(dir).args(arguments).output().unwrap();
         let text = String::from_utf8_lossy(&out.stdout).into_owned();
@@ -266,7 +267,7 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
         (text, String::from_utf8_lossy(&out.stderr).into_owned())
     };
     let folder = "out/anywhere";
-    let (text, notes) = ran(&["scan", "cell.toml", "--from", "anywhere", "--until", "1s"], 1);
+    let (text, notes) = ran(&["scan", "cell.toml", "--until", "1cycle"], 1);
     assert!(text.contains("Somebody who comes from where no sensor sees them can be hit"), "{text}");
     let scan = scan_json(&dir.join(folder));
     let list = |of: &str| scan[of].as_array().unwrap().clone();
@@ -274,10 +275,13 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
     let id = |of: &serde_json::Value| of["id"].as_str().unwrap().to_owned();
     assert!(text.contains(&id(&causes[0])), "{text}");
     assert!(notes.contains(&format!("fmi-hazard explain {folder} {}", id(&causes[0]))), "{notes}");
-    assert_eq!((&scan["settings"]["strategy"], &scan["settings"]["until_s"]), (&"anywhere".into(), &1.0.into()));
+    // A turn at 5 rad/s, after it has got as fast.
+    assert!(text.contains("the robots repeat what they do every 1.26 s"), "{text}");
+    let until_s = scan["settings"]["until_s"].as_f64().unwrap();
+    assert!(scan["settings"]["strategy"] == "anywhere" && (1.24..1.6).contains(&until_s), "{until_s}");
     for hazard in &hazards {
         assert_eq!((&hazard["confirmed"], &hazard["shortest"]["confirmed"]), (&true.into(), &true.into()));
-        assert!(hazard["begins"]["begins_s"].as_f64().unwrap() < 1.0, "{hazard}");
+        assert!(hazard["begins"]["begins_s"].as_f64().unwrap() < until_s, "{hazard}");
         assert_eq!(
             causes.iter().filter(|cause| cause["hazards"].as_array().unwrap().contains(&hazard["id"])).count(),
             1
@@ -295,7 +299,9 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
     assert_eq!(text.matches("as recorded to the last bit; begins at").count(), hazards.len(), "{text}");
     let (text, _) = ran(&["verify", folder, "cell.toml"], 1);
     assert_eq!(text.matches("STILL THERE  H-").count(), hazards.len(), "{text}");
-    write(dir, "slow.toml", &cell(0.45, "").replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02"));
+    ran(&["scan", "cell.toml", "--seed", "2"], 2);
+    ran(&["scan", "cell.toml", "--from", "start", "--until", "1s"], 2);
+    write(dir, "slow.toml", &own.replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02"));
     let (text, _) = ran(&["verify", folder, "slow.toml"], 0);
     assert!(text.contains(&format!("{0} of {0} known hazards fixed", hazards.len())), "{text}");
     let (text, _) = ran(&["compare", folder, folder], 0);

@@ -18,7 +18,7 @@ use toml::Spanned;
 use crate::hazard::Criterion;
 
 pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
-pub use person::{HumanTable, Sex, StartAreaTable, StartTable};
+pub use person::{HumanTable, PeopleFrom, Sex, StartAreaTable, StartTable};
 pub use robot::{CapsuleTable, FrameTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable};
 pub use surroundings::{ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ZoneTable};
 

@@ -69,14 +69,18 @@ impl Checker<'_> {
         Starts { tables, areas }
     }
 
-    /// The floor's boundary, if there is one.
-    pub(super) fn floor(&self, human: &HumanTable) -> Result<Option<Vec<[f64; 2]>>, Box<CellError>> {
-        let Some(floor) = &human.floor_m else { return Ok(None) };
+    /// Corners of a polygon of the floor, if there is one, which the cell file calls so.
+    pub(super) fn floor_polygon(
+        &self,
+        polygon: Option<&Spanned<Vec<[f64; 2]>>>,
+        name: &str,
+    ) -> Result<Option<Vec<[f64; 2]>>, Box<CellError>> {
+        let Some(floor) = polygon else { return Ok(None) };
         let corners = floor.get_ref();
         self.that(corners.len() >= 3, floor.span(), || {
-            (format!("human.floor_m has {} corners", corners.len()), "give at least three".to_owned())
+            (format!("{name} has {} corners", corners.len()), "give at least three".to_owned())
         })?;
-        self.finite(&corners.concat(), &floor.span(), "a corner of human.floor_m")?;
+        self.finite(&corners.concat(), &floor.span(), &format!("a corner of {name}"))?;
         Ok(Some(corners.clone()))
     }
 

@@ -66,7 +66,9 @@ impl Checker<'_> {
         let body = self.problems.keep(self.body(&file));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
         let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
-        let floor = self.problems.keep(self.floor(&file.human));
+        let floor = self.problems.keep(self.floor_polygon(file.human.floor_m.as_ref(), "human.floor_m"));
+        let region = self.floor_polygon(file.human.start_region_m.as_ref(), "human.start_region_m");
+        let region = self.problems.keep(region);
         self.limits(&file);
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
@@ -92,6 +94,8 @@ impl Checker<'_> {
             starts,
             start_areas,
             floor: floor?,
+            from: file.human.from,
+            start_region: region?,
             body: body?,
             search: file.search,
             baseline: baseline?,

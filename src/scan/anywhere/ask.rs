@@ -2,10 +2,11 @@
 //! is reported of people elsewhere, which only the FMU knows of sensors that are inside it.
 
 use super::alike::Kind;
-use super::{AROUND_M, LONGEST_TOLD, Looking, Tell, Told, two_hand};
+use super::cycle::{cycle, points};
+use super::{AROUND_M, LONGEST_TOLD, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
-use crate::human::{Action, Posture, Walk};
+use crate::human::{Action, Posture, Start, Walk};
 use crate::report::speeds::Speeds;
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
@@ -15,7 +16,47 @@ use crate::sim::anywhere::{Anywhere as Search, Somewhere, known};
 use crate::sim::expansion::Merge;
 use crate::sim::robot::RobotFrame;
 
+/// So long robots are watched for a cycle, s.
+const LONGEST_WATCHED_S: f64 = 64.0;
+
 impl<'a> Looking<'a> {
+    /// How long after the start of the FMU is looked, s; nothing if that is not known.
+    pub(super) fn horizon(&mut self, first: &[bool]) -> Result<Option<f64>, PlantError> {
+        let cycles = match self.effort.until {
+            Until::Seconds(until_s) => return Ok(Some(until_s)),
+            Until::Cycles(cycles) => cycles,
+        };
+        let Some((xy_m, heading)) = self.unseen_start(first)? else { return Ok(None) };
+        let start = Start::new(xy_m[0], xy_m[1], heading.to_degrees());
+        let there = self.prepared.standing(start, 0, 1).map_err(|error| PlantError::of(error.to_string().as_str()))?;
+        let (mut watched_s, step_s) = (8.0, there.cell.step_s);
+        while watched_s <= LONGEST_WATCHED_S {
+            let points: Vec<_> = self.watched(&there, watched_s)?.iter().map(points).collect();
+            if let Some(found) = cycle(&points) {
+                #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
+                let steps = (found.from as f64 + f64::from(cycles) * found.steps).ceil();
+                self.found.cycle_s = Some(found.steps * step_s);
+                return Ok(Some(steps * step_s));
+            }
+            watched_s *= 2.0;
+        }
+        self.found.reasons.push(format!(
+            "how long a cycle is was not found: within {LONGEST_WATCHED_S:.0} s of the start the robots do not repeat what they do while \
+             nobody comes. Say it in seconds, for instance --until 6s"
+        ));
+        Ok(None)
+    }
+
+    /// The robots while somebody stands there for so long.
+    fn watched(&mut self, there: &Prepared, watched_s: f64) -> Result<Vec<RobotFrame>, PlantError> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a minute of small steps")]
+        let actions = (watched_s / there.cell.step_s).ceil() as usize / there.cell.steps_per_action + 1;
+        let mut simulation = there.simulation(StateChoice::Replay, true)?;
+        let watched = simulation.watch(&vec![Action::new(Walk::Stop, Posture::Upright); actions], &[])?;
+        self.found.spent.fmu_steps += simulation.recall().steps();
+        Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
+    }
+
     /// What the robots do while somebody stands there; and whether what the FMU tells of their speeds can be relied on.
     pub(super) fn unmoved(&mut self, there: &Prepared) -> Result<Vec<RobotFrame>, PlantError> {
         let cell = &there.cell;
@@ -28,7 +69,10 @@ impl<'a> Looking<'a> {
         self.found.reasons.extend(speeds.refusal());
         self.found.warnings.extend(speeds.sentences());
         self.rest.speeds = speeds.records;
-        Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
+        let frames: Vec<RobotFrame> = watched.instants.into_iter().map(|instant| instant.frame).collect();
+        let found = cycle(&frames.iter().map(points).collect::<Vec<_>>());
+        self.found.cycle_s = self.found.cycle_s.or_else(|| found.map(|found| found.steps * cell.step_s));
+        Ok(frames)
     }
 
     /// Where somebody may be of whom the sensors report `first`: decides nothing but where the person stands, as the FMU gets the

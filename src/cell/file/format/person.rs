@@ -17,6 +17,17 @@ pub enum Sex {
     Man,
 }
 
+/// Where a scan has people begin.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PeopleFrom {
+    /// At the starts of the cell file.
+    #[default]
+    Start,
+    /// Anywhere that no sensor sees.
+    Anywhere,
+}
+
 /// The person.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -26,6 +37,9 @@ pub struct HumanTable {
     #[serde(default)]
     #[schemars(with = "Option<StartTable>")]
     pub start: Option<Spanned<StartTable>>,
+    /// Where a scan has people begin that is not told it: at the starts, or anywhere that no sensor sees (as with --from anywhere).
+    #[serde(default)]
+    pub from: PeopleFrom,
     /// Sex of the body measures.
     #[serde(default)]
     pub sex: Sex,
@@ -56,6 +70,11 @@ pub struct HumanTable {
     #[serde(default)]
     #[schemars(with = "Option<Vec<[f64; 2]>>")]
     pub floor_m: Option<Spanned<Vec<[f64; 2]>>>,
+    /// Floor from which people come in a scan from anywhere, over floor where no sensor sees them, whether before the FMU starts or
+    /// later: corners of a polygon in the floor plane, m, in order. Without it they come from outside.
+    #[serde(default)]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
+    pub start_region_m: Option<Spanned<Vec<[f64; 2]>>>,
     /// When the person begins, s after the FMU's own start; each is searched by itself, from every start. So a scan does
     /// not depend on where in its cycle the robot is. Until then the person stands at the start.
     #[serde(default = "at_once")]
