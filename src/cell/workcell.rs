@@ -51,7 +51,7 @@ pub struct Workcell {
     /// Corners of the floor that people may be on in a scan from anywhere, floor plan, m, if that is bounded.
     pub floor: Option<Vec<[f64; 2]>>,
     /// Where a scan has people begin that is not told it.
-    pub from: PeopleFrom,
+    pub from: Option<PeopleFrom>,
     /// Corners of the floor from which people come in a scan from anywhere, floor plan, m, if that is not the outside.
     pub start_region: Option<Vec<[f64; 2]>>,
     /// The person's start.

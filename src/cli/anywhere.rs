@@ -2,19 +2,22 @@
 
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use super::exit::Failure;
+use super::exit::{self, Failure};
 use super::output::{self, Format, Progress};
 use super::scan::{Run, file_name, introduce};
 use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
 use crate::report::anywhere::{Anywhere, Place};
+use crate::report::baseline::Baseline;
 use crate::report::floorplan;
 use crate::report::whole::Whole;
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
 use crate::scan::{Prepared, Scanned, picture};
 
+/// Where the results are kept beside those of a scan from the starts.
+const FOLDER: &str = "anywhere";
 /// Where the result is kept.
 const RESULT: &str = "anywhere.json";
 /// The floor as a picture.
@@ -24,19 +27,82 @@ const STEPS: u64 = 1000;
 
 /// The command.
 pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
-    let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
+    let Run { arguments, stop, .. } = *run;
     if let Some(reason) = refusal(prepared) {
         return Err(Failure::unusable(reason));
     }
     stopping::by_signals(stop);
     introduce(prepared, arguments.state);
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
-    std::fs::create_dir_all(&out)
-        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))?;
     // It is about none of the cell's beginnings.
     let baseline = run.baseline(prepared, None)?;
-    beginnings::forget(&out);
-    if let Some(time) = arguments.time() {
+    look(run, prepared, baseline.as_ref(), (&out, arguments.time()), false)
+}
+
+/// Before a scan from the starts: with half of its time, in a folder of its own within `out`. The exit code; nothing where nobody
+/// can be looked for anywhere, which is told.
+pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path) -> Result<Option<u8>, Failure> {
+    if let Some(reason) = refusal(prepared) {
+        output::note(&format!("   From    the cell's starts only: {reason}"));
+        return Ok(None);
+    }
+    let own = out.join(FOLDER);
+    if run.goes_on {
+        // Without the folder the first one was from the starts alone.
+        let code = ended(&own);
+        if code.is_some() || !own.is_dir() {
+            return Ok(code);
+        }
+    }
+    output::note(
+        "   From    anywhere that no sensor sees, first; then from the cell's start (--from start: that alone)",
+    );
+    if run.arguments.format == Format::Table {
+        output::result("\nFrom anywhere");
+    }
+    match look(run, prepared, None, (&own, run.arguments.time().map(|time| time / 2)), true) {
+        Ok(code) => Ok(Some(code)),
+        // What is wrong with the FMU the scan from the starts tells, too.
+        Err(failure) if failure.code() == exit::FMU_FAILED => {
+            output::warning(&format!("from anywhere nothing is known: {}", failure.text()));
+            Ok(None)
+        }
+        Err(failure) => Err(failure),
+    }
+}
+
+/// Results of a scan from anywhere that do not belong to the one that begins.
+pub(super) fn forget(out: &Path) {
+    for file in [RESULT, FLOOR] {
+        let _ = std::fs::remove_file(out.join(file));
+    }
+}
+
+/// The exit code of the scan from anywhere that ended in a folder, if one did.
+fn ended(out: &Path) -> Option<u8> {
+    let text = std::fs::read_to_string(out.join(RESULT)).ok()?;
+    let found: serde_json::Value = serde_json::from_str(&text).ok()?;
+    match found["verdict"].as_str()? {
+        "hazards_found" => Some(exit::HAZARDS),
+        "none_found" => Some(exit::NO_HAZARD),
+        "interrupted" => None,
+        _ => Some(exit::INCONCLUSIVE),
+    }
+}
+
+/// Looks, and writes the results; with others `beside`.
+fn look(
+    run: &Run<'_>,
+    prepared: &Prepared,
+    baseline: Option<&Baseline>,
+    (out, time): (&Path, Option<Duration>),
+    beside: bool,
+) -> Result<u8, Failure> {
+    let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
+    std::fs::create_dir_all(out)
+        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))?;
+    beginnings::forget(out);
+    if let Some(time) = time {
         stop.within(time);
     }
     stop.searching();
@@ -84,19 +150,20 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
     let json = output::pretty(&found)?;
     output::write_file(&out.join(RESULT), &json)?;
     output::write_file(&out.join(FLOOR), &floorplan::render(&Whole::from(&found), &picture::plan(prepared)))?;
-    places(&found, cell_path, &out)?;
+    places(&found, cell_path, out)?;
     let interrupted = stop.is_asked();
-    let (baseline, reproduce) = (baseline.as_ref(), &arguments.reproduce(path, &out, None, None));
+    let reproduce = &arguments.reproduce(path, out, None, None);
     let context =
         results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: Some(&found) };
-    results::write(&report, &context, &out)?;
-    results::write_run(prepared, rung, (did, remembered), reproduce, &out)?;
+    results::write(&report, &context, out)?;
+    results::write_run(prepared, rung, (did, remembered), reproduce, out)?;
     match arguments.format {
+        Format::Json if beside => {}
         Format::Json => output::json(&json),
         Format::Table => output::result(&format!("\n{}", found.render(&report, output::view()))),
     }
     found.warnings.iter().for_each(|warning| output::warning(warning));
-    run.conclude((prepared, &report, interrupted), baseline, &out)
+    run.conclude((prepared, &report, interrupted), baseline, out)
 }
 
 /// A cell file for each place, whose scan shows what happens there, too.

@@ -13,7 +13,7 @@ use super::exit::{self, Failure};
 use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
 pub(super) use super::scan_arguments::Arguments;
-use super::scan_arguments::StopAt;
+use super::scan_arguments::{From, StopAt};
 use super::{anywhere, beginnings, earlier, results, stopping};
 use crate::cell::file::validate::BASELINE;
 use crate::host::selftest::Rung;
@@ -66,20 +66,20 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let stop = Stop::default();
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
-    let from_anywhere = arguments.is_from_anywhere(&prepared.cell);
-    if let (true, Some(option)) = (from_anywhere, arguments.of_starts()) {
+    let from = arguments.people_from(&prepared.cell)?;
+    if let (From::Anywhere, Some(option)) = (from, arguments.of_starts()) {
         return Err(Failure::unusable_with_help(
             format!("{option} is for scans from the cell's starts, and this one is from anywhere"),
             "leave it out, or add --from start",
         ));
     }
-    if let (false, Some(_)) = (from_anywhere, arguments.until) {
+    if let (From::Start, Some(_)) = (from, arguments.until) {
         return Err(Failure::unusable_with_help(
             "--until is for scans from anywhere",
             "add --from anywhere; how long a scan from the cell's starts is says [search] actions in the cell file",
         ));
     }
-    if from_anywhere {
+    if from == From::Anywhere {
         let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several: false };
         return anywhere::run(&run, &prepared);
     }
@@ -106,6 +106,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let out = arguments.out.clone().unwrap_or_else(own);
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
+    anywhere::forget(&out);
     if let Some(command) = &command {
         command.write(&out)?;
     }
@@ -113,12 +114,20 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let journals = command.is_some();
     let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
     let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
+    let began = Instant::now();
+    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out)? } else { None };
+    if whole == Some(exit::INTERRUPTED) {
+        return Ok(exit::INTERRUPTED);
+    }
     let code = if several {
         run.all(&all, &baselines, &out, journals)?
     } else {
         beginnings::forget(&out);
         if let Some(time) = arguments.time() {
-            stop.within(time);
+            stop.within(time.saturating_sub(began.elapsed()));
+        }
+        if whole.is_some() && arguments.format == Format::Table {
+            output::result("\nFrom the cell's start");
         }
         run.one(&all[0], baselines[0].as_ref(), &out, journals)?.code
     };
@@ -129,7 +138,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
             resume::finished(&out);
         }
     }
-    Ok(code)
+    // Nobody hit from one start says nothing against somebody hit from elsewhere.
+    let hit_from_elsewhere = code != exit::INTERRUPTED && whole == Some(exit::HAZARDS);
+    Ok(if hit_from_elsewhere { exit::HAZARDS } else { code })
 }
 
 /// One run of the command.
@@ -140,7 +151,7 @@ pub(super) struct Run<'a> {
     pub(super) assessments: &'a Assessments,
     pub(super) stop: &'a Stop,
     /// Whether it goes on with an interrupted one.
-    goes_on: bool,
+    pub(super) goes_on: bool,
     /// Whether the cell is searched from several beginnings.
     several: bool,
 }

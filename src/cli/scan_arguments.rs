@@ -7,6 +7,7 @@ use std::time::Duration;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
+use super::exit::Failure;
 use super::hosting::HostingArguments;
 use super::output::Format;
 use crate::cell::Workcell;
@@ -36,7 +37,12 @@ pub(super) enum From {
     Start,
     /// Anywhere that no sensor sees, at any moment.
     Anywhere,
+    /// Anywhere first, then the cell's starts.
+    Both,
 }
+
+/// Where people begin, if neither the command line nor the cell file says it.
+const FROM: &str = "FMI_HAZARD_FROM";
 
 /// States of the FMU that a scan from anywhere steps from, unless told otherwise.
 const MOST_STATES: usize = 300_000;
@@ -87,7 +93,9 @@ pub(super) struct Arguments {
     /// each with its results in a folder of its own)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) begin: Option<u32>,
-    /// Where people begin (default: what the cell file says, else its starts)
+    /// Where people begin (default: what the cell file says, else FMI_HAZARD_FROM in the environment; else both, anywhere with half
+    /// of the time and results in a folder of its own; the starts alone where they are several, where known hazards are named, or
+    /// with options that only such scans have)
     #[arg(long, value_enum)]
     pub(super) from: Option<From>,
     /// From anywhere: how long after the start of the FMU, for instance 6s, or 2cycles of what the robots do while nobody comes
@@ -224,10 +232,17 @@ impl Arguments {
         if asked == ExhaustiveArguments::default().max_states { MOST_STATES } else { asked }
     }
 
-    /// Whether people come from anywhere in this cell.
-    pub(super) fn is_from_anywhere(&self, cell: &Workcell) -> bool {
-        let asked = self.from.map(|from| from == From::Anywhere);
-        asked.unwrap_or(cell.from == PeopleFrom::Anywhere)
+    /// Where people come from in this cell.
+    pub(super) fn people_from(&self, cell: &Workcell) -> Result<From, Failure> {
+        let said = cell.from.map(|from| match from {
+            PeopleFrom::Start => From::Start,
+            PeopleFrom::Anywhere => From::Anywhere,
+            PeopleFrom::Both => From::Both,
+        });
+        let known = self.baseline.is_some() || self.write_baseline || cell.baseline.is_some();
+        let alone = known || cell.beginnings.len() > 1 || self.of_starts().is_some() || self.format == Format::Json;
+        let usual = || Ok(if alone { From::Start } else { From::Both });
+        self.from.or(said).map_or_else(|| from_environment()?.map_or_else(usual, Ok), Ok)
     }
 
     /// An option that only a scan from the cell's starts has.
@@ -239,7 +254,6 @@ impl Arguments {
             ("--iterations", self.iterations.is_some()),
             ("--stop-at", self.stop_at != StopAt::default()),
             ("--paper-iterations", self.paper_iterations),
-            ("--no-advice", self.no_advice),
         ];
         given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
     }
@@ -357,6 +371,17 @@ fn short(time: Duration) -> String {
 
 /// Time of `auto`.
 const AUTO_TIME: Duration = Duration::from_secs(600);
+
+/// What the environment says.
+fn from_environment() -> Result<Option<From>, Failure> {
+    let Some(said) = std::env::var_os(FROM) else { return Ok(None) };
+    From::from_str(&said.to_string_lossy(), true).map(Some).map_err(|_| {
+        Failure::unusable_with_help(
+            format!("{FROM} is {} in the environment", said.display()),
+            "it may be start, anywhere or both",
+        )
+    })
+}
 
 /// When a scan from anywhere ends.
 fn until(text: &str) -> Result<Until, String> {

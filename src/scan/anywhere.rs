@@ -37,8 +37,8 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 /// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
 const MOST_TWO_HAND: usize = 3;
 
-/// Steps for which somebody stays of whom the FMU is asked what its sensors report.
-const LONGEST_TOLD: usize = 1;
+/// So long somebody stays at most of whom the FMU is asked what its sensors report, s: they may tell late.
+const LONGEST_TOLD_S: f64 = 0.3;
 /// So much floor around what robots reach is looked at, m, where sensors inside the FMU may see people beyond it: they come over its
 /// edge, seen just then or long before.
 const AROUND_M: f64 = 2.0;

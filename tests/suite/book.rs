@@ -80,6 +80,8 @@ impl Reader {
     fn run(&mut self, script: &str, preload: Option<&str>) -> (i32, String) {
         let mut shell = Command::new("bash");
         shell.args(["-euc", script]).current_dir(self.dir.path()).env("PATH", &self.path).env("NO_COLOR", "1");
+        // What people who come from anywhere do is looked at where a page says so: all of it here would take hours.
+        shell.env("FMI_HAZARD_FROM", "start");
         if let Some(library) = preload {
             shell.env("LD_PRELOAD", library);
         }

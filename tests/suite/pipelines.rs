@@ -16,7 +16,13 @@ fn docs() -> PathBuf {
 fn shell(dir: &Path, line: &str) -> Output {
     let own = Path::new(env!("CARGO_BIN_EXE_fmi-hazard")).parent().unwrap();
     let path = format!("{}:{}", own.display(), std::env::var("PATH").unwrap());
-    Command::new("sh").args(["-ec", line]).current_dir(dir).env("PATH", path).output().unwrap()
+    Command::new("sh")
+        .args(["-ec", line])
+        .current_dir(dir)
+        .env("PATH", path)
+        .env("FMI_HAZARD_FROM", "start")
+        .output()
+        .unwrap()
 }
 
 fn said(output: &Output) -> String {

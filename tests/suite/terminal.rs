@@ -65,7 +65,7 @@ fn on_a_terminal(dir: &Path, arguments: &[&str], no_color: bool) -> String {
     let words = [&[env!("CARGO_BIN_EXE_fmi-hazard")], arguments].concat();
     let mut command = Command::new("script");
     command.args(["--quiet", "--return", "--command", &words.join(" "), "/dev/null"]).current_dir(dir);
-    command.env("TERM", "xterm").env_remove("NO_COLOR").stdin(Stdio::null());
+    command.env("TERM", "xterm").env("FMI_HAZARD_FROM", "start").env_remove("NO_COLOR").stdin(Stdio::null());
     if no_color {
         command.env("NO_COLOR", "1");
     }

@@ -49,6 +49,13 @@ impl Guarded {
         self.distance() < self.reals[vr::FIELD_RADIUS]
     }
 
+    /// Whether a demand has lasted for as long as it has to.
+    fn counts(&self) -> bool {
+        #[expect(clippy::cast_precision_loss, reason = "some seconds")]
+        let lasting = self.lasting as f64;
+        lasting > milliseconds(self.reals[vr::TAU])
+    }
+
     /// Reads what `write` wrote.
     pub fn read(input: &mut Reader) -> Option<Self> {
         let mut model = Self::new();
@@ -69,6 +76,7 @@ impl Guarded {
             vr::MUTING => Value::Boolean(self.muting),
             vr::CLEAR => Value::Boolean(self.clear),
             vr::OCCUPIED => Value::Boolean(self.occupied()),
+            vr::COUNTS => Value::Boolean(self.counts()),
             vr::Q => Value::Real(self.reals[vr::SPEED] * self.drive.programme_time(&settings)),
             vr::QD => Value::Real(self.reals[vr::SPEED] * self.drive.pace(&settings)),
             real => Value::Real(self.reals[real]),
@@ -78,15 +86,19 @@ impl Guarded {
     fn millisecond(&mut self) {
         let demanded = !self.clear || self.occupied();
         self.lasting = if demanded { self.lasting.saturating_add(1) } else { 0 };
-        let milliseconds = |seconds: f64| seconds * 1000.0 - 1e-9;
         #[expect(clippy::cast_precision_loss, reason = "some seconds")]
-        let [now, lasting] = [self.tick, self.lasting].map(|ticks| ticks as f64);
+        let now = self.tick as f64;
         let muted = self.muting && now < milliseconds(self.reals[vr::HOLD_TIME]);
-        let stop = demanded && !muted && lasting > milliseconds(self.reals[vr::TAU]);
+        let stop = demanded && !muted && self.counts();
         let slow = self.distance() < self.reals[vr::SSM_DISTANCE];
         self.drive.advance(1, Demands { stop, slow, reset: false }, &self.settings());
         self.tick = self.tick.saturating_add(1);
     }
+}
+
+/// A little less, so that whole milliseconds are.
+fn milliseconds(seconds: f64) -> f64 {
+    seconds * 1000.0 - 1e-9
 }
 
 impl Model for Guarded {

@@ -202,6 +202,7 @@ mod tests {
             (guarded::vr::Q, "q"),
             (guarded::vr::QD, "qd"),
             (guarded::vr::OCCUPIED, "field.occupied"),
+            (guarded::vr::COUNTS, "demand.counts"),
         ] {
             assert_eq!(guarded.variables[place].name, name);
         }

@@ -21,6 +21,7 @@ pub mod vr {
     pub const Q: usize = 12;
     pub const QD: usize = 13;
     pub const OCCUPIED: usize = 14;
+    pub const COUNTS: usize = 15;
 }
 
 fn variables() -> Vec<Variable> {
@@ -58,6 +59,12 @@ fn variables() -> Vec<Variable> {
         Variable::new("q", "Angle of the bar", Output, Kind::real("rad")),
         Variable::new("qd", "Speed of the bar", Output, Kind::real("rad/s")),
         Variable::new("field.occupied", "Whether a person is in the field", Output, Kind::Boolean { start: false }),
+        Variable::new(
+            "demand.counts",
+            "Whether a demand has lasted long enough",
+            Output,
+            Kind::Boolean { start: false },
+        ),
     ]
 }
 

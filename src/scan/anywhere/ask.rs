@@ -3,7 +3,7 @@
 
 use super::alike::Kind;
 use super::cycle::{cycle, points};
-use super::{AROUND_M, LONGEST_TOLD, Looking, Tell, Told, Until, two_hand};
+use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
@@ -111,7 +111,9 @@ impl<'a> Looking<'a> {
     /// Ready to ask the FMU what its sensors report of people.
     fn asking<'b>(&self, there: &'b Prepared, footing: Footing) -> Result<Asking<'b, Hosted>, PlantError> {
         let saves = matches!(footing.policy(there), Policy::States { .. });
-        Asking::new(footing.plant(there), &there.cell, &there.binding, LONGEST_TOLD, saves)
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some steps")]
+        let steps = (LONGEST_TOLD_S / there.cell.step_s).ceil().max(1.0) as usize;
+        Asking::new(footing.plant(there), &there.cell, &there.binding, steps, saves)
     }
 
     /// The search, with what sensors inside the FMU report, if it is told where people are; nothing if it was told to end, or if
@@ -132,6 +134,7 @@ impl<'a> Looking<'a> {
         }
         let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
         let mut asking = self.asking(there, footing)?;
+        asking.settle(search.floor())?;
         let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
         let Some(told) = told else {
             if self.goes_on(tell) {
@@ -139,7 +142,7 @@ impl<'a> Looking<'a> {
             }
             return Ok(None);
         };
-        self.found.spent.fmu_steps += told.asked * LONGEST_TOLD as u64;
+        self.found.spent.fmu_steps += told.asked * asking.steps() as u64;
         Ok(Some((search.with(told.clone()), Some(told))))
     }
 

@@ -23,6 +23,9 @@ pub const ARCS: u32 = 16;
 const COARSE: usize = 4;
 /// Most different things that may be reported together.
 const MOST_KINDS: usize = 32;
+/// How far apart people are, m, and how many ways they look, of whom is asked how late sensors tell.
+const COARSEST_M: f64 = 0.3;
+const COARSEST_HEADINGS: u32 = 4;
 
 /// A person somewhere, upright.
 pub type Stance = ([f64; 2], f64);
@@ -95,6 +98,37 @@ impl<'a, P: Plant> Asking<'a, P> {
             sensors.map(reads).collect()
         };
         Ok(rows.chunks(self.plant.output_count()).map(told).collect())
+    }
+
+    /// From now on people stay for as many steps as it takes until what is reported of somebody who stays stays the same: sensors may
+    /// tell late. Seen from people on a coarse lattice of the floor, for as many steps as people have stayed so far.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn settle(&mut self, floor: &Floor) -> Result<(), PlantError> {
+        let [columns, rows] = floor.size();
+        let every = (COARSEST_M / floor.cell_m()) as usize;
+        let mut longest = 1;
+        for (row, column) in (0..rows).step_by(every).flat_map(|row| (0..columns).step_by(every).map(move |c| (row, c)))
+        {
+            if !floor.is_open(row * columns + column) {
+                continue;
+            }
+            for heading in 0..COARSEST_HEADINGS {
+                let reports = self
+                    .reports((floor.corner((column, row)), f64::from(heading) * TAU / f64::from(COARSEST_HEADINGS)))?;
+                let same = reports.iter().rev().take_while(|report| Some(*report) == reports.last()).count();
+                longest = longest.max(reports.len() + 1 - same);
+            }
+        }
+        self.steps = longest;
+        Ok(())
+    }
+
+    /// For how many steps people stay.
+    #[must_use]
+    pub const fn steps(&self) -> usize {
+        self.steps
     }
 
     /// The kind of what is reported in the end; `None` if there are too many.

@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use tempfile::TempDir;
 
-/// The command under test, in `dir`.
+/// The command under test, in `dir`. Scans that say nothing else are from the cell's starts alone.
 pub fn fmi_hazard(dir: &Path) -> Command {
     let mut command = Command::cargo_bin("fmi-hazard").expect("the binary is built");
-    command.current_dir(dir).env("NO_COLOR", "1");
+    command.current_dir(dir).env("NO_COLOR", "1").env("FMI_HAZARD_FROM", "start");
     command
 }
 

@@ -18,14 +18,15 @@ pub enum Sex {
 }
 
 /// Where a scan has people begin.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PeopleFrom {
     /// At the starts of the cell file.
-    #[default]
     Start,
     /// Anywhere that no sensor sees.
     Anywhere,
+    /// Anywhere first, then at the starts.
+    Both,
 }
 
 /// The person.
@@ -37,9 +38,9 @@ pub struct HumanTable {
     #[serde(default)]
     #[schemars(with = "Option<StartTable>")]
     pub start: Option<Spanned<StartTable>>,
-    /// Where a scan has people begin that is not told it: at the starts, or anywhere that no sensor sees (as with --from anywhere).
+    /// Where a scan has people begin that is not told it (as with --from): at the starts, anywhere that no sensor sees, or both.
     #[serde(default)]
-    pub from: PeopleFrom,
+    pub from: Option<PeopleFrom>,
     /// Sex of the body measures.
     #[serde(default)]
     pub sex: Sex,
