@@ -107,7 +107,8 @@ impl<'a, P: Plant> Asking<'a, P> {
     /// When the FMU fails.
     pub fn settle(&mut self, floor: &Floor) -> Result<(), PlantError> {
         let [columns, rows] = floor.size();
-        let every = (COARSEST_M / floor.cell_m()) as usize;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten cells")]
+        let every = (COARSEST_M / floor.cell_m()).max(1.0) as usize;
         let mut longest = 1;
         for (row, column) in (0..rows).step_by(every).flat_map(|row| (0..columns).step_by(every).map(move |c| (row, c)))
         {
