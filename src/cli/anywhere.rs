@@ -20,6 +20,8 @@ use crate::scan::{Prepared, Scanned, picture};
 const FOLDER: &str = "anywhere";
 /// Where the result is kept.
 const RESULT: &str = "anywhere.json";
+/// There as long as the scan has not ended: what is in the folder is what was known when it was interrupted.
+const UNFINISHED: &str = "unfinished";
 /// The floor as a picture.
 const FLOOR: &str = "floor.svg";
 /// Steps of the progress bar.
@@ -60,7 +62,15 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path) -> Result<Op
     if run.arguments.format == Format::Table {
         output::result("\nFrom anywhere");
     }
-    match look(run, prepared, None, (&own, run.arguments.time().map(|time| time / 2)), true) {
+    let unfinished = own.join(UNFINISHED);
+    std::fs::create_dir_all(&own)
+        .and_then(|()| std::fs::write(&unfinished, ""))
+        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", own.display())))?;
+    let looked = look(run, prepared, None, (&own, run.arguments.time().map(|time| time / 2)), true);
+    if !matches!(looked, Ok(exit::INTERRUPTED)) {
+        let _ = std::fs::remove_file(unfinished);
+    }
+    match looked {
         Ok(code) => Ok(Some(code)),
         // What is wrong with the FMU the scan from the starts tells, too.
         Err(failure) if failure.code() == exit::FMU_FAILED => {
@@ -80,6 +90,9 @@ pub(super) fn forget(out: &Path) {
 
 /// The exit code of the scan from anywhere that ended in a folder, if one did.
 fn ended(out: &Path) -> Option<u8> {
+    if out.join(UNFINISHED).exists() {
+        return None;
+    }
     let text = std::fs::read_to_string(out.join(RESULT)).ok()?;
     let found: serde_json::Value = serde_json::from_str(&text).ok()?;
     match found["verdict"].as_str()? {

@@ -117,6 +117,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let began = Instant::now();
     let whole = if from == From::Both { anywhere::first(&run, &prepared, &out)? } else { None };
     if whole == Some(exit::INTERRUPTED) {
+        output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         return Ok(exit::INTERRUPTED);
     }
     let code = if several {

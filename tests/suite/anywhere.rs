@@ -412,6 +412,14 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
         (&anywhere["settings"]["strategy"], &anywhere["verdict"]),
         (&"anywhere".into(), &"hazards_found".into())
     );
+    // Interrupted before the first has ended, it goes on with that.
+    write(dir, "out/anywhere/anywhere/unfinished", "");
+    let before = std::fs::read(dir.join("out/anywhere/anywhere/anywhere.json")).unwrap();
+    std::fs::write(dir.join("out/anywhere/anywhere/anywhere.json"), "{}").unwrap();
+    let resume = serde_json::json!({ "folder": "../..", "arguments": ["cell.toml", "--until", "1s"] });
+    write(dir, "out/anywhere/resume.json", &resume.to_string());
+    ran(&["scan", "--resume", "out/anywhere"], 1);
+    assert!(std::fs::read(dir.join("out/anywhere/anywhere/anywhere.json")).unwrap() == before);
     // What only a scan from the start has is of that alone.
     ran(&["scan", "cell.toml", "--iterations", "3"], 0);
     ran(&["scan", "cell.toml", "--from", "start"], 0);

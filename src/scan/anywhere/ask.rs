@@ -134,7 +134,9 @@ impl<'a> Looking<'a> {
         }
         let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
         let mut asking = self.asking(there, footing)?;
-        asking.settle(search.floor())?;
+        if !asking.settle(search.floor(), &mut || tell(Told::Asked(0.0)).is_continue())? {
+            return Ok(None);
+        }
         let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
         let Some(told) = told else {
             if self.goes_on(tell) {

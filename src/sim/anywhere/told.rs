@@ -101,11 +101,12 @@ impl<'a, P: Plant> Asking<'a, P> {
     }
 
     /// From now on people stay for as many steps as it takes until what is reported of somebody who stays stays the same: sensors may
-    /// tell late. Seen from people on a coarse lattice of the floor, for as many steps as people have stayed so far.
+    /// tell late. Seen from people on a coarse lattice of the floor, for as many steps as people have stayed so far. `false` if it was told
+    /// to end.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn settle(&mut self, floor: &Floor) -> Result<(), PlantError> {
+    pub fn settle(&mut self, floor: &Floor, goes_on: &mut dyn FnMut() -> bool) -> Result<bool, PlantError> {
         let [columns, rows] = floor.size();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten cells")]
         let every = (COARSEST_M / floor.cell_m()).max(1.0) as usize;
@@ -115,6 +116,9 @@ impl<'a, P: Plant> Asking<'a, P> {
             if !floor.is_open(row * columns + column) {
                 continue;
             }
+            if !goes_on() {
+                return Ok(false);
+            }
             for heading in 0..COARSEST_HEADINGS {
                 let reports = self
                     .reports((floor.corner((column, row)), f64::from(heading) * TAU / f64::from(COARSEST_HEADINGS)))?;
@@ -123,7 +127,7 @@ impl<'a, P: Plant> Asking<'a, P> {
             }
         }
         self.steps = longest;
-        Ok(())
+        Ok(true)
     }
 
     /// For how many steps people stay.
