@@ -63,9 +63,10 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path) -> Result<Op
         output::result("\nFrom anywhere");
     }
     let unfinished = own.join(UNFINISHED);
-    std::fs::create_dir_all(&own)
-        .and_then(|()| std::fs::write(&unfinished, ""))
-        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", own.display())))?;
+    make(&own)?;
+    // What an earlier scan left there is no result of this one, should it fail.
+    forget(&own);
+    output::write_file(&unfinished, "")?;
     let looked = look(run, prepared, None, (&own, run.arguments.time().map(|time| time / 2)), true);
     if !matches!(looked, Ok(exit::INTERRUPTED)) {
         let _ = std::fs::remove_file(unfinished);
@@ -103,6 +104,11 @@ fn ended(out: &Path) -> Option<u8> {
     }
 }
 
+fn make(out: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(out)
+        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))
+}
+
 /// Looks, and writes the results; with others `beside`.
 fn look(
     run: &Run<'_>,
@@ -112,8 +118,7 @@ fn look(
     beside: bool,
 ) -> Result<u8, Failure> {
     let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
-    std::fs::create_dir_all(out)
-        .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))?;
+    make(out)?;
     beginnings::forget(out);
     if let Some(time) = time {
         stop.within(time);

@@ -15,14 +15,13 @@ instance repeats. The exit code is then 1. Told as well is how far beyond hazard
 Arms are not looked at: choose cells in which no arm can be hit too hard, or read only what is missed.
 """
 
-import argparse
 import sys
 import time
 from pathlib import Path
 
 import numpy as np
 
-from toy import BENDS, STEP_S, WAY, Cell, Chain, Fmu, Person, Told, scan, surely_hit
+from toy import BENDS, STEP_S, WAY, Cell, Chain, Fmu, Person, Told, arguments, scan, surely_hit
 
 
 class Grid:
@@ -188,16 +187,10 @@ def tightness(grid, harmful, told):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("binary")
-    parser.add_argument("folder")
-    parser.add_argument("cell")
-    parser.add_argument("until_s", type=float)
+    parser = arguments(__doc__)
     parser.add_argument("--grid-mm", type=float, default=8)
     parser.add_argument("--headings", type=int, default=16)
     parser.add_argument("--half-m", type=float, default=2.0, help="the grid reaches so far from the origin")
-    parser.add_argument("--bends", action="store_true", help="all six postures; not in cells with walls")
-    parser.add_argument("--told", help="an anywhere.json that is there already")
     given = parser.parse_args()
     cell = Cell(given.cell)
     assert not (given.bends and cell.walls)

@@ -9,6 +9,7 @@ Only small cells can be read: one robot of joints in a row, links of one capsule
 and reach from the floor to above the head, a median man.
 """
 
+import argparse
 import json
 import shutil
 import subprocess
@@ -367,6 +368,18 @@ class Told:
         for at in self.all:
             held |= np.abs(places - at).max(-1) <= self.half + 1e-9
         return held
+
+
+def arguments(about):
+    """What both scripts are given; they add their own."""
+    parser = argparse.ArgumentParser(description=about.split("\n")[0])
+    parser.add_argument("binary")
+    parser.add_argument("folder")
+    parser.add_argument("cell")
+    parser.add_argument("until_s", type=float)
+    parser.add_argument("--bends", action="store_true", help="all six postures; not in cells with walls")
+    parser.add_argument("--told", help="an anywhere.json that is there already")
+    return parser
 
 
 def scan(binary, cell, until_s, out, more=()):

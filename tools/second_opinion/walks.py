@@ -20,7 +20,6 @@ Each pose of trunk, head and legs in which somebody is hit too hard must lie in 
 the person: without them nothing was tested.
 """
 
-import argparse
 import sys
 import time
 from pathlib import Path
@@ -28,7 +27,7 @@ from pathlib import Path
 import numpy as np
 
 from brute import Grid, fastest
-from toy import BENDS, STEP_S, WAY, Cell, Chain, Fmu, Person, Told, scan, surely_hit
+from toy import BENDS, STEP_S, WAY, Cell, Chain, Fmu, Person, Told, arguments, scan, surely_hit
 
 KINDS = ["wander", "rush", "in-out", "edge", "keen", "guided"]
 BATCH = 20_000
@@ -108,15 +107,9 @@ class Walkers:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("binary")
-    parser.add_argument("folder")
-    parser.add_argument("cell")
-    parser.add_argument("until_s", type=float)
+    parser = arguments(__doc__)
     parser.add_argument("--walks", type=int, default=100_000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--bends", action="store_true", help="all six postures; not in cells with walls")
-    parser.add_argument("--told", help="an anywhere.json that is there already")
     given = parser.parse_args()
     cell = Cell(given.cell)
     assert not (given.bends and cell.walls)
