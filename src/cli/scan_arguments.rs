@@ -296,6 +296,10 @@ impl Arguments {
             add("--begin", Some(number.to_string()));
         }
         if let Some(options) = options {
+            // The cell file may say otherwise.
+            if self.from == Some(From::Start) {
+                add("--from", Some("start".to_owned()));
+            }
             let strategy = self.strategy.to_possible_value().map(|value| value.get_name().to_owned());
             add("--strategy", strategy);
             add("--seed", Some(options.seed.to_string()));

@@ -44,6 +44,8 @@ const LONGEST_TOLD_S: f64 = 0.3;
 const AROUND_M: f64 = 2.0;
 /// Of what is tried out at random.
 const SEED: u64 = 1;
+/// Why a search did not end.
+const STOPPED: &str = "it was stopped, or its time was up";
 /// Open places that are told.
 const MOST_OPEN: usize = 10_000;
 
@@ -171,9 +173,16 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         met: Vec::new(),
     };
     let kinds = unseen(prepared);
-    match looking.horizon(&kinds[0]).map_err(|cause| ScanError { cause })? {
-        Some(until_s) => (looking.found.until_s, looking.found.span_s) = (until_s, map::span_s(until_s, cell.step_s)),
-        None => return Ok(looking.conclude()),
+    match looking.horizon(&kinds[0]) {
+        Ok(Some(until_s)) => {
+            (looking.found.until_s, looking.found.span_s) = (until_s, map::span_s(until_s, cell.step_s));
+        }
+        Ok(None) => return Ok(looking.conclude()),
+        Err(error) if error.stopped => {
+            looking.found.reasons.push(STOPPED.to_owned());
+            return Ok(looking.conclude());
+        }
+        Err(cause) => return Err(ScanError { cause }),
     }
     for first in kinds {
         let goes_on = match looking.from(&first, tell) {
@@ -181,7 +190,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
             outcome => outcome.map_err(|cause| ScanError { cause })?,
         };
         if !goes_on {
-            looking.found.reasons.push("it was stopped, or its time was up".to_owned());
+            looking.found.reasons.push(STOPPED.to_owned());
             break;
         }
     }
