@@ -98,6 +98,7 @@ fn branch_and_bound(scene: &Scene, side: Side) -> bool {
         world_from_shoulder: scene.shoulder,
         carried_m: 0.0,
         hangs_from: None,
+        known: None,
         links: &scene.links,
         obstacles: &scene.obstacles,
         score: &Any,

@@ -6,12 +6,13 @@
 //!
 //! - [`shape`]: capsules and boxes; [`distance`], [`segment_cuboid`], [`triangle`], [`polygon`]: closed forms for them
 //! - [`solid`]: a robot link where it stands: a capsule, a [`hull`] or a [`mesh`], which is a closed [`surface`]
-//! - [`boxes`]: a surface as boxes that lie in it, for obstacles
+//! - [`boxes`]: a surface as boxes that lie in it, for obstacles; [`joined`]: walls that adjoin
 //! - [`kinematics`]: where links are, and how fast
 
 pub mod boxes;
 pub mod distance;
 pub mod hull;
+pub mod joined;
 pub mod kinematics;
 pub mod mesh;
 pub mod polygon;

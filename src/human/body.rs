@@ -238,10 +238,17 @@ impl Body {
     /// every posture.
     #[must_use]
     pub fn reach_from_one_metre(&self, arm_reach_m: f64) -> f64 {
-        let hip = self.scale * HIP_PIVOT;
-        let shoulder = self.scale * Vec3::new(0.0, SHOULDER_OUT, SHOULDER_UP).length();
-        let trunk = (hip - 1.0).abs() + self.trunk_radius().max(shoulder + arm_reach_m);
+        let (hip, reach) = self.reach_from_hip(arm_reach_m);
+        let trunk = (hip - 1.0).abs() + self.trunk_radius().max(reach);
         trunk.max(self.farthest(Vec3::Z, |part| !part.is_trunk()))
+    }
+
+    /// The height of the hip pivot above the feet, and how long the way from there to the end of an arm `arm_reach_m` long is at
+    /// most, past the shoulder, m.
+    #[must_use]
+    pub fn reach_from_hip(&self, arm_reach_m: f64) -> (f64, f64) {
+        let shoulder = self.scale * Vec3::new(0.0, SHOULDER_OUT, SHOULDER_UP).length();
+        (self.scale * HIP_PIVOT, shoulder + arm_reach_m)
     }
 
     /// Radius of a sphere around the hip pivot that holds the trunk in every posture, m.

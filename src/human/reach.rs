@@ -23,6 +23,7 @@ mod obstructed;
 mod sweep;
 
 use self::barrier::{Barrier, Region};
+use self::cells::ArmCells;
 use self::joint_box::JointBox;
 use self::movement::{Frame, Limb, Movement, NearestMoves, Placed, Share};
 use self::obstructed::{crosses, ends_inside};
@@ -78,6 +79,9 @@ pub struct ReachQuery<'a, S: ContactScore> {
     /// Where the shoulder hangs from: in every frame that the answer is about the line from there to it is free of these
     /// obstacles, and nothing of it is carried farther. Nothing if that is not known.
     pub hangs_from: Option<(Vec3, &'a [Cuboid])>,
+    /// Where joints of an arm may be that touches any of the links, between the obstacles or some of them; it settles most of what is
+    /// out of reach behind these sooner. Nothing if that is not known.
+    pub known: Option<&'a ArmCells>,
     /// Robot links, world; those of several instants one after the other, to settle them in one search.
     pub links: &'a [Solid],
     /// Obstacles, world.
@@ -133,6 +137,9 @@ pub struct Reach {
 
 /// Boxes between two looks at whether the search has to end.
 const LOOK: u32 = 64;
+
+/// What is known of joints is asked for where they stay within this of a point, m: more room is hardly ever without any.
+const KNOWN_WITHIN_M: f64 = 0.15;
 
 /// A score this much above the best known is not looked for any more.
 const SLACK: f64 = 1.05;
@@ -338,6 +345,9 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
         let arm = self.query.arm;
         let movement = Movement::of(arm, b, placed, self.frame, self.query.carried_m);
+        if self.is_known_beyond_elbow(placed, &movement) {
+            open.beyond_elbow.clear();
+        }
         settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
         let beyond_elbow = !open.beyond_elbow.is_empty();
         if !beyond_elbow {
@@ -363,6 +373,12 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let next = (wrist.max(elbow) > fine).then_some(movement.widest_joint);
         self.unsettled |= next.is_none() && self.query.carried_m > 0.0;
         next
+    }
+
+    /// Whether forearm and hand are known to touch nothing in the box, from wherever the elbow may be in it.
+    fn is_known_beyond_elbow(&self, placed: &Placed, movement: &Movement) -> bool {
+        movement.elbow <= KNOWN_WITHIN_M
+            && self.query.known.is_some_and(|known| !known.may_touch_from_elbow(placed.elbow, movement.elbow))
     }
 
     /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.

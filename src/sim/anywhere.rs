@@ -36,6 +36,7 @@ use super::encounter::Encounter;
 use super::robot::RobotFrame;
 use super::sensors::{self, sees};
 use crate::cell::{Sensor, Workcell, Zone};
+use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
@@ -202,7 +203,8 @@ impl<'a> Anywhere<'a> {
         around_m: f64,
         stop: Stop,
     ) -> Self {
-        let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+        let obstacles = merged(&cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect::<Vec<_>>());
+        let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = ArmModel::default();
         let reach_m = cell.body.reach_from_one_metre(arm.reach());
         let mut bounds: ([f64; 2], [f64; 2]) = ([-1.0; 2], [1.0; 2]);
@@ -510,10 +512,16 @@ impl<'a> Anywhere<'a> {
         boxes
     }
 
-    /// Planes that nobody's arm passes while their sensors are clear.
+    /// What else than obstacles nobody's arm passes: planes while their sensors are clear, and what they are together with what they
+    /// adjoin.
     fn walls(&self, history: &History) -> Vec<Cuboid> {
         let is_clear = |c: &&Curtain| history.readings[c.sensor] == Some(false);
-        self.curtains.iter().filter(is_clear).map(Curtain::unbroken).collect()
+        let planes = self.curtains.iter().filter(is_clear).map(Curtain::unbroken);
+        let planes: Vec<Cuboid> = planes.collect();
+        let with =
+            |plane: &Cuboid| self.encounter.obstacles.iter().filter_map(|o| joined_two(plane, o)).collect::<Vec<_>>();
+        let together: Vec<Cuboid> = planes.iter().flat_map(with).collect();
+        [planes, together].concat()
     }
 }
 

@@ -150,6 +150,8 @@ pub struct Closed {
     along: [f64; 2],
     /// Its top above the floor, m.
     top: f64,
+    /// Its lower edge above the floor, m, where there is room below.
+    low: Option<f64>,
 }
 
 /// Guarding that begins no farther than this from a curtain's end closes it: an arm does not fit through, m.
@@ -161,7 +163,7 @@ impl Closed {
     pub fn new(plane: &Cuboid, obstacles: &[Cuboid]) -> Self {
         let mut along = [-plane.half.x, plane.half.x];
         let (low, top) = (plane.centre.z - plane.half.z, plane.centre.z + plane.half.z);
-        let spans: Vec<[f64; 2]> = obstacles.iter().filter_map(|o| span(plane, o, low, top)).collect();
+        let spans: Vec<[f64; 2]> = obstacles.iter().filter_map(|o| span(plane, o, [low, top])).collect();
         // Each pass may join one more piece at either end.
         for _ in 0..=spans.len() {
             for [from, to] in &spans {
@@ -173,12 +175,16 @@ impl Closed {
                 }
             }
         }
-        Self { plane: *plane, along, top }
+        let mut below: Vec<[f64; 2]> = obstacles.iter().filter_map(|o| span(plane, o, [0.0, low - GAP_M])).collect();
+        below.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let closed_to = |end: f64, [from, to]: &[f64; 2]| if *from <= end + GAP_M { end.max(*to) } else { end };
+        let has_room_below = low > GAP_M && below.iter().fold(along[0], closed_to) < along[1] - GAP_M;
+        Self { plane: *plane, along, top, low: has_room_below.then_some(low) }
     }
 
-    /// Whether an arm of this reach is too short to lead from `shoulder` around the rectangle's ends or over its top to
-    /// `shape`: by the lengths from the shoulder to each edge and on from there, which no arm undercuts. Below, the
-    /// curtain is taken to leave no room; a shoulder behind the plane is not answered.
+    /// Whether an arm of this reach is too short to lead from `shoulder` around the rectangle's ends, over its top or below it to
+    /// `shape`: by the lengths from the shoulder to each edge and on from there, which no arm undercuts. A shoulder behind
+    /// the plane is not answered.
     #[must_use]
     pub fn out_of_reach(&self, shoulder: Vec3, reach: f64, shape: &Solid) -> bool {
         let (axis, up) = (self.plane.rotation * Vec3::X, Vec3::Z);
@@ -186,12 +192,13 @@ impl Closed {
         let corner = |end: f64, z: f64| floor + axis * end + up * z;
         let [left, right] = self.along;
         // Edges are lines; both ends go up as far as any arm.
+        let level = |z: f64| (corner(left, z), corner(right, z));
         let edges = [
-            (corner(left, self.top), corner(right, self.top)),
+            level(self.top),
             (corner(left, 0.0), corner(left, 2.0 * BEYOND_M)),
             (corner(right, 0.0), corner(right, 2.0 * BEYOND_M)),
         ];
-        edges.iter().all(|&(a, b)| {
+        edges.into_iter().chain(self.low.map(level)).all(|(a, b)| {
             let to_edge = point_segment(shoulder, a, b).distance;
             to_edge + shape.segment_distance(a, b).distance.max(0.0) > reach
         })
@@ -200,7 +207,7 @@ impl Closed {
 
 /// The part of a curtain's plane, along it, that an obstacle closes from `low` to `top`; only for boxes that stand
 /// square to the plane.
-fn span(plane: &Cuboid, obstacle: &Cuboid, low: f64, top: f64) -> Option<[f64; 2]> {
+fn span(plane: &Cuboid, obstacle: &Cuboid, [low, top]: [f64; 2]) -> Option<[f64; 2]> {
     let turned = plane.rotation.inverse() * obstacle.rotation;
     let extent = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| {
         let parts = (turned.inverse() * axis).abs();
@@ -277,6 +284,26 @@ mod tests {
         let shoulder = Vec3::new(0.0, -0.3, 1.4);
         assert!(closed.out_of_reach(shoulder, 0.899, &ball));
         assert!(!closed.out_of_reach(shoulder, 0.901, &ball));
+        // From (0, -0.3, 0.9), bent, below an edge at 0.5: 0.5 m, then 0.424 m on to a ball 0.3 m behind at 0.2, less 0.1 m.
+        let down = |low: f64| Cuboid { half: plane.half.with_z(0.5 * (1.8 - low)), ..upright(-0.5, 0.5, 1.8 + low) };
+        let ends = [next, left, upright(0.5, 1.5, 2.0)];
+        let ball_below = Solid::Capsule(crate::geometry::Capsule {
+            a: Vec3::new(0.0, 0.3, 0.2),
+            b: Vec3::new(0.0, 0.3, 0.2),
+            radius: 0.1,
+        });
+        let bent = Vec3::new(0.0, -0.3, 0.9);
+        for (what, low, others, is_out) in [
+            ("room below", 0.5, vec![], [true, false]),
+            ("down to the floor", 0.0, vec![], [true, true]),
+            ("a board below", 0.5, vec![upright(-0.52, 0.5, 0.48)], [true, true]),
+            ("two", 0.5, vec![upright(-0.5, 0.0, 0.5), upright(0.0, 0.5, 0.5)], [true, true]),
+            ("a gap between two", 0.5, vec![upright(-0.5, 0.0, 0.5), upright(0.1, 0.5, 0.5)], [true, false]),
+            ("a low one", 0.5, vec![upright(-0.5, 0.5, 0.4)], [true, false]),
+        ] {
+            let closed = Closed::new(&down(low), &[&ends[..], &others].concat());
+            assert_eq!([0.823, 0.825].map(|reach| closed.out_of_reach(bent, reach, &ball_below)), is_out, "{what}");
+        }
         // With open ends, round the corner at (0.5, 0): 0.583 + 0.483.
         let open = Closed::new(&Cuboid { half: plane.half.with_z(3.0), ..plane }, &[]);
         assert!(open.out_of_reach(shoulder, 1.06, &ball) && !open.out_of_reach(shoulder, 1.07, &ball));

@@ -14,6 +14,7 @@ use crate::hazard::contact::Touch;
 use crate::hazard::danger::Proximity;
 use crate::hazard::finding::ArmPose;
 use crate::human::arm::ArmModel;
+use crate::human::reach::cells::ArmCells;
 use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::{BodyPart, PlacedBody, Side, is_kept_from};
 use crate::standards::BodyRegion;
@@ -263,6 +264,7 @@ impl Encounter {
                 world_from_shoulder: person.body.shoulder(side),
                 carried_m: 0.0,
                 hangs_from: None,
+                known: None,
                 links: &links,
                 obstacles: &obstacles,
                 score: &ManyScores(frames, space.links, person.velocity),
@@ -286,7 +288,7 @@ impl Encounter {
         (body, side): (&PlacedBody, Side),
         carried_m: f64,
         links: &[(&RobotFrame, usize)],
-        walls: &[Cuboid],
+        (walls, known): (&[Cuboid], &ArmCells),
         try_only: bool,
         coverage: &mut Coverage,
     ) -> ArmAnywhere {
@@ -300,6 +302,7 @@ impl Encounter {
             carried_m,
             // Planes are in the way of arms only: the person may stand in them as far as their sensor allows.
             hangs_from: (carried_m > 0.0).then(|| (body.middle_of_shoulders(), self.obstacles.as_slice())),
+            known: Some(known),
             links: &solids,
             obstacles: &obstacles,
             score: &EachScore(links),
@@ -417,6 +420,7 @@ impl Encounter {
                 world_from_shoulder,
                 carried_m: 0.0,
                 hangs_from: None,
+                known: None,
                 links: &frame.links,
                 obstacles,
                 score: &score,

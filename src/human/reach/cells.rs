@@ -131,6 +131,12 @@ impl ArmCells {
         self.any(&within, 0.0, &|cube| self.shoulder(cube), &|_| true)
     }
 
+    /// Whether forearm or hand of one may whose elbow is within `radius_m` of a point.
+    #[must_use]
+    pub fn may_touch_from_elbow(&self, elbow: Vec3, radius_m: f64) -> bool {
+        self.any(&Region::ball(elbow, radius_m), 0.0, &|cube| self.elbow(cube), &|_| true)
+    }
+
     /// The same of a shoulder that hangs from somewhere within `moves_m` of a point, with no obstacle between them; asked where
     /// [`ArmCells::may_touch`] says nothing.
     #[must_use]

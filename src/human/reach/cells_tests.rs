@@ -77,6 +77,7 @@ fn scene(rng: &mut Rng) -> Scene {
 fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
     let (mut rng, arm) = (Rng::new(31), ArmModel::default());
     let (mut touched, mut from_behind, mut out_of_reach, mut said) = (0, 0, 0, 0);
+    let mut boxes = vec![0; 2];
     for _ in 0..25 {
         let Scene { walls, plane, links, counts } = scene(&mut rng);
         let [hand, forearm, upper_arm] = counts;
@@ -86,21 +87,30 @@ fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
         for _ in 0..40 {
             let shoulder = vector(&mut rng, 1.0);
             let turned = rotation_about(Vec3::Z, uniform(&mut rng, 0.0, 6.0));
-            let outcome = reach(&ReachQuery {
-                arm: &arm,
-                side: Side::BOTH[rng.below(2)],
-                world_from_shoulder: Pose::from_parts(shoulder, turned),
-                carried_m: 0.0,
-                hangs_from: None,
-                links: &links,
-                obstacles: &obstacles,
-                score: &Counts(counts),
-                threshold: 0.5,
-                tolerance_m: 0.01,
-                enough: 0.5,
-                work_limit: 20_000,
-                stop: None,
-            });
+            let side = Side::BOTH[rng.below(2)];
+            let look = |known| {
+                reach(&ReachQuery {
+                    arm: &arm,
+                    side,
+                    world_from_shoulder: Pose::from_parts(shoulder, turned),
+                    carried_m: 0.0,
+                    hangs_from: None,
+                    known,
+                    links: &links,
+                    obstacles: &obstacles,
+                    score: &Counts(counts),
+                    threshold: 0.5,
+                    tolerance_m: 0.01,
+                    enough: 0.5,
+                    work_limit: 20_000,
+                    stop: None,
+                })
+            };
+            let (outcome, sooner) = (look(None), look(Some(&cells)));
+            // What is known of elbows leaves out what is found to be out of reach without it, and nothing else.
+            assert!(sooner.boxes <= outcome.boxes, "{shoulder} {walls:?}");
+            assert!(outcome.best.is_none_or(|best| sooner.best == Some(best)), "{shoulder} {walls:?}");
+            boxes = boxes.iter().zip([outcome.boxes, sooner.boxes]).map(|(all, own)| all + own).collect();
             if outcome.best.is_none() {
                 out_of_reach += u32::from(outcome.complete);
                 said += u32::from(outcome.complete && !cells.may_touch(shoulder, 0.0));
@@ -122,6 +132,7 @@ fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
             assert!(hanging(0.0, 0.0) && hanging(0.05, 0.02) && hanging(0.02, 0.1), "{shoulder} from {from} {walls:?}");
         }
     }
+    assert!(4 * boxes[1] < 3 * boxes[0], "{boxes:?}");
     assert!(touched > 80 && from_behind > 40, "{touched} {from_behind}");
     // What is left is for joints' limits and for corners of cubes.
     assert!(out_of_reach > 250 && 10 * said > 7 * out_of_reach, "{said} of {out_of_reach}");

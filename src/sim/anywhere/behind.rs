@@ -4,6 +4,8 @@
 //! top. So a hand is no deeper later than it gets in that time at 2.0 m/s, wherever the shoulder has come to; and while the plane
 //! tells of the body, no part of that is either, however it bends. That is the rule of all scans (`sim/curtain.rs`). Nothing is
 //! known of people who may have been behind the plane already and yet near enough to tell it of an arm.
+//!
+//! The same holds of whoever stands before a plane that was clear a step ago, and leans through it since.
 
 use super::{Anywhere, History, Seen};
 use crate::geometry::Hull;
@@ -11,24 +13,25 @@ use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::reach::cells::{ArmCells, Target};
 use crate::human::{BendFraction, PoseBox, Posture, Side};
 use crate::sim::curtain::Curtain;
+use crate::standards::iso_13855::HAND_SPEED_M_S;
 
 /// What keeps an arm from a link at an instant, besides what keeps it from all.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kept {
     /// All of the link is out of reach in time.
     Out,
-    /// Everything deeper than so far behind some planes is, m: their numbers.
-    Beyond(f64, Vec<usize>),
+    /// Everything is that is deeper behind planes than an arm may be: how deep it may be behind those that have told, m, and the
+    /// planes.
+    Beyond(f64, Vec<Limit>),
 }
 
-impl Kept {
-    /// As walls.
-    pub(super) fn walls(&self, curtains: &[Curtain]) -> Vec<Cuboid> {
-        match self {
-            Self::Out => Vec::new(),
-            Self::Beyond(depth_m, planes) => planes.iter().map(|plane| curtains[*plane].beyond(*depth_m)).collect(),
-        }
-    }
+/// A plane that limits how deep an arm may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Limit {
+    /// It has told of somebody: as deep as an arm gets since.
+    Told(usize),
+    /// It was clear a step ago.
+    Clear(usize),
 }
 
 /// What is known of a plane.
@@ -89,27 +92,55 @@ impl Anywhere<'_> {
         at: &PoseBox,
         (shoulder, moves_m): (Vec3, f64),
     ) -> Option<Kept> {
-        if seen.depth_m.is_infinite() {
-            return None;
-        }
         let reach = self.encounter.arm.reach() + moves_m;
-        let mut planes = Vec::new();
+        let mut limits = Vec::new();
         for (number, curtain) in self.curtains.iter().enumerate() {
             let depth = curtain.depth(shoulder);
             let is_told = history.readings[curtain.sensor] == Some(true) && !curtain.hands_only;
             // What holds of arms from before the plane holds of whoever is there.
             let is_limited = || is_told && depth + moves_m <= 0.0 || self.has_told_of(number, is_told, at);
-            if !is_limited() || (depth - moves_m <= 0.0 && !curtain.closed.out_of_reach(shoulder, reach, link)) {
+            let reaches_round = || depth - moves_m <= 0.0 && !curtain.closed.out_of_reach(shoulder, reach, link);
+            let limit = if seen.depth_m.is_finite() && is_limited() && !reaches_round() {
+                Limit::Told(number)
+            } else if depth + moves_m > 0.0 && self.leans_through(curtain, history, link, at) {
+                Limit::Clear(number)
+            } else {
                 continue;
-            }
-            if !curtain.within(seen.depth_m, link) {
+            };
+            let depth_m = self.depth_m(limit, seen.depth_m);
+            if !curtain.within(depth_m, link) {
                 return Some(Kept::Out);
             }
-            if !curtain.holds(seen.depth_m, link) {
-                planes.push(number);
+            if !curtain.holds(depth_m, link) {
+                limits.push(limit);
             }
         }
-        (!planes.is_empty()).then_some(Kept::Beyond(seen.depth_m, planes))
+        (!limits.is_empty()).then_some(Kept::Beyond(seen.depth_m, limits))
+    }
+
+    /// How deep an arm may be, m, where it may be as deep as that behind planes that have told.
+    fn depth_m(&self, limit: Limit, told_m: f64) -> f64 {
+        match limit {
+            Limit::Told(_) => told_m,
+            Limit::Clear(_) => HAND_SPEED_M_S * self.cell.step_s,
+        }
+    }
+
+    /// What nothing of an arm gets to then.
+    pub(super) fn beyond(&self, limit: Limit, told_m: f64) -> Cuboid {
+        let (Limit::Told(number) | Limit::Clear(number)) = limit;
+        self.curtains[number].beyond(self.depth_m(limit, told_m))
+    }
+
+    /// Whether whoever is in a box gets to a link behind a plane only through it, which was clear a step ago: they stand before it,
+    /// and no way round its ends or over its top is short enough.
+    fn leans_through(&self, curtain: &Curtain, history: &History, link: &Solid, at: &PoseBox) -> bool {
+        let (height, reach) = self.cell.body.reach_from_hip(self.encounter.arm.reach());
+        let (hip, moves_m) = (at.position() + Vec3::Z * height, at.place_moves_m());
+        history.readings[curtain.sensor] == Some(false)
+            && !curtain.hands_only
+            && curtain.depth(hip) + moves_m <= 0.0
+            && curtain.closed.out_of_reach(hip, reach + moves_m, link)
     }
 
     /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
@@ -121,23 +152,41 @@ impl Anywhere<'_> {
         *come_before && (is_told || (is_behind() && self.ground.holds(at.xy_m, at.half_m) && !another()))
     }
 
-    /// Whether no part of a body that a plane tells of gets to a link at an instant.
-    pub(super) fn keeps_bodies(&self, history: &History, seen: &Seen, link: &Solid) -> bool {
-        self.limiting(history, seen).any(|curtain| !curtain.within(seen.depth_m, link))
+    /// Whether planes keep the body of whoever is in a box from a link at an instant.
+    pub(super) fn keeps_bodies(&self, history: &History, (seen, link): (&Seen, &Solid), at: &PoseBox) -> bool {
+        self.limiting(history, (seen, link), at).any(|(curtain, depth_m)| !curtain.within(depth_m, link))
     }
 
-    /// Whether a body may be met at a point at an instant, as far as planes that tell of it go.
-    pub(super) fn may_be_at(&self, history: &History, seen: &Seen, point: Vec3) -> bool {
-        self.limiting(history, seen).all(|curtain| curtain.depth(point) <= seen.depth_m)
+    /// Whether a body may be met at a point of a link at an instant, as far as planes go.
+    pub(super) fn may_be_at(
+        &self,
+        history: &History,
+        (seen, link): (&Seen, &Solid),
+        at: &PoseBox,
+        point: Vec3,
+    ) -> bool {
+        self.limiting(history, (seen, link), at).all(|(curtain, depth_m)| curtain.depth(point) <= depth_m)
     }
 
-    /// Planes that tell of a body which was before them.
-    fn limiting<'a>(&'a self, history: &'a History, seen: &Seen) -> impl Iterator<Item = &'a Curtain> {
-        let is_finite = seen.depth_m.is_finite();
-        let planes = self.curtains.iter().zip(&self.told_of).filter(move |_| is_finite);
-        let is =
-            |(curtain, told): &(&Curtain, &ToldOf)| told.come_before && history.readings[curtain.sensor] == Some(true);
-        planes.filter(is).map(|(curtain, _)| curtain)
+    /// Planes that limit how deep a body may be behind them, with the depth, m: those that tell of one which was before them, and
+    /// those that were clear a step ago.
+    fn limiting<'a>(
+        &'a self,
+        history: &'a History,
+        (seen, link): (&'a Seen, &'a Solid),
+        at: &'a PoseBox,
+    ) -> impl Iterator<Item = (&'a Curtain, f64)> {
+        self.curtains.iter().enumerate().filter_map(move |(number, curtain)| {
+            let has_told = || history.readings[curtain.sensor] == Some(true) && self.told_of[number].come_before;
+            let limit = if seen.depth_m.is_finite() && has_told() {
+                Limit::Told(number)
+            } else if self.leans_through(curtain, history, link, at) {
+                Limit::Clear(number)
+            } else {
+                return None;
+            };
+            Some((curtain, self.depth_m(limit, seen.depth_m)))
+        })
     }
 }
 

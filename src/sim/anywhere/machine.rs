@@ -8,7 +8,7 @@ use super::zones::Zones;
 use super::{History, Seen};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
-use crate::search::tracks::{Taken, Watch};
+use crate::search::tracks::{Lasting, Taken, Watch};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{self, DelayLine, input_row};
 use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
@@ -43,6 +43,26 @@ pub struct Machine<'a, P: Plant> {
     seen: Vec<BTreeMap<Box<[u64]>, Seen>>,
     /// Robots at instants, by the bits of the outputs.
     frames: BTreeMap<Box<[u64]>, Arc<RobotFrame>>,
+}
+
+/// How far somebody gets until the end of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Far {
+    /// From where the reading began, and from where they were not seen, m.
+    within_m: [f64; 2],
+    /// A hand behind a plane that tells of it since the reading first changed, m.
+    depth_m: f64,
+}
+
+impl Far {
+    /// Of a step that begins when the reading has lasted so long. Its end is a step later; and between the last sample before the
+    /// reading first changed and the first after it there is another.
+    #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
+    fn after(lasting: Lasting, step_s: f64) -> Self {
+        let time_s = |steps: usize| steps as f64 * step_s;
+        let (own_s, first_s) = (time_s(lasting.steps + 1), time_s(lasting.since_first + 2));
+        Self { within_m: [own_s, first_s].map(|s| WALKING_SPEED_M_S * s), depth_m: HAND_SPEED_M_S * first_s }
+    }
 }
 
 impl<'a, P: Plant> Machine<'a, P> {
@@ -85,7 +105,6 @@ impl<'a, P: Plant> Machine<'a, P> {
     }
 
     /// Takes in the robots after a step.
-    #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
     pub fn look(&mut self, taken: &Taken<'_, State>) {
         let (before, node) = self.last;
         let before = &**self.recall.outputs(before);
@@ -101,18 +120,14 @@ impl<'a, P: Plant> Machine<'a, P> {
         }
         let way = &self.zones.ways[taken.way];
         let lasting = taken.lasting.steps;
-        let time_s = (lasting + 1) as f64 * self.cell.step_s;
-        let known_s = (taken.lasting.since_first + 1) as f64 * self.cell.step_s;
-        // Who was just seen for the first time had walked for a step since they were not.
-        let first_s = known_s + self.cell.step_s;
+        let far = Far::after(taken.lasting, self.cell.step_s);
         let seen = Seen {
             step: taken.step,
             lasting,
             frame,
-            within_m: if way.from.is_none() { [f64::MAX; 2] } else { [time_s, first_s].map(|s| WALKING_SPEED_M_S * s) },
-            // Who comes back to a plane may have told it of an arm before. Between the last sample at which it did not and this
-            // instant there is a step more.
-            depth_m: if way.from.is_some() { HAND_SPEED_M_S * first_s } else { f64::INFINITY },
+            within_m: if way.from.is_none() { [f64::MAX; 2] } else { far.within_m },
+            // Who comes back to a plane may have told it of an arm before.
+            depth_m: if way.from.is_some() { far.depth_m } else { f64::INFINITY },
         };
         let known = self.seen[taken.way].entry(bits).or_insert_with(|| seen.clone());
         for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {
@@ -182,5 +197,23 @@ impl<P: Plant> Watch for Machine<'_, P> {
 
     fn next(&self, way: usize) -> &[(usize, usize)] {
         self.zones.next(way)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand, with steps of 20 ms. Whoever is reported for the first time at one sample is at its end, a step later, no farther than
+    /// 0.032 m from where that may be; and where they were not reported is two steps back. A hand gets 0.08 m in these.
+    #[test]
+    fn a_step_ends_a_step_after_the_sample_that_it_begins_with() {
+        let far = |steps, since_first| Far::after(Lasting { steps, changes: 1, since_first }, 0.02);
+        let near = |a: Far, within_m: [f64; 2], depth_m: f64| {
+            let differ = [a.within_m[0] - within_m[0], a.within_m[1] - within_m[1], a.depth_m - depth_m];
+            assert!(differ.into_iter().all(|by| by.abs() < 1e-12), "{a:?}");
+        };
+        near(far(0, 0), [0.032, 0.064], 0.08);
+        near(far(3, 9), [0.128, 0.352], 0.44);
     }
 }

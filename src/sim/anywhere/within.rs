@@ -1,5 +1,6 @@
 //! One history looked at: what bounds settle of the floor, poses that are tried, and what is left in ever smaller boxes.
 
+mod arms;
 pub(super) mod moments;
 
 use std::collections::{BTreeMap, VecDeque};
@@ -9,7 +10,7 @@ use std::rc::Rc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use super::behind::Kept;
+use self::arms::Met;
 use super::readings::lever;
 use super::{Anywhere, CELL_M, Harm, History, LEVER_M, Outcome, Seen, headings, is_smallest};
 use crate::geometry::{Cuboid, Vec3};
@@ -27,6 +28,8 @@ use crate::sim::robot::RobotFrame;
 const TRIED_HEADINGS: u32 = 16;
 /// Arms that are tried in a cell.
 const TRIED_ARMS: u32 = 10;
+/// Questions about one of them, where planes limit how deep it may be at each instant.
+const TRIED_DEPTHS: usize = 6;
 
 /// With an arm that may be this far from where it is in the middle of a box, nothing is shown of links in its reach, m.
 const HOPELESS_M: f64 = 0.025;
@@ -221,42 +224,6 @@ impl<'a> Within<'a> {
         pairs.filter(near).collect()
     }
 
-    /// What keeps an arm of somebody in a box, whose shoulder is no farther from a point than so, from a link at an instant, if anything does.
-    fn kept(&self, pair: &Pair, at: &PoseBox, shoulder: (Vec3, f64)) -> Option<Kept> {
-        let seen = &self.history.seen[pair.n];
-        self.of.kept(self.history, (seen, &seen.frame.links[pair.link]), at, shoulder)
-    }
-
-    /// Whether such an arm may get to a link at an instant in time.
-    fn is_in_time(&self, pair: &Pair, at: &PoseBox, shoulder: (Vec3, f64)) -> bool {
-        self.kept(pair, at, shoulder) != Some(Kept::Out)
-    }
-
-    /// Links at instants by what keeps arms from them.
-    fn by_walls<'p>(
-        &self,
-        pairs: impl Iterator<Item = &'p Pair>,
-        at: &PoseBox,
-        shoulder: (Vec3, f64),
-    ) -> Vec<(Vec<Cuboid>, Vec<&'p Pair>)> {
-        let mut groups: Vec<(Option<Kept>, Vec<&Pair>)> = Vec::new();
-        for pair in pairs {
-            let kept = self.kept(pair, at, shoulder);
-            if kept == Some(Kept::Out) {
-                continue;
-            }
-            match groups.iter_mut().find(|(known, _)| *known == kept) {
-                Some((_, pairs)) => pairs.push(pair),
-                None => groups.push((kept, vec![pair])),
-            }
-        }
-        let walls = |kept: Option<Kept>| {
-            let own = kept.map_or_else(Vec::new, |kept| kept.walls(&self.of.curtains));
-            self.walls.iter().copied().chain(own).collect()
-        };
-        groups.into_iter().map(|(kept, pairs)| (walls(kept), pairs)).collect()
-    }
-
     fn is_over(&self) -> bool {
         self.end.load(Ordering::Relaxed) || self.of.encounter.stop.is_due()
     }
@@ -330,6 +297,10 @@ impl<'a> Within<'a> {
         let places = [(0.0, 0.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)]
             .map(|(x, y)| [at.xy_m[0] + x * quarter, at.xy_m[1] + y * quarter]);
         let mut reaching: Vec<(f64, PoseBox, Posture, PlacedBody, Side)> = Vec::new();
+        // Wherever shoulders are in the cell: within what holds the rest of the body.
+        let shoulders = (at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m);
+        let in_time = |pair: &&Pair| pair.arms && self.is_in_time(pair, at, shoulders);
+        let in_time: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(in_time).collect();
         let headings = || headings(TRIED_HEADINGS).map(|(heading_rad, _)| heading_rad);
         for (posture, xy_m) in postures.iter().flat_map(|posture| places.map(|xy_m| (*posture, xy_m))) {
             for heading_rad in headings() {
@@ -359,13 +330,9 @@ impl<'a> Within<'a> {
                 }
                 for side in Side::BOTH {
                     let shoulder = body.shoulder(side).translation;
-                    let may = |pair: &&Pair| {
-                        pair.arms
-                            && pair.is_near(shoulder, encounter.arm.reach())
-                            && self.is_in_time(pair, &pose, (shoulder, 0.0))
-                    };
-                    let gap = |pair: &Pair| (pair.centre - shoulder).length() - pair.radius;
-                    if let Some(gap) = near().filter(may).map(gap).reduce(f64::min) {
+                    let near = in_time.iter().filter(|pair| pair.is_within(least));
+                    let gap = near.map(|pair| (pair.centre - shoulder).length() - pair.radius).reduce(f64::min);
+                    if let Some(gap) = gap.filter(|gap| *gap <= encounter.arm.reach()) {
                         reaching.push((gap, pose, posture, body, side));
                     }
                 }
@@ -382,18 +349,19 @@ impl<'a> Within<'a> {
             {
                 continue;
             }
-            tried += 1;
+            let least = self.history.least(pose.xy_m, 0.0);
+            let may = |pair: &&Pair| pair.is_within(least) && pair.is_near(shoulder, encounter.arm.reach());
+            let groups = self.by_planes(in_time.iter().copied().filter(may), &pose, (shoulder, 0.0));
+            tried += u32::from(!groups.is_empty());
             if tried > TRIED_ARMS || self.is_over() {
                 break;
             }
-            let least = self.history.least(pose.xy_m, 0.0);
-            let may =
-                |pair: &&Pair| pair.arms && pair.is_within(least) && pair.is_near(shoulder, encounter.arm.reach());
-            let near = near.iter().map(|&number| &self.pairs[number]).filter(may);
-            let harm = self.by_walls(near, &pose, (shoulder, 0.0)).into_iter().find_map(|(walls, pairs)| {
-                let met = encounter.arm_anywhere((&body, side), 0.0, &self.links(&pairs), &walls, true, coverage);
-                let ArmAnywhere::Touches(found) = met else { return None };
-                self.harm_of_arm(&pose, posture, &body, (pairs[found], &walls), coverage)
+            let harm = groups.iter().find_map(|alike| {
+                let met = self.meet(alike, TRIED_DEPTHS, |pairs, walls| {
+                    self.ask((&body, side), 0.0, pairs, walls, true, coverage)
+                });
+                let Met::Touches(pair, walls) = met else { return None };
+                self.harm_of_arm(&pose, posture, &body, (pair, &walls), coverage)
             });
             if let Some(harm) = harm {
                 harms.insert((harm.contact.region as u8, harm.link), harm);
@@ -415,7 +383,7 @@ impl<'a> Within<'a> {
             let seen = &self.history.seen[pair.n];
             pair.is_within(far)
                 && pair.is_near(at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m)
-                && !self.of.keeps_bodies(self.history, seen, &seen.frame.links[pair.link])
+                && !self.of.keeps_bodies(self.history, (seen, &seen.frame.links[pair.link]), at)
         };
         let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();
         for bend in BendFraction::ALL.into_iter().filter(|bend| (least..=most).contains(bend)) {
@@ -456,7 +424,7 @@ impl<'a> Within<'a> {
                 let reach = encounter.arm.reach() + carried;
                 let in_reach = |pair: &&Pair| pair.arms && pair.is_within(far) && pair.is_near(shoulder, reach);
                 let pairs = near.iter().map(|&number| &self.pairs[number]).filter(in_reach);
-                let groups = self.by_walls(pairs, at, (shoulder, carried));
+                let groups = self.by_planes(pairs, at, (shoulder, carried));
                 if groups.is_empty() || self.of.is_out_of_reach(&self.arms, at, (posture, bend, side)) {
                     continue;
                 }
@@ -467,15 +435,16 @@ impl<'a> Within<'a> {
                 // behind a wall there.
                 let available = is_available(&body, side, &encounter.obstacles);
                 let carried = if available && carried <= encounter.reach_tolerance_m { 0.0 } else { carried };
-                for (walls, pairs) in groups {
-                    let links = self.links(&pairs);
-                    match encounter.arm_anywhere((&body, side), carried, &links, &walls, false, coverage) {
-                        ArmAnywhere::Nowhere => {}
-                        ArmAnywhere::Unknown => return Judged::Unknown(Why::Arms),
-                        ArmAnywhere::Touches(found) => {
+                for alike in groups {
+                    let met = self.meet(&alike, usize::MAX, |pairs, walls| {
+                        self.ask((&body, side), carried, pairs, walls, false, coverage)
+                    });
+                    match met {
+                        Met::Nowhere => {}
+                        Met::Unknown => return Judged::Unknown(Why::Arms),
+                        Met::Touches(pair, walls) => {
                             let is = bend == own && available && possible();
-                            let contact = (pairs[found], walls.as_slice());
-                            let harm = is.then(|| self.harm_of_arm(at, posture, &body, contact, coverage));
+                            let harm = is.then(|| self.harm_of_arm(at, posture, &body, (pair, &walls), coverage));
                             return harm.flatten().map_or(Judged::Unknown(Why::Arms), Judged::Harmed);
                         }
                     }
@@ -485,8 +454,19 @@ impl<'a> Within<'a> {
         Judged::Settled
     }
 
-    fn links(&self, pairs: &[&Pair]) -> Vec<(&RobotFrame, usize)> {
-        pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect()
+    /// What an arm of somebody meets of links at some instants, between walls: [`Encounter::arm_anywhere`].
+    fn ask(
+        &self,
+        of: (&PlacedBody, Side),
+        carried_m: f64,
+        pairs: &[&Pair],
+        walls: &[Cuboid],
+        try_only: bool,
+        coverage: &mut Coverage,
+    ) -> ArmAnywhere {
+        let links: Vec<(&RobotFrame, usize)> =
+            pairs.iter().map(|pair| (&*self.history.seen[pair.n].frame, pair.link)).collect();
+        self.of.encounter.arm_anywhere(of, carried_m, &links, (walls, &self.arms), try_only, coverage)
     }
 
     /// The harm to trunk, head or legs that somebody in the middle of a box comes to at an instant, if any.
@@ -501,7 +481,10 @@ impl<'a> Within<'a> {
         let seen = &self.history.seen[pair.n];
         let person = Person { body: *body, arms: Vec::new(), velocity: Vec3::ZERO };
         let counts = |contact: &Contact| {
-            self.history.links[contact.link] && self.of.may_be_at(self.history, seen, contact.on_robot)
+            self.history.links[contact.link] && {
+                let link = &seen.frame.links[contact.link];
+                self.of.may_be_at(self.history, (seen, link), at, contact.on_robot)
+            }
         };
         let contact = self.of.encounter.unsafe_body_contact(&person, &seen.frame, counts, coverage)?;
         Some(harm(at, posture, pair, contact))

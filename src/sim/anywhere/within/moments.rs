@@ -6,13 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Within;
+use super::arms::Met;
+use super::{TRIED_DEPTHS, Within};
 use crate::human::posture::cut_back;
 use crate::human::shoulder::is_available;
 use crate::human::{PoseBox, Side};
 use crate::sim::Coverage;
 use crate::sim::anywhere::{Harm, Moment};
-use crate::sim::encounter::{ArmAnywhere, may_meet};
+use crate::sim::encounter::may_meet;
 use crate::standards::BodyRegion;
 
 /// Poses of a cell that are looked at again, of those in which trunk, head or legs are hit; and of those in which an arm is.
@@ -86,11 +87,12 @@ impl Within<'_> {
                     }
                     let in_reach = pairs.iter().map(|number| &self.pairs[*number]);
                     let in_reach = in_reach.filter(|pair| pair.arms && pair.is_near(shoulder, encounter.arm.reach()));
-                    for (walls, pairs) in self.by_walls(in_reach, &pose, (shoulder, 0.0)) {
-                        let links = self.links(&pairs);
-                        let found = encounter.arm_anywhere((&body, *side), 0.0, &links, &walls, true, coverage);
-                        if let ArmAnywhere::Touches(found) = found {
-                            met(self.harm_of_arm(&pose, harm.posture, &body, (pairs[found], &walls), coverage));
+                    for alike in self.by_planes(in_reach, &pose, (shoulder, 0.0)) {
+                        let touched = self.meet(&alike, TRIED_DEPTHS, |pairs, walls| {
+                            self.ask((&body, *side), 0.0, pairs, walls, true, coverage)
+                        });
+                        if let Met::Touches(pair, walls) = touched {
+                            met(self.harm_of_arm(&pose, harm.posture, &body, (pair, &walls), coverage));
                         }
                     }
                 }
