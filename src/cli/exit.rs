@@ -21,7 +21,7 @@ pub const INTERRUPTED: u8 = 130;
 
 /// The same for `--help`.
 pub(super) const HELP: &str = "Exit codes: 0 no hazard found; 1 hazards found; 2 usage, cell file or FMU file error; \
-3 the FMU failed while running; 4 inconclusive (nothing moved, no sensor could fire, told speeds are not those of the motion, or time was up early); 130 interrupted";
+3 the FMU failed while running; 4 inconclusive (nothing moved, no sensor could fire, told speeds are not those of the motion, something is not known from anywhere, or time was up early); 130 interrupted";
 
 /// A failure with its exit code.
 pub struct Failure {

@@ -139,9 +139,12 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
             resume::finished(&out);
         }
     }
-    // Nobody hit from one start says nothing against somebody hit from elsewhere.
-    let hit_from_elsewhere = code != exit::INTERRUPTED && whole == Some(exit::HAZARDS);
-    Ok(if hit_from_elsewhere { exit::HAZARDS } else { code })
+    // Nobody hit from one start says nothing against somebody hit from elsewhere, or against what is not known of others.
+    Ok(match whole {
+        Some(exit::HAZARDS) if code != exit::INTERRUPTED => exit::HAZARDS,
+        Some(exit::INCONCLUSIVE) if code == exit::NO_HAZARD => exit::INCONCLUSIVE,
+        _ => code,
+    })
 }
 
 /// One run of the command.

@@ -9,6 +9,7 @@ use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
 use parry3d_f64::shape::{ConvexPolyhedron, Segment};
 
 use super::distance::{point_segment, segment_segment};
+use super::solid::beyond;
 use super::{Capsule, Closest, Pose, Vec3};
 
 /// A convex polyhedron with what its depths follow from, in its own frame.
@@ -32,6 +33,8 @@ pub struct Hull {
     radius: f64,
     /// The capsule around it where it stands.
     around: Capsule,
+    /// What is no farther from it than this belongs to it, m.
+    margin_m: f64,
 }
 
 impl Hull {
@@ -60,7 +63,7 @@ impl Hull {
         let edges = convex.edges().iter().map(|edge| edge.vertices.map(|corner| points[corner as usize])).collect();
         let around = capsule_around(points, low, high);
         let shape = Arc::new(Polyhedron { convex, faces, edges, around });
-        Self { shape, pose: Pose::IDENTITY, centre, radius, around }
+        Self { shape, pose: Pose::IDENTITY, centre, radius, around, margin_m: 0.0 }
     }
 
     /// The polyhedron in its own frame.
@@ -82,19 +85,37 @@ impl Hull {
         Self { pose, around: Capsule { a: pose * a, b: pose * b, radius }, ..self.clone() }
     }
 
+    /// The hull with everything that is no farther than `by_m` from it.
+    pub(super) fn grown(&self, by_m: f64) -> Self {
+        Self { margin_m: self.margin_m + by_m, ..self.clone() }
+    }
+
     /// The distance from the segment between `a` and `b` is at least this, m.
     pub(super) fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
+        self.bare_at_least(a, b) - self.margin_m
+    }
+
+    /// The same of the polyhedron.
+    fn bare_at_least(&self, a: Vec3, b: Vec3) -> f64 {
         segment_segment(a, b, self.around.a, self.around.b).distance - self.around.radius
     }
 
     /// Centre and radius of a sphere around it, world.
     pub(super) fn sphere(&self) -> (Vec3, f64) {
-        (self.pose * self.centre, self.radius)
+        (self.pose * self.centre, self.radius + self.margin_m)
     }
 
     pub(super) fn point_distance(&self, point: Vec3) -> Closest {
+        beyond(self.bare_point_distance(point), self.margin_m)
+    }
+
+    pub(super) fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
+        beyond(self.bare_segment_distance(a, b), self.margin_m)
+    }
+
+    fn bare_point_distance(&self, point: Vec3) -> Closest {
         let local = self.pose.inverse_transform_point(point);
-        if self.at_least(point, point) <= 0.0 {
+        if self.bare_at_least(point, point) <= 0.0 {
             let (normal, depth) = self.shape.shallowest(local, local);
             if depth >= 0.0 {
                 return Closest { distance: -depth, on_first: point, on_second: self.pose * (local + normal * depth) };
@@ -104,9 +125,9 @@ impl Hull {
         Closest { distance: (on - local).length(), on_first: point, on_second: self.pose * on }
     }
 
-    pub(super) fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
+    fn bare_segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
         if (b - a).length_squared() < 1e-18 {
-            return self.point_distance(a);
+            return self.bare_point_distance(a);
         }
         let segment = Segment::new(a, b);
         let nearest = query::closest_points(&Pose::IDENTITY, &segment, &self.pose, &self.shape.convex, f64::MAX);

@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use super::distance::point_segment;
+use super::solid::beyond;
 use super::{Closest, Pose, Surface, Vec3};
 
 /// A closed surface shared between placements, with where it is.
@@ -12,6 +13,8 @@ use super::{Closest, Pose, Surface, Vec3};
 pub struct Mesh {
     surface: Arc<Surface>,
     pose: Pose,
+    /// What is no farther from it than this belongs to it, m.
+    margin_m: f64,
 }
 
 /// Points of a segment whose depth is looked at: the ends, and others at equal distances.
@@ -27,7 +30,7 @@ impl Mesh {
     /// A surface placed by `world_from_local`.
     #[must_use]
     pub const fn new(surface: Arc<Surface>, world_from_local: Pose) -> Self {
-        Self { surface, pose: world_from_local }
+        Self { surface, pose: world_from_local, margin_m: 0.0 }
     }
 
     /// The surface in its own frame.
@@ -44,7 +47,12 @@ impl Mesh {
 
     /// The mesh moved by `pose`.
     pub(super) fn placed(&self, pose: Pose) -> Self {
-        Self { surface: Arc::clone(&self.surface), pose: pose * self.pose }
+        Self { pose: pose * self.pose, ..self.clone() }
+    }
+
+    /// The mesh with everything that is no farther than `by_m` from it.
+    pub(super) fn grown(&self, by_m: f64) -> Self {
+        Self { margin_m: self.margin_m + by_m, ..self.clone() }
     }
 
     /// The distance from the segment between `a` and `b` is at least this, m.
@@ -56,16 +64,17 @@ impl Mesh {
     /// Centre and radius of a sphere around it, world.
     pub(super) fn sphere(&self) -> (Vec3, f64) {
         let (centre, radius) = self.surface.sphere();
-        (self.pose * centre, radius)
+        (self.pose * centre, radius + self.margin_m)
     }
 
     fn world(&self, distance: f64, on_first: Vec3, on_second: Vec3) -> Closest {
-        Closest { distance, on_first: self.pose * on_first, on_second: self.pose * on_second }
+        let near = Closest { distance, on_first: self.pose * on_first, on_second: self.pose * on_second };
+        beyond(near, self.margin_m)
     }
 
     pub(super) fn point_distance(&self, point: Vec3) -> Closest {
         let (distance, on_second) = self.local_point_distance(self.pose.inverse_transform_point(point));
-        Closest { distance, on_first: point, on_second: self.pose * on_second }
+        beyond(Closest { distance, on_first: point, on_second: self.pose * on_second }, self.margin_m)
     }
 
     /// Signed distance of a point and the nearest point of the surface, local.
@@ -107,14 +116,17 @@ impl Mesh {
     /// always on a triangle that is now no farther than the distance and twice the movement, and on each, as on any convex
     /// set, the nearest point moves no farther than the point.
     pub(super) fn nearest_within(&self, point: Vec3, near: &Closest, movement: f64) -> (Vec3, f64) {
-        let distance = near.distance.max(0.0) + 2.0 * movement;
+        let from_surface = near.distance + self.margin_m;
+        let distance = from_surface.max(0.0) + 2.0 * movement;
         let anywhere = (point, distance);
-        if near.distance <= movement {
+        if from_surface <= movement {
             return anywhere;
         }
         let local = self.pose.inverse_transform_point(point);
         match self.surface.near_points(local, distance + MEETS_M, FEW) {
-            Some((centre, radius)) if radius + movement < distance => (self.pose * centre, radius + movement),
+            Some((centre, radius)) if radius + movement + self.margin_m < distance => {
+                (self.pose * centre, radius + movement + self.margin_m)
+            }
             _ => anywhere,
         }
     }

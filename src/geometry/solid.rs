@@ -3,6 +3,8 @@
 //!
 //! Everything that is asked of it is a distance from a line segment, because human limbs are segments with a radius.
 
+use std::f64::consts::TAU;
+
 use super::distance::{perpendicular_to, point_segment, segment_segment};
 use super::{Capsule, Closest, Hull, Mesh, Pose, Vec3};
 
@@ -91,11 +93,43 @@ impl Solid {
         }
     }
 
+    /// The link with everything that is no farther than `by_m` from it.
+    #[must_use]
+    pub fn grown(&self, by_m: f64) -> Self {
+        match self {
+            Self::Capsule(link) => Self::Capsule(Capsule { radius: link.radius + by_m, ..*link }),
+            Self::Hull(hull) => Self::Hull(hull.grown(by_m)),
+            Self::Mesh(mesh) => Self::Mesh(mesh.grown(by_m)),
+        }
+    }
+
+    /// No point of the link is farther from where it is in another placement of the same shape, m.
+    #[must_use]
+    pub fn moved_from(&self, other: &Self) -> f64 {
+        let ((to, radius), (from, _)) = (self.bounding_sphere(), other.bounding_sphere());
+        let turned = |to: Pose, from: Pose| {
+            let angle = (to.rotation * from.rotation.inverse()).to_axis_angle().1;
+            angle.min(TAU - angle)
+        };
+        match (self, other) {
+            (Self::Capsule(a), Self::Capsule(b)) => (a.a - b.a).length().max((a.b - b.b).length()),
+            (Self::Hull(a), Self::Hull(b)) => (to - from).length() + radius * turned(a.pose(), b.pose()),
+            (Self::Mesh(a), Self::Mesh(b)) => (to - from).length() + radius * turned(a.pose(), b.pose()),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// Whether the line between any two of its points stays inside: then the signed distance is convex, and the nearest
     /// point moves no farther than what it is near to.
     #[must_use]
     pub const fn is_convex(&self) -> bool {
         !matches!(self, Self::Mesh(_))
+    }
+
+    /// Whether it is a capsule.
+    #[must_use]
+    pub const fn is_capsule(&self) -> bool {
+        matches!(self, Self::Capsule(_))
     }
 
     /// A ball that holds the nearest point for every point within `movement` of `point`, whose nearest point now is
@@ -110,9 +144,99 @@ impl Solid {
     }
 }
 
+/// From the surface of a shape to that of everything no farther than `by_m` from it: the nearest point there is as much farther out.
+pub(super) fn beyond(near: Closest, by_m: f64) -> Closest {
+    let towards = near.on_first - near.on_second;
+    let outward = if near.distance > 0.0 { towards } else { -towards }.normalize_or_zero();
+    Closest { distance: near.distance - by_m, on_second: near.on_second + outward * by_m, ..near }
+}
+
 /// From the core of a capsule link to its surface.
 fn surface(core: Closest, radius: f64, along_first: Vec3, along_second: Vec3) -> Closest {
     let outward =
         (core.on_first - core.on_second).try_normalize().unwrap_or_else(|| perpendicular_to(along_first, along_second));
     Closest { distance: core.distance - radius, on_first: core.on_first, on_second: core.on_second + outward * radius }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use rand_core::{Rng, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+    use crate::geometry::surface::{Surface, Triangles};
+    use crate::geometry::{rotation_about, test_meshes};
+
+    /// A long box as a hull and as a mesh, with its corners, and a capsule with its ends.
+    fn shapes() -> [(Solid, Vec<Vec3>); 3] {
+        let (points, triangles) = test_meshes::cuboid([-0.3, -0.2, -0.1], [0.3, 0.2, 0.1]);
+        let corners: Vec<Vec3> = points.into_iter().map(Vec3::from_array).collect();
+        let hull = Solid::Hull(Hull::from_points(&corners).unwrap());
+        let surface = Surface::new(Triangles::merged(&corners, &triangles)).unwrap();
+        let mesh = Solid::Mesh(Mesh::new(Arc::new(surface), Pose::IDENTITY));
+        let ends = vec![Vec3::new(-0.3, 0.0, 0.1), Vec3::new(0.2, 0.1, 0.0)];
+        let capsule = Solid::Capsule(Capsule { a: ends[0], b: ends[1], radius: 0.05 });
+        [(hull, corners.clone()), (mesh, corners), (capsule, ends)]
+    }
+
+    fn vectors() -> impl FnMut(f64) -> Vec3 {
+        let mut random = Pcg64::seed_from_u64(3);
+        move |size| {
+            let mut unit = || (f64::from(random.next_u32()) / f64::from(u32::MAX) * 2.0 - 1.0) * size;
+            Vec3::new(unit(), unit(), unit())
+        }
+    }
+
+    /// The nearest point of what is grown is on its surface, and where the signed distance says.
+    #[test]
+    fn what_is_grown_is_nearer_by_as_much() {
+        let mut vector = vectors();
+        for (solid, _) in shapes() {
+            let grown = solid.grown(0.03).placed(Pose::from_parts(Vec3::X, rotation_about(Vec3::Z, 1.0)));
+            let solid = solid.placed(Pose::from_parts(Vec3::X, rotation_about(Vec3::Z, 1.0)));
+            assert!((grown.bounding_sphere().1 - solid.bounding_sphere().1 - 0.03).abs() < 1e-12);
+            for _ in 0..2000 {
+                let [a, b] = [(); 2].map(|()| Vec3::X + vector(0.5));
+                assert!(grown.at_least(a, b) <= grown.segment_distance(a, b).distance + 1e-9);
+                for [one, other] in [
+                    [solid.point_distance(a), grown.point_distance(a)],
+                    [solid.segment_distance(a, b), grown.segment_distance(a, b)],
+                ] {
+                    assert!((one.distance - other.distance - 0.03).abs() < 1e-9, "{one:?} {other:?}");
+                    if one.distance.abs() > 1e-6 {
+                        let apart = (other.on_first - other.on_second).length();
+                        assert!((apart - other.distance.abs()).abs() < 1e-6, "{one:?} {other:?}");
+                    }
+                }
+                // And a point within a movement has its nearest one in the ball that is told.
+                let (near, by) = (grown.point_distance(a), vector(0.02));
+                let (centre, radius) = grown.nearest_within(a, &near, by.length());
+                let moved = grown.point_distance(a + by);
+                let point = if moved.distance > 0.0 { moved.on_second } else { a + by };
+                assert!((point - centre).length() <= radius + 1e-9, "{near:?} {moved:?}");
+            }
+        }
+    }
+
+    /// No corner is farther from where it was, and some turns are told with little to spare.
+    #[test]
+    fn nothing_moves_farther_than_told() {
+        let mut vector = vectors();
+        for (solid, corners) in shapes() {
+            let mut tightest = f64::INFINITY;
+            for _ in 0..500 {
+                let place = |vector: &mut dyn FnMut(f64) -> Vec3| {
+                    Pose::from_parts(vector(0.1), rotation_about(vector(1.0).normalize(), vector(0.5).x))
+                };
+                let (one, other) = (place(&mut vector), place(&mut vector));
+                let moved = corners.iter().map(|at| (one * *at - other * *at).length()).fold(0.0, f64::max);
+                let told = solid.placed(one).moved_from(&solid.placed(other));
+                assert!(moved <= told + 1e-9, "{moved} {told}");
+                tightest = tightest.min(told / moved);
+            }
+            assert!(tightest < 1.1, "{tightest}");
+        }
+    }
 }

@@ -58,6 +58,11 @@ pub struct Anywhere {
     pub open: usize,
     /// Where of the first ten thousand of those something is open, floor plan, m.
     pub open_m: Vec<[f64; 2]>,
+    /// Cells of the floor and postures in which nobody is hit at any communication step, and somebody may be between two: robots are
+    /// taken to be as much nearer then as they may move in half a step.
+    pub between: usize,
+    /// Where the first ten thousand of those are, floor plan, m.
+    pub between_m: Vec<[f64; 2]>,
     /// Why the absence of further hazards is not shown.
     pub reasons: Vec<String>,
     /// What the user should know.

@@ -35,7 +35,8 @@ impl<'a> From<&'a Anywhere> for Whole<'a> {
     fn from(found: &'a Anywhere) -> Self {
         let edge = found.cell_m;
         let known: BTreeSet<[i64; 2]> = found.floor.iter().map(|cell| square(cell.xy_m, edge)).collect();
-        let open: BTreeSet<[i64; 2]> = found.open_m.iter().map(|at| square(*at, edge)).collect();
+        let open = found.open_m.iter().chain(&found.between_m);
+        let open: BTreeSet<[i64; 2]> = open.map(|at| square(*at, edge)).collect();
         #[expect(clippy::cast_precision_loss, reason = "some thousand squares to a side")]
         let middle = |square: &[i64; 2]| square.map(|at| (((at as f64 + 0.5) * edge) * 1000.0).round() / 1000.0);
         let mut this = Self {

@@ -26,12 +26,14 @@ use crate::host::{Hosted, PlantError, Recall};
 use crate::human::Start;
 use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::report::model::{SCHEMA_VERSION, Verdict};
+use crate::report::speeds::Speeds;
 use crate::search::tracks::explore;
 use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
 use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Moment};
 use crate::sim::expansion::Merge;
+use crate::sim::motion::Motion;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
@@ -122,6 +124,8 @@ struct Looking<'a> {
     links: Vec<String>,
     found: Anywhere,
     rest: Rest,
+    /// What was seen of the robots' motion and the speeds that are told of it.
+    motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
     met: Vec<(Moment, bool)>,
 }
@@ -160,6 +164,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         ground: Ground::default(),
         open: 0,
         open_m: Vec::new(),
+        between: 0,
+        between_m: Vec::new(),
         reasons: Vec::new(),
         warnings: prepared.warnings(),
         spent: Spent::default(),
@@ -170,6 +176,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Res
         links: cell.links.iter().map(|link| link.name.clone()).collect(),
         found,
         rest: Rest::new(cell.sensors.len()),
+        motion: None,
         met: Vec::new(),
     };
     let kinds = unseen(prepared);
@@ -270,16 +277,18 @@ impl<'a> Looking<'a> {
         if !self.explore(&mut machine, tell)? || !self.run_again(there, footing, &machine, tell)? {
             return Ok(false);
         }
-        let histories = machine.histories();
-        let all: usize = histories.iter().map(|history| history.seen.len()).sum();
+        self.motion.get_or_insert_default().merge(machine.motion());
+        let (histories, between) = (machine.histories(), machine.histories_between());
+        let all: usize = between.iter().map(|history| history.seen.len()).sum();
         let mut done = 0;
-        for (history, way) in histories.iter().zip(&zones.ways).filter(|(history, _)| !history.seen.is_empty()) {
+        let each = histories.iter().zip(&between).zip(&zones.ways);
+        for ((history, between), way) in each.filter(|((_, between), _)| !between.seen.is_empty()) {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
-            let share = |part: f64| (done as f64 + part * history.seen.len() as f64) / all as f64;
+            let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
             let (workers, span) = (self.effort.workers, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
-            let outcome = search.search(history, span, workers, &mut self.rest.coverage, &mut told);
+            let outcome = search.search([history, between], span, workers, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
                 unseen: way.from.is_none(),
@@ -288,6 +297,9 @@ impl<'a> Looking<'a> {
             self.found.spent.boxes += outcome.boxes;
             self.found.open += outcome.open.len();
             self.found.open_m.extend(outcome.open.iter().take(MOST_OPEN.saturating_sub(self.found.open_m.len())));
+            self.found.between += outcome.between.len();
+            let room = MOST_OPEN.saturating_sub(self.found.between_m.len());
+            self.found.between_m.extend(outcome.between.iter().take(room));
             // What was found is looked at once more, even where the time is up.
             prepared.stop().finishing();
             let harms = outcome.harms.iter().map(|harm| harm.at(history));
@@ -298,7 +310,7 @@ impl<'a> Looking<'a> {
                 return Ok(false);
             }
             prepared.stop().searching();
-            done += history.seen.len();
+            done += between.seen.len();
         }
         Ok(true)
     }
@@ -379,6 +391,12 @@ impl<'a> Looking<'a> {
 
     /// The verdict, and why.
     fn conclude(mut self) -> Looked {
+        if let Some(motion) = &self.motion {
+            let speeds = Speeds::new(&self.prepared.cell, &self.prepared.binding, motion);
+            self.found.reasons.extend(speeds.refusal());
+            self.found.warnings.extend(speeds.sentences());
+            self.rest.speeds = speeds.records;
+        }
         let (found, coverage) = (&mut self.found, &self.rest.coverage);
         let step_s = self.prepared.cell.step_s;
         found.floor = map::hazardous(&self.met, map::span(found.until_s, step_s), step_s);
@@ -402,6 +420,13 @@ impl<'a> Looking<'a> {
             found
                 .reasons
                 .push(format!("{open} cells of the floor are open: whether anybody is hit there is not known"));
+        }
+        if found.between > 0 {
+            let between = found.between;
+            found.reasons.push(format!(
+                "in {between} cells of the floor somebody may be hit between two communication steps, and at none: the robots are as \
+                 much nearer then as they may move in half a step"
+            ));
         }
         let unconfirmed = found.hazards.iter().filter(|place| !place.confirmed).count();
         if unconfirmed > 0 {

@@ -7,6 +7,9 @@
 //! from any pose of it, shown by bounds; else its middle is tried, and it is halved. What is neither settled nor hazardous
 //! when the halves are small is *open*, and told.
 //!
+//! Between two instants only bounds are known of a robot. So a history is looked at twice: with links that are as large as what they may
+//! sweep around each instant, which settles nearly all, and with the links themselves where that does not. Only they harm anybody.
+//!
 //! Bounds hold for all of a box because nothing of the body moves farther in it than [`PoseBox::moves_m`] says. Arms are
 //! looked at with the tolerance of every arm search and, in the smallest boxes, that much more. Of the body a smallest box is known
 //! by its middle: a harm that is gone when the person is moved by [`BODY_TOLERANCE_M`] may be missed, since depth, region and
@@ -24,6 +27,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use self::behind::ToldOf;
 use self::readings::{may_report, may_stay_clear};
@@ -135,13 +139,15 @@ pub struct Moment {
     pub ratio: f64,
 }
 
-/// What came out for one history.
+/// What came out for one history and what is between its instants.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
     /// Poses in which somebody is harmed: at least one in each cell of the floor in which there is any, but where it is open.
     pub harms: Vec<Harm>,
     /// Middles of the cells of the floor in which some boxes are neither settled nor hazardous, floor plan, m.
     pub open: Vec<[f64; 2]>,
+    /// The same of those in which nobody is harmed at any instant, and it is not shown that nobody is between two.
+    pub between: Vec<[f64; 2]>,
     /// What comes to people in poses of `harms` at other instants, the worst of each span.
     pub moments: Vec<Moment>,
     /// Whether there was time for all of that.
@@ -153,9 +159,25 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether nobody is harmed there at all.
+    const fn is_settled(&self) -> bool {
+        !self.stopped && self.harms.is_empty() && self.open.is_empty()
+    }
+
+    /// Of a cell of the floor in which, with what is between instants, somebody may be harmed, where at the instants this is so.
+    fn narrowed(self, mut at_instants: Self) -> Self {
+        if at_instants.is_settled() {
+            at_instants.between = self.harms.iter().map(|harm| harm.xy_m).chain(self.open).collect();
+        }
+        at_instants.boxes += self.boxes;
+        at_instants.stopped |= self.stopped;
+        at_instants
+    }
+
     fn add(&mut self, other: Self) {
         self.harms.extend(other.harms);
         self.open.extend(other.open);
+        self.between.extend(other.between);
         self.boxes += other.boxes;
         self.stopped |= other.stopped;
     }
@@ -229,6 +251,10 @@ impl<'a> Anywhere<'a> {
             }
         }
         let starts = starts(cell);
+        if cell.floor.is_some() {
+            // Where the floor is bounded, people come from there.
+            starts.iter().for_each(|start| hold(*start, AROUND_M));
+        }
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
         let curtains = Curtain::all(cell, from, &obstacles);
         let encounter =
@@ -435,32 +461,57 @@ impl<'a> Anywhere<'a> {
         if is_known { Somewhere::Nowhere } else { Somewhere::Unknown }
     }
 
-    /// Every pose in which the sensors report what they do in `history`, on so many threads; what is hit is looked at again in
-    /// each span of so many steps. `tell` hears of the share that is done, and may end it.
+    /// Every pose in which the sensors report what they do in a history, on so many threads, at its instants and with what is
+    /// between them; what is hit is looked at again in each span of so many steps. `tell` hears of the share that is done, and may end
+    /// it.
     pub fn search(
         &self,
-        history: &History,
+        [history, between]: [&History; 2],
         span: usize,
         workers: usize,
         coverage: &mut Coverage,
         tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Outcome {
-        let first = self.first_boxes(history);
-        let within = Within::new(self, history);
+        let first = self.first_boxes(between);
+        let end = AtomicBool::new(false);
+        let (within, around) = (Within::new(self, history, &end), Within::new(self, between, &end));
         let mut all = Outcome::default();
         let mut undecided = Vec::new();
-        let first = within
-            .in_parallel(workers, &first, &mut |share| tell(0.5 * share), |at, coverage| within.first(*at, coverage));
+        let first = around
+            .in_parallel(workers, &first, &mut |share| tell(0.3 * share), |at, coverage| around.first(*at, coverage));
         for ((part, cells), seen) in first {
             coverage.merge(&seen);
             all.add(part);
             undecided.extend(cells);
         }
+        let tried = within
+            .in_parallel(workers, &undecided, &mut |share| tell(0.3 + 0.2 * share), |cell, c| within.try_cell(cell, c));
+        let mut left = Vec::new();
+        for (cell, (harms, seen)) in undecided.into_iter().zip(tried) {
+            coverage.merge(&seen);
+            if harms.is_empty() {
+                left.push(cell);
+            }
+            all.harms.extend(harms);
+        }
         // Where there are hazards, what is not decided yet is of less interest.
-        let most = if all.harms.is_empty() { MOST_BOXES } else { FEW_BOXES };
+        let is_hit = !all.harms.is_empty();
+        let most = if is_hit { FEW_BOXES } else { MOST_BOXES };
         let mut closely = |share: f64| tell(0.5 + 0.5 * share);
-        let second = within
-            .in_parallel(workers, &undecided, &mut closely, |cell, coverage| within.closely(cell, most, coverage));
+        let second = within.in_parallel(workers, &left, &mut closely, |cell, coverage| {
+            // First what is more likely to answer both.
+            if is_hit {
+                let at_instants = within.closely(cell, most, coverage);
+                if at_instants.is_settled() {
+                    around.closely(cell, most, coverage).narrowed(at_instants)
+                } else {
+                    at_instants
+                }
+            } else {
+                let wide = around.closely(cell, most, coverage);
+                if wide.is_settled() { wide } else { wide.narrowed(within.closely(cell, most, coverage)) }
+            }
+        });
         for (part, seen) in second {
             coverage.merge(&seen);
             all.add(part);

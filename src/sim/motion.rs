@@ -132,6 +132,12 @@ impl Comparison {
         self.unsettled
     }
 
+    /// Rows that a step is looked at with, itself and one behind it among them.
+    #[must_use]
+    pub const fn rows(&self) -> usize {
+        self.span + 3
+    }
+
     /// Looks at rows of outputs, one a step, of which the first has the number `from` (0 is the person's beginning) and those
     /// from index `new` on have not been looked at with what goes before them.
     pub fn look(&self, rows: &[f64], from: usize, new: usize, motion: &mut Motion) {

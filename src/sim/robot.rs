@@ -8,6 +8,9 @@ use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Strike;
 use crate::standards::BodyRegion;
 
+/// Links that are at rest by their speeds do not move by more, m.
+const JUMP_M: f64 = 0.01;
+
 /// The robots after one communication step.
 #[derive(Clone, Debug)]
 pub struct RobotFrame {
@@ -60,6 +63,38 @@ impl RobotFrame {
             phases: binding.robots.iter().map(phase).collect(),
             outputs: outputs.to_vec(),
         }
+    }
+
+    /// The same with every link as large as everything that is no farther than so from it, m.
+    #[must_use]
+    pub fn grown(&self, by_m: &[f64]) -> Self {
+        let links: Vec<Solid> = self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect();
+        let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
+        Self { fastest: speed_bounds.iter().copied().fold(0.0, f64::max), links, speed_bounds, ..self.clone() }
+    }
+
+    /// How far from where it is here or at the end of the step to `next` each link is between them at most, m, of which the nearer
+    /// one counts: half of the way that it goes at the faster of its speeds at both, or half of the way between both if that is more.
+    /// Of a capsule the core is meant: nothing is farther beyond that than before.
+    #[must_use]
+    pub fn swept_m(&self, next: &Self, step_s: f64) -> Vec<f64> {
+        let speeds = (0..self.links.len()).map(|link| self.core_speed_bound(link).max(next.core_speed_bound(link)));
+        let links = self.links.iter().zip(&next.links).zip(speeds);
+        links.map(|((from, to), speed)| 0.5 * to.moved_from(from).max(speed * step_s)).collect()
+    }
+
+    /// Upper bound on the speed of any point of a link's core, m/s: of a capsule its axis, of others all of it.
+    fn core_speed_bound(&self, link: usize) -> f64 {
+        if self.links[link].is_capsule() { self.certain_speed(link) } else { self.speed_bounds[link] }
+    }
+
+    /// Whether links are much farther from where they were in `before`, a step earlier, than their speeds take them: that was no
+    /// pose of the robots.
+    #[must_use]
+    pub fn jumps_from(&self, before: &Self, step_s: f64) -> bool {
+        let swept = before.swept_m(self, step_s);
+        let speeds = self.speed_bounds.iter().zip(&before.speed_bounds).map(|(a, b)| a.max(*b));
+        swept.iter().zip(speeds).any(|(swept, speed)| *swept > speed * step_s + JUMP_M)
     }
 
     /// Velocity of the point of shape `link` at world position `point`, m/s.

@@ -10,6 +10,9 @@ use crate::interface::guarded::{interface, vr};
 use crate::interface::variables::Value;
 use crate::model::{Model, Outcome};
 
+/// How long the burst lasts, s.
+const BURST_S: f64 = 0.01;
+
 /// How many real parameters and inputs there are: their places in the table below the outputs.
 const REALS: usize = vr::Q;
 
@@ -24,13 +27,22 @@ pub struct Guarded {
     /// Milliseconds since the start, and for how many of the last a stop was demanded.
     tick: u64,
     lasting: u64,
+    /// Demands so far.
+    demands: u64,
 }
 
 impl Guarded {
     /// All start values of the table.
     pub fn new() -> Self {
-        let mut model =
-            Self { reals: [0.0; REALS], muting: false, clear: true, drive: Drive::running(), tick: 0, lasting: 0 };
+        let mut model = Self {
+            reals: [0.0; REALS],
+            muting: false,
+            clear: true,
+            drive: Drive::running(),
+            tick: 0,
+            lasting: 0,
+            demands: 0,
+        };
         for (place, variable) in interface().variables.iter().enumerate().take(REALS) {
             model.set(place, variable.kind.start());
         }
@@ -56,6 +68,18 @@ impl Guarded {
         lasting > milliseconds(self.reals[vr::TAU])
     }
 
+    /// Whether something is wrong with it.
+    fn has(&self, fault: usize) -> bool {
+        self.reals[fault] != 0.0
+    }
+
+    /// How much of the burst is over, s.
+    fn burst_s(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "some seconds")]
+        let now = self.tick as f64 / 1000.0;
+        (now - self.reals[vr::BURST_AT]).clamp(0.0, BURST_S)
+    }
+
     /// Reads what `write` wrote.
     pub fn read(input: &mut Reader) -> Option<Self> {
         let mut model = Self::new();
@@ -66,6 +90,7 @@ impl Guarded {
         model.clear = input.bool()?;
         model.tick = input.u64()?;
         model.lasting = input.u64()?;
+        model.demands = input.u64()?;
         model.drive = Drive::read(input)?;
         Some(model)
     }
@@ -77,19 +102,30 @@ impl Guarded {
             vr::CLEAR => Value::Boolean(self.clear),
             vr::OCCUPIED => Value::Boolean(self.occupied()),
             vr::COUNTS => Value::Boolean(self.counts()),
-            vr::Q => Value::Real(self.reals[vr::SPEED] * self.drive.programme_time(&settings)),
-            vr::QD => Value::Real(self.reals[vr::SPEED] * self.drive.pace(&settings)),
+            vr::Q => Value::Real(
+                self.reals[vr::SPEED] * self.drive.programme_time(&settings)
+                    + self.reals[vr::BURST_BY] * self.burst_s(),
+            ),
+            vr::QD => {
+                let is_in_burst = self.burst_s() > 0.0 && self.burst_s() < BURST_S;
+                let speed = self.reals[vr::SPEED] * self.drive.pace(&settings);
+                let share = if self.lasting > 0 { self.reals[vr::TOLD_SHARE] } else { 1.0 };
+                Value::Real(share * speed + if is_in_burst { self.reals[vr::BURST_BY] } else { 0.0 })
+            }
             real => Value::Real(self.reals[real]),
         }
     }
 
     fn millisecond(&mut self) {
         let demanded = !self.clear || self.occupied();
+        if demanded && self.lasting == 0 {
+            self.demands = self.demands.saturating_add(1);
+        }
         self.lasting = if demanded { self.lasting.saturating_add(1) } else { 0 };
         #[expect(clippy::cast_precision_loss, reason = "some seconds")]
         let now = self.tick as f64;
         let muted = self.muting && now < milliseconds(self.reals[vr::HOLD_TIME]);
-        let stop = demanded && !muted && self.counts();
+        let stop = demanded && !muted && self.counts() && !(self.has(vr::ONCE) && self.demands > 1);
         let slow = self.distance() < self.reals[vr::SSM_DISTANCE];
         self.drive.advance(1, Demands { stop, slow, reset: false }, &self.settings());
         self.tick = self.tick.saturating_add(1);
@@ -129,7 +165,8 @@ impl Model for Guarded {
         out.bool(self.muting);
         out.bool(self.clear);
         out.u64(self.tick);
-        out.u64(self.lasting);
+        out.u64(if self.has(vr::FORGETS) { 0 } else { self.lasting });
+        out.u64(self.demands);
         self.drive.write(out);
     }
 }

@@ -15,34 +15,41 @@ pub mod vr {
     pub const HOLD_TIME: usize = 6;
     pub const SSM_DISTANCE: usize = 7;
     pub const FIELD_RADIUS: usize = 8;
-    pub const CLEAR: usize = 9;
-    pub const PERSON_X: usize = 10;
-    pub const PERSON_Y: usize = 11;
-    pub const Q: usize = 12;
-    pub const QD: usize = 13;
-    pub const OCCUPIED: usize = 14;
-    pub const COUNTS: usize = 15;
+    pub const BURST_AT: usize = 9;
+    pub const BURST_BY: usize = 10;
+    pub const TOLD_SHARE: usize = 11;
+    pub const ONCE: usize = 12;
+    pub const FORGETS: usize = 13;
+    pub const CLEAR: usize = 14;
+    pub const PERSON_X: usize = 15;
+    pub const PERSON_Y: usize = 16;
+    pub const Q: usize = 17;
+    pub const QD: usize = 18;
+    pub const OCCUPIED: usize = 19;
+    pub const COUNTS: usize = 20;
 }
 
 fn variables() -> Vec<Variable> {
     let parameter = |name, about, unit, [start, min, max]: [f64; 3]| {
         Variable::new(name, about, Parameter, Kind::real_in(unit, start, min, max))
     };
+    let flag = |name, about| Variable::new(name, about, Parameter, Kind::Boolean { start: false });
     vec![
         Variable::time(),
         parameter("drive.speed", "Speed of the bar", "rad/s", [1.0, 0.01, 5.0]),
         parameter("plc.t_react", "From a demand to the start of the deceleration", "s", [0.05, 0.0, 5.0]),
         parameter("plc.t_ramp", "From full speed to standstill", "s", [0.3, 0.001, 5.0]),
         parameter("filter.tau", "For so long a demand has to last before it counts", "s", [0.0, 0.0, 5.0]),
-        Variable::new(
-            "muting.enabled",
-            "Whether demands to stop are muted for a time after the start",
-            Parameter,
-            Kind::Boolean { start: false },
-        ),
+        flag("muting.enabled", "Whether demands to stop are muted for a time after the start"),
         parameter("muting.hold_time", "For so long after the start demands are muted", "s", [0.0, 0.0, 20.0]),
         parameter("ssm.distance", "The bar stands while a person is nearer than this; 0: off", "m", [0.0, 0.0, 10.0]),
         parameter("field.radius", "Radius of the scanner's field around the bar; 0: off", "m", [0.0, 0.0, 10.0]),
+        // What is wrong with it, on demand. Without units that tell what they are: nothing that advice could turn.
+        parameter("burst.at", "After so many seconds the bar is faster for 10 ms", "1", [1e3, 0.0, 1e3]),
+        parameter("burst.by", "So many rad/s faster", "1", [0.0, 0.0, 20.0]),
+        parameter("stopping.told", "The share of qd that is told once a stop is demanded", "1", [1.0, 0.0, 1.0]),
+        parameter("latch.once", "Not 0: only the first demand to stop is looked at", "1", [0.0, 0.0, 1.0]),
+        parameter("state.forgets", "Not 0: saved states leave out for how long a demand lasted", "1", [0.0, 0.0, 1.0]),
         Variable::new("clear", "Signal of the mat; false demands a stop", Input, Kind::Boolean { start: true }),
         Variable::new(
             "person.x",

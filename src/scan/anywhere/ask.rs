@@ -7,7 +7,6 @@ use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
-use crate::report::speeds::Speeds;
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
@@ -57,7 +56,7 @@ impl<'a> Looking<'a> {
         Ok(watched.instants.into_iter().map(|instant| instant.frame).collect())
     }
 
-    /// What the robots do while somebody stands there; and whether what the FMU tells of their speeds can be relied on.
+    /// What the robots do while somebody stands there.
     pub(super) fn unmoved(&mut self, there: &Prepared) -> Result<Vec<RobotFrame>, PlantError> {
         let cell = &there.cell;
         let mut simulation = there.simulation(StateChoice::Replay, true)?;
@@ -65,10 +64,7 @@ impl<'a> Looking<'a> {
         let watched = simulation.watch(&still, &[])?;
         self.found.spent.fmu_steps += simulation.recall().steps();
         self.rest.did = self.rest.did.and(simulation.recall().effort());
-        let speeds = Speeds::new(cell, &self.prepared.binding, simulation.motion());
-        self.found.reasons.extend(speeds.refusal());
-        self.found.warnings.extend(speeds.sentences());
-        self.rest.speeds = speeds.records;
+        self.motion.get_or_insert_default().merge(simulation.motion());
         let frames: Vec<RobotFrame> = watched.instants.into_iter().map(|instant| instant.frame).collect();
         let found = cycle(&frames.iter().map(points).collect::<Vec<_>>());
         self.found.cycle_s = self.found.cycle_s.or_else(|| found.map(|found| found.steps * cell.step_s));

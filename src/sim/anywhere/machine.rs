@@ -1,14 +1,19 @@
 //! The FMU along all histories of readings, a communication step at a time: what the robots do, and for how long the readings
 //! before had lasted.
+//!
+//! Of what is between two instants only bounds are known. In the first half of a step links are near where they were at its
+//! beginning, in the second near where they are at its end, no farther than they get in half a step: they are looked at there, larger by
+//! that (`Swept`). People have the readings of the sample that the step began with in all of it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::zones::Zones;
+use super::zones::{Way, Zones};
 use super::{History, Seen};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::search::tracks::{Lasting, Taken, Watch};
+use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{self, DelayLine, input_row};
 use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
@@ -40,9 +45,24 @@ pub struct Machine<'a, P: Plant> {
     /// Why the FMU first could not finish a step.
     fault: Option<String>,
     /// What was seen on each way, by the bits of the outputs.
-    seen: Vec<BTreeMap<Box<[u64]>, Seen>>,
+    seen: Vec<BTreeMap<Bits, Seen>>,
+    /// The same of what is between the instants.
+    swept: Vec<BTreeMap<Bits, Swept>>,
     /// Robots at instants, by the bits of the outputs.
-    frames: BTreeMap<Box<[u64]>, Arc<RobotFrame>>,
+    frames: BTreeMap<Bits, Arc<RobotFrame>>,
+    /// How told speeds are compared with the motion, and what was seen of that in all steps.
+    comparison: Comparison,
+    motion: Motion,
+}
+
+/// The bits of outputs.
+type Bits = Box<[u64]>;
+
+/// The robots within half a step of an instant.
+struct Swept {
+    seen: Seen,
+    /// No point of a link is farther from where it is then, m.
+    by_m: Vec<f64>,
 }
 
 /// How far somebody gets until the end of a step.
@@ -55,12 +75,12 @@ struct Far {
 }
 
 impl Far {
-    /// Of a step that begins when the reading has lasted so long. Its end is a step later; and between the last sample before the
-    /// reading first changed and the first after it there is another.
+    /// So much of a step into it which begins when the reading has lasted so long; between the last sample before the reading first
+    /// changed and the first after it there is another step.
     #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
-    fn after(lasting: Lasting, step_s: f64) -> Self {
-        let time_s = |steps: usize| steps as f64 * step_s;
-        let (own_s, first_s) = (time_s(lasting.steps + 1), time_s(lasting.since_first + 2));
+    fn after(lasting: Lasting, part: f64, step_s: f64) -> Self {
+        let time_s = |steps: usize| (steps as f64 + part) * step_s;
+        let (own_s, first_s) = (time_s(lasting.steps), time_s(lasting.since_first + 1));
         Self { within_m: [own_s, first_s].map(|s| WALKING_SPEED_M_S * s), depth_m: HAND_SPEED_M_S * first_s }
     }
 }
@@ -84,13 +104,22 @@ impl<'a, P: Plant> Machine<'a, P> {
             last: (NodeId::ROOT, NodeId::ROOT),
             fault: None,
             seen: vec![BTreeMap::new(); zones.ways.len()],
+            swept: zones.ways.iter().map(|_| BTreeMap::new()).collect(),
             frames: BTreeMap::new(),
+            comparison: Comparison::new(cell, binding),
+            motion: Motion::default(),
         }
     }
 
     /// The FMU's states.
     pub const fn recall(&self) -> &Recall<P> {
         &self.recall
+    }
+
+    /// What was seen of the robots' motion and the speeds that are told of it.
+    #[must_use]
+    pub const fn motion(&self) -> &Motion {
+        &self.motion
     }
 
     /// Why the FMU first could not finish a step.
@@ -102,59 +131,108 @@ impl<'a, P: Plant> Machine<'a, P> {
     /// Forgets what was seen, for another exploration of the same states.
     pub fn begin(&mut self) {
         self.seen.iter_mut().for_each(BTreeMap::clear);
+        self.swept.iter_mut().for_each(BTreeMap::clear);
     }
 
-    /// Takes in the robots after a step.
+    /// Takes in the robots after a step, and during it.
     pub fn look(&mut self, taken: &Taken<'_, State>) {
         let (before, node) = self.last;
         let before = &**self.recall.outputs(before);
-        let rows = self.binding.rows(self.recall.outputs(node), Some(before), self.cell.step_s);
-        let bits: Box<[u64]> = rows.iter().map(|value| value.to_bits()).collect();
-        let frame = Arc::clone(
-            self.frames
-                .entry(bits.clone())
-                .or_insert_with(|| Arc::new(RobotFrame::new(self.cell, self.binding, &rows))),
-        );
-        if !frame.may_harm_by(&self.part.links) {
+        let step_s = self.cell.step_s;
+        let after = self.binding.rows(self.recall.outputs(node), Some(before), step_s).into_owned();
+        // What follows from both ends of a step is that of its beginning, too.
+        let before = [before, &after[before.len()..]].concat();
+        let (begins, ends) = (self.frame(&before), self.frame(&after));
+        self.compare_speeds(taken.step);
+        self.motion.look_at_links(std::slice::from_ref(&ends.1), taken.step);
+        let may_harm = |frame: &RobotFrame| frame.may_harm_by(&self.part.links);
+        if may_harm(&ends.1) {
+            let seen = self.seen_at(taken, &ends.1, 1.0);
+            take_in(self.seen[taken.way].entry(ends.0.clone()).or_insert_with(|| seen.clone()), &seen);
+        } else if !may_harm(&begins.1) {
             return;
         }
-        let way = &self.zones.ways[taken.way];
-        let lasting = taken.lasting.steps;
-        let far = Far::after(taken.lasting, self.cell.step_s);
-        let seen = Seen {
-            step: taken.step,
-            lasting,
-            frame,
-            within_m: if way.from.is_none() { [f64::MAX; 2] } else { far.within_m },
-            // Who comes back to a plane may have told it of an arm before.
-            depth_m: if way.from.is_some() { far.depth_m } else { f64::INFINITY },
-        };
-        let known = self.seen[taken.way].entry(bits).or_insert_with(|| seen.clone());
-        for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {
-            *known = known.max(seen);
+        let by_m = begins.1.swept_m(&ends.1, step_s);
+        let is_jump = taken.step <= self.binding.settled_steps() && ends.1.jumps_from(&begins.1, step_s);
+        let halves = [(begins, 0.5), (ends, 1.0)].into_iter().skip(usize::from(is_jump));
+        for ((bits, frame), part) in halves.filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
+            let by_m = if is_jump { frame.swept_m(&frame, step_s) } else { by_m.clone() };
+            let seen = self.seen_at(taken, &frame, part);
+            let known = self.swept[taken.way].entry(bits);
+            let known = known.or_insert_with(|| Swept { seen: seen.clone(), by_m: by_m.clone() });
+            take_in(&mut known.seen, &seen);
+            known.by_m.iter_mut().zip(by_m).for_each(|(known, by_m)| *known = known.max(by_m));
         }
-        known.depth_m = known.depth_m.max(seen.depth_m);
-        if lasting > known.lasting {
-            (known.lasting, known.step) = (lasting, taken.step);
+    }
+
+    /// Compares the told speeds with the motion over the step before the last: only then it is known how they go on.
+    fn compare_speeds(&mut self, step: usize) {
+        let (mut nodes, wanted) = (vec![self.last.1, self.last.0], self.comparison.rows().min(step + 1));
+        while nodes.len() < wanted {
+            let Some(first) = nodes.last() else { break };
+            nodes.push(self.recall.parent(*first));
+        }
+        let rows: Vec<f64> = nodes.iter().rev().flat_map(|node| self.recall.outputs(*node).iter().copied()).collect();
+        self.comparison.look(&rows, step + 1 - nodes.len(), nodes.len() - 1, &mut self.motion);
+    }
+
+    /// The robots by these rows.
+    fn frame(&mut self, rows: &[f64]) -> (Bits, Arc<RobotFrame>) {
+        let bits: Bits = rows.iter().map(|value| value.to_bits()).collect();
+        let of = || Arc::new(RobotFrame::new(self.cell, self.binding, rows));
+        let frame = Arc::clone(self.frames.entry(bits.clone()).or_insert_with(of));
+        (bits, frame)
+    }
+
+    /// Who may be there so much of a step into it.
+    fn seen_at(&self, taken: &Taken<'_, State>, frame: &Arc<RobotFrame>, part: f64) -> Seen {
+        let is_first = self.zones.ways[taken.way].from.is_none();
+        let far = Far::after(taken.lasting, part, self.cell.step_s);
+        Seen {
+            step: taken.step,
+            lasting: taken.lasting.steps,
+            frame: Arc::clone(frame),
+            within_m: if is_first { [f64::MAX; 2] } else { far.within_m },
+            // Who comes back to a plane may have told it of an arm before.
+            depth_m: if is_first { f64::INFINITY } else { far.depth_m },
         }
     }
 
     /// What was seen, one history for each way.
     #[must_use]
     pub fn histories(&self) -> Vec<History> {
-        let ways = self.zones.ways.iter().zip(&self.seen);
-        ways.map(|(way, seen)| {
-            let mut seen: Vec<Seen> = seen.values().cloned().collect();
-            seen.sort_by_key(|seen| (seen.step, seen.lasting));
-            let matter = self.part.sensors.iter().zip(&self.zones.readings[way.to]);
-            History {
-                readings: matter.map(|(matters, reading)| matters.then_some(*reading)).collect(),
-                links: Arc::clone(&self.part.links),
-                fields: [&way.field, self.zones.origin()].map(Arc::clone),
-                seen,
-            }
-        })
-        .collect()
+        let seen = self.seen.iter().map(|seen| seen.values().cloned().collect());
+        self.zones.ways.iter().zip(seen).map(|(way, seen)| self.history(way, seen)).collect()
+    }
+
+    /// The same of what is between the instants: links as large as what they sweep within half a step.
+    #[must_use]
+    pub fn histories_between(&self) -> Vec<History> {
+        let grown = |swept: &Swept| Seen { frame: Arc::new(swept.seen.frame.grown(&swept.by_m)), ..swept.seen.clone() };
+        let seen = self.swept.iter().map(|swept| swept.values().map(grown).collect());
+        self.zones.ways.iter().zip(seen).map(|(way, seen)| self.history(way, seen)).collect()
+    }
+
+    fn history(&self, way: &Way, mut seen: Vec<Seen>) -> History {
+        seen.sort_by_key(|seen| (seen.step, seen.lasting));
+        let matter = self.part.sensors.iter().zip(&self.zones.readings[way.to]);
+        History {
+            readings: matter.map(|(matters, reading)| matters.then_some(*reading)).collect(),
+            links: Arc::clone(&self.part.links),
+            fields: [&way.field, self.zones.origin()].map(Arc::clone),
+            seen,
+        }
+    }
+}
+
+/// The same robots at an instant that somebody got to in another way.
+fn take_in(known: &mut Seen, seen: &Seen) {
+    for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {
+        *known = known.max(seen);
+    }
+    known.depth_m = known.depth_m.max(seen.depth_m);
+    if seen.lasting > known.lasting {
+        (known.lasting, known.step) = (seen.lasting, seen.step);
     }
 }
 
@@ -208,12 +286,15 @@ mod tests {
     /// 0.032 m from where that may be; and where they were not reported is two steps back. A hand gets 0.08 m in these.
     #[test]
     fn a_step_ends_a_step_after_the_sample_that_it_begins_with() {
-        let far = |steps, since_first| Far::after(Lasting { steps, changes: 1, since_first }, 0.02);
+        let after = |steps, since_first, part| Far::after(Lasting { steps, changes: 1, since_first }, part, 0.02);
+        let far = |steps, since_first| after(steps, since_first, 1.0);
         let near = |a: Far, within_m: [f64; 2], depth_m: f64| {
             let differ = [a.within_m[0] - within_m[0], a.within_m[1] - within_m[1], a.depth_m - depth_m];
             assert!(differ.into_iter().all(|by| by.abs() < 1e-12), "{a:?}");
         };
         near(far(0, 0), [0.032, 0.064], 0.08);
         near(far(3, 9), [0.128, 0.352], 0.44);
+        // Half a step before that.
+        near(after(3, 9, 0.5), [0.112, 0.336], 0.42);
     }
 }

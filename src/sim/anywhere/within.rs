@@ -132,17 +132,18 @@ pub(super) struct Within<'a> {
     walls: Vec<Cuboid>,
     /// Where arms get to a robot at any instant.
     arms: ArmCells,
-    end: AtomicBool,
+    /// Set where it has to end.
+    end: &'a AtomicBool,
 }
 
 impl<'a> Within<'a> {
-    pub(super) fn new(of: &'a Anywhere<'a>, history: &'a History) -> Self {
+    pub(super) fn new(of: &'a Anywhere<'a>, history: &'a History, end: &'a AtomicBool) -> Self {
         let pairs: Vec<Pair> =
             history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen, &history.links)).collect();
         let walls = of.walls(history);
         let targets: Vec<Target<'_>> = pairs.iter().filter(|pair| pair.arms).map(|pair| pair.target(history)).collect();
         let arms = ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls);
-        Self { of, history, pairs, walls, arms, end: AtomicBool::new(false) }
+        Self { of, history, pairs, walls, arms, end }
     }
 
     /// Does `work` for each of some items, on so many threads: the results in the order of the items.
@@ -181,7 +182,7 @@ impl<'a> Within<'a> {
         parts.into_iter().map(|(_, result, coverage)| (result, coverage)).collect()
     }
 
-    /// Everything in a first box that bounds settle, or a pose that is tried; and the cells of the floor that are left.
+    /// Everything in a first box that bounds settle, and the cells of the floor that are left.
     pub(super) fn first(&self, first: PoseBox, coverage: &mut Coverage) -> (Outcome, Vec<Undecided>) {
         let (mut outcome, mut undecided) = (Outcome::default(), Vec::new());
         let all: Rc<Vec<usize>> = Rc::new((0..self.pairs.len()).collect());
@@ -202,14 +203,16 @@ impl<'a> Within<'a> {
             if at.half_m > CELL_M {
                 pending.extend(at.quarters().map(|part| (part, postures.clone(), Rc::clone(&near))));
             } else {
-                let harms = self.try_poses(&at, &postures, &near, coverage);
-                if harms.is_empty() {
-                    undecided.push((at, postures));
-                }
-                outcome.harms.extend(harms);
+                undecided.push((at, postures));
             }
         }
         (outcome, undecided)
+    }
+
+    /// Harms in some poses in a cell of the floor.
+    pub(super) fn try_cell(&self, (cell, postures): &Undecided, coverage: &mut Coverage) -> Vec<Harm> {
+        let near = self.near(cell, 0..self.pairs.len());
+        if near.is_empty() || self.is_over() { Vec::new() } else { self.try_poses(cell, postures, &near, coverage) }
     }
 
     /// Of some links at instants those that anybody in a box may meet.

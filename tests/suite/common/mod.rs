@@ -1,5 +1,6 @@
 //! What the integration tests share: exported examples, variants of cell files, the command.
 
+pub mod anywhere;
 pub mod archives;
 pub mod fmpy;
 pub mod formats;
