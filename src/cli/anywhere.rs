@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::exit::{self, Failure};
 use super::output::{self, Format, Progress};
+use super::resume::{self, Command};
 use super::scan::{Run, file_name, introduce};
 use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
@@ -15,6 +16,7 @@ use crate::report::floorplan;
 use crate::report::whole::Whole;
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
 use crate::scan::{Prepared, Scanned, picture};
+use crate::sim::anywhere::ledger::Ledger;
 
 /// Where the results are kept beside those of a scan from the starts.
 const FOLDER: &str = "anywhere";
@@ -28,8 +30,8 @@ const FLOOR: &str = "floor.svg";
 const STEPS: u64 = 1000;
 
 /// The command.
-pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
-    let Run { arguments, stop, .. } = *run;
+pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>) -> Result<u8, Failure> {
+    let Run { arguments, stop, goes_on, .. } = *run;
     if let Some(reason) = refusal(prepared) {
         return Err(Failure::unusable(reason));
     }
@@ -38,12 +40,32 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared) -> Result<u8, Failure> {
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(file_name(&prepared.cell.name)));
     // It is about none of the cell's beginnings.
     let baseline = run.baseline(prepared, None)?;
-    look(run, prepared, baseline.as_ref(), (&out, arguments.time()), false)
+    make(&out)?;
+    if let Some(command) = command {
+        command.write(&out)?;
+    }
+    let mut ledger = Ledger::default();
+    if command.is_some() {
+        ledger = resume::ledger(&out, prepared, &arguments.until_words(), goes_on, &arguments.parts)?;
+    }
+    let ledger = ledger.only(arguments.partition);
+    let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, arguments.time()), (&ledger, false))?;
+    if let (known @ 1.., all) = ledger.remembered() {
+        output::note(&format!("   Known   {known} of {all} questions were answered before"));
+    }
+    if command.is_some() {
+        if cut_short {
+            output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
+        } else {
+            resume::finished(&out, arguments.partition.is_some());
+        }
+    }
+    Ok(code)
 }
 
 /// Before a scan from the starts: with half of its time, in a folder of its own within `out`. The exit code; nothing where nobody
 /// can be looked for anywhere, which is told.
-pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path) -> Result<Option<u8>, Failure> {
+pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool) -> Result<Option<u8>, Failure> {
     if let Some(reason) = refusal(prepared) {
         output::note(&format!("   From    the cell's starts only: {reason}"));
         return Ok(None);
@@ -67,12 +89,18 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path) -> Result<Op
     // What an earlier scan left there is no result of this one, should it fail.
     forget(&own);
     output::write_file(&unfinished, "")?;
-    let looked = look(run, prepared, None, (&own, run.arguments.time().map(|time| time / 2)), true);
-    if !matches!(looked, Ok(exit::INTERRUPTED)) {
+    let arguments = run.arguments;
+    let mut ledger = Ledger::default();
+    if keeps {
+        ledger = resume::ledger(&own, prepared, &arguments.until_words(), run.goes_on, &[])?;
+    }
+    let looked = look(run, prepared, None, (&own, arguments.time().map(|time| time / 2)), (&ledger, true));
+    if !matches!(looked, Ok(Ended { code: exit::INTERRUPTED, .. })) {
         let _ = std::fs::remove_file(unfinished);
+        resume::finished(&own, false);
     }
     match looked {
-        Ok(code) => Ok(Some(code)),
+        Ok(Ended { code, .. }) => Ok(Some(code)),
         // What is wrong with the FMU the scan from the starts tells, too.
         Err(failure) if failure.code() == exit::FMU_FAILED => {
             output::warning(&format!("from anywhere nothing is known: {}", failure.text()));
@@ -109,14 +137,21 @@ fn make(out: &Path) -> Result<(), Failure> {
         .map_err(|e| Failure::unusable(format!("cannot write results to {}: {e}", out.display())))
 }
 
+/// What came out.
+struct Ended {
+    code: u8,
+    /// Whether there is more to look at.
+    cut_short: bool,
+}
+
 /// Looks, and writes the results; with others `beside`.
 fn look(
     run: &Run<'_>,
     prepared: &Prepared,
     baseline: Option<&Baseline>,
     (out, time): (&Path, Option<Duration>),
-    beside: bool,
-) -> Result<u8, Failure> {
+    (ledger, beside): (&Ledger, bool),
+) -> Result<Ended, Failure> {
     let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
     make(out)?;
     beginnings::forget(out);
@@ -151,11 +186,13 @@ fn look(
         workers: arguments.workers(),
         most_states: arguments.most_states(),
         state: arguments.state,
+        ledger,
     };
     let looked = anywhere(prepared, effort, &mut tell)?;
     progress.finish();
     output::phase("confirming from a fresh start");
-    let Scanned { report, rung, effort: did, remembered } = looked.scanned(prepared, effort);
+    let Scanned { report, rung, effort: did, .. } = looked.scanned(prepared, effort);
+    let cut_short = looked.was_cut_short() || stop.is_asked();
     let found = looked.found;
     output::detail(&format!(
         "   Took    {:.1} s, {} FMU steps, {} sets of poses, {} arm searches",
@@ -174,14 +211,15 @@ fn look(
     let context =
         results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: Some(&found) };
     results::write(&report, &context, out)?;
-    results::write_run(prepared, rung, (did, remembered), reproduce, out)?;
+    results::write_run(prepared, rung, (did, ledger.remembered().0), reproduce, out)?;
     match arguments.format {
         Format::Json if beside => {}
         Format::Json => output::json(&json),
         Format::Table => output::result(&format!("\n{}", found.render(&report, output::view()))),
     }
     found.warnings.iter().for_each(|warning| output::warning(warning));
-    run.conclude((prepared, &report, interrupted), baseline, out)
+    let code = run.conclude((prepared, &report, interrupted), baseline, out)?;
+    Ok(Ended { code, cut_short })
 }
 
 /// A cell file for each place, whose scan shows what happens there, too.

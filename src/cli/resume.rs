@@ -1,4 +1,5 @@
-//! What an interrupted scan leaves behind so that it can go on: its command line and the journal of its exhaustive part.
+//! What an interrupted scan leaves behind so that it can go on: its command line, the journal of its exhaustive part, and the answers
+//! of a look from anywhere; these are what the parts of a divided one bring together, too.
 
 use std::path::{Path, PathBuf};
 
@@ -8,6 +9,7 @@ use super::exit::Failure;
 use super::output;
 use crate::report::moved::{found, seen_from};
 use crate::scan::Prepared;
+use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::journal::Journal;
 
 /// The command line of a scan, and where it was given.
@@ -21,6 +23,7 @@ pub(super) struct Command {
 
 const COMMAND: &str = "resume.json";
 const JOURNAL: &str = "journal.bin";
+const ANSWERS: &str = "answers.bin";
 
 impl Command {
     /// The command line of this process; nothing if it cannot be written down.
@@ -60,26 +63,59 @@ pub(super) fn journal(out: &Path, prepared: &Prepared, goes_on: bool) -> Result<
     if !goes_on {
         let _ = std::fs::remove_file(&path);
     }
+    let subject = subject(prepared, &format!("journal 4, beginning {}", prepared.cell.beginning + 1));
+    Journal::open(&path, &subject).map_err(|e| cannot_go_on(&path, &e))
+}
+
+/// What both kinds of files are about.
+fn subject(prepared: &Prepared, what: &str) -> String {
     let fmus: Vec<&str> = prepared.subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
     let files = prepared.subject.files.iter().map(|file| format!(" {}", file.sha256));
-    let subject = format!(
-        "fmi-hazard {}, journal 4, cell {}, beginning {}{}, FMUs {}, told by bytes: {}",
+    format!(
+        "fmi-hazard {}, {what}, cell {}{}, FMUs {}, told by bytes: {}",
         env!("CARGO_PKG_VERSION"),
         prepared.subject.cell_sha256,
-        prepared.cell.beginning + 1,
         files.collect::<String>(),
         fmus.join(" "),
         prepared.tells_states_by_bytes()
-    );
-    Journal::open(&path, &subject).map_err(|e| {
-        let help = "scan again from the beginning, without --resume";
-        Failure::unusable_with_help(format!("cannot go on with {}: {e}", path.display()), help)
-    })
+    )
 }
 
-/// Nothing is left to go on with.
-pub(super) fn finished(out: &Path) {
-    for name in [COMMAND, JOURNAL] {
+fn cannot_go_on(path: &Path, error: &std::io::Error) -> Failure {
+    let help = "scan again from the beginning, without --resume";
+    Failure::unusable_with_help(format!("cannot go on with {}: {error}", path.display()), help)
+}
+
+/// The answers of a look from anywhere in the folder of its results, those of an interrupted one if it `goes_on`; with those of `parts` that
+/// ran elsewhere.
+pub(super) fn ledger(
+    out: &Path,
+    prepared: &Prepared,
+    until: &str,
+    goes_on: bool,
+    parts: &[PathBuf],
+) -> Result<Ledger, Failure> {
+    let path = out.join(ANSWERS);
+    if !goes_on {
+        let _ = std::fs::remove_file(&path);
+    }
+    let subject = subject(prepared, &format!("answers 1, until {until}"));
+    let mut ledger = Ledger::open(&path, &subject).map_err(|e| cannot_go_on(&path, &e))?;
+    for part in parts {
+        let path = part.join(ANSWERS);
+        ledger.take_in(&path, &subject).map_err(|e| {
+            Failure::unusable_with_help(
+                format!("cannot take in {}: {e}", path.display()),
+                "name folders with results of scans of this cell with --partition and the same --until",
+            )
+        })?;
+    }
+    Ok(ledger)
+}
+
+/// Nothing is left to go on with; answers of a part stay.
+pub(super) fn finished(out: &Path, is_part: bool) {
+    for name in [COMMAND, JOURNAL].into_iter().chain((!is_part).then_some(ANSWERS)) {
         let _ = std::fs::remove_file(out.join(name));
     }
 }

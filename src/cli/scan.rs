@@ -79,9 +79,15 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
             "add --from anywhere; how long a scan from the cell's starts is says [search] actions in the cell file",
         ));
     }
+    if let (From::Start | From::Both, Some(option)) = (from, arguments.of_anywhere()) {
+        return Err(Failure::unusable_with_help(
+            format!("{option} is for scans from anywhere alone"),
+            "add --from anywhere",
+        ));
+    }
     if from == From::Anywhere {
         let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several: false };
-        return anywhere::run(&run, &prepared);
+        return anywhere::run(&run, &prepared, command.as_ref());
     }
     let all = match arguments.begin {
         Some(number) => vec![prepared.beginning(number as usize - 1)?],
@@ -115,7 +121,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
     let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
     let began = Instant::now();
-    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out)? } else { None };
+    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out, journals)? } else { None };
     if whole == Some(exit::INTERRUPTED) {
         output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         return Ok(exit::INTERRUPTED);
@@ -136,7 +142,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         if stop.is_asked() {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         } else {
-            resume::finished(&out);
+            resume::finished(&out, false);
         }
     }
     // Nobody hit from one start says nothing against somebody hit from elsewhere, or against what is not known of others.
@@ -197,7 +203,7 @@ impl Run<'_> {
                 return Ok(code);
             }
             if journals {
-                resume::finished(&own);
+                resume::finished(&own, false);
             }
             table.add(&prepared.subject, &hazards, code, out)?;
         }

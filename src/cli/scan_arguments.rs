@@ -18,6 +18,7 @@ use crate::scan::options::Method;
 use crate::scan::remedy::Effort;
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
+use crate::sim::anywhere::ledger::Share;
 use crate::sim::expansion::Merge;
 
 /// When a scan is over.
@@ -48,9 +49,11 @@ const FROM: &str = "FMI_HAZARD_FROM";
 const MOST_STATES: usize = 300_000;
 
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 26] = [
+const OTHERS: [&str; 28] = [
     "from",
     "until",
+    "partition",
+    "parts",
     "path",
     "cell",
     "begin",
@@ -102,6 +105,13 @@ pub(super) struct Arguments {
     /// [default: 4s]
     #[arg(long, value_name = "TIME", value_parser = until)]
     pub(super) until: Option<Until>,
+    /// From anywhere: only this part of the floor, for instance 2/4, the second of four; others may be looked at elsewhere
+    #[arg(long, value_name = "PART")]
+    pub(super) partition: Option<Share>,
+    /// From anywhere: with what the parts found whose results are in this folder (once for each); the result is that of one scan
+    /// that was not divided
+    #[arg(long, value_name = "DIR", conflicts_with = "partition")]
+    pub(super) parts: Vec<PathBuf>,
     /// How sequences are chosen
     #[arg(long, value_enum, default_value = "auto")]
     strategy: Choice,
@@ -258,9 +268,20 @@ impl Arguments {
         given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
     }
 
+    /// An option that only a scan from anywhere has.
+    pub(super) fn of_anywhere(&self) -> Option<&'static str> {
+        let given = [("--partition", self.partition.is_some()), ("--parts", !self.parts.is_empty())];
+        given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
+    }
+
     /// How long after the start of the FMU a scan from anywhere looks.
     pub(super) fn until(&self) -> Until {
         self.until.unwrap_or(UNTIL)
+    }
+
+    /// The same as an argument.
+    pub(super) fn until_words(&self) -> String {
+        until_words(self.until())
     }
 
     /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
@@ -312,7 +333,10 @@ impl Arguments {
             }
         } else {
             add("--from", Some("anywhere".to_owned()));
-            add("--until", Some(until_words(self.until())));
+            add("--until", Some(self.until_words()));
+            if let Some(share) = self.partition {
+                add("--partition", Some(share.to_string()));
+            }
         }
         if self.no_advice {
             add("--no-advice", None);
@@ -343,6 +367,8 @@ impl Arguments {
         Self {
             from: None,
             until: None,
+            partition: None,
+            parts: Vec::new(),
             path: Some(path),
             resume: None,
             cell: None,

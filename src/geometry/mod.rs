@@ -10,6 +10,7 @@
 //! - [`kinematics`]: where links are, and how fast
 
 pub mod boxes;
+pub mod coordinates;
 pub mod distance;
 pub mod hull;
 pub mod joined;

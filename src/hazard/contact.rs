@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cause::Part;
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, coordinates};
 use crate::standards::BodyRegion;
 use crate::standards::iso_ts_15066::{collision_force_n, robot_effective_mass, safe_speed_m_s, transient_limit_n};
 
@@ -100,15 +100,17 @@ impl Strike {
 }
 
 /// A contact between a body region and a robot link at one instant.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// Body region touched (first touched, where several overlap).
     pub region: BodyRegion,
     /// Index of the robot link shape.
     pub link: usize,
     /// Contact point on the robot, world, m.
+    #[serde(with = "coordinates")]
     pub on_robot: Vec3,
     /// Contact point on the body, world, m.
+    #[serde(with = "coordinates")]
     pub on_body: Vec3,
     /// Signed distance, m; negative when the shapes overlap at the instant of the check.
     pub distance_m: f64,

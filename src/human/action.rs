@@ -60,7 +60,7 @@ impl Walk {
 
 /// What the upper body does during one action: a bend about the hip. Diagonal postures bend forward and sideways, each
 /// by its full angle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Posture {
     /// No bend.
     Upright,

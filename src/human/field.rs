@@ -96,6 +96,12 @@ impl Field {
         self.least_m[cell]
     }
 
+    /// The bounds of all cells, m.
+    #[must_use]
+    pub fn all(&self) -> &[f64] {
+        &self.least_m
+    }
+
     /// The least within the square of half edge `half_m` around `xy_m`; 0 where that goes beyond the floor's rectangle, of which
     /// nothing is known.
     #[must_use]

@@ -6,10 +6,12 @@
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
+use serde::{Deserialize, Serialize};
+
 use crate::geometry::Vec3;
 
 /// Places in an upright square of the floor plan, and headings on an arc.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PoseBox {
     /// Middle of the places, floor plan, m.
     pub xy_m: [f64; 2],

@@ -28,10 +28,11 @@ use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::report::model::{SCHEMA_VERSION, Verdict};
 use crate::report::speeds::Speeds;
 use crate::search::tracks::explore;
+use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Moment};
+use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Means, Moment};
 use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
@@ -106,7 +107,7 @@ pub enum Until {
 
 /// How far and how hard is looked.
 #[derive(Clone, Copy, Debug)]
-pub struct Effort {
+pub struct Effort<'a> {
     /// How long after the start of the FMU.
     pub until: Until,
     /// Threads.
@@ -115,12 +116,14 @@ pub struct Effort {
     pub most_states: usize,
     /// How the FMU's states are brought back.
     pub state: StateChoice,
+    /// What is known from before, and what is kept for later.
+    pub ledger: &'a Ledger,
 }
 
 /// What is being put together.
 struct Looking<'a> {
     prepared: &'a Prepared,
-    effort: Effort,
+    effort: Effort<'a>,
     links: Vec<String>,
     found: Anywhere,
     rest: Rest,
@@ -137,11 +140,19 @@ pub struct Looked {
     rest: Rest,
 }
 
+impl Looked {
+    /// Whether there is more to look at.
+    #[must_use]
+    pub fn was_cut_short(&self) -> bool {
+        self.found.reasons.iter().any(|reason| reason == STOPPED)
+    }
+}
+
 /// Looks everywhere.
 ///
 /// # Errors
 /// When the FMU cannot be started or fails on its way there.
-pub fn anywhere(prepared: &Prepared, effort: Effort, tell: &mut Tell<'_>) -> Result<Looked, ScanError> {
+pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) -> Result<Looked, ScanError> {
     let cell = &prepared.cell;
     let found = Anywhere {
         schema_version: SCHEMA_VERSION,
@@ -286,9 +297,10 @@ impl<'a> Looking<'a> {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
-            let (workers, span) = (self.effort.workers, map::span(self.found.until_s, cell.step_s));
+            let Effort { workers, ledger, .. } = self.effort;
+            let (means, span) = (Means { workers, ledger }, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
-            let outcome = search.search([history, between], span, workers, &mut self.rest.coverage, &mut told);
+            let outcome = search.search([history, between], span, means, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
                 unseen: way.from.is_none(),
@@ -414,6 +426,11 @@ impl<'a> Looking<'a> {
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
         if found.histories.is_empty() {
             found.reasons.push("no robot moved that could harm anybody, or no sensor leaves anybody unseen".to_owned());
+        }
+        if let Some(share) = self.effort.ledger.share() {
+            found
+                .reasons
+                .push(format!("this is part {share} of a search: what is not found here may be in another part"));
         }
         if found.open > 0 {
             let open = found.open;

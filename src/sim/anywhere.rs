@@ -16,6 +16,7 @@
 //! speed of what is touched may all be others then.
 
 mod behind;
+pub mod ledger;
 pub mod machine;
 mod readings;
 mod shoulders;
@@ -29,11 +30,14 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use serde::{Deserialize, Serialize};
+
 use self::behind::ToldOf;
+use self::ledger::Ledger;
 use self::readings::{may_report, may_stay_clear};
 use self::told::{Told, arc};
-use self::within::Within;
 use self::within::moments::worth_following;
+use self::within::{Undecided, Within};
 use super::Coverage;
 use super::curtain::Curtain;
 use super::encounter::Encounter;
@@ -104,7 +108,7 @@ impl History {
 }
 
 /// A pose in which somebody is harmed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Harm {
     /// Where they stand, floor plan, m.
     pub xy_m: [f64; 2],
@@ -129,7 +133,7 @@ impl Harm {
 }
 
 /// Harm at an instant to somebody who is in a pose in which a search found harm.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Moment {
     /// Where they stand, floor plan, m.
     pub xy_m: [f64; 2],
@@ -140,7 +144,7 @@ pub struct Moment {
 }
 
 /// What came out for one history and what is between its instants.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Outcome {
     /// Poses in which somebody is harmed: at least one in each cell of the floor in which there is any, but where it is open.
     pub harms: Vec<Harm>,
@@ -181,6 +185,15 @@ impl Outcome {
         self.boxes += other.boxes;
         self.stopped |= other.stopped;
     }
+}
+
+/// What a search is done with.
+#[derive(Clone, Copy, Debug)]
+pub struct Means<'a> {
+    /// Threads.
+    pub workers: usize,
+    /// What is known from before, and what is kept.
+    pub ledger: &'a Ledger,
 }
 
 /// Everything that stays the same over the search.
@@ -468,24 +481,28 @@ impl<'a> Anywhere<'a> {
         &self,
         [history, between]: [&History; 2],
         span: usize,
-        workers: usize,
+        Means { workers, ledger }: Means<'_>,
         coverage: &mut Coverage,
         tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Outcome {
-        let first = self.first_boxes(between);
+        let questions = ledger.about([history, between]);
+        let mut first = self.first_boxes(between);
+        first.retain(|square| questions.are_own(square));
         let end = AtomicBool::new(false);
         let (within, around) = (Within::new(self, history, &end), Within::new(self, between, &end));
         let mut all = Outcome::default();
         let mut undecided = Vec::new();
-        let first = around
-            .in_parallel(workers, &first, &mut |share| tell(0.3 * share), |at, coverage| around.first(*at, coverage));
+        let first = around.in_parallel(workers, &first, &mut |share| tell(0.3 * share), |at, coverage| {
+            questions.answer(("first", at), coverage, || around.is_over(), |coverage| around.first(*at, coverage))
+        });
         for ((part, cells), seen) in first {
             coverage.merge(&seen);
             all.add(part);
             undecided.extend(cells);
         }
-        let tried = within
-            .in_parallel(workers, &undecided, &mut |share| tell(0.3 + 0.2 * share), |cell, c| within.try_cell(cell, c));
+        let tried = within.in_parallel(workers, &undecided, &mut |share| tell(0.3 + 0.2 * share), |cell, coverage| {
+            questions.answer(("tried", cell), coverage, || within.is_over(), |c| within.try_cell(cell, c))
+        });
         let mut left = Vec::new();
         for (cell, (harms, seen)) in undecided.into_iter().zip(tried) {
             coverage.merge(&seen);
@@ -498,7 +515,7 @@ impl<'a> Anywhere<'a> {
         let is_hit = !all.harms.is_empty();
         let most = if is_hit { FEW_BOXES } else { MOST_BOXES };
         let mut closely = |share: f64| tell(0.5 + 0.5 * share);
-        let second = within.in_parallel(workers, &left, &mut closely, |cell, coverage| {
+        let look_closely = |cell: &Undecided, coverage: &mut Coverage| {
             // First what is more likely to answer both.
             if is_hit {
                 let at_instants = within.closely(cell, most, coverage);
@@ -511,6 +528,10 @@ impl<'a> Anywhere<'a> {
                 let wide = around.closely(cell, most, coverage);
                 if wide.is_settled() { wide } else { wide.narrowed(within.closely(cell, most, coverage)) }
             }
+        };
+        let stage = format!("closely, {most}");
+        let second = within.in_parallel(workers, &left, &mut closely, |cell, coverage| {
+            questions.answer((&stage, cell), coverage, || within.is_over(), |c| look_closely(cell, c))
         });
         for (part, seen) in second {
             coverage.merge(&seen);
@@ -522,8 +543,10 @@ impl<'a> Anywhere<'a> {
                 by_cell.entry(told_in(harm.xy_m)).or_default().push(*harm);
             }
             let poses: Vec<Harm> = by_cell.into_values().flat_map(worth_following).collect();
-            let followed = within
-                .in_parallel(workers, &poses, &mut |_| tell(1.0), |harm, coverage| within.follow(harm, span, coverage));
+            let followed_by = format!("followed, {span}");
+            let followed = within.in_parallel(workers, &poses, &mut |_| tell(1.0), |harm, coverage| {
+                questions.answer((&followed_by, harm), coverage, || within.is_over(), |c| within.follow(harm, span, c))
+            });
             all.followed = true;
             for (moments, seen) in followed {
                 // Nothing is excluded by these: one that gave up early leaves nothing open.

@@ -47,26 +47,8 @@ impl Journal {
     /// # Errors
     /// When the file cannot be read or written, or is that of another search.
     pub fn open(path: &Path, subject: &str) -> io::Result<Self> {
-        let mut file = OpenOptions::new().read(true).append(true).create(true).open(path)?;
-        let bytes = std::fs::read(path)?;
-        let mut rest = bytes.as_slice();
-        let Some(found) = record(&mut rest) else {
-            file.set_len(0)?;
-            append(&mut file, subject.as_bytes())?;
-            return Ok(Self { file: Some(file), ..Self::default() });
-        };
-        if found != subject.as_bytes() {
-            return Err(io::Error::other(
-                "it is that of another search: the cell, the FMU, a setting or this program differs",
-            ));
-        }
-        let mut known = VecDeque::new();
-        let mut good = bytes.len() - rest.len();
-        while let Some(block) = record(&mut rest).and_then(|bytes| postcard::from_bytes(bytes).ok()) {
-            known.push_back(block);
-            good = bytes.len() - rest.len();
-        }
-        file.set_len(good as u64)?;
+        let (file, records) = read_records(path, subject)?;
+        let known = records.iter().map_while(|bytes| postcard::from_bytes(bytes).ok()).collect();
         Ok(Self { file: Some(file), known, remembered: 0 })
     }
 
@@ -103,8 +85,37 @@ impl Journal {
     }
 }
 
+/// The file at `path` with records of the search that `subject` describes, ready for more of them, and those that are whole; a new
+/// one if there is none.
+///
+/// # Errors
+/// When the file cannot be read or written, or is that of another search.
+pub(super) fn read_records(path: &Path, subject: &str) -> io::Result<(File, Vec<Vec<u8>>)> {
+    let mut file = OpenOptions::new().read(true).append(true).create(true).open(path)?;
+    let bytes = std::fs::read(path)?;
+    let mut rest = bytes.as_slice();
+    let Some(found) = record(&mut rest) else {
+        file.set_len(0)?;
+        append(&mut file, subject.as_bytes())?;
+        return Ok((file, Vec::new()));
+    };
+    if found != subject.as_bytes() {
+        return Err(io::Error::other(
+            "it is that of another search: the cell, the FMU, a setting or this program differs",
+        ));
+    }
+    let mut known = Vec::new();
+    let mut good = bytes.len() - rest.len();
+    while let Some(bytes_of) = record(&mut rest) {
+        known.push(bytes_of.to_vec());
+        good = bytes.len() - rest.len();
+    }
+    file.set_len(good as u64)?;
+    Ok((file, known))
+}
+
 /// One record: its checksum, its length, its bytes.
-fn append(file: &mut File, bytes: &[u8]) -> io::Result<()> {
+pub(super) fn append(file: &mut File, bytes: &[u8]) -> io::Result<()> {
     let length = u32::try_from(bytes.len()).map_err(io::Error::other)?;
     let mut record = Sha256::digest(bytes)[..CHECK].to_vec();
     record.extend(length.to_le_bytes());

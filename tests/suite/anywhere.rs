@@ -1,11 +1,15 @@
 //! People whom no sensor sees, anywhere and at any moment: in cells that are safe, or are not, by construction or by hand; and what is
 //! told of it. Against independent routes: `anywhere_sets`.
 
-use crate::common::anywhere::{cell, look, look_at, mat, two_bars};
+use std::ops::ControlFlow;
+
+use crate::common::anywhere::{cell, look, look_at, look_with, mat, two_bars};
 use crate::common::guarded::guarded;
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
 use fmi_hazard::report::anywhere::{Anywhere, Place};
 use fmi_hazard::report::model::Verdict;
+use fmi_hazard::scan::anywhere::Told;
+use fmi_hazard::sim::anywhere::ledger::Ledger;
 use fmi_hazard::standards::BodyRegion;
 
 /// A mat around it that is so wide keeps everybody from it until it stands, m.
@@ -389,4 +393,44 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     // What only a scan from the start has is of that alone.
     ran(&["scan", "cell.toml", "--iterations", "3"], 0);
     ran(&["scan", "cell.toml", "--from", "start"], 0);
+}
+
+/// Ended in the middle and gone on with, and in parts put together in any order: the same bytes as all at once. A part excludes nothing.
+#[test]
+fn what_was_ended_goes_on_and_parts_together_are_the_whole() {
+    const UNTIL_S: f64 = 0.4;
+    let dir = guarded();
+    let small = mat("mat", "clear", [-0.9, -0.9, 0.9, 0.9]);
+    let path = write(dir.path(), "cell.toml", &cell(0.45, &small));
+    let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
+    let whole = look_at(&path, UNTIL_S, 2);
+    assert!(!whole.hazards.is_empty());
+    let kept = dir.path().join("answers.bin");
+    let mut answered = 0;
+    for at in [0.5, 2.0] {
+        let ledger = Ledger::open(&kept, "cell").unwrap();
+        let tell = &mut |told: Told| match told {
+            Told::Floor(share, _) if share > at => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        };
+        let looked = look_with((&path, UNTIL_S, 2), &ledger, tell);
+        assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
+        let (known, _) = ledger.remembered();
+        assert!(known > answered || at < 1.0, "{at}: {known} {answered}");
+        answered = known;
+    }
+    let part = |number: usize| dir.path().join(format!("part-{number}.bin"));
+    for number in 1..=2 {
+        let share = format!("{number}/2").parse().unwrap();
+        let ledger = Ledger::open(&part(number), "cell").unwrap().only(Some(share));
+        let found = look_with((&path, UNTIL_S, 1), &ledger, &mut |_| ControlFlow::Continue(())).found;
+        assert!(found.verdict != Verdict::NoneFound && json(&found) != json(&whole), "{number}");
+        assert!(found.reasons.iter().any(|reason| reason.contains(&format!("part {number}/2"))), "{found:?}");
+    }
+    let mut ledger = Ledger::default();
+    [2, 1].into_iter().for_each(|number| ledger.take_in(&part(number), "cell").unwrap());
+    let merged = look_with((&path, UNTIL_S, 2), &ledger, &mut |_| ControlFlow::Continue(())).found;
+    assert_eq!(json(&merged), json(&whole));
+    let (known, all) = ledger.remembered();
+    assert!(2 * known > all, "{known} of {all}");
 }

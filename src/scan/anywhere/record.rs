@@ -79,7 +79,7 @@ impl Rest {
 impl Looked {
     /// The ordinary record: its hazards are confirmed by fresh instances, their sequences shortened, and causes told.
     #[must_use]
-    pub fn scanned(&self, prepared: &Prepared, effort: Effort) -> Scanned {
+    pub fn scanned(&self, prepared: &Prepared, effort: Effort<'_>) -> Scanned {
         let (found, rest) = (&self.found, &self.rest);
         prepared.stop().finishing();
         let footing = Footing::asked(prepared, effort.state, Merge::Auto);

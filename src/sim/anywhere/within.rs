@@ -227,7 +227,7 @@ impl<'a> Within<'a> {
         pairs.filter(near).collect()
     }
 
-    fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         self.end.load(Ordering::Relaxed) || self.of.encounter.stop.is_due()
     }
 
