@@ -253,4 +253,97 @@ mod tests {
         let field = Field::from(&shut, &only(&shut, [0.0, -0.3]), &open(&shut), f64::INFINITY);
         assert!(field.least([0.0, 0.3], 0.1).is_infinite());
     }
+
+    /// Beyond the rectangle nothing is known, and of ways that are longer than asked for only that they are.
+    #[test]
+    fn what_is_beyond_the_rectangle_or_farther_than_asked_for_is_not_excluded() {
+        let shut = floor(&[wall([-3.1, -0.01], [3.1, 0.01])], 0.05);
+        let field = Field::from(&shut, &only(&shut, [0.0, -1.0]), &open(&shut), 0.8);
+        assert!(
+            (field.least([0.0, -2.5], 0.0) - 0.8).abs() < 1e-12 && (field.least([0.0, 1.0], 0.0) - 0.8).abs() < 1e-12
+        );
+        assert!(field.least([0.0, -1.6], 0.0) < 0.6 && field.least([0.0, 0.0], 0.0).is_infinite());
+        assert!(field.least([3.2, -1.0], 0.0) <= 0.0 && field.least([2.9, -1.0], 0.2) <= 0.0);
+    }
+
+    /// Length of the shortest way between two places past rectangles, none of which it enters: from corner to corner.
+    fn shortest(from: [f64; 2], to: [f64; 2], rectangles: &[[f64; 4]]) -> f64 {
+        let corners = rectangles.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, b], [c, d], [a, d]]);
+        let points: Vec<[f64; 2]> = [from, to].into_iter().chain(corners).collect();
+        let apart = |[a, b]: [f64; 2], [c, d]: [f64; 2]| libm::hypot(c - a, d - b);
+        let enters = |p: [f64; 2], q: [f64; 2], &[a, b, c, d]: &[f64; 4]| {
+            // Between where it comes in and goes out by x and by y.
+            let (low, high) = ([a, b], [c, d]);
+            let (mut first, mut last) = (0.0_f64, 1.0_f64);
+            for axis in 0..2 {
+                let (at, by) = (p[axis], q[axis] - p[axis]);
+                if by.abs() < 1e-12 {
+                    if at <= low[axis] + 1e-9 || at >= high[axis] - 1e-9 {
+                        return false;
+                    }
+                    continue;
+                }
+                let (s, e) = ((low[axis] - at) / by, (high[axis] - at) / by);
+                (first, last) = (first.max(s.min(e)), last.min(s.max(e)));
+            }
+            first < last - 1e-9
+        };
+        let mut least = vec![f64::INFINITY; points.len()];
+        let mut left: Vec<usize> = (0..points.len()).collect();
+        least[0] = 0.0;
+        while let Some(number) = (0..left.len()).min_by(|a, b| least[left[*a]].total_cmp(&least[left[*b]])) {
+            let at = left.swap_remove(number);
+            for &other in &left {
+                if !rectangles.iter().any(|rectangle| enters(points[at], points[other], rectangle)) {
+                    least[other] = least[other].min(least[at] + apart(points[at], points[other]));
+                }
+            }
+        }
+        least[1]
+    }
+
+    /// Against exact shortest ways past random boxes of whole cells: never more, and not much less.
+    #[test]
+    fn shortest_ways_past_boxes_are_no_shorter_and_hardly_longer() {
+        let mut rng = Rng::new(17);
+        let all = floor(&[], 0.05);
+        let (mut round, mut told_m, mut true_m) = (0, 0.0, 0.0);
+        for _ in 0..12 {
+            // Edges are edges of cells; some boxes meet in corners, none along an edge: no way leads between those.
+            let mut edge = || 0.05 * f64::from(u32::try_from(20 + rng.below(60)).unwrap()) - 3.0;
+            let mut boxes: Vec<[f64; 4]> = Vec::new();
+            while boxes.len() < 6 {
+                let (x, y, number) = (edge(), edge(), u8::try_from(boxes.len()).unwrap());
+                let (long, short) = (0.05 * f64::from(20 + number), 0.05 * f64::from(2 + number));
+                let own = if number % 2 == 0 { [x, y, x + long, y + short] } else { [x, y, x + short, y + long] };
+                let apart =
+                    |other: &[f64; 4], axis: usize| (own[axis] - other[axis + 2]).max(other[axis] - own[axis + 2]);
+                let beside = |other: &[f64; 4]| {
+                    let gaps = [apart(other, 0), apart(other, 1)];
+                    gaps.iter().any(|gap| gap.abs() < 1e-9) && gaps.iter().any(|gap| *gap < -1e-9)
+                };
+                if !boxes.iter().any(beside) {
+                    boxes.push(own);
+                }
+            }
+            let is_in = |[x, y]: [f64; 2]| boxes.iter().any(|&[a, b, c, d]| a < x && x < c && b < y && y < d);
+            let domain: Vec<bool> = (0..all.cells()).map(|cell| !is_in(all.middle(cell))).collect();
+            let mut place = || loop {
+                let cell = rng.below(all.cells());
+                if domain[cell] {
+                    break all.middle(cell);
+                }
+            };
+            let from = place();
+            let field = Field::from(&all, &only(&all, from), &domain, f64::INFINITY);
+            for _ in 0..25 {
+                let to = place();
+                let (told, length) = (field.least(to, 0.0), shortest(from, to, &boxes));
+                assert!(told <= length + 1e-9, "{told} for {length} from {from:?} to {to:?} past {boxes:?}");
+                (told_m, true_m) = (told_m + told, true_m + length.min(20.0));
+                round += usize::from(length > 1.05 * libm::hypot(to[0] - from[0], to[1] - from[1]));
+            }
+        }
+        assert!(round > 20 && told_m > 0.85 * true_m, "{round} {told_m} of {true_m}");
+    }
 }

@@ -376,4 +376,53 @@ mod tests {
             .joined_to_the_outside(&[], |cell| all.middle(cell)[1].abs() > 0.2 + 1.5 || all.middle(cell)[1] > -1.3);
         assert!(!shut.any_open([0.0, 0.0], 0.1));
     }
+
+    /// A triangle that no edge of a cell follows: whoever is in it is in one of its cells; and whoever is no farther than so from a
+    /// place in some cells is in cells grown by that.
+    #[test]
+    fn places_in_a_polygon_and_places_near_some_cells_are_in_the_cells_that_are_told() {
+        let triangle = [[-1.03, -0.87], [1.21, -0.4], [-0.33, 1.17]];
+        let all = floor(&[], 0.1);
+        let bounded = all.clone().bounded_by(&triangle);
+        // Only cells that the edge of the triangle may cross may be passed, and have their middles outside.
+        let is_cut = |at| !contains(&triangle, at) && distance_to_edge(&triangle, at) <= 0.0708;
+        let entered = all.clone().entered_in(&triangle).joined_to_the_outside(&[], |cell| is_cut(all.middle(cell)));
+        let some: Vec<bool> = (0..all.cells()).map(|cell| cell % 97 == 0).collect();
+        let grown = all.grown(&some, 0.16);
+        let mut rng = Rng::new(13);
+        let mut uniform = |low: f64, high: f64| {
+            low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+        };
+        let (mut inside, mut cut, mut near) = (0, 0, 0);
+        for _ in 0..40_000 {
+            let at = [uniform(-1.3, 1.3), uniform(-1.3, 1.3)];
+            if contains(&triangle, at) {
+                assert!(bounded.any_open(at, 0.0), "{at:?}");
+                inside += 1;
+                if all.within(at, 0.0).all(|cell| is_cut(all.middle(cell))) {
+                    assert!(entered.any_open(at, 0.0), "{at:?}");
+                    cut += 1;
+                }
+            }
+            let to = [at[0] + uniform(-0.16, 0.16), at[1] + uniform(-0.16, 0.16)];
+            if all.within(at, 0.0).any(|cell| some[cell]) && libm::hypot(to[0] - at[0], to[1] - at[1]) <= 0.16 {
+                assert!(all.within(to, 0.0).any(|cell| grown[cell]), "{at:?} {to:?}");
+                near += 1;
+            }
+        }
+        assert!(inside > 5000 && cut > 200 && near > 100, "{inside} {cut} {near}");
+        assert!(grown.iter().filter(|is| **is).count() < all.cells() / 2);
+    }
+
+    /// Beyond the rectangle there is floor: who gets to its edge comes back over any other, even where a wall is between.
+    #[test]
+    fn who_leaves_the_rectangle_comes_back_anywhere() {
+        let all = floor(&[wall(0.0, 0.0, 2.6, 0.01)], 0.05);
+        let south = [[-0.5, -2.0], [0.5, -2.0], [0.0, -1.0]];
+        let entered = all.clone().entered_in(&south).joined_to_the_outside(&[], |_| true);
+        assert!(entered.any_open([0.0, -1.0], 0.0) && entered.any_open([0.0, 1.0], 0.0));
+        let bounded = all.bounded_by(&[[-2.4, -2.4], [2.4, -2.4], [2.4, 2.4], [-2.4, 2.4]]);
+        let entered = bounded.entered_in(&south).joined_to_the_outside(&[], |_| true);
+        assert!(entered.any_open([0.0, -1.0], 0.0) && !entered.any_open([0.0, 1.0], 0.0));
+    }
 }

@@ -213,13 +213,15 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     assert!(walked > 20_000 && changed > 3000, "{walked} {changed}");
 }
 
-/// Random walks over two mats on a fresh FMU each: at every step the person is where the histories say that somebody may be while the
+/// Random walks over two mats, one of which tells 60 ms late, on a fresh FMU each: at every step the person is where the histories say that somebody may be while the
 /// robots are as they are, those of both sensors together and of each robot by its own alone. With the sensors changed over it is not so.
 #[test]
 fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     const STEPS: usize = 24;
     let dir = guarded();
-    let prepared = prepare(&write(dir.path(), "cell.toml", &two_bars(["a", "b"])), None).unwrap();
+    let text = two_bars(["a", "b"]).replace("name = \"mat b\"\n", "name = \"mat b\"\ndelay_ms = 60\n");
+    let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
+    assert_eq!(prepared.cell.sensors[1].delay_steps, 3);
     let cell = &*prepared.cell;
     let stride_m = 1.6 * cell.step_s;
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
@@ -265,12 +267,13 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     for _ in 0..300 {
         // Around the narrow way between the mats.
         let (mut at, mut heading, mut inputs, mut places) =
-            ([uniform(-0.6, 0.6), uniform(-2.6, 2.6)], uniform(0.0, 6.3), Vec::new(), Vec::new());
+            ([uniform(-0.6, 0.6), uniform(-2.6, 2.6)], uniform(0.0, 6.3), Vec::new(), Vec::<(Vec<bool>, _)>::new());
         for _ in 0..STEPS {
             let position = Vec3::new(at[0], at[1], 0.0);
             let person = Seen { feet: cell.body.feet(position, heading), body: None, position, heading_rad: heading };
             let readings: Vec<bool> = cell.sensors.iter().map(|sensor| sees(sensor, &person)).collect();
-            input_row(&cell.sensors, &[], &prepared.binding, &readings, &person, &mut inputs);
+            let late = places.len().checked_sub(3).is_some_and(|then: usize| places[then].0[1]);
+            input_row(&cell.sensors, &[], &prepared.binding, &[readings[0], late], &person, &mut inputs);
             if uniform(0.0, 1.0) < 0.2 {
                 heading = uniform(0.0, 6.3);
             }

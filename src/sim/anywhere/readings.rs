@@ -100,7 +100,7 @@ mod tests {
             Zone::Door(plane),
             Zone::TwoHand { post: polygon, plane },
         ];
-        let (mut seen_by, mut certain, mut small_boxes) = ([0; 5], 0, 0);
+        let (mut seen_by, mut certain, mut small_boxes, mut bent_away) = ([0; 5], 0, 0, 0);
         for number in 0..6000 {
             let small = number % 3 == 0;
             let at = PoseBox {
@@ -129,10 +129,15 @@ mod tests {
                 };
                 let reading = sees(&sensor, &seen);
                 assert!(may.be(reading), "{zone}: {reading} at {there:?} in {at:?}");
+                // Whoever is clear of it bent in some way may be so for what is known of somebody upright.
+                let upright = body.placed(at.position(), at.heading_rad, Posture::Upright, BendFraction::FULL);
+                let stays = may_stay_clear(&sensor, &body, &upright, &at);
+                assert!(reading || stays, "{zone}: clear at {there:?} in {at:?}");
+                bent_away += usize::from(!reading && !may_report(&sensor, &body, &upright, &at).clear);
                 seen_by[zone] += usize::from(reading);
             }
         }
         assert!(seen_by.iter().all(|&count| (1000..11_500).contains(&count)), "{seen_by:?}");
-        assert!(10 * certain > 9 * small_boxes, "{certain} of {small_boxes}");
+        assert!(10 * certain > 9 * small_boxes && bent_away > 2, "{certain} of {small_boxes}, {bent_away}");
     }
 }
