@@ -31,6 +31,7 @@ mod scan;
 mod scan_arguments;
 mod schema;
 mod selftest;
+mod step;
 mod stopping;
 mod subject;
 mod verify;
@@ -80,6 +81,8 @@ enum Command {
     Selftest(selftest::Arguments),
     /// Run many seeds of several strategies, each to its first hazard, and compare them
     Bench(bench::Arguments),
+    /// Step a cell as another program asks, in lines of JSON: for searches of others, and for learning agents
+    Step(step::Arguments),
     /// List or export the built-in example cells
     Examples(examples::Arguments),
     /// Print the JSON Schema of the cell file, or of scan.json
@@ -123,6 +126,7 @@ pub fn main() -> ExitCode {
         Command::Probe(a) => probe::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),
+        Command::Step(a) => step::run(&a),
         Command::Examples(a) => examples::run(&a),
         Command::Schema(a) => schema::run(&a),
         Command::Manual(a) => manual::run::<Arguments>(&a),

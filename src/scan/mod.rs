@@ -53,6 +53,7 @@ pub mod residual;
 pub mod run;
 mod searched;
 mod seeds;
+pub mod stepping;
 mod stop_time;
 pub mod there;
 mod trial;

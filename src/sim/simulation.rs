@@ -283,6 +283,22 @@ impl<P: Plant> Simulation<P> {
         Ok(watched)
     }
 
+    /// What there is to see at the present state, and nothing if the FMU cannot show it.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn now(&mut self) -> Result<Instant, PlantError> {
+        let actions = self.state.actions.clone();
+        let watched = self.watch(&actions, &[])?;
+        watched.instants.into_iter().next_back().ok_or_else(|| PlantError::of("nothing was watched"))
+    }
+
+    /// Where the person looks at the present state, rad from +x towards +y.
+    #[must_use]
+    pub fn heading_rad(&self) -> f64 {
+        self.state.place.heading_rad(&self.world.cell.start)
+    }
+
     /// Person, sensors and robot at the start.
     fn at_start(&self) -> Instant {
         let world = &self.world;

@@ -47,6 +47,7 @@ mod second_opinion;
 mod speeds_and_motion;
 mod ssp;
 mod states_that_lie;
+mod stepping;
 mod strategies;
 mod terminal;
 mod variants;
