@@ -103,7 +103,7 @@ impl Habit {
 
 /// Runs in a row, after one that warms up; the memory of the last half is compared.
 const RUNS: usize = 12;
-/// States saved and freed in a row, after a quarter as many that warm up.
+/// States saved and freed in a row, after as many that warm up: what else was freed before is taken again first.
 const STATES: u32 = 256;
 /// Growth below this is the allocator's, bytes a step or a state.
 const LEAK: u64 = 64;
@@ -147,7 +147,7 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Res
             Ok(Some(worker.resident()))
         };
         if saves
-            && let Some(warm) = saved_and_freed(STATES / 4)?
+            && let Some(warm) = saved_and_freed(STATES)?
             && let Some(end) = saved_and_freed(STATES)?
         {
             let bytes_per_state = end.saturating_sub(warm) / u64::from(STATES);
