@@ -238,6 +238,18 @@ impl<'a> Anywhere<'a> {
         around_m: f64,
         stop: Stop,
     ) -> Self {
+        Self::on_cells_of(FLOOR_M, cell, frames, around_m, stop)
+    }
+
+    /// The same on a floor of cells that are so large: smaller ones exclude more, and cost more.
+    #[must_use]
+    pub fn on_cells_of<'b>(
+        floor_m: f64,
+        cell: &'a Workcell,
+        frames: impl Iterator<Item = &'b RobotFrame>,
+        around_m: f64,
+        stop: Stop,
+    ) -> Self {
         let obstacles = merged(&cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = ArmModel::default();
@@ -272,7 +284,7 @@ impl<'a> Anywhere<'a> {
         let curtains = Curtain::all(cell, from, &obstacles);
         let encounter =
             Encounter { obstacles, arm, reach_tolerance_m: cell.search.reach_tolerance_m, worst: false, stop };
-        let floor = Floor::new(&cell.body, &encounter.obstacles, bounds, FLOOR_M);
+        let floor = Floor::new(&cell.body, &encounter.obstacles, bounds, floor_m);
         let floor = match &cell.floor {
             Some(polygon) => floor.bounded_by(polygon),
             None => floor,
@@ -346,7 +358,8 @@ impl<'a> Anywhere<'a> {
         let sensors: Vec<_> =
             sensors.filter(|(n, sensor)| counts(*n) && keeps_out(&sensor.zone)).map(|(_, sensor)| sensor).collect();
         (0..).zip(headings(told::ARCS)).any(|(arc, (heading_rad, half_rad))| {
-            let at = PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * FLOOR_M, heading_rad, half_rad };
+            let at =
+                PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * self.ground.cell_m(), heading_rad, half_rad };
             // Who bends may pass below a plane, or above; legs and hips do not bend.
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
             let clear = |kind: &[bool]| kind.iter().enumerate().all(|(sensor, told)| !told || !counts(sensor));
@@ -452,8 +465,12 @@ impl<'a> Anywhere<'a> {
     #[must_use]
     pub fn somewhere(&self, readings: &[bool]) -> Somewhere {
         let cells = (0..self.ground.cells()).filter(|cell| self.unseen[*cell]);
-        let first =
-            |cell| PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * FLOOR_M, heading_rad: 0.0, half_rad: PI };
+        let first = |cell| PoseBox {
+            xy_m: self.ground.middle(cell),
+            half_m: 0.5 * self.ground.cell_m(),
+            heading_rad: 0.0,
+            half_rad: PI,
+        };
         let mut pending: Vec<PoseBox> = cells.map(first).collect();
         let mut is_known = true;
         while let Some(at) = pending.pop() {

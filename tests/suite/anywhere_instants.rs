@@ -178,6 +178,41 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     (harmed, elsewhere)
 }
 
+/// Behind a closed fence, 3 m from all that the bar sweeps or 0.3 m, nobody is hit, whatever the size of the floor's cells; through a fence
+/// that lacks a panel somebody is.
+#[test]
+fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
+    let fence = |half_m: f64, sides: usize| -> String {
+        let wall = |number: usize| {
+            let at = if number < 2 { -half_m } else { half_m };
+            let (centre, size) = ([at, 0.0], [0.02, 2.0 * half_m + 0.02]);
+            let turned = |[a, b]: [f64; 2]| if number.is_multiple_of(2) { [a, b] } else { [b, a] };
+            let ([x, y], [wide, deep]) = (turned(centre), turned(size));
+            format!(
+                "[[obstacle]]\nname = \"wall {number}\"\ncentre_m = [{x}, {y}, 1.1]\nsize_m = [{wide}, {deep}, 2.2]\n"
+            )
+        };
+        (0..sides).map(wall).collect()
+    };
+    for (half_m, sides) in [(3.35, 4), (0.65, 4), (0.65, 3)] {
+        let parts = fence(half_m, sides);
+        let text = if half_m < 1.0 { slow(1.15, &parts, false) } else { cell(0.9, &parts) };
+        let text = text.replace("xy_m = [0, -3]", "xy_m = [0, -4]");
+        let instant = Instant::of(&text, 30);
+        let cell = &instant.prepared.cell;
+        for floor_m in [0.1, 0.05, 0.025] {
+            let frames = std::iter::once(&*instant.frame);
+            let search = Search::on_cells_of(floor_m, cell, frames, 0.0, instant.prepared.stop());
+            let history = instant.history(&search, None, ANYWHERE);
+            let means = Means { workers: 2, ledger: &Ledger::default() };
+            let tell = &mut |_| ControlFlow::Continue(());
+            let found = search.search([&history, &history], 5, means, &mut Coverage::new(0), tell);
+            let is_met = !found.harms.is_empty() || !found.open.is_empty() || !found.between.is_empty();
+            assert_eq!(is_met, sides < 4, "{half_m} m, cells of {floor_m} m: {found:?}");
+        }
+    }
+}
+
 const ANYWHERE: (&dyn Fn([f64; 2]) -> bool, f64) = (&|_| true, 1.0);
 
 #[test]
