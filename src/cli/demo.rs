@@ -14,6 +14,9 @@ pub(super) struct Arguments {
     /// Where the example and the results go
     #[arg(long, default_value = "out/demo")]
     out: PathBuf,
+    /// Show the report in the browser
+    #[arg(long)]
+    open: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
@@ -23,5 +26,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     output::note(&format!("  Exported the example cells to {}", cells.display()));
     let command = format!("fmi-hazard scan {} --strategy hybrid --iterations {ITERATIONS}", fmu.display());
     output::note(&format!("   Running {command}"));
-    scan::run(&scan::Arguments::for_demo(fmu, arguments.out.join("safety-fence"), ITERATIONS))
+    let results = arguments.out.join("safety-fence");
+    let code = scan::run(&scan::Arguments::for_demo(fmu, results.clone(), ITERATIONS))?;
+    if arguments.open {
+        let report = results.join("report.html");
+        if let Err(error) = open::that_detached(&report) {
+            output::warning(&format!("no browser shows {}: {error}", report.display()));
+        }
+    }
+    Ok(code)
 }
