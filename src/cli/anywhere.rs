@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use super::events::Event;
 use super::exit::{self, Failure};
 use super::output::{self, Format, Progress};
 use super::resume::{self, Command};
@@ -44,6 +45,7 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>)
     if let Some(command) = command {
         command.write(&out)?;
     }
+    output::event(&Event::Results { folder: out.display().to_string() });
     let mut ledger = Ledger::default();
     if command.is_some() {
         ledger = resume::ledger(&out, prepared, &arguments.until_words(), goes_on, &arguments.parts)?;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::exit::{FMU_FAILED, Failure, NO_HAZARD, UNUSABLE};
@@ -39,20 +40,29 @@ pub(super) struct Arguments {
 }
 
 /// What is printed as JSON.
-#[derive(Default, Serialize)]
-struct Told {
+#[derive(Default, Serialize, JsonSchema)]
+#[schemars(rename = "Check")]
+pub(super) struct Told {
+    /// What keeps the cell from being scanned.
     problems: Vec<Problem>,
+    /// What else there is to know.
     warnings: Vec<String>,
+    /// What the FMU did, if it was run and did not fail.
     probe: Option<Probe>,
+    /// Where the picture is, if the FMU was run.
     picture: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
+/// Something wrong with a cell.
+#[derive(Serialize, JsonSchema)]
 struct Problem {
     /// The cell file, or one that it extends.
     file: String,
+    /// Its line.
     line: Option<usize>,
+    /// What is wrong.
     message: String,
+    /// What to do about it.
     help: Option<String>,
 }
 

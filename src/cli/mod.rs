@@ -10,6 +10,7 @@ mod check;
 mod compare;
 mod demo;
 mod earlier;
+mod events;
 mod examples;
 pub mod exit;
 mod explain;
@@ -20,6 +21,7 @@ mod inspect;
 mod manual;
 mod output;
 mod pack;
+mod printed;
 mod probe;
 mod recording;
 mod reference;
@@ -85,7 +87,7 @@ enum Command {
     Step(step::Arguments),
     /// List or export the built-in example cells
     Examples(examples::Arguments),
-    /// Print the JSON Schema of the cell file, or of scan.json
+    /// Print the JSON Schema of the cell file, of scan.json, or of what other commands print
     Schema(schema::Arguments),
     /// Print completions for a shell, or write the manual pages or the reference of the book
     Manual(manual::Arguments),

@@ -1,6 +1,6 @@
 //! Writing to the terminal and to files: the one place that prints.
 
-use std::io::{IsTerminal as _, Write as _};
+use std::io::{ErrorKind, IsTerminal as _, Write as _};
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,6 +10,7 @@ use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
+use super::events::{self, Event};
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
 use crate::report::terminal::View;
@@ -23,21 +24,47 @@ pub(super) struct Verbosity {
     /// Also what was found out about the FMU, and where time went
     #[arg(short, long, global = true)]
     verbose: bool,
+    /// How progress, notes, warnings and errors are told on standard error
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "HOW", conflicts_with = "quiet")]
+    progress: Telling,
+}
+
+/// How standard error is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Telling {
+    /// For people
+    #[default]
+    Text,
+    /// For programs: a JSON object a line, as `schema --of commands` says; when nobody reads them any more, the program ends as
+    /// on Ctrl-C
+    Json,
 }
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 static VERBOSE: AtomicBool = AtomicBool::new(false);
+static EVENTS: AtomicBool = AtomicBool::new(false);
 
 impl Verbosity {
     /// From here on.
     pub(super) fn apply(self) {
         QUIET.store(self.quiet, Ordering::Relaxed);
         VERBOSE.store(self.verbose, Ordering::Relaxed);
+        EVENTS.store(self.progress == Telling::Json, Ordering::Relaxed);
     }
 }
 
 fn quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
+}
+
+/// Whether a program reads standard error.
+fn told_as_events() -> bool {
+    EVENTS.load(Ordering::Relaxed)
+}
+
+/// Whether somebody watches bars.
+fn has_bars() -> bool {
+    std::io::stderr().is_terminal() && !quiet() && !told_as_events()
 }
 
 /// How a result is printed.
@@ -75,6 +102,11 @@ pub(super) fn script(text: &str) {
 
 /// Prints JSON, which has its own way of escaping.
 pub(super) fn json(text: &str) {
+    let _ = std::io::stdout().lock().write_all(safe_json(text).as_bytes());
+}
+
+/// JSON as it may reach a terminal.
+fn safe_json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         if c != '\n' && is_unsafe(c) {
@@ -83,7 +115,20 @@ pub(super) fn json(text: &str) {
             out.push(c);
         }
     }
-    let _ = std::io::stdout().lock().write_all(out.as_bytes());
+    out
+}
+
+/// Tells a program something, in a line. Without a reader this process is asked to end, as somebody at a terminal would.
+pub(super) fn event(event: &Event<'_>) {
+    static GONE: AtomicBool = AtomicBool::new(false);
+    if !told_as_events() {
+        return;
+    }
+    let Ok(line) = serde_json::to_string(event) else { return };
+    let told = std::io::stderr().lock().write_all((safe_json(&line) + "\n").as_bytes());
+    if told.is_err_and(|error| error.kind() == ErrorKind::BrokenPipe) && !GONE.swap(true, Ordering::Relaxed) {
+        events::interrupt();
+    }
 }
 
 /// Anything as JSON for people to read, with a line break at its end.
@@ -133,9 +178,25 @@ pub(super) fn phase(text: &str) {
             *phase = Some(Phase { text: text.to_owned(), since: now, printed: now, silent: true });
             if !quiet() {
                 // Ends with the program.
-                let _ = std::thread::Builder::new().name("still-there".to_owned()).spawn(still_there);
+                let tell = if told_as_events() { each_phase } else { still_there };
+                let _ = std::thread::Builder::new().name("still-there".to_owned()).spawn(tell);
             }
         }
+    }
+}
+
+/// Tells a program what is being done, when it changes.
+fn each_phase() {
+    let mut told = String::new();
+    loop {
+        if let Ok(phase) = PHASE.lock()
+            && let Some(phase) = phase.as_ref()
+            && told != phase.text
+        {
+            phase.text.clone_into(&mut told);
+            event(&Event::Doing { text: &told });
+        }
+        std::thread::sleep(events::BETWEEN);
     }
 }
 
@@ -161,7 +222,7 @@ fn still_there() {
 
 /// Prints a message between other lines, on a terminal with a bar too.
 pub(super) fn interlude(text: &str) {
-    if std::io::stderr().is_terminal() {
+    if std::io::stderr().is_terminal() && !told_as_events() {
         note("");
     }
     note(text);
@@ -174,7 +235,9 @@ pub(super) fn note(text: &str) {
     {
         (phase.printed, phase.silent) = (Instant::now(), false);
     }
-    if !quiet() {
+    if told_as_events() {
+        event(&Event::Note { text: text.trim() });
+    } else if !quiet() {
         let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
     }
 }
@@ -193,11 +256,17 @@ pub(super) fn detail(text: &str) {
 
 /// Prints what may make a result mean something else.
 pub(super) fn warning(text: &str) {
+    if told_as_events() {
+        return event(&Event::Warning { text: text.trim() });
+    }
     let _ = writeln!(std::io::stderr().lock(), "   Warning {}", safe(text));
 }
 
 /// Prints an error.
 pub(super) fn error(text: &str) {
+    if told_as_events() {
+        return event(&Event::Error { text: text.trim() });
+    }
     let _ = writeln!(std::io::stderr().lock(), "Error: {}", safe(text.trim()));
 }
 
@@ -247,12 +316,13 @@ pub(super) struct Progress {
     total: u64,
     unit: &'static str,
     next_line: u64,
+    told: events::Sometimes,
 }
 
 impl Progress {
     /// Progress towards `total`.
     pub(super) fn new(total: u64, unit: &'static str) -> Self {
-        let bar = (std::io::stderr().is_terminal() && !quiet()).then(|| {
+        let bar = has_bars().then(|| {
             let style = ProgressStyle::with_template("  Scanning [{bar:30}] {pos}/{len} {msg}  ETA {eta}");
             let bar = ProgressBar::new(total);
             match style {
@@ -260,12 +330,17 @@ impl Progress {
                 Err(_) => bar,
             }
         });
-        Self { bar, total, unit, next_line: total.div_ceil(10).max(1) }
+        Self { bar, total, unit, next_line: total.div_ceil(10).max(1), told: events::Sometimes::default() }
     }
 
     /// `done` of the total, with a word on what came out so far.
     pub(super) fn at(&mut self, done: u64, message: &str) {
-        if let Some(bar) = &self.bar {
+        if told_as_events() {
+            let Self { total, unit, .. } = *self;
+            if total > 1 && self.told.again(done == total) {
+                event(&Event::Progress { done, total, unit, text: message });
+            }
+        } else if let Some(bar) = &self.bar {
             bar.set_position(done);
             bar.set_message(safe(message));
         } else if done >= self.next_line && self.total > 1 {
@@ -295,18 +370,26 @@ pub(super) struct Levels {
     bar: Option<ProgressBar>,
     horizon: u32,
     told: Option<(usize, Instant)>,
+    events: events::Sometimes,
 }
 
 impl Levels {
     /// Levels up to `horizon` actions.
     pub(super) fn new(horizon: u32) -> Self {
-        Self { bar: None, horizon, told: None }
+        Self { bar: None, horizon, told: None, events: events::Sometimes::default() }
     }
 
     /// `done` of the `of` states that are `depth` actions from the start.
     pub(super) fn at(&mut self, depth: usize, done: usize, of: usize, message: &str) {
         let (number, horizon) = (depth + 1, self.horizon);
         if quiet() {
+            return;
+        }
+        if told_as_events() {
+            if self.events.again(done == of) {
+                let text = &format!("action {number} of {horizon}: {message}");
+                event(&Event::Progress { done: done as u64, total: of as u64, unit: "states", text });
+            }
             return;
         }
         if std::io::stderr().is_terminal() {

@@ -1,15 +1,85 @@
 //! `fmi-hazard replay`: simulate a recorded hazard again and say whether it reproduces.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::events::Event;
+use super::exit::{Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
+use super::output::Format;
 use super::{earlier, output, recording};
-use crate::report::model::Hazard;
-use crate::scan::StateChoice;
+use crate::report::model::{Begin, Hazard};
+use crate::scan::{Prepared, StateChoice};
 use crate::sim::replay::replay;
 use crate::standards::BodyRegion;
+
+/// A recorded hazard, simulated again.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "ReplayedHazard")]
+pub(super) struct Replayed {
+    /// Its id.
+    id: String,
+    /// What came of it.
+    result: Reproduction,
+    /// The contact as it was recorded.
+    recorded: Met,
+    /// The contact now, if there is an unsafe one.
+    now: Option<Met>,
+    /// Where it begins, if that is not where the cell file says.
+    begins: Option<Begin>,
+    /// Why there is none.
+    because: Option<String>,
+}
+
+/// What came of a hazard that was simulated again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Reproduction {
+    /// As recorded, to the last bit.
+    Reproduced,
+    /// There is an unsafe contact, but another one.
+    Differs,
+    /// There is none.
+    NotReproduced,
+}
+
+/// A contact.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "ReplayedContact")]
+struct Met {
+    /// Force by the speed that decides, N.
+    force_n: f64,
+    /// When, s.
+    time_s: f64,
+    /// What is hit.
+    body_region: BodyRegion,
+    /// By what.
+    robot_link: String,
+}
+
+impl Met {
+    fn words(&self) -> String {
+        let Self { force_n, time_s, body_region, robot_link } = self;
+        format!("{force_n:.3} N at {time_s:.3} s ({body_region} <- {robot_link})")
+    }
+}
+
+impl Replayed {
+    fn line(&self) -> String {
+        let Self { id, recorded, .. } = self;
+        let begins = self.begins.map_or_else(String::new, |begins| format!("; begins {}", begins.words()));
+        match (&self.now, self.result) {
+            (Some(now), Reproduction::Reproduced) => {
+                format!("{id} reproduced: {}, as recorded to the last bit{begins}", now.words())
+            }
+            (Some(now), _) => format!("{id} DIFFERS: {}, recorded {}", now.words(), recorded.words()),
+            (None, _) => format!("{id} NOT reproduced: {}", self.because.as_deref().unwrap_or_default()),
+        }
+    }
+}
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -22,6 +92,9 @@ pub(super) struct Arguments {
     /// Write the hazard as a recording for Foxglove and PlotJuggler (builds with the feature mcap)
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
     #[command(flatten)]
     hosting: HostingArguments,
 }
@@ -37,51 +110,64 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         recording::possible(wanted.len(), file)?;
     }
     let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &arguments.hosting.hosting()?)?;
-    let mut still_there = false;
-    for hazard in wanted {
-        let there = match prepared.of_hazard(hazard) {
-            Ok(there) => there,
-            Err(error) => {
-                output::result(&format!("{} NOT reproduced: {error}\n", hazard.id));
-                continue;
-            }
-        };
-        let cell = (Arc::clone(&there.cell), Arc::clone(&there.binding));
-        let again = match replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions) {
-            Ok(again) => again,
-            Err(error) => {
-                output::error(&format!("{}: the FMU failed: {error}", hazard.id));
-                return Ok(FMU_FAILED);
-            }
-        };
-        still_there |= again.is_some();
-        let recorded = told(hazard.deciding_force_n(), hazard.time_s, hazard.body_region, &hazard.robot_link);
-        let begins = hazard.begins.map_or_else(String::new, |begins| format!("; begins {}", begins.words()));
-        let line = match &again {
-            Some(f) => {
-                let link = &there.cell.links[f.contact.link].name;
-                let now = told(f.contact.deciding_force_n(), f.time_s, f.contact.region, link);
-                // Two links may hit equally hard.
-                let same = f.contact.force_n.to_bits() == hazard.force_n.to_bits()
-                    && f.time_s.to_bits() == hazard.time_s.to_bits()
-                    && (f.contact.region, link) == (hazard.body_region, &hazard.robot_link);
-                match same {
-                    true => format!("{} reproduced: {now}, as recorded to the last bit{begins}", hazard.id),
-                    false => format!("{} DIFFERS: {now}, recorded {recorded}", hazard.id),
-                }
-            }
-            None => format!("{} NOT reproduced: the sequence ends without an unsafe contact", hazard.id),
-        };
-        output::result(&(line + "\n"));
-        if let Some(file) = &arguments.mcap {
-            recording::write(&there, hazard, file)?;
-            output::note(&format!("   Wrote   {}", file.display()));
+    let mut all = Vec::with_capacity(wanted.len());
+    let total = wanted.len() as u64;
+    for (done, hazard) in (1..).zip(wanted) {
+        let replayed = again(&prepared, hazard, arguments.mcap.as_deref())?;
+        if arguments.format == Format::Table {
+            output::result(&(replayed.line() + "\n"));
         }
+        all.push(replayed);
+        output::event(&Event::Progress { done, total, unit: "hazards", text: "" });
     }
-    Ok(if still_there { HAZARDS } else { NO_HAZARD })
+    if arguments.format == Format::Json {
+        output::json_of(&all)?;
+    }
+    Ok(if all.iter().any(|replayed| replayed.now.is_some()) { HAZARDS } else { NO_HAZARD })
 }
 
-/// A contact in a line.
-fn told(force_n: f64, time_s: f64, region: BodyRegion, link: &str) -> String {
-    format!("{force_n:.3} N at {time_s:.3} s ({region} <- {link})")
+/// A hazard once more.
+fn again(prepared: &Prepared, hazard: &Hazard, recording: Option<&Path>) -> Result<Replayed, Failure> {
+    let recorded = Met {
+        force_n: hazard.deciding_force_n(),
+        time_s: hazard.time_s,
+        body_region: hazard.body_region,
+        robot_link: hazard.robot_link.clone(),
+    };
+    let replayed = |result, now, because| Replayed {
+        id: hazard.id.clone(),
+        result,
+        recorded: recorded.clone(),
+        now,
+        begins: hazard.begins,
+        because,
+    };
+    let there = match prepared.of_hazard(hazard) {
+        Ok(there) => there,
+        Err(error) => return Ok(replayed(Reproduction::NotReproduced, None, Some(error.to_string()))),
+    };
+    let cell = (Arc::clone(&there.cell), Arc::clone(&there.binding));
+    let found = replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions)
+        .map_err(|error| Failure::running(format!("{}: the FMU failed: {error}", hazard.id)))?;
+    if let Some(file) = recording {
+        recording::write(&there, hazard, file)?;
+        output::note(&format!("   Wrote   {}", file.display()));
+    }
+    let Some(found) = found else {
+        let because = "the sequence ends without an unsafe contact".to_owned();
+        return Ok(replayed(Reproduction::NotReproduced, None, Some(because)));
+    };
+    let contact = &found.contact;
+    let now = Met {
+        force_n: contact.deciding_force_n(),
+        time_s: found.time_s,
+        body_region: contact.region,
+        robot_link: there.cell.links[contact.link].name.clone(),
+    };
+    // Two links may hit equally hard.
+    let same = contact.force_n.to_bits() == hazard.force_n.to_bits()
+        && now.time_s.to_bits() == hazard.time_s.to_bits()
+        && (now.body_region, &now.robot_link) == (hazard.body_region, &hazard.robot_link);
+    let result = if same { Reproduction::Reproduced } else { Reproduction::Differs };
+    Ok(replayed(result, Some(now), None))
 }

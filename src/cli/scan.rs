@@ -9,6 +9,7 @@ use std::time::Instant;
 use clap::Parser as _;
 
 use super::changes::Telling;
+use super::events::Event;
 use super::exit::{self, Failure};
 use super::output::{self, Format, Levels, Progress};
 use super::resume::{self, Command};
@@ -113,6 +114,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
     anywhere::forget(&out);
+    output::event(&Event::Results { folder: out.display().to_string() });
     if let Some(command) = &command {
         command.write(&out)?;
     }
@@ -285,6 +287,7 @@ impl Run<'_> {
                     levels.at(depth, done, of, &format!("{hazards} hazard{s}{left}"));
                 }
                 scan::Progress::Found(hazard) => {
+                    output::event(&Event::Hazard { hazard });
                     // One line each would bury the terminal; what auto found before is not told again.
                     if output::verbose() && hazard.first_iteration > 0 {
                         progress.line(&found(hazard));

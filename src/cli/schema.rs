@@ -19,12 +19,15 @@ enum File {
     Cell,
     /// scan.json
     Scan,
+    /// What other commands print with --format json, and any with --progress json
+    Commands,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let schema = match arguments.of {
         File::Cell => crate::cell::json_schema(),
         File::Scan => crate::report::model::json_schema(),
+        File::Commands => super::printed::schema(),
     };
     output::json(&format!("{schema:#}\n"));
     Ok(NO_HAZARD)

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
 use super::hosting::HostingArguments;
+use super::output::Format;
 use super::{earlier, output};
-use crate::report::verified::{Outcome, as_junit, render};
+use crate::report::verified::{Outcome, as_junit, render, rows};
 use crate::scan::prepare::prepare_in;
 use crate::scan::verify::verify;
 
@@ -21,6 +22,9 @@ pub(super) struct Arguments {
     /// Write the result as JUnit XML into this file too
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// How to print the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
     #[command(flatten)]
     hosting: HostingArguments,
 }
@@ -36,7 +40,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         progress.at(done, "");
     }
     progress.finish();
-    output::result(&render(&known.causes, &verified));
+    match arguments.format {
+        Format::Table => output::result(&render(&known.causes, &verified)),
+        Format::Json => output::json_of(&rows(&known.causes, &verified))?,
+    }
     if let Some(path) = &arguments.junit {
         output::write_file(path, &as_junit(&prepared.cell.name, &known.causes, &verified).map_err(Failure::unusable)?)?;
     }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::model::Begin;
@@ -11,7 +12,7 @@ use crate::human::Action;
 use crate::standards::BodyRegion;
 
 /// A change of the cell against a hazard.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Remedy {
     /// The change, in words: the smallest that helps, else the largest that was tried.
     pub change: String,
@@ -26,8 +27,9 @@ pub struct Remedy {
 }
 
 /// What came of a change.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(rename = "RemedyOutcome")]
 pub enum Outcome {
     /// Nothing in the cell is hazardous any more: every sequence was looked at.
     Sufficient(Checked),
@@ -55,7 +57,7 @@ pub enum Outcome {
 }
 
 /// What a change was held against.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Checked {
     /// Sequences of the scan, for all its hazards.
     pub known_sequences: usize,
@@ -76,7 +78,7 @@ pub struct Checked {
 }
 
 /// A complete search.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Complete {
     /// From which of the cell's beginnings, from 1.
     pub beginning: usize,
@@ -91,7 +93,7 @@ pub struct Complete {
 }
 
 /// What the next smaller change leads to.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum OneLess {
     /// No change at all: the cell as it is.
@@ -107,7 +109,7 @@ pub enum OneLess {
 }
 
 /// A hazard that was met after a change.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Met {
     /// What is hit.
     pub body_region: BodyRegion,
@@ -130,7 +132,7 @@ pub struct Met {
 }
 
 /// What is left after a change.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Others {
     /// Different hazards of other causes that were met; there may be more.
     pub at_least: usize,

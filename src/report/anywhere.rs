@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::model::{ScanReport, SensorState, Subject, Verdict};
@@ -16,7 +17,7 @@ use crate::standards::BodyRegion;
 pub const ANYWHERE: &str = "anywhere";
 
 /// What came out.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Anywhere {
     /// Version of this form, that of scan results.
     pub schema_version: u32,
@@ -72,7 +73,8 @@ pub struct Anywhere {
 }
 
 /// One history of the FMU.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "WatchedHistory")]
 pub struct Watched {
     /// What the sensors report since somebody came to where they do.
     pub sensors: Vec<SensorState>,
@@ -83,7 +85,7 @@ pub struct Watched {
 }
 
 /// Somewhere to be hit.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Place {
     /// Whether a run of its own shows it, with a fresh FMU and somebody who stands there.
     pub confirmed: bool,
@@ -128,7 +130,8 @@ pub struct Place {
 }
 
 /// A cell of the floor.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "FloorCell")]
 pub struct Cell {
     /// Its middle, floor plan, m.
     pub xy_m: [f64; 2],
@@ -145,7 +148,7 @@ pub struct Cell {
 }
 
 /// The floor as rectangles, each by its low x and y and its high x and y, m.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Ground {
     /// Where people can be who came there unseen, as far as sensors leave that open.
     pub unseen_m: Vec<[f64; 4]>,
@@ -164,7 +167,8 @@ impl Ground {
 }
 
 /// What it took.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[schemars(rename = "AnywhereSpent")]
 pub struct Spent {
     /// Communication steps of the FMU.
     pub fmu_steps: u64,

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::cause::{Grouped, grouped};
@@ -15,7 +16,7 @@ use super::recorded::{Recorded, RecordedSubject};
 const SAME: f64 = 0.005;
 
 /// What became of a hazard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Change {
     /// Only after.
@@ -60,7 +61,8 @@ impl Change {
 }
 
 /// A hazard in both scans or in one of them.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "HazardChange")]
 pub struct Row {
     /// What became of it.
     pub change: Change,
@@ -77,7 +79,8 @@ pub struct Row {
 }
 
 /// A cause in both scans or in one of them.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "CauseChange")]
 pub struct CauseRow {
     /// What became of it: it is fixed when all its hazards are.
     pub change: Change,
@@ -92,7 +95,8 @@ pub struct CauseRow {
 }
 
 /// Two scans side by side.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "Comparison")]
 pub struct Difference {
     /// The causes: new ones first.
     pub causes: Vec<CauseRow>,

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::advice::{self, Remedy};
@@ -14,7 +15,7 @@ use crate::standards::provenance::Table;
 use crate::standards::tables::tables;
 
 /// Everything that is told about a hazard.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Explanation {
     /// The hazard.
     pub hazard: Hazard,
@@ -35,7 +36,7 @@ pub struct Explanation {
 }
 
 /// What a sensor reports on the way.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Reports {
     /// Its name.
     pub name: String,
@@ -44,7 +45,7 @@ pub struct Reports {
 }
 
 /// A person outside a zone.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Outside {
     /// The sensor.
     pub name: String,
@@ -53,7 +54,7 @@ pub struct Outside {
 }
 
 /// The robot that hits.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Robot {
     /// Its name.
     pub name: String,

@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 
 use quick_junit::{NonSuccessKind, TestCaseStatus};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::cause::{Cause, grouped};
 use super::junit::{self, xml};
@@ -18,8 +20,24 @@ pub struct Verified {
     pub outcome: Outcome,
 }
 
+/// The same for programs.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "VerifiedHazard")]
+pub struct Row {
+    /// Id of the hazard.
+    pub id: String,
+    /// Id of its cause, if the scan knows causes.
+    pub cause: Option<String>,
+    /// Force relative to the limit, as it was recorded.
+    pub ratio: f64,
+    /// What became of it.
+    pub outcome: Outcome,
+}
+
 /// What became of a hazard.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "result", rename_all = "snake_case")]
+#[schemars(rename = "VerifiedOutcome")]
 pub enum Outcome {
     /// Its sequences end without an unsafe contact. Others may lead to the same hazard.
     Fixed,
@@ -68,6 +86,17 @@ impl Verified {
             Outcome::NotRun { cause } => format!("NOT RUN      {id}  the FMU failed: {cause}"),
         }
     }
+}
+
+/// For programs: a row a hazard.
+#[must_use]
+pub fn rows(causes: &[Cause], verified: &[Verified]) -> Vec<Row> {
+    let row = |one: &Verified| {
+        let Hazard { id, ratio, .. } = &one.hazard;
+        let cause = causes.iter().find(|cause| cause.hazards.contains(id)).map(|cause| cause.id.clone());
+        Row { id: id.clone(), cause, ratio: *ratio, outcome: one.outcome.clone() }
+    };
+    verified.iter().map(row).collect()
 }
 
 /// The hazards of a scan that were tried again, by cause.

@@ -9,6 +9,7 @@ mod places;
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::hosting::StateChoice;
@@ -30,7 +31,7 @@ pub const RUN_S: f64 = 10.0;
 const STILL: f64 = 1e-3;
 
 /// What the robots do after an input has changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
     /// They come to rest.
@@ -48,7 +49,7 @@ pub enum Effect {
 }
 
 /// What an input does.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Reaction {
     /// The input, or the sensor that drives it.
     pub input: String,
@@ -69,7 +70,7 @@ pub struct Reaction {
 }
 
 /// What an input does at another moment.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Moment {
     /// Time from the beginning of the run to the change of the input, s.
     pub at_s: f64,
@@ -263,7 +264,7 @@ impl<'a, P: Plant> Prober<'a, P> {
 }
 
 /// What was found out about a cell.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Probe {
     /// Fastest point of any robot while nobody is detected, m/s.
     pub fastest_m_s: f64,

@@ -210,7 +210,7 @@ fn the_other_commands_of_readme_and_book_run() {
             if let Some(file) = info.iter().find_map(|word| word.strip_prefix("file=")) {
                 std::fs::write(dir.join(file), &block).unwrap();
             }
-            if info[0] == "sh" {
+            if info[0] == "sh" && !info.contains(&"setup") {
                 let (first, filled) = block.split_once("fmi-hazard check cell.cell.toml").unwrap_or((&block, ""));
                 reader.each(first);
                 if !filled.is_empty() {

@@ -34,6 +34,7 @@ mod mcap;
 mod mutated_fmus;
 mod obstacles;
 mod pipelines;
+mod python_package;
 mod replays;
 mod report_page;
 mod residual;

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::cell::binding::SensorBinding;
@@ -28,7 +29,7 @@ const FAR_M: f64 = 20.0;
 const STAY_S: f64 = 0.4;
 
 /// What a sensor inside the FMU did while the person stood at many places, one after the other.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Reported {
     /// The sensor.
     pub sensor: String,

@@ -1,0 +1,2141 @@
+"""What the program writes and prints, as types. Made by tools/python_types.py from docs/schema/commands.schema.json; do not edit."""
+
+from __future__ import annotations
+
+from typing import Literal, NotRequired, TypeAlias, TypedDict
+
+Action: TypeAlias = Literal['stop/upright', 'stop/bend-forward', 'stop/bend-left', 'stop/bend-right', 'stop/bend-forward-left', 'stop/bend-forward-right', 'forward/upright', 'forward/bend-forward', 'forward/bend-left', 'forward/bend-right', 'forward/bend-forward-left', 'forward/bend-forward-right', 'left45/upright', 'left45/bend-forward', 'left45/bend-left', 'left45/bend-right', 'left45/bend-forward-left', 'left45/bend-forward-right', 'left90/upright', 'left90/bend-forward', 'left90/bend-left', 'left90/bend-right', 'left90/bend-forward-left', 'left90/bend-forward-right', 'right45/upright', 'right45/bend-forward', 'right45/bend-left', 'right45/bend-right', 'right45/bend-forward-left', 'right45/bend-forward-right', 'right90/upright', 'right90/bend-forward', 'right90/bend-left', 'right90/bend-right', 'right90/bend-forward-left', 'right90/bend-forward-right']
+"""
+A walk and a posture, for 200 ms.
+"""
+
+
+class AgreementExact(TypedDict):
+    """
+    Every bit of every output.
+    """
+
+    result: Literal['exact']
+
+
+class AgreementFailed(TypedDict):
+    """
+    The FMU returned an error.
+    """
+
+    reason: str
+    """
+    What it said.
+    """
+    result: Literal['failed']
+
+
+class AgreementNotOffered(TypedDict):
+    """
+    The FMU does not offer this.
+    """
+
+    result: Literal['not_offered']
+
+
+class AnywhereSpent(TypedDict):
+    """
+    What it took.
+    """
+
+    arm_boxes: int
+    """
+    Boxes of joint angles that they looked at.
+    """
+    arm_checks: int
+    """
+    Arm searches.
+    """
+    boxes: int
+    """
+    Sets of poses that were looked at.
+    """
+    fmu_steps: int
+    """
+    Communication steps of the FMU.
+    """
+    run_again: int
+    """
+    Steps of the FMU that were run again from the start and compared.
+    """
+
+
+class Arm(TypedDict):
+    """
+    The touching arm.
+    """
+
+    elbow_m: list[float]
+    """
+    Elbow, m.
+    """
+    shoulder_m: list[float]
+    """
+    Shoulder joint, m.
+    """
+    side: str
+    """
+    `left` or `right`.
+    """
+    wrist_m: list[float]
+    """
+    Wrist, m.
+    """
+
+
+class Begin(TypedDict):
+    """
+    Where and when a person begins.
+    """
+
+    begins_s: float
+    """
+    Time from the FMU's own start, s.
+    """
+    heading_deg: float
+    """
+    Heading from +x towards +y, degrees.
+    """
+    xy_m: list[float]
+    """
+    Floor plan, m.
+    """
+
+
+class BeginningSubject(TypedDict):
+    """
+    Where and when the person begins; times of hazards count from then.
+    """
+
+    begins_s: float
+    """
+    Time from the FMU's own start, s.
+    """
+    heading_deg: float
+    """
+    Where the person looks, degrees from +x towards +y.
+    """
+    number: int
+    """
+    Its number, from 1.
+    """
+    of: int
+    """
+    How many the cell has.
+    """
+    xy_m: list[float]
+    """
+    Where the person stands, m.
+    """
+
+
+BodyRegion: TypeAlias = Literal['skull_forehead', 'face', 'neck', 'neck_front', 'back_shoulders', 'chest', 'abdomen', 'pelvis', 'upper_arm', 'lower_arm', 'hand', 'thigh', 'lower_leg']
+"""
+A body region of ISO/TS 15066, Table A.2. Its text form (`Display`, `FromStr`, serde) is [`BodyRegion::id`].
+"""
+
+
+Level: TypeAlias = int
+
+
+class Change(TypedDict):
+    """
+    A change of the cell that helps against a cause.
+    """
+
+    change: str
+    """
+    In words.
+    """
+    checked: str
+    """
+    What it was held against, in words.
+    """
+    complete: bool
+    """
+    Whether every sequence of the changed cell was looked at.
+    """
+    less: str
+    """
+    What the next smaller change leads to, in words.
+    """
+    removes_all: bool
+    """
+    Whether nothing in the cell is hazardous with it; else only this cause is gone.
+    """
+
+
+Change2: TypeAlias = Literal['new', 'worse', 'same', 'less', 'not_found_again', 'fixed']
+"""
+What became of a hazard.
+"""
+
+
+Class: TypeAlias = Literal['force', 'head_contact']
+"""
+Why a contact is a finding.
+"""
+
+
+class Complete(TypedDict):
+    """
+    A complete search.
+    """
+
+    actions: int
+    """
+    How many actions they have.
+    """
+    beginning: int
+    """
+    From which of the cell's beginnings, from 1.
+    """
+    looked_at: int
+    """
+    All of so many actions were looked at.
+    """
+    reasons: list[str]
+    """
+    Why not all; nothing if it is complete.
+    """
+    sequences: str
+    """
+    How many sequences there are, in decimal.
+    """
+
+
+class Coverage(TypedDict):
+    """
+    Figures beside a verdict.
+    """
+
+    actions: int
+    """
+    Actions simulated.
+    """
+    arm_boxes: int
+    """
+    Boxes of joint angles that all arm searches together looked at: what their work is measured in.
+    """
+    arm_checks: int
+    """
+    Arm searches run (an arm is searched only when the robot is in reach and fast enough to matter).
+    """
+    arm_checks_incomplete: int
+    """
+    Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
+    """
+    arm_runs_not_evaluated: int
+    """
+    Runs in which a plane tells of an arm that the FMU could not finish: what the arm meets there is not evaluated, never
+    counted as safe.
+    """
+    checks_with_robot_in_arm_reach: int
+    """
+    Instants at which an arm could have bridged the distance to the robot, were nothing in between.
+    """
+    closest_approach_m: float
+    """
+    Smallest distance between trunk, head or legs and the robot, m; negative when they met. An exhaustive search takes
+    no notice of robots too slow to harm anyone.
+    """
+    contact_checks: int
+    """
+    Instants at which person and robot were compared.
+    """
+    contacts_within_limits: int
+    """
+    Contacts met that stay within the limits, at the ends of episodes or with the trunk.
+    """
+    episodes: int
+    """
+    Episodes begun.
+    """
+    episodes_not_evaluated: int
+    """
+    Episodes the FMU could not finish: not evaluated, never counted as safe.
+    """
+    highest_ratio_within_limits: float
+    """
+    Highest force ratio of those.
+    """
+    robot_top_speed_m_s: float
+    """
+    Highest speed bound of any robot link, m/s, by the speeds that the FMU tells.
+    """
+    sensor_actions: list[int]
+    """
+    For each sensor, the number of actions in which it reported the person.
+    """
+    walks_blocked: int
+    """
+    Actions in which an obstacle stopped the person's walk.
+    """
+
+
+Criterion: TypeAlias = Literal['absolute', 'approach']
+"""
+Which speed makes the force that decides whether a contact is unsafe, and how bad.
+"""
+
+
+Difference: TypeAlias = Literal['number', 'truth', 'sign_of_zero', 'not_finite', 'unreadable']
+"""
+In what two values differ that should be the same.
+"""
+
+
+Effect: TypeAlias = Literal['stops', 'slows', 'starts', 'speeds_up', 'changes', 'nothing']
+"""
+What the robots do after an input has changed.
+"""
+
+
+class EventDoing(TypedDict):
+    """
+    What is being done, whenever that changes.
+    """
+
+    event: Literal['doing']
+    text: str
+    """
+    In words.
+    """
+
+
+class EventProgress(TypedDict):
+    """
+    How far it is, at most ten times a second.
+    """
+
+    done: int
+    """
+    So many are done.
+    """
+    event: Literal['progress']
+    text: str
+    """
+    What came of it so far, in words.
+    """
+    total: int
+    """
+    Of so many. A search of all sequences begins anew with each action.
+    """
+    unit: str
+    """
+    What is counted.
+    """
+
+
+class EventResults(TypedDict):
+    """
+    The results are written into this folder.
+    """
+
+    event: Literal['results']
+    folder: str
+    """
+    From the folder in which the program was started.
+    """
+
+
+class EventNote(TypedDict):
+    """
+    Something to know.
+    """
+
+    event: Literal['note']
+    text: str
+    """
+    In words.
+    """
+
+
+class EventWarning(TypedDict):
+    """
+    Something that may make a result mean something else.
+    """
+
+    event: Literal['warning']
+    text: str
+    """
+    In words.
+    """
+
+
+class EventError(TypedDict):
+    """
+    Why the program ends, or why a part of its work was left out.
+    """
+
+    event: Literal['error']
+    text: str
+    """
+    What it is, and what to do about it.
+    """
+
+
+StartItem: TypeAlias = list[float]
+
+
+class FaultRecord(TypedDict):
+    """
+    An action the FMU could not finish.
+    """
+
+    actions: list[Action]
+    """
+    The sequence.
+    """
+    message: str
+    """
+    What happened.
+    """
+
+
+class FileSubject(TypedDict):
+    """
+    A file that says part of what the cell is.
+    """
+
+    path: str
+    """
+    As the cell file names it; of a system of FMUs the file name.
+    """
+    sha256: str
+    """
+    SHA-256 of the file.
+    """
+
+
+Span: TypeAlias = int
+
+
+class FloorCell(TypedDict):
+    """
+    A cell of the floor.
+    """
+
+    earliest_s: float
+    """
+    When the earliest of those is hit, after the start of the FMU, s.
+    """
+    ratio: float
+    """
+    Force over limit of the worst that was tried.
+    """
+    spans: list[tuple[Span, float]]
+    """
+    Number of a span of time, and force over limit of the worst that was tried there and then. Of spans that are not listed
+    nothing was found in the poses that were tried; others may be hit then.
+    """
+    unseen: bool
+    """
+    Whether somebody is hit there whom no sensor has seen; else only who was seen on the way, as soon as they may be there by
+    bounds on their way.
+    """
+    xy_m: list[float]
+    """
+    Its middle, floor plan, m.
+    """
+
+
+class FmuSubject(TypedDict):
+    """
+    An FMU that was scanned.
+    """
+
+    fmi_version: str
+    """
+    FMI version.
+    """
+    generation_tool: str
+    """
+    Exporting tool.
+    """
+    model_name: str
+    """
+    Model name.
+    """
+    sha256: str
+    """
+    SHA-256 of the FMU file.
+    """
+    unit: str
+    """
+    Name of the unit; empty for the only one.
+    """
+
+
+class Ground(TypedDict):
+    """
+    The floor as rectangles, each by its low x and y and its high x and y, m.
+    """
+
+    swept_m: list[list[float]]
+    """
+    What the robots sweep, seen from above, while nobody is seen.
+    """
+    unseen_m: list[list[float]]
+    """
+    Where people can be who came there unseen, as far as sensors leave that open.
+    """
+    watched_m: list[list[float]]
+    """
+    Where else people can be: sensors see them there, or on the way there.
+    """
+
+
+class HazardChange(TypedDict):
+    """
+    A hazard in both scans or in one of them.
+    """
+
+    after: float | None
+    """
+    Force ratio after.
+    """
+    before: float | None
+    """
+    Force ratio before.
+    """
+    body_region: str
+    """
+    Body region.
+    """
+    change: Change2
+    """
+    What became of it.
+    """
+    id: str
+    """
+    Its id.
+    """
+    robot_link: str
+    """
+    Robot link.
+    """
+
+
+class Line(TypedDict):
+    """
+    The hazards of a cause in which one link hits one region.
+    """
+
+    body_region: BodyRegion
+    """
+    What is hit.
+    """
+    hazards: list[str]
+    """
+    Their ids, worst first.
+    """
+    ratio: float
+    """
+    The highest force over its limit.
+    """
+    robot_link: str
+    """
+    By what.
+    """
+
+
+Met = TypedDict(
+    'Met',
+    {
+        'actions': list[Action],
+        'body_region': BodyRegion,
+        'from': Begin | None,
+        'ratio': float,
+        'robot_link': str,
+        'time_s': float,
+    },
+)
+
+
+class Moment(TypedDict):
+    """
+    What an input does at another moment.
+    """
+
+    at_s: float
+    """
+    Time from the beginning of the run to the change of the input, s.
+    """
+    effect: Effect
+    """
+    What it does then.
+    """
+    still_after_s: float | None
+    """
+    Time from the change until the robots stand still, s.
+    """
+
+
+class OneLessMet(TypedDict):
+    """
+    A hazard.
+    """
+
+    met: Met
+
+
+class NotTried(TypedDict):
+    cause: str
+    """
+    Why.
+    """
+
+
+class OneLessNotTried(TypedDict):
+    """
+    It cannot be tried.
+    """
+
+    not_tried: NotTried
+
+
+OneLess: TypeAlias = Literal['as_it_is'] | OneLessMet | OneLessNotTried
+"""
+What the next smaller change leads to.
+"""
+
+
+class Outside(TypedDict):
+    """
+    A person outside a zone.
+    """
+
+    distance_m: float
+    """
+    From the middle between the feet to the zone's edge, m.
+    """
+    name: str
+    """
+    The sensor.
+    """
+
+
+Part: TypeAlias = Literal['body', 'arm']
+"""
+What of the person is hit: an arm needs other guards than the rest.
+"""
+
+
+class Problem(TypedDict):
+    """
+    Something wrong with a cell.
+    """
+
+    file: str
+    """
+    The cell file, or one that it extends.
+    """
+    help: str | None
+    """
+    What to do about it.
+    """
+    line: int | None
+    """
+    Its line.
+    """
+    message: str
+    """
+    What is wrong.
+    """
+
+
+class RandomSearch(TypedDict):
+    """
+    Exact figures of uniform random search, from the share of hazardous sequences.
+    """
+
+    iterations: int
+    """
+    Budget, iterations.
+    """
+    iterations_to_hazard: float | None
+    """
+    Mean iterations to the first hazard, however many it takes: one over the share of hazardous sequences.
+    """
+    mean_iterations: float
+    """
+    The same cut at the budget, a miss counting as the budget: what the paper's tables call T.
+    """
+    miss_probability: float
+    """
+    Probability to find nothing.
+    """
+    sigma: float
+    """
+    Standard deviation of that.
+    """
+
+
+class Reaction(TypedDict):
+    """
+    What an input does.
+    """
+
+    at_other_moments: list[Moment]
+    """
+    What the same change does at other moments, where that was tried.
+    """
+    at_s: float
+    """
+    Time from the beginning of the run to the change of the input, s.
+    """
+    effect: Effect
+    """
+    What the other value does.
+    """
+    first_change_s: float | None
+    """
+    Time from the change of the input to the first change of any output, s.
+    """
+    idle: bool
+    """
+    Its value in the run to compare with.
+    """
+    input: str
+    """
+    The input, or the sensor that drives it.
+    """
+    mean_speed: list[float]
+    """
+    Mean speed in the second half of the time after the change: idle, then changed.
+    """
+    still_after_s: float | None
+    """
+    Time from the change of the input until the robots stand still, s.
+    """
+
+
+class RemedyOutcomeOnlyLater(TypedDict):
+    """
+    No hazard is met within the time that the cell file looks at, but later.
+    """
+
+    only_later: Met
+
+
+class NoAdvice(TypedDict):
+    cause: str
+    """
+    The reason.
+    """
+
+
+class RemedyOutcomeNoAdvice(TypedDict):
+    """
+    It is met no more, for a reason that does not count.
+    """
+
+    no_advice: NoAdvice
+
+
+class NoHelp(TypedDict):
+    limit: str | None
+    """
+    Why no more of the change was tried.
+    """
+
+
+class RemedyOutcomeNoHelp(TypedDict):
+    """
+    The hazard is still met.
+    """
+
+    no_help: NoHelp
+
+
+class RemedyOutcomeNotTried(TypedDict):
+    """
+    The cell or the FMU does not take the change.
+    """
+
+    not_tried: NotTried
+
+
+class ReplayedContact(TypedDict):
+    """
+    A contact.
+    """
+
+    body_region: BodyRegion
+    """
+    What is hit.
+    """
+    force_n: float
+    """
+    Force by the speed that decides, N.
+    """
+    robot_link: str
+    """
+    By what.
+    """
+    time_s: float
+    """
+    When, s.
+    """
+
+
+class Reported(TypedDict):
+    """
+    What a sensor inside the FMU did while the person stood at many places, one after the other.
+    """
+
+    at: int
+    """
+    Places in and around the cell at which it reported the person.
+    """
+    far_away: bool
+    """
+    Whether it reported a person far away from the cell.
+    """
+    of: int
+    """
+    Such places that were tried.
+    """
+    sensor: str
+    """
+    The sensor.
+    """
+
+
+class Reports(TypedDict):
+    """
+    What a sensor reports on the way.
+    """
+
+    changes_s: list[float]
+    """
+    Times at which it begins and ends to report the person, s; it begins with "clear".
+    """
+    name: str
+    """
+    Its name.
+    """
+
+
+Reproduction: TypeAlias = Literal['reproduced', 'differs', 'not_reproduced']
+"""
+What came of a hazard that was simulated again.
+"""
+
+
+class Robot(TypedDict):
+    """
+    The robot that hits.
+    """
+
+    mass_from: str
+    """
+    Where that is said.
+    """
+    moving_mass_kg: float
+    """
+    Mass of its moving parts, kg.
+    """
+    name: str
+    """
+    Its name.
+    """
+
+
+class RunAgain(TypedDict):
+    """
+    How much of what an FMU did in a search was run again from the start, by a fresh instance with all inputs and without
+    any restore, and gave the same in all bound outputs, bit for bit. Where it is not all, it is a sample, chosen by a key
+    made from the inputs.
+    """
+
+    compared: int
+    """
+    Of these, run again.
+    """
+    merges: int
+    """
+    Histories that were merged with another one, which went on.
+    """
+    merges_compared: int
+    """
+    Of these, run on from the start with the other one's inputs.
+    """
+    transitions: int
+    """
+    Actions of the FMU that were stepped.
+    """
+
+
+class SensorState(TypedDict):
+    """
+    A sensor's output.
+    """
+
+    name: str
+    """
+    Sensor name.
+    """
+    person_detected: bool
+    """
+    Whether it reports the person.
+    """
+    since_s: float | None
+    """
+    For how long before the contact it had reported the person without a break, s; none if it does not report them, or
+    the hazard was not confirmed.
+    """
+
+
+class Settings(TypedDict):
+    """
+    How it was searched.
+    """
+
+    action_s: float
+    """
+    Duration of an action, s.
+    """
+    actions_per_sequence: int
+    """
+    Actions in a sequence.
+    """
+    contact_check_interval_s: float
+    """
+    Communication step and contact-check interval, s.
+    """
+    iterations: int
+    """
+    Budget in iterations.
+    """
+    posture_sweep: bool
+    """
+    All postures checked per walk.
+    """
+    reach_tolerance_m: float
+    """
+    Depth of contact that the arm check may miss, m.
+    """
+    seed: int
+    """
+    Seed.
+    """
+    speed_criterion: Criterion
+    """
+    Which speed makes the force that decides.
+    """
+    stop_at_first: bool
+    """
+    Stop at the first hazard instead of using the budget.
+    """
+    strategy: str
+    """
+    Strategy name.
+    """
+    until_s: NotRequired[float | None]
+    """
+    Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    """
+
+
+class Shortest(TypedDict):
+    """
+    The shortest sequence found that ends in a hazard; of these the calmest. The very shortest there is when the search
+    was exhaustive.
+    """
+
+    actions: list[Action]
+    """
+    The actions.
+    """
+    confirmed: bool | None
+    """
+    Whether a fresh instance without any restore gave the same contact; `None` before that was tried.
+    """
+    force_n: float
+    """
+    Force, N.
+    """
+    ratio: float
+    """
+    `force / limit`.
+    """
+    time_s: float
+    """
+    Time of the contact, s.
+    """
+
+
+class SpeedRecord(TypedDict):
+    """
+    A speed that the FMU tells and that is not the speed of the motion.
+    """
+
+    cause: str | None
+    """
+    The likely cause, where it can be recognised.
+    """
+    motion: float
+    """
+    Speed of the motion then: the way of the step before by its time.
+    """
+    of_steps: int
+    """
+    Steps of a run.
+    """
+    part: str
+    """
+    The joint or frame.
+    """
+    robot: str
+    """
+    The robot.
+    """
+    slower_than_it_is: bool
+    """
+    Whether it is anywhere told slower than it is: forces then come out too low.
+    """
+    steps: int
+    """
+    Steps of a run at which the two differ in some run.
+    """
+    time_s: float
+    """
+    When the two differ most, from the person's beginning, s.
+    """
+    told: float
+    """
+    Speed that is told then.
+    """
+    unit: str
+    """
+    Unit of the speeds here: m/s or rad/s.
+    """
+    variables: list[str]
+    """
+    The outputs that are named as its speed.
+    """
+
+
+class Spent(TypedDict):
+    """
+    What the search cost.
+    """
+
+    actions: int
+    """
+    200 ms actions simulated.
+    """
+    arm_checks: int
+    """
+    Arm searches.
+    """
+    contact_checks: int
+    """
+    Person-robot comparisons.
+    """
+    fmu_states: int
+    """
+    Different FMU states met.
+    """
+    fmu_steps: int
+    """
+    FMI communication steps of all different transitions; what was repeated to come back to a state is in run.json.
+    """
+    iterations: int
+    """
+    Iterations run.
+    """
+
+
+class Subject(TypedDict):
+    """
+    What was scanned.
+    """
+
+    beginning: NotRequired[BeginningSubject | None]
+    """
+    Which of the cell's beginnings it is, if there are several or it is not at once.
+    """
+    cell: str
+    """
+    Name of the cell.
+    """
+    cell_file: str | None
+    """
+    The cell file, if one was named beside the path; as `path`.
+    """
+    cell_found: str
+    """
+    Where the cell was found, as `path`; inside an archive behind a `!`.
+    """
+    cell_sha256: str
+    """
+    SHA-256 of the cell file.
+    """
+    couplings: list[str]
+    """
+    What the connections between them do.
+    """
+    files: NotRequired[list[FileSubject]]
+    """
+    Other files that say what was scanned: the system of FMUs, robot descriptions, meshes.
+    """
+    fmus: list[FmuSubject]
+    """
+    The FMUs, in the order in which they are stepped.
+    """
+    path: str
+    """
+    Path that was scanned: in a file, relative to its folder where that is possible.
+    """
+
+
+class Table(TypedDict):
+    """
+    Origin of one table of numbers.
+    """
+
+    confidence: str
+    """
+    How sure they are, in words.
+    """
+    id: str
+    """
+    Stable id in snake case.
+    """
+    source: str
+    """
+    What the numbers were taken from.
+    """
+    title: str
+    """
+    Standard or survey, edition, clause, and what the table holds.
+    """
+    verified: bool
+    """
+    Whether somebody compared the numbers with the purchased text.
+    """
+
+
+class Through(TypedDict):
+    """
+    A plane that told of an arm: a light curtain, a door, a two-hand control that it let go.
+    """
+
+    sensor: str
+    """
+    Its sensor.
+    """
+    since_s: float
+    """
+    How long before the contact the arm broke the plane or let go, s.
+    """
+    until_s: float
+    """
+    How long before the contact the sensor began to tell of the body itself, s: the robot then is as if the plane had told
+    of the arm until that only. 0 if the plane tells of the arm until the contact.
+    """
+
+
+class Unlisted(TypedDict):
+    """
+    How often a random sequence ends in a hazard that is not listed.
+    """
+
+    checked: int
+    """
+    Random sequences after the first quarter of the search, each checked against the hazards known by then.
+    """
+    good_turing_estimate: float
+    """
+    Good-Turing estimate, no bound, from the random sequences alone: the probability that one more ends in a hazard
+    that none of them ended in.
+    """
+    met_others: int
+    """
+    Of these, ended in a hazard not known then, or not evaluated.
+    """
+    probability_below: float
+    """
+    Upper bound, one-sided, of the probability that one more random sequence ends in a hazard that is not listed.
+    """
+
+
+Verdict: TypeAlias = Literal['hazards_found', 'none_found', 'inconclusive', 'fmu_failed', 'interrupted']
+"""
+Overall outcome; never a statement of safety.
+"""
+
+
+class VerifiedOutcomeFixed(TypedDict):
+    """
+    Its sequences end without an unsafe contact. Others may lead to the same hazard.
+    """
+
+    result: Literal['fixed']
+
+
+class VerifiedOutcomeNoRoom(TypedDict):
+    """
+    Nobody has room any more where it begins. Others may lead to the same hazard from elsewhere.
+    """
+
+    result: Literal['no_room']
+
+
+class VerifiedOutcomeStillThere(TypedDict):
+    """
+    One of them ends in an unsafe contact, the hardest of which is this.
+    """
+
+    body_region: str
+    """
+    Body region.
+    """
+    force_n: float
+    """
+    Force, N.
+    """
+    ratio: float
+    """
+    Force relative to the limit.
+    """
+    result: Literal['still_there']
+    robot_link: str
+    """
+    Robot link.
+    """
+    time_s: float
+    """
+    Time of the contact, s.
+    """
+
+
+class VerifiedOutcomeNotRun(TypedDict):
+    """
+    The FMU failed.
+    """
+
+    cause: str
+    """
+    Why.
+    """
+    result: Literal['not_run']
+
+
+VerifiedOutcome: TypeAlias = VerifiedOutcomeFixed | VerifiedOutcomeNoRoom | VerifiedOutcomeStillThere | VerifiedOutcomeNotRun
+"""
+What became of a hazard.
+"""
+
+
+class WatchedHistory(TypedDict):
+    """
+    One history of the FMU.
+    """
+
+    instants: int
+    """
+    Different instants at which a robot could harm somebody.
+    """
+    sensors: list[SensorState]
+    """
+    What the sensors report since somebody came to where they do.
+    """
+    unseen: bool
+    """
+    Whether that is from the start on: nobody was seen before.
+    """
+
+
+class AgreementDiffers(TypedDict):
+    """
+    Different; the largest relative difference `|a - b| / max(1, |a|)`.
+    """
+
+    first: Difference
+    """
+    In what the first one differs.
+    """
+    largest: float
+    """
+    Largest relative difference of numbers; 0 where all numbers are the same.
+    """
+    output: NotRequired[str | None]
+    """
+    The first output that differs.
+    """
+    result: Literal['differs']
+
+
+Agreement: TypeAlias = AgreementExact | AgreementDiffers | AgreementFailed | AgreementNotOffered
+"""
+How two runs that should agree compare.
+"""
+
+
+class CauseAdvice(TypedDict):
+    """
+    What was found against a cause.
+    """
+
+    changes: list[Change]
+    """
+    The smallest changes that help, the surest first.
+    """
+    note: str
+    """
+    What was tried, and what that is worth.
+    """
+
+
+class CauseChange(TypedDict):
+    """
+    A cause in both scans or in one of them.
+    """
+
+    after: int
+    """
+    Its hazards after.
+    """
+    before: int
+    """
+    Its hazards before.
+    """
+    change: Change2
+    """
+    What became of it: it is fixed when all its hazards are.
+    """
+    id: str
+    """
+    Its id.
+    """
+    sentence: str
+    """
+    What is wrong.
+    """
+
+
+class Certificate(TypedDict):
+    """
+    What an exhaustive search covered, and what random search can expect from that. Numbers of sequences are decimal
+    strings: they do not fit into JSON's numbers.
+    """
+
+    actions: int
+    """
+    Actions to choose from.
+    """
+    complete: bool
+    """
+    Whether every sequence is accounted for.
+    """
+    complete_for_actions: int
+    """
+    All sequences of so many actions were looked at.
+    """
+    covered: str
+    """
+    Those whose fate is known: hazardous, harmless or excluded.
+    """
+    excluded: str
+    """
+    Cannot meet one: too far away for the time that is left, by lengths and speeds.
+    """
+    fmu_transitions: int
+    """
+    Actions of the FMU that differ in its state or inputs.
+    """
+    harmless: str
+    """
+    Reached the horizon without.
+    """
+    hazardous: str
+    """
+    Met an unsafe state.
+    """
+    hazardous_share: float
+    """
+    Part of all sequences that is known to be hazardous.
+    """
+    horizon: int
+    """
+    Actions in a sequence.
+    """
+    levels: list[list[Level]]
+    """
+    Distinct states by number of actions before them, and how many of these were dropped as excluded.
+    """
+    merged: int
+    """
+    Histories that led to a state of the FMU known already, by its bytes.
+    """
+    merged_by: str
+    """
+    How equal states of the FMU were told.
+    """
+    merges_tried_out: int
+    """
+    Of these, tried out by stepping both states on.
+    """
+    not_evaluated: str
+    """
+    The FMU could not finish them.
+    """
+    questions: int
+    """
+    Different questions whether a person can be touched.
+    """
+    random_search: RandomSearch | None
+    """
+    What random search can expect, if the search was complete.
+    """
+    reasons: list[str]
+    """
+    Why it is not, or what it rests on.
+    """
+    run_again: RunAgain
+    """
+    What of the FMU was run again plainly, to show that nothing rests on a state that was brought back wrongly.
+    """
+    sequences: str
+    """
+    All sequences: actions to the power of the horizon.
+    """
+    states: int
+    """
+    Distinct states.
+    """
+
+
+class Checked(TypedDict):
+    """
+    What a change was held against.
+    """
+
+    around: int
+    """
+    Places around the start from which the person began, too.
+    """
+    around_complete: bool
+    """
+    Whether all sequences from there were looked at, else some.
+    """
+    complete: list[Complete]
+    """
+    The complete search from each of the cell's beginnings, the own first.
+    """
+    counterexamples: int
+    """
+    Sequences that led to a hazard after smaller changes.
+    """
+    known_sequences: int
+    """
+    Sequences of the scan, for all its hazards.
+    """
+    longest_s: float
+    """
+    Longest time of known and new sequences that were tried beyond that of the cell file, s.
+    """
+    one_less: OneLess
+    """
+    What one step less leads to.
+    """
+    searched: int
+    """
+    New sequences from the start.
+    """
+
+
+class Comparison(TypedDict):
+    """
+    Two scans side by side.
+    """
+
+    causes: list[CauseChange]
+    """
+    The causes: new ones first.
+    """
+    complete: list[bool]
+    """
+    Whether each of the two accounted for every sequence.
+    """
+    counts: dict[str, int]
+    """
+    How many of each kind.
+    """
+    hazards: list[HazardChange]
+    """
+    The hazards: new ones first, then by id.
+    """
+    inputs: list[str]
+    """
+    What of the inputs is different, in words.
+    """
+
+
+Hazard = TypedDict(
+    'Hazard',
+    {
+        'actions': list[Action],
+        'approach_m_s': float,
+        'arm': Arm | None,
+        'begins': NotRequired[Begin | None],
+        'bend_fraction': float,
+        'body_point_m': list[float],
+        'body_region': BodyRegion,
+        'class': Class,
+        'confirmed': bool | None,
+        'contact_point_m': list[float],
+        'directed_force_n': float,
+        'directed_ratio': float,
+        'distance_m': float,
+        'earliest_time_s': float,
+        'effective_mass_kg': float,
+        'first_iteration': int,
+        'force_n': float,
+        'id': str,
+        'limit_n': float,
+        'person_heading_deg': float,
+        'person_xy_m': list[float],
+        'phase': int | None,
+        'ratio': float,
+        'robot_link': str,
+        'safe_below_m_s': float,
+        'sensors': list[SensorState],
+        'sequences': str | None,
+        'shortest': Shortest,
+        'speed_m_s': float,
+        'through': list[Through],
+        'through_curtain': str | None,
+        'through_curtain_s': float | None,
+        'time_s': float,
+        'times_found': int,
+    },
+)
+
+
+class Others(TypedDict):
+    """
+    What is left after a change.
+    """
+
+    at_least: int
+    """
+    Different hazards of other causes that were met; there may be more.
+    """
+    checked: Checked
+    """
+    What it was held against.
+    """
+    complete: bool
+    """
+    Whether every sequence was looked at for hazards that are of no other cause.
+    """
+    worst: Met | None
+    """
+    The worst of them, if any was met.
+    """
+
+
+Place = TypedDict(
+    'Place',
+    {
+        'actions': list[Action],
+        'begins_s': float,
+        'body_region': BodyRegion,
+        'cells': int,
+        'class': Class | None,
+        'confirmed': bool,
+        'force_n': float,
+        'heading_deg': float,
+        'id': str,
+        'limit_n': float,
+        'posture': str,
+        'ratio': float,
+        'robot_link': str,
+        'sensors': list[SensorState],
+        'speed_m_s': float,
+        'start_heading_deg': float,
+        'start_m': list[float],
+        'time_s': float | None,
+        'walks_in': bool,
+        'xy_m': list[float],
+    },
+)
+
+
+class Probe(TypedDict):
+    """
+    What was found out about a cell.
+    """
+
+    fastest_m_s: float
+    """
+    Fastest point of any robot while nobody is detected, m/s.
+    """
+    idle_sensors: list[str]
+    """
+    Sensors that change nothing.
+    """
+    not_tried: NotRequired[list[str]]
+    """
+    Inputs that were not tried, because they are neither true nor false.
+    """
+    others: NotRequired[list[Reaction]]
+    """
+    What each other input does that is true or false, and that no sensor drives; where it was asked for.
+    """
+    reactions: list[Reaction]
+    """
+    What each sensor does that the cell drives.
+    """
+    reported: list[Reported]
+    """
+    What sensors inside the FMU report.
+    """
+    run_s: float
+    """
+    How long each run was, s.
+    """
+    together: Reaction | None
+    """
+    What all of them together do, if there are several.
+    """
+    warnings: list[str]
+    """
+    What seems to be wrong.
+    """
+
+
+class RemedyOutcomeSufficient(TypedDict):
+    """
+    Nothing in the cell is hazardous any more: every sequence was looked at.
+    """
+
+    sufficient: Checked
+
+
+class RemedyOutcomeNotMet(TypedDict):
+    """
+    No hazard was met, but not everything was looked at.
+    """
+
+    not_met: Checked
+
+
+class RemedyOutcomeOthersRemain(TypedDict):
+    """
+    The cause of this hazard is gone, other causes of the scan are not.
+    """
+
+    others_remain: Others
+
+
+RemedyOutcome: TypeAlias = RemedyOutcomeSufficient | RemedyOutcomeNotMet | RemedyOutcomeOthersRemain | RemedyOutcomeOnlyLater | RemedyOutcomeNoAdvice | RemedyOutcomeNoHelp | RemedyOutcomeNotTried
+"""
+What came of a change.
+"""
+
+
+class ReplayedHazard(TypedDict):
+    """
+    A recorded hazard, simulated again.
+    """
+
+    because: str | None
+    """
+    Why there is none.
+    """
+    begins: Begin | None
+    """
+    Where it begins, if that is not where the cell file says.
+    """
+    id: str
+    """
+    Its id.
+    """
+    now: ReplayedContact | None
+    """
+    The contact now, if there is an unsafe one.
+    """
+    recorded: ReplayedContact
+    """
+    The contact as it was recorded.
+    """
+    result: Reproduction
+    """
+    What came of it.
+    """
+
+
+class Residual(TypedDict):
+    """
+    What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
+    that a strategy chose are never counted. See [`crate::search::residual`].
+    """
+
+    hazardous: int
+    """
+    Of these, hazardous by their own end; findings in other postures of their walks do not count.
+    """
+    hazardous_share_below: float
+    """
+    Upper bound, one-sided, of the same share.
+    """
+    hazardous_share_interval: list[float]
+    """
+    Clopper-Pearson interval, two-sided, of the share of all sequences that is hazardous: what an exhaustive search
+    gives as `hazardous / sequences`.
+    """
+    holds_for: str
+    """
+    What the figures hold for.
+    """
+    not_evaluated: int
+    """
+    Of these, not evaluated, because the FMU could not finish them; upper bounds count them as the worse.
+    """
+    random_sequences: int
+    """
+    Uniformly random sequences.
+    """
+    unlisted: Unlisted | None
+    """
+    About hazards that are not listed; none if no hazard is, as the share above is then the answer.
+    """
+
+
+class SelfTest(TypedDict):
+    """
+    The outcome of the self-test.
+    """
+
+    bytes_per_state: int | None
+    """
+    Bytes of a serialised state.
+    """
+    deterministic: Agreement
+    """
+    Two fresh instances, one after the other, same inputs.
+    """
+    fork: Agreement
+    """
+    The same with copies of the FMU's process as states, for FMUs in workers.
+    """
+    fresh_process: Agreement
+    """
+    Two fresh processes, for FMUs in workers.
+    """
+    inputs: int
+    """
+    Inputs moved and outputs compared.
+    """
+    output_range: float
+    """
+    Largest change of any output over the run: zero means that nothing moves.
+    """
+    outputs: int
+    """
+    Outputs compared.
+    """
+    reset: Agreement
+    """
+    `fmi2Reset` against a fresh instance.
+    """
+    restore: Agreement
+    """
+    Restoring a state against the uninterrupted run: two states held, both returned to, the first one twice.
+    """
+    second_instance: Agreement
+    """
+    A second instance beside a living first one.
+    """
+    serialize: Agreement
+    """
+    A serialised state brought back in another instance.
+    """
+    step_s: float
+    """
+    Communication step, s.
+    """
+    steps: int
+    """
+    Steps of one run.
+    """
+
+
+class VerifiedHazard(TypedDict):
+    """
+    The same for programs.
+    """
+
+    cause: str | None
+    """
+    Id of its cause, if the scan knows causes.
+    """
+    id: str
+    """
+    Id of the hazard.
+    """
+    outcome: VerifiedOutcome
+    """
+    What became of it.
+    """
+    ratio: float
+    """
+    Force relative to the limit, as it was recorded.
+    """
+
+
+class Anywhere(TypedDict):
+    """
+    What came out.
+    """
+
+    arm_tolerance_m: float
+    """
+    The same of contacts of arms, and those with less room for the arm, m.
+    """
+    between: int
+    """
+    Cells of the floor and postures in which nobody is hit at any communication step, and somebody may be between two: robots are
+    taken to be as much nearer then as they may move in half a step.
+    """
+    between_m: list[list[float]]
+    """
+    Where the first ten thousand of those are, floor plan, m.
+    """
+    body_tolerance_m: float
+    """
+    Contacts of trunk, head and legs that are harmless when the person stands no more than this elsewhere may be missed, m.
+    """
+    cell_m: float
+    """
+    Edge of the cells of the floor, m.
+    """
+    changes: int | None
+    """
+    How often what sensors report changed at most, if that was limited: coming in is one change, going out another.
+    """
+    cycle_s: float | None
+    """
+    How often the robots repeat what they do while nobody comes, s, if they did so twice until then.
+    """
+    floor: list[FloorCell]
+    """
+    Cells of the floor in which somebody who stands there is hit, row by row.
+    """
+    followed: bool
+    """
+    Whether poses that are hit at some moment were looked at in each span of time.
+    """
+    ground: Ground
+    """
+    The floor, and what the robots sweep.
+    """
+    hazards: list[Place]
+    """
+    Of each body region and robot link the worst that was tried, the worst first.
+    """
+    histories: list[WatchedHistory]
+    """
+    What the robots did while sensors reported what they report of somebody unseen.
+    """
+    open: int
+    """
+    Cells of the floor and postures of which it is not known whether anybody is hit in them.
+    """
+    open_m: list[list[float]]
+    """
+    Where of the first ten thousand of those something is open, floor plan, m.
+    """
+    reasons: list[str]
+    """
+    Why the absence of further hazards is not shown.
+    """
+    rests_on: list[str]
+    """
+    What was tried out, and not shown, of the FMU.
+    """
+    schema_version: int
+    """
+    Version of this form, that of scan results.
+    """
+    span_s: float
+    """
+    Length of the spans of time of `floor`, s: the first begins with the FMU.
+    """
+    speed_criterion: Criterion
+    """
+    Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
+    """
+    spent: AnywhereSpent
+    """
+    What it took.
+    """
+    subject: Subject
+    """
+    What was looked at.
+    """
+    tool: str
+    """
+    Program and version.
+    """
+    until_s: float
+    """
+    How long after the start of the FMU, s.
+    """
+    verdict: Verdict
+    """
+    Result in one word. `none_found` is said only where nothing is open.
+    """
+    warnings: list[str]
+    """
+    What the user should know.
+    """
+
+
+Cause = TypedDict(
+    'Cause',
+    {
+        'advice': CauseAdvice | None,
+        'class': Class,
+        'confirmed': int,
+        'earliest_time_s': float,
+        'force_n': float,
+        'hazards': list[str],
+        'id': str,
+        'limit_n': float,
+        'lines': list[Line],
+        'part': Part,
+        'ratio': float,
+        'robot': str,
+        'sensors': list[SensorState],
+        'sentence': str,
+        'sequences': str | None,
+        'share': float | None,
+        'worst': str,
+    },
+)
+
+
+class Check(TypedDict):
+    """
+    What is printed as JSON.
+    """
+
+    picture: str | None
+    """
+    Where the picture is, if the FMU was run.
+    """
+    probe: Probe | None
+    """
+    What the FMU did, if it was run and did not fail.
+    """
+    problems: list[Problem]
+    """
+    What keeps the cell from being scanned.
+    """
+    warnings: list[str]
+    """
+    What else there is to know.
+    """
+
+
+class EventHazard(TypedDict):
+    """
+    A hazard was found. It is not confirmed yet: what counts stands in the results.
+    """
+
+    event: Literal['hazard']
+    hazard: Hazard
+    """
+    As in hazards.jsonl.
+    """
+
+
+Event: TypeAlias = EventDoing | EventProgress | EventHazard | EventResults | EventNote | EventWarning | EventError
+"""
+A line on standard error with `--progress json`. There may be other lines: what the system says, or a mistake in the options.
+"""
+
+
+class Remedy(TypedDict):
+    """
+    A change of the cell against a hazard.
+    """
+
+    change: str
+    """
+    The change, in words: the smallest that helps, else the largest that was tried.
+    """
+    limit: NotRequired[str | None]
+    """
+    What the cell file allows, if nothing beyond was tried for that reason, and nothing up to there is enough.
+    """
+    outcome: RemedyOutcome
+    """
+    What came of it.
+    """
+
+
+class ScanReport(TypedDict):
+    """
+    A whole scan.
+    """
+
+    causes: list[Cause]
+    """
+    What is wrong with the cell: hazards that belong together, worst first.
+    """
+    certificate: Certificate | None
+    """
+    What an exhaustive search covered.
+    """
+    coverage: Coverage
+    """
+    What was seen.
+    """
+    faults: list[FaultRecord]
+    """
+    Actions that the FMU could not finish, with the sequences that lead there.
+    """
+    hazards: list[Hazard]
+    """
+    Hazards, worst first.
+    """
+    residual: Residual | None
+    """
+    What random sequences say about what is left; none if every sequence was looked at, if the strategy keeps no
+    random sequences apart, or if the search ended early, because of what it met or by wish.
+    """
+    schema_version: int
+    """
+    [`SCHEMA_VERSION`].
+    """
+    self_test: SelfTest
+    """
+    The state self-test.
+    """
+    settings: Settings
+    """
+    How it was searched.
+    """
+    speeds: NotRequired[list[SpeedRecord]]
+    """
+    Speeds that the FMU tells and that are not those of the motion: with any of them nothing is certified.
+    """
+    spent: Spent
+    """
+    What it cost.
+    """
+    standard_edition: str
+    """
+    Edition of the limits.
+    """
+    subject: Subject
+    """
+    What was scanned.
+    """
+    tables: list[Table]
+    """
+    Tables of figures used, each with source, confidence and whether a person has verified it.
+    """
+    tool: str
+    """
+    Name and version of this tool.
+    """
+    verdict: Verdict
+    """
+    Overall outcome.
+    """
+    warnings: list[str]
+    """
+    Things the user should know.
+    """
+
+
+class Explanation(TypedDict):
+    """
+    Everything that is told about a hazard.
+    """
+
+    action_s: float
+    """
+    Duration of an action, s.
+    """
+    begins_s: float
+    """
+    When the person starts, s after the FMU.
+    """
+    hazard: Hazard
+    """
+    The hazard.
+    """
+    outside: list[Outside]
+    """
+    How far the person stands outside the zones of sensors that do not report anybody.
+    """
+    remedies: list[Remedy]
+    """
+    What was tried against it; empty if nothing was.
+    """
+    robot: Robot
+    """
+    The robot that hits.
+    """
+    sensors: list[Reports]
+    """
+    What the sensors report on the way.
+    """
+    start: tuple[StartItem, float]
+    """
+    Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
+    """
+
+
+class Commands(TypedDict):
+    """
+    Each property is what the command of this name prints with `--format json`, but for `progress` and `anywhere`.
+    """
+
+    anywhere: Anywhere
+    """
+    anywhere.json, which a scan from anywhere writes, and prints when it is asked for nothing else.
+    """
+    check: Check
+    """
+    `check`.
+    """
+    compare: Comparison
+    """
+    `compare`.
+    """
+    explain: Explanation
+    """
+    `explain`.
+    """
+    progress: Event
+    """
+    A line on standard error of any command with `--progress json`.
+    """
+    replay: list[ReplayedHazard]
+    """
+    `replay`: an entry a hazard.
+    """
+    scan: ScanReport
+    """
+    `scan`: scan.json, as in the schema of its own.
+    """
+    verify: list[VerifiedHazard]
+    """
+    `verify`: a row a hazard.
+    """
