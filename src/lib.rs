@@ -21,6 +21,7 @@
 //! | floor | what it is |
 //! |---|---|
 //! | [`cli`] | the commands, thin |
+//! | [`campaign`] | many scans: planned, done in parts anywhere, put together |
 //! | [`scan`] | a whole scan: open, bind, self-test, search, confirm |
 //! | [`report`] | what people and pipelines read |
 //! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
@@ -65,6 +66,7 @@ compile_error!(
     "fmi-hazard runs on Linux only: FMUs are kept apart with means of its kernel (futex, memfd, Landlock, seccomp)"
 );
 
+pub mod campaign;
 pub mod cell;
 pub mod cli;
 pub mod examples;

@@ -2,6 +2,7 @@
 
 use miette::Diagnostic;
 
+use crate::campaign::CampaignError;
 use crate::cell::CellError;
 use crate::cell::error::OpenError;
 use crate::scan::{PrepareError, ScanError};
@@ -88,6 +89,13 @@ impl From<Box<CellError>> for Failure {
 impl From<ScanError> for Failure {
     fn from(error: ScanError) -> Self {
         Self::new(FMU_FAILED, error)
+    }
+}
+
+impl From<CampaignError> for Failure {
+    fn from(error: CampaignError) -> Self {
+        let code = if error.while_running() { FMU_FAILED } else { UNUSABLE };
+        Self::new(code, error)
     }
 }
 

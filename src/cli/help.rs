@@ -10,7 +10,7 @@ use super::output;
 const GROUPS: [(&str, &[&str]); 6] = [
     ("Look at an FMU", &["inspect", "probe", "selftest"]),
     ("Set up a cell", &["init", "check", "pack", "examples", "schema"]),
-    ("Scan it", &["scan", "demo", "bench", "step"]),
+    ("Scan it", &["scan", "campaign", "demo", "bench", "step"]),
     ("Understand what was found", &["explain", "replay", "report"]),
     ("Decide whether it is mended", &["verify", "compare"]),
     ("Besides", &["manual", "help"]),

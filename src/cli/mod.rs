@@ -5,6 +5,7 @@ mod beginnings;
 mod bench;
 mod bench_format;
 mod bench_strategies;
+mod campaign;
 mod changes;
 mod check;
 mod compare;
@@ -79,6 +80,8 @@ enum Command {
     Pack(pack::Arguments),
     /// Run an FMU: whether it moves, repeats itself, and which inputs stop it, after how long, with which polarity
     Probe(probe::Arguments),
+    /// Scan many cells, starts, values and bodies, in parts on many machines, and put the results together
+    Campaign(campaign::Arguments),
     /// Try what an FMU's promises about its state are worth
     Selftest(selftest::Arguments),
     /// Run many seeds of several strategies, each to its first hazard, and compare them
@@ -126,6 +129,7 @@ pub fn main() -> ExitCode {
         Command::Check(a) => check::run(&a),
         Command::Pack(a) => pack::run(&a),
         Command::Probe(a) => probe::run(&a),
+        Command::Campaign(a) => campaign::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),
         Command::Step(a) => step::run(&a),

@@ -21,6 +21,7 @@
 //! - [`anywhere`]: what is known of people who come from anywhere
 //! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
 //! - [`campaign`]: many seeds of several strategies side by side
+//! - [`survey`], [`survey_pictures`], [`survey_page`]: many scans together, as data, as SVG and as a page
 //! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
 //! - [`growth`]: how the number of hazards found grows with the iterations
 
@@ -50,6 +51,9 @@ mod paragraph;
 pub mod recorded;
 pub mod sarif;
 pub mod speeds;
+pub mod survey;
+pub mod survey_page;
+pub mod survey_pictures;
 pub mod terminal;
 pub mod topview;
 pub mod trace;

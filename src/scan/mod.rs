@@ -7,6 +7,7 @@
 //! - [`options`]: how to search, and what is told meanwhile
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
+//! - [`portion`](mod@portion): a part of that, for other machines to share it
 //! - `quick`: sequences chosen by a strategy
 //! - `attempts`: a search, and the same again on the next rung
 //! - `searched`: what a search gives besides its groups
@@ -44,6 +45,7 @@ pub mod minimise;
 pub mod options;
 mod outline;
 pub mod picture;
+pub mod portion;
 pub mod prepare;
 mod prepare_error;
 pub mod probe;

@@ -14,6 +14,7 @@
 
 mod ahead;
 mod questions;
+mod shared;
 mod situations;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -13,11 +13,13 @@ use std::collections::VecDeque;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 use super::Coverage;
+use super::answers::{Answers, Share, Sharing};
 
 /// The answers to a block of questions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,6 +38,8 @@ pub struct Journal {
     file: Option<File>,
     known: VecDeque<Block>,
     remembered: u64,
+    /// Whether other machines have a part in it.
+    pub(super) sharing: Sharing,
 }
 
 /// Bytes of the checksum before each record.
@@ -49,7 +53,25 @@ impl Journal {
     pub fn open(path: &Path, subject: &str) -> io::Result<Self> {
         let (file, records) = read_records(path, subject)?;
         let known = records.iter().map_while(|bytes| postcard::from_bytes(bytes).ok()).collect();
-        Ok(Self { file: Some(file), known, remembered: 0 })
+        Ok(Self { file: Some(file), known, ..Self::default() })
+    }
+
+    /// That of a search which answers a part of its questions only.
+    #[must_use]
+    pub fn of_part(share: Share) -> Self {
+        Self { sharing: Sharing::Share(share), ..Self::default() }
+    }
+
+    /// That of a search whose questions were answered elsewhere.
+    #[must_use]
+    pub fn looking_up(answers: Arc<Answers>) -> Self {
+        Self { sharing: Sharing::LookUp(answers), ..Self::default() }
+    }
+
+    /// What a part has answered.
+    #[must_use]
+    pub fn into_part(self) -> Option<Share> {
+        if let Sharing::Share(share) = self.sharing { Some(share) } else { None }
     }
 
     /// The next block, if it was worked out before.

@@ -8,6 +8,7 @@
 //! - [`expansion`]: all actions from many states at once, on all cores
 //! - `threads`: independent work on all of them, for that
 //! - [`journal`]: what such a search has worked out, on disk
+//! - [`answers`]: the same of several machines that share one search out
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
@@ -17,6 +18,7 @@
 //!
 //! [`Environment`]: crate::search::Environment
 
+pub mod answers;
 pub mod anywhere;
 pub mod bound;
 pub mod coverage;

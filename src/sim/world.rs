@@ -569,7 +569,7 @@ impl World {
     }
 
     /// Whether any part of the person could touch the robot, or come so near that the distance is worth knowing.
-    fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
+    pub(super) fn near(&self, place: &Place, frame: &RobotFrame) -> bool {
         // A robot that a light curtain would have stopped may be elsewhere.
         if !self.curtains.is_empty() {
             return true;

@@ -15,6 +15,8 @@ mod bad_input;
 mod before_and_after;
 mod beginnings;
 mod book;
+mod campaign_engines;
+mod campaigns;
 mod causes;
 mod every_scan_ends;
 mod exhaustive;

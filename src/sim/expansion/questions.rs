@@ -10,6 +10,7 @@ use super::{Expander, Pending, Transition};
 use crate::host::Plant;
 use crate::human::walk::WalkTrace;
 use crate::sim::Coverage;
+use crate::sim::answers::Sharing;
 use crate::sim::encounter::Person;
 use crate::sim::journal::Block;
 use crate::sim::threads::shared_out;
@@ -77,7 +78,10 @@ impl<P: Plant> Expander<P> {
             // A search that had to end may have missed what is there.
             return (!self.world.stop().is_due()).then_some(found);
         }
-        let (all, coverage) = self.work_out(questions, situations, go_on)?;
+        let (all, coverage) = match &self.journal.sharing {
+            Sharing::Nothing => self.work_out(questions, situations, go_on)?,
+            Sharing::Share(_) | Sharing::LookUp(_) => self.share_out(questions, situations, go_on)?,
+        };
         if self.journal.keeps() {
             let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
             let of = |(q, hits): (usize, &Vec<Option<Hit>>)| {
@@ -143,7 +147,7 @@ impl<P: Plant> Expander<P> {
 }
 
 /// What a stance is asked about.
-fn instants_of<'a>(asked: &[usize], situations: &'a [Situation]) -> Vec<Instant<'a, &'a Situation>> {
+pub(super) fn instants_of<'a>(asked: &[usize], situations: &'a [Situation]) -> Vec<Instant<'a, &'a Situation>> {
     let instant = |s: &usize| {
         let situation = &situations[*s];
         Instant { frames: &situation.frames, i: situation.i, earlier: situation }

@@ -9,6 +9,7 @@ use super::{Expander, Pending, Transition};
 use crate::host::{NodeId, Plant, PlantError};
 use crate::human::Place;
 use crate::human::walk::WalkTrace;
+use crate::sim::answers::{Digest, Key};
 use crate::sim::robots::{Instead, Shadow};
 use crate::sim::world::{Asked, Earlier, Frames, HadTold, Window};
 
@@ -20,6 +21,29 @@ pub(super) struct Situation {
     pub(super) i: usize,
     /// By the windows in which they told.
     earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
+}
+
+impl Situation {
+    /// What answers follow from: the FMU's outputs at the instant, as it was and as it would have been.
+    pub(super) fn digest(&self) -> Key {
+        let mut digest = Digest::default();
+        digest.numbers(self.frames[self.i].outputs().iter().map(|value| value.to_bits()));
+        for (windows, told) in &self.earlier {
+            let windows = windows.iter().flat_map(|w| [w.curtain, w.from, w.until]);
+            let windows: Vec<u64> = windows.map(|number| number as u64).collect();
+            digest.numbers(windows.into_iter());
+            match told {
+                HadTold::Is(frames) => digest.numbers(frames[self.i].outputs().iter().map(|value| value.to_bits())),
+                // No frame has so few outputs.
+                HadTold::BeforeTime => digest.numbers([].into_iter()),
+                HadTold::Unfinished => {
+                    digest.numbers([].into_iter());
+                    digest.numbers([].into_iter());
+                }
+            }
+        }
+        digest.key()
+    }
 }
 
 impl Earlier for &Situation {
