@@ -182,17 +182,19 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
 /// that lacks a panel somebody is.
 #[test]
 fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
+    // Each side of two panels side by side: nothing gets through between them.
     let fence = |half_m: f64, sides: usize| -> String {
-        let wall = |number: usize| {
-            let at = if number < 2 { -half_m } else { half_m };
-            let (centre, size) = ([at, 0.0], [0.02, 2.0 * half_m + 0.02]);
-            let turned = |[a, b]: [f64; 2]| if number.is_multiple_of(2) { [a, b] } else { [b, a] };
+        let panel = |number: usize| {
+            let at = if number < 4 { -half_m } else { half_m };
+            let along = if number.is_multiple_of(2) { -0.5 * half_m } else { 0.5 * half_m };
+            let (centre, size) = ([at, along], [0.02, half_m + 0.02]);
+            let turned = |[a, b]: [f64; 2]| if number & 2 == 0 { [a, b] } else { [b, a] };
             let ([x, y], [wide, deep]) = (turned(centre), turned(size));
             format!(
-                "[[obstacle]]\nname = \"wall {number}\"\ncentre_m = [{x}, {y}, 1.1]\nsize_m = [{wide}, {deep}, 2.2]\n"
+                "[[obstacle]]\nname = \"panel {number}\"\ncentre_m = [{x}, {y}, 1.1]\nsize_m = [{wide}, {deep}, 2.2]\n"
             )
         };
-        (0..sides).map(wall).collect()
+        (0..2 * sides).map(panel).collect()
     };
     for (half_m, sides) in [(3.35, 4), (0.65, 4), (0.65, 3)] {
         let parts = fence(half_m, sides);
