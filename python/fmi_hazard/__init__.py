@@ -6,7 +6,8 @@
     scan.hazards_frame()
     scan                      # in a notebook: the report
 
-Whatever is found is found by the program; nothing is computed here. The types of what it writes are in `fmi_hazard.types`.
+Whatever is found is found by the program; nothing is computed here. The types of what it writes are in `fmi_hazard.types`,
+cells as environments of Gymnasium in `fmi_hazard.gym`.
 """
 
 from ._program import program
@@ -14,6 +15,7 @@ from ._results import Answer, Scan, read_scan
 from ._running import Running
 from .commands import check, compare, explain, export_examples, replay, scan, start_explain, start_scan, verify
 from .errors import FmiHazardError, FmuFailedError, UsageError
+from .stepping import Stepper
 
 __all__ = [
     "Answer",
@@ -21,6 +23,7 @@ __all__ = [
     "FmuFailedError",
     "Running",
     "Scan",
+    "Stepper",
     "UsageError",
     "check",
     "compare",
