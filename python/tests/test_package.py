@@ -23,6 +23,11 @@ QUICK: options.ScanOptions = {"strategy": "hybrid", "iterations": 10, "no_advice
 LONG: options.ScanOptions = {"strategy": "exhaustive", "no_advice": True}
 
 
+def setUpModule():
+    # Whoever starts tests in the background, as some runners do, has them ignore Ctrl-C, and all that they start.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 class InAFolder(unittest.TestCase):
     """Each test has the example cells in a folder of its own, and is there."""
 
