@@ -66,6 +66,10 @@ def main():
         pip = [own / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         subprocess.run([*pip, *constraints, wheel, *BESIDE], check=True)
         timed("the wheel is installed in an environment of its own", began)
+        began = time.monotonic()
+        # With Rust, as far as it goes without building all of it anew.
+        subprocess.run([*pip, "--dry-run", "--no-deps", "--force-reinstall", ROOT], check=True)
+        timed("from a checkout it would be", began)
 
         began = time.monotonic()
         environment = clean(folder, own / "bin")
