@@ -15,11 +15,11 @@ use std::collections::BTreeMap;
 
 use toml::Spanned;
 
-use super::CellError;
 use super::error::{Problems, Source};
 use super::file::format::{CellFile, Literal, ParameterLimits, SensorKind, SensorTable};
 use super::file::polarity;
 use super::foreign::ssp::Wiring;
+use super::{CellError, Workcell};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 use crate::host::port::PortKind;
 use crate::host::system::{Connection, SystemSetup, UnitPort};
@@ -249,6 +249,19 @@ pub fn bind(
 }
 
 impl Binding {
+    /// The column of an input that a sensor drives or that is held, and the value that it has while the sensor reports somebody, or
+    /// that it is not held at: what `name` in the cell file means, a sensor or an FMU input.
+    #[must_use]
+    pub fn command(&self, cell: &Workcell, name: &str) -> Option<(usize, f64)> {
+        if let Some(sensor) = cell.sensors.iter().position(|sensor| sensor.name == name) {
+            let SensorBinding::Input(column) = self.sensors[sensor] else { return None };
+            return Some((column, f64::from(u8::from(cell.sensors[sensor].active))));
+        }
+        let held = cell.file().inputs.keys().position(|input| input == name)?;
+        let idle = self.constants.get(held)?;
+        Some((self.inputs.len() - self.constants.len() + held, 1.0 - idle))
+    }
+
     /// Numbers in a row: outputs, then what is derived from them.
     #[must_use]
     pub fn columns(&self) -> usize {

@@ -9,6 +9,7 @@
 //! - [`files`]: what a cell file names, read once and hashed
 
 mod checker;
+mod criteria;
 pub mod described;
 pub mod extended;
 pub mod files;

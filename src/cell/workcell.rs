@@ -8,6 +8,9 @@ use toml::Spanned;
 use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Pose, Solid, Vec3};
+use crate::hazard::Criteria;
+use crate::hazard::criterion::pressure::LinkContact;
+use crate::hazard::criterion::separation::Separation;
 use crate::human::{Body, Start};
 
 /// A validated cell in SI units and radians.
@@ -58,6 +61,14 @@ pub struct Workcell {
     pub start: Start,
     /// The person's body.
     pub body: Body,
+    /// What of contacts counts as unsafe.
+    pub criteria: Criteria,
+    /// How far robots go on after a contact.
+    pub clamping: Clamping,
+    /// For each link how far it goes on after a contact, m: as stated, or as found out.
+    pub travel_after_contact_m: Vec<f64>,
+    /// The distance that is kept from robots that move, if that counts.
+    pub separation: Option<Separation>,
     /// Budget.
     pub search: SearchTable,
     /// The scan whose hazards are known and do not make another scan fail, relative to the cell file; none if every
@@ -196,6 +207,17 @@ pub struct Link {
     pub place: FileLine,
     /// What it looks like, where a URDF says so and the shape turns with it: for pictures alone.
     pub looks: Vec<Look>,
+    /// What it is like where it touches.
+    pub contact: LinkContact,
+}
+
+/// How far robots go on after a contact, where clamping counts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Clamping {
+    /// As stated, m.
+    pub stated_m: f64,
+    /// The FMU input that tells of a contact, by which it is found out.
+    pub signal: Option<String>,
 }
 
 /// A mesh to look at.

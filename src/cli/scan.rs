@@ -20,6 +20,7 @@ use crate::cell::file::validate::BASELINE;
 use crate::host::selftest::Rung;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
+use crate::report::judged::measure_cell;
 use crate::report::model::{BeginningSubject, Hazard, ScanReport, Verdict};
 use crate::report::{moved, terminal};
 use crate::scan::advise::advise;
@@ -533,12 +534,11 @@ pub(super) fn introduce(prepared: &Prepared, state: StateChoice) {
 
 fn found(h: &Hazard) -> String {
     format!(
-        "     Found {}  {} <- {}  {:.0} N / {:.0} N  {:.2}x  after {} actions ({:.2} s), iteration {}",
+        "     Found {}  {} <- {}  {}  {:.2}x  after {} actions ({:.2} s), iteration {}",
         h.id,
         h.body_region,
         h.robot_link,
-        h.deciding_force_n(),
-        h.limit_n,
+        measure_cell(h.class, h.judged.as_ref(), (h.deciding_force_n(), h.deciding_limit_n(), h.speed_m_s)),
         h.ratio,
         h.actions.len(),
         h.time_s,

@@ -7,7 +7,7 @@
 //! - [`shape`]: capsules and boxes; [`distance`], [`segment_cuboid`], [`triangle`], [`polygon`]: closed forms for them
 //! - [`solid`]: a robot link where it stands: a capsule, a [`hull`] or a [`mesh`], which is a closed [`surface`]
 //! - [`boxes`]: a surface as boxes that lie in it, for obstacles; [`joined`]: walls that adjoin
-//! - [`kinematics`]: where links are, and how fast
+//! - [`kinematics`]: where links are, and how fast; [`sampled`]: the surface of one as points
 
 pub mod boxes;
 pub mod coordinates;
@@ -17,6 +17,7 @@ pub mod joined;
 pub mod kinematics;
 pub mod mesh;
 pub mod polygon;
+pub mod sampled;
 pub mod segment_cuboid;
 pub mod shape;
 pub mod solid;

@@ -66,6 +66,8 @@ pub struct Kind {
     pub reporting: Vec<String>,
     /// Whether one of them has done so for longer than [`LONG_S`]: then the robot is not too late, it does not heed it.
     pub long: bool,
+    /// The criterion that it breaks, where that is not the transient force: being clamped is another flaw than being hit.
+    pub criterion: Option<&'static str>,
 }
 
 /// A hazard as causes see it.
@@ -167,7 +169,10 @@ fn id(kind: &Kind, square: Option<[i64; 2]>) -> String {
     let place = square.map_or_else(String::new, |[x, y]| format!("{x},{y}"));
     let long = if kind.long { "long" } else { "" };
     // Names may hold any character but this one.
-    let text = format!("{}\0{part}\0{}\0\0{long}\0{place}", kind.robot, kind.reporting.join("\0"));
+    let mut text = format!("{}\0{part}\0{}\0\0{long}\0{place}", kind.robot, kind.reporting.join("\0"));
+    if let Some(criterion) = kind.criterion {
+        text += &format!("\0{criterion}");
+    }
     let hash = Sha256::digest(text.as_bytes());
     format!("C-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])
 }
@@ -179,7 +184,11 @@ mod tests {
     /// Hit where they stand.
     fn member(part: Part, reporting: &[&str], person_m: [f64; 2]) -> Member {
         let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
-        Member { kind: Kind { robot: "r".to_owned(), part, reporting, long: false }, person_m, contact_m: person_m }
+        Member {
+            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None },
+            person_m,
+            contact_m: person_m,
+        }
     }
 
     #[test]

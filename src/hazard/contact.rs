@@ -1,103 +1,17 @@
-//! The potential collision force of a contact and its limit (ISO/TS 15066 Annex A), and whether that is unsafe.
+//! A contact at one instant: its potential collision force and the limit of that (ISO/TS 15066 Annex A), what else of it counts,
+//! and whether that is unsafe.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cause::Part;
+use super::criterion::{Class, Criterion};
+use super::strike::Strike;
 use crate::geometry::{Vec3, coordinates};
-use crate::standards::BodyRegion;
-use crate::standards::iso_ts_15066::{collision_force_n, robot_effective_mass, safe_speed_m_s, transient_limit_n};
+use crate::standards::iso_ts_15066::{Recoil, quasi_static_limit_n, transient_limit_n};
+use crate::standards::{BodyArea, BodyRegion};
 
 /// Robot points slower than this count as standing still, m/s.
 pub const STANDSTILL_M_S: f64 = 1e-3;
-
-/// Which speed makes the force that decides whether a contact is unsafe, and how bad.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Criterion {
-    /// That of the robot's point, whatever the person does: the paper's.
-    #[default]
-    Absolute,
-    /// That at which the robot's point and the person come towards each other, as long as the robot's moves at all: the
-    /// relative speed of ISO/TS 15066 A.3.5.
-    Approach,
-}
-
-/// Why a contact is a finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Class {
-    /// The potential collision force exceeds the limit of the body region.
-    Force,
-    /// The head, or the front of the neck, is touched by a moving robot: not permissible whatever the force
-    /// (ISO/TS 15066 A.3.2, 5.5.5).
-    HeadContact,
-}
-
-/// How hard the robot strikes as a whole at one instant: its effective mass, and force ratio per speed by region.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Strike {
-    /// Effective mass `m_R = M/2 + m_L` (A.4), kg.
-    pub effective_mass_kg: f64,
-    criterion: Criterion,
-    ratio_per_speed: [f64; BodyRegion::ALL.len()],
-}
-
-impl Strike {
-    /// For a robot of `moving_mass_kg` that carries `payload_kg`.
-    #[must_use]
-    pub fn new(moving_mass_kg: f64, payload_kg: f64, criterion: Criterion) -> Self {
-        let effective_mass_kg = robot_effective_mass(moving_mass_kg, payload_kg);
-        let ratio = |region| 1.0 / safe_speed_m_s(region, effective_mass_kg);
-        Self { effective_mass_kg, criterion, ratio_per_speed: BodyRegion::ALL.map(ratio) }
-    }
-
-    /// `F_coll / F_max` for a contact of `region` with a robot point moving at `speed_m_s`; linear in the speed.
-    #[must_use]
-    pub fn ratio(&self, region: BodyRegion, speed_m_s: f64) -> f64 {
-        self.ratio_per_speed[region as usize] * speed_m_s
-    }
-
-    /// The speed that decides when a robot point at velocity `robot` meets an arm of a person who walks at `human`, m/s. How an
-    /// arm itself moves is open, so its approach has any direction.
-    #[must_use]
-    pub fn deciding_speed(&self, robot: Vec3, human: Vec3) -> f64 {
-        match self.criterion {
-            Criterion::Absolute => robot.length(),
-            Criterion::Approach if robot.length() <= STANDSTILL_M_S => 0.0,
-            Criterion::Approach => (robot - human).length(),
-        }
-    }
-
-    /// An upper bound on the speed that decides where no robot point is faster than `robot_m_s`, nor faster than `relative`
-    /// gives, m/s, seen by the person.
-    #[must_use]
-    pub fn deciding_speed_bound(&self, robot_m_s: f64, relative: impl FnOnce() -> f64) -> f64 {
-        match self.criterion {
-            Criterion::Absolute => robot_m_s,
-            Criterion::Approach if robot_m_s <= STANDSTILL_M_S => 0.0,
-            Criterion::Approach => relative(),
-        }
-    }
-
-    /// Whether any contact with a robot point no faster than this could be unsafe: [`Contact::class`] asks both.
-    #[must_use]
-    pub fn may_harm(&self, speed_m_s: f64) -> bool {
-        speed_m_s > STANDSTILL_M_S || self.largest_ratio(speed_m_s) > 1.0
-    }
-
-    /// Whether a contact of `region` with a robot point no faster than this could be unsafe, for somebody who stands.
-    #[must_use]
-    pub fn may_harm_region(&self, region: BodyRegion, speed_m_s: f64) -> bool {
-        self.ratio(region, speed_m_s) > 1.0 || (region.permits_no_contact() && speed_m_s > STANDSTILL_M_S)
-    }
-
-    /// The largest ratio of any region at this speed.
-    #[must_use]
-    pub fn largest_ratio(&self, speed_m_s: f64) -> f64 {
-        self.ratio_per_speed.iter().fold(0.0_f64, |m, r| m.max(r * speed_m_s))
-    }
-}
 
 /// A contact between a body region and a robot link at one instant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -129,6 +43,90 @@ pub struct Contact {
     pub limit_n: f64,
     /// Which of the two forces decides.
     pub criterion: Criterion,
+    /// Speed of the robot point at which the force that decides would equal the limit, m/s.
+    pub safe_speed_m_s: f64,
+    /// What keeps the part of the body from giving way, where clamping counts and there is something.
+    pub clamp: Option<Clamp>,
+    /// The pressure, where that counts and the link says how small it touches.
+    pub pressure: Option<Pressed>,
+    /// The separation, where that is what is broken.
+    pub apart: Option<Apart>,
+    class: Option<Class>,
+    ratio: f64,
+    counts_force: bool,
+}
+
+/// Something that does not give way, behind a part of the body that the robot moves towards it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Clamp {
+    /// Point on the robot's surface from where the gap is measured, world, m.
+    #[serde(with = "coordinates")]
+    pub at: Vec3,
+    /// Unit vector along which it is measured.
+    #[serde(with = "coordinates")]
+    pub toward: Vec3,
+    /// What is there.
+    pub against: Against,
+    /// How wide the gap is, m.
+    pub gap_m: f64,
+    /// How far the robot goes on after the contact, m, where that is known.
+    pub travel_m: f64,
+    /// How fast the gap closes, m/s.
+    pub closing_m_s: f64,
+    /// Force on the part, `c sqrt(m_R k)`, N.
+    pub force_n: f64,
+    /// Quasi-static limit, N.
+    pub limit_n: f64,
+}
+
+/// What does not give way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Against {
+    /// The floor.
+    Floor,
+    /// An obstacle, by its place in the cell's list.
+    Obstacle(usize),
+    /// A link, by its place in the cell's list.
+    Link(usize),
+}
+
+/// Where a part is clamped, before forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clamped {
+    /// Point on the robot's surface, world, m.
+    pub at: Vec3,
+    /// Unit vector towards what does not give way.
+    pub toward: Vec3,
+    /// What that is.
+    pub against: Against,
+    /// How far it is, m.
+    pub gap_m: f64,
+    /// How far the robot goes on after the contact, m.
+    pub travel_m: f64,
+    /// How fast the gap closes, m/s.
+    pub closing_m_s: f64,
+}
+
+/// A pressure and its limit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pressed {
+    /// The pressure, N/cm2.
+    pub n_cm2: f64,
+    /// Its limit for the area of the body, N/cm2.
+    pub limit_n_cm2: f64,
+    /// Whether it is that of a part that cannot give way.
+    pub clamped: bool,
+}
+
+/// A robot that is too near.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Apart {
+    /// Protective separation distance, m; infinite if the robot does not stop.
+    pub required_m: f64,
+    /// How long the robot goes on if it is stopped now, s.
+    pub stops_after_s: f64,
+    /// How far the link gets in that time at most, m.
+    pub travel_m: f64,
 }
 
 /// Where and how fast a contact is, before forces.
@@ -136,6 +134,8 @@ pub struct Contact {
 pub struct Touch {
     /// Body region.
     pub region: BodyRegion,
+    /// The area of it for which there is a pressure limit, where the point tells.
+    pub area: Option<BodyArea>,
     /// Index of the robot link shape.
     pub link: usize,
     /// Point on the robot's surface, world, m.
@@ -151,39 +151,132 @@ pub struct Touch {
 }
 
 impl Contact {
-    /// Force and limit for a touch.
+    /// Forces, pressures and limits for a touch of somebody who can give way.
     #[must_use]
     pub fn new(touch: &Touch, strike: &Strike) -> Self {
-        let speed = touch.robot_velocity.length();
+        Self::judged(touch, None, strike)
+    }
+
+    /// The same; and of a part that cannot give way, if it is clamped.
+    #[must_use]
+    pub fn judged(touch: &Touch, clamped: Option<&Clamped>, strike: &Strike) -> Self {
+        let (region, speed) = (touch.region, touch.robot_velocity.length());
         let relative = touch.robot_velocity - touch.human_velocity;
         // The normal points from the robot to the body; surface points swap sides when the shapes overlap.
         let across = touch.on_body - touch.on_robot;
         let normal = if touch.distance_m < 0.0 { -across } else { across };
         let approach = match normal.try_normalize() {
-            Some(normal) if Part::of(touch.region) == Part::Body => relative.dot(normal).max(0.0),
+            Some(normal) if Part::of(region) == Part::Body => relative.dot(normal).max(0.0),
             // An arm, or exactly touching: no direction is known, so none is excluded.
             _ => relative.length(),
         };
-        let m_r = strike.effective_mass_kg;
-        Self {
-            region: touch.region,
+        let clamp = clamped.map(|clamped| Clamp {
+            at: clamped.at,
+            toward: clamped.toward,
+            against: clamped.against,
+            gap_m: clamped.gap_m,
+            travel_m: clamped.travel_m,
+            closing_m_s: clamped.closing_m_s,
+            force_n: strike.force_n(region, Recoil::None, clamped.closing_m_s),
+            limit_n: quasi_static_limit_n(region),
+        });
+        let mut contact = Self {
+            region,
             link: touch.link,
             on_robot: touch.on_robot,
             on_body: touch.on_body,
             distance_m: touch.distance_m,
             speed_m_s: speed,
             approach_m_s: approach,
-            effective_mass_kg: m_r,
-            force_n: collision_force_n(touch.region, m_r, speed),
-            directed_force_n: collision_force_n(touch.region, m_r, approach),
-            limit_n: transient_limit_n(touch.region),
-            criterion: strike.criterion,
-        }
+            effective_mass_kg: strike.effective_mass_kg,
+            force_n: strike.force_n(region, Recoil::Free, speed),
+            directed_force_n: strike.force_n(region, Recoil::Free, approach),
+            limit_n: transient_limit_n(region),
+            criterion: strike.criteria.speed(),
+            safe_speed_m_s: transient_limit_n(region) / strike.force_n(region, Recoil::Free, 1.0),
+            clamp,
+            pressure: None,
+            apart: None,
+            class: None,
+            ratio: 0.0,
+            counts_force: strike.criteria.transient_force.is_some(),
+        };
+        contact.judge(touch.area, strike);
+        contact
     }
 
-    /// The force that decides, N. With a robot point that stands, only the person moves.
+    /// Which of the chosen criteria the contact breaks worst.
+    fn judge(&mut self, area: Option<BodyArea>, strike: &Strike) {
+        let pressed = |force_n, recoil| {
+            let (n_cm2, limit_n_cm2) = strike.pressed(self.region, area, force_n, recoil)?;
+            Some(Pressed { n_cm2, limit_n_cm2, clamped: recoil == Recoil::None })
+        };
+        let free = pressed(self.transient_force_n(), Recoil::Free);
+        let held = self.clamp.and_then(|clamp| pressed(clamp.force_n, Recoil::None));
+        let of = |pressed: Option<Pressed>| pressed.map_or(0.0, |p| p.n_cm2 / p.limit_n_cm2);
+        self.pressure = if of(held) > of(free) { held } else { free };
+        let counts = strike.criteria.transient_force.is_some();
+        let force = if counts { self.transient_force_n() / self.limit_n } else { 0.0 };
+        let clamping = self.clamp.map_or(0.0, |clamp| clamp.force_n / clamp.limit_n);
+        let ranked = [(Class::Force, force), (Class::Clamping, clamping.max(of(held))), (Class::Pressure, of(free))];
+        let mut worst = ranked[0];
+        for one in ranked {
+            if one.1 > worst.1 {
+                worst = one;
+            }
+        }
+        self.ratio = worst.1;
+        self.class = if worst.1 > 1.0 {
+            Some(worst.0)
+        } else if counts && self.region.permits_no_contact() && self.speed_m_s > STANDSTILL_M_S {
+            Some(Class::HeadContact)
+        } else {
+            None
+        };
+    }
+
+    /// All criteria that it breaks, the worst first.
     #[must_use]
-    pub fn deciding_force_n(&self) -> f64 {
+    pub fn breaks(&self) -> Vec<Class> {
+        let mut all: Vec<(Class, f64)> = Vec::new();
+        if self.counts_force && self.transient_force_n() > self.limit_n {
+            all.push((Class::Force, self.transient_force_n() / self.limit_n));
+        }
+        if let Some(clamp) = self.clamp.filter(|clamp| clamp.force_n > clamp.limit_n) {
+            all.push((Class::Clamping, clamp.force_n / clamp.limit_n));
+        }
+        if let Some(p) = self.pressure.filter(|p| p.n_cm2 > p.limit_n_cm2) {
+            all.push((if p.clamped { Class::Clamping } else { Class::Pressure }, p.n_cm2 / p.limit_n_cm2));
+        }
+        all.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut classes: Vec<Class> = self.class.into_iter().chain(all.into_iter().map(|(class, _)| class)).collect();
+        let mut seen = Vec::new();
+        classes.retain(|class| {
+            !seen.contains(class) && {
+                seen.push(*class);
+                true
+            }
+        });
+        classes
+    }
+
+    /// The same as a breach of another criterion: the force stays for information.
+    #[must_use]
+    pub fn breaking(self, class: Option<Class>) -> Self {
+        Self { class, ..self }
+    }
+
+    /// The same as of a robot that is too near.
+    #[must_use]
+    pub fn too_near(self, apart: Apart) -> Self {
+        /// What is nearer than this counts as so near, m.
+        const LEAST_M: f64 = 0.001;
+        let ratio = apart.required_m / self.distance_m.max(LEAST_M);
+        Self { apart: Some(apart), class: Some(Class::Separation), ratio, ..self }
+    }
+
+    /// The transient force that decides, N. With a robot point that stands, only the person moves.
+    fn transient_force_n(&self) -> f64 {
         match self.criterion {
             Criterion::Absolute => self.force_n,
             Criterion::Approach if self.speed_m_s <= STANDSTILL_M_S => 0.0,
@@ -191,28 +284,40 @@ impl Contact {
         }
     }
 
-    /// `F_coll / F_max`, of the force that decides.
+    /// The force that decides, N: on a part that is clamped where that is what counts most, else the transient one.
     #[must_use]
-    pub fn ratio(&self) -> f64 {
-        self.deciding_force_n() / self.limit_n
+    pub fn deciding_force_n(&self) -> f64 {
+        match (self.class, self.clamp) {
+            (Some(Class::Clamping), Some(clamp)) => clamp.force_n,
+            _ => self.transient_force_n(),
+        }
     }
 
-    /// Speed of the robot point at which the force would equal the limit, m/s.
+    /// The limit of that force, N.
     #[must_use]
-    pub fn safe_speed_m_s(&self) -> f64 {
-        safe_speed_m_s(self.region, self.effective_mass_kg)
+    pub fn deciding_limit_n(&self) -> f64 {
+        match (self.class, self.clamp) {
+            (Some(Class::Clamping), Some(clamp)) => clamp.limit_n,
+            _ => self.limit_n,
+        }
+    }
+
+    /// What is broken worst, over its limit: for the transient force `F_coll / F_max`, of the force that decides.
+    #[must_use]
+    pub const fn ratio(&self) -> f64 {
+        self.ratio
+    }
+
+    /// Speed of the robot point at which the transient force would equal the limit, m/s.
+    #[must_use]
+    pub const fn safe_speed_m_s(&self) -> f64 {
+        self.safe_speed_m_s
     }
 
     /// Whether this contact makes the state unsafe, and why.
     #[must_use]
-    pub fn class(&self) -> Option<Class> {
-        if self.deciding_force_n() > self.limit_n {
-            Some(Class::Force)
-        } else if self.region.permits_no_contact() && self.speed_m_s > STANDSTILL_M_S {
-            Some(Class::HeadContact)
-        } else {
-            None
-        }
+    pub const fn class(&self) -> Option<Class> {
+        self.class
     }
 }
 
@@ -223,6 +328,7 @@ mod tests {
     fn touch(region: BodyRegion, robot_velocity: Vec3) -> Touch {
         Touch {
             region,
+            area: None,
             link: 0,
             on_robot: Vec3::ZERO,
             on_body: Vec3::new(0.0, -0.01, 0.0),
@@ -235,7 +341,7 @@ mod tests {
     #[test]
     fn worked_values_of_the_data_sheet() {
         // M 40.4 kg and 3 kg: m_R 23.2; hand at 2 m/s 418.9 N against 270 N, ratio 1.55.
-        let strike = Strike::new(40.4, 3.0, Criterion::Absolute);
+        let strike = Strike::of_robot(40.4, 3.0, Criterion::Absolute);
         let c = Contact::new(&touch(BodyRegion::Hand, Vec3::new(2.0, 0.0, 0.0)), &strike);
         assert!((c.force_n - 418.9).abs() < 0.05 && (c.ratio() - 1.551).abs() < 5e-4, "{c:?}");
         assert!((strike.ratio(BodyRegion::Hand, 2.0) - c.ratio()).abs() < 1e-12);
@@ -243,7 +349,7 @@ mod tests {
         // M 29.1 kg and 12.5 kg: chest at 0.48 m/s 304.9 N, ratio 1.09.
         let c = Contact::new(
             &touch(BodyRegion::Chest, Vec3::new(0.48, 0.0, 0.0)),
-            &Strike::new(29.1, 12.5, Criterion::Absolute),
+            &Strike::of_robot(29.1, 12.5, Criterion::Absolute),
         );
         assert!((c.force_n - 304.9).abs() < 0.05 && (c.ratio() - 1.089).abs() < 1e-3, "{c:?}");
     }
@@ -251,7 +357,8 @@ mod tests {
     /// By hand: the body is at -y of the robot point, and the person walks towards +y at 1.6 m/s.
     #[test]
     fn approach_counts_what_comes_towards_the_person_and_absolute_what_the_robot_does() {
-        let strikes = [Criterion::Absolute, Criterion::Approach].map(|criterion| Strike::new(40.4, 3.0, criterion));
+        let strikes =
+            [Criterion::Absolute, Criterion::Approach].map(|criterion| Strike::of_robot(40.4, 3.0, criterion));
         let contacts = |region, robot_velocity: Vec3| {
             strikes.each_ref().map(|strike| Contact::new(&touch(region, robot_velocity), strike))
         };
@@ -279,7 +386,7 @@ mod tests {
 
     #[test]
     fn a_moving_robot_at_the_head_is_a_finding_and_a_standing_one_is_not() {
-        let strike = Strike::new(17.7, 3.0, Criterion::Absolute);
+        let strike = Strike::of_robot(17.7, 3.0, Criterion::Absolute);
         let slow = Contact::new(&touch(BodyRegion::Face, Vec3::new(0.02, 0.0, 0.0)), &strike);
         assert_eq!(slow.class(), Some(Class::HeadContact));
         assert_eq!(Contact::new(&touch(BodyRegion::Face, Vec3::ZERO), &strike).class(), None);

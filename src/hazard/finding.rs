@@ -1,6 +1,7 @@
 //! One hazardous action sequence: what was done, what was touched, when and where.
 
-use super::contact::{Class, Contact};
+use super::contact::Contact;
+use super::criterion::Class;
 use crate::geometry::Vec3;
 use crate::human::action::Action;
 

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use num_bigint::BigUint;
 use sha2::{Digest as _, Sha256};
 
-use super::contact::Class;
+use super::criterion::Class;
 use super::finding::Finding;
 use crate::geometry::Vec3;
 use crate::human::Action;
@@ -56,10 +56,7 @@ impl Identity {
     pub fn id(&self) -> String {
         let sensors: String = self.sensors.iter().map(|&s| if s { '1' } else { '0' }).collect();
         let phase = self.phase.map_or_else(|| "-".to_owned(), |p| p.to_string());
-        let class = match self.class {
-            Class::Force => "force",
-            Class::HeadContact => "head_contact",
-        };
+        let class = self.class.name();
         let text = format!("{class}|{}|{}|{sensors}|{phase}|{},{}", self.region, self.link, self.place.0, self.place.1);
         let hash = Sha256::digest(text.as_bytes());
         format!("H-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])

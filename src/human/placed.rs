@@ -2,7 +2,7 @@
 
 use super::part::{BodyPart, Side};
 use crate::geometry::{Capsule, Pose, Vec3};
-use crate::standards::BodyRegion;
+use crate::standards::{BodyArea, BodyRegion};
 
 /// Shoulder joints above the hip pivot, median man, m: 40 mm below the acromion.
 pub(super) const SHOULDER_UP: f64 = 0.48;
@@ -95,6 +95,34 @@ impl PlacedBody {
             BodyPart::Pelvis => BodyRegion::Pelvis,
             BodyPart::LeftThigh | BodyPart::RightThigh => BodyRegion::Thigh,
             BodyPart::LeftShank | BodyPart::RightShank => BodyRegion::LowerLeg,
+        }
+    }
+
+    /// The body area of ISO/TS 15066, Table A.2, at a point on the surface of `part` (world frame), where the point tells those of
+    /// its region apart.
+    #[must_use]
+    pub fn area_of(&self, part: BodyPart, contact_point: Vec3) -> Option<BodyArea> {
+        /// Half of the breastbone's width, and some, m.
+        const STERNUM_M: f64 = 0.05;
+        /// A point this far in front or behind is no longer at the side, m.
+        const BESIDE_M: f64 = 0.03;
+        let trunk = self.world_from_trunk.inverse_transform_point(contact_point) / self.scale;
+        let capsule = self.capsule(part);
+        let toward_feet = (capsule.a.z.max(capsule.b.z) - contact_point.z) / self.scale;
+        let [left, right] = [BodyPart::LeftShank, BodyPart::RightShank].map(|shank| self.capsule(shank).a);
+        let ahead = (left - right).cross(Vec3::Z).dot(contact_point - capsule.a);
+        match self.region_of(part, contact_point) {
+            BodyRegion::SkullForehead if trunk.x > 2.0 * BESIDE_M => Some(BodyArea::MiddleOfForehead),
+            BodyRegion::Face => Some(BodyArea::MasticatoryMuscle),
+            BodyRegion::Chest if trunk.y.abs() > STERNUM_M => Some(BodyArea::PectoralMuscle),
+            BodyRegion::Abdomen => Some(BodyArea::AbdominalMuscle),
+            BodyRegion::BackShoulders if trunk.x < -BESIDE_M && trunk.z < XIPHOID_UP => {
+                Some(BodyArea::FifthLumbarVertebra)
+            }
+            BodyRegion::Pelvis => Some(BodyArea::PelvicBone),
+            BodyRegion::Thigh if toward_feet < 0.2 => Some(BodyArea::ThighMuscle),
+            BodyRegion::LowerLeg if ahead > 0.0 => Some(BodyArea::MiddleOfShin),
+            _ => None,
         }
     }
 }

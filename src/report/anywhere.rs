@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::model::{ScanReport, SensorState, Subject, Verdict};
 use super::paragraph::wrapped_to;
 use super::terminal::{View, cards, counted};
-use crate::hazard::contact::{Class, Criterion};
+use crate::hazard::{Class, Criterion};
 use crate::human::Action;
 use crate::standards::BodyRegion;
 

@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::advice::{Outcome, Remedy};
+use super::judged::{Judged, measure_words};
 use super::model::{Hazard, SensorState};
 use super::paragraph::wrapped;
 use crate::hazard::Class;
@@ -31,12 +32,18 @@ pub struct Cause {
     pub worst: String,
     /// Why that is one.
     pub class: Class,
+    /// How it was judged, where another criterion counts than the transient force.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judged: Option<Judged>,
     /// Force of it that decides, N.
     pub force_n: f64,
     /// Limit, N.
     pub limit_n: f64,
-    /// `force_n / limit_n`.
+    /// `force_n / limit_n`, or what else is over its limit.
     pub ratio: f64,
+    /// Speed of the robot's point, m/s, where that is what counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed_m_s: Option<f64>,
     /// Earliest contact over all its hazards, s.
     pub earliest_time_s: f64,
     /// Sequences of full length that begin with one of its hazards, in decimal, where all were looked at.
@@ -145,9 +152,11 @@ impl Cause {
             sensors: worst.sensors.clone(),
             worst: worst.id.clone(),
             class: worst.class,
+            judged: worst.judged.clone(),
             force_n: worst.deciding_force_n(),
-            limit_n: worst.limit_n,
+            limit_n: worst.deciding_limit_n(),
             ratio: worst.ratio,
+            speed_m_s: (worst.class == Class::MovingContact).then_some(worst.speed_m_s),
             earliest_time_s: hazards.iter().map(|hazard| hazard.earliest_time_s).fold(f64::INFINITY, f64::min),
             sequences: counted.as_ref().map(ToString::to_string),
             share,
@@ -161,10 +170,8 @@ impl Cause {
     /// Force and limit of the worst hazard, in words.
     #[must_use]
     pub fn force_words(&self) -> String {
-        match self.class {
-            Class::Force => format!("{:.0} N, {:.2}x the limit of {:.0} N", self.force_n, self.ratio, self.limit_n),
-            Class::HeadContact => format!("{:.0} N; a moving robot may not touch it at all", self.force_n),
-        }
+        let figures = (self.force_n, self.limit_n, self.ratio, self.speed_m_s.unwrap_or_default());
+        measure_words(self.class, self.judged.as_ref(), figures)
     }
 }
 
@@ -218,6 +225,7 @@ pub fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a
 fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
     let region = hazard.body_region.words();
     let speed = hazard.speed_m_s;
+    let (does, held) = does(hazard);
     // Of several robots the link's name says which.
     let link = match hazard.robot_link.split_once('/') {
         Some((robot, link)) => format!("{robot}'s {link}"),
@@ -244,13 +252,16 @@ fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
             _ => String::new(),
         };
         let robot = if around.slowed {
-            format!("{link}{load} is slower but not at rest: at {speed:.2} m/s it hits")
+            format!("{link}{load} is slower but not at rest: at {speed:.2} m/s it {does}")
         } else {
-            format!("{link}{load} goes on at {speed:.2} m/s and hits")
+            format!("{link}{load} goes on at {speed:.2} m/s and {does}")
         };
-        return format!("{} {has} reported the person{for_so_long}, but {robot} the {region}{reach}.", joined(&names));
+        return format!(
+            "{} {has} reported the person{for_so_long}, but {robot} the {region}{reach}{held}.",
+            joined(&names)
+        );
     }
-    let hit = format!("{link}{load} moves at {speed:.2} m/s and hits the {region}{reach}");
+    let hit = format!("{link}{load} moves at {speed:.2} m/s and {does} the {region}{reach}{held}");
     match (hazard.sensors.len(), around.outside.iter().min_by(|a, b| a.1.total_cmp(&b.1))) {
         (0, _) => format!("No sensor watches over this: {hit}."),
         (_, Some((name, metres))) => {
@@ -258,6 +269,19 @@ fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
         }
         (1, None) => format!("{} does not report the person: {hit}.", hazard.sensors[0].name),
         (_, None) => format!("No sensor reports the person: {hit}."),
+    }
+}
+
+/// What the robot does to the part of the body, and by what that is unsafe where it is not the force of the stroke.
+fn does(hazard: &Hazard) -> (&'static str, String) {
+    match (hazard.class, hazard.clamping()) {
+        (Class::Clamping, Some(clamping)) => {
+            ("clamps", format!(" against {}, with {:.0} mm of room", clamping.against, 1000.0 * clamping.gap_m))
+        }
+        (Class::Pressure, _) => ("presses", format!(": {}", hazard.measure_words())),
+        (Class::MovingContact, _) => ("touches", String::new()),
+        (Class::Separation, _) => ("nears", format!(", which is {}", hazard.measure_words())),
+        (Class::Force | Class::HeadContact | Class::Clamping, _) => ("hits", String::new()),
     }
 }
 

@@ -40,6 +40,7 @@ pub mod floorplan;
 pub mod foxglove;
 pub mod growth;
 pub mod inspection;
+pub mod judged;
 pub mod junit;
 #[cfg(feature = "mcap")]
 pub mod mcap;

@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cause::Cause;
+use super::judged::{Clamping, Judged, LimitKind, measure_words};
 use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
@@ -268,6 +269,9 @@ pub struct Hazard {
     pub begins: Option<Begin>,
     /// Why it is a finding.
     pub class: Class,
+    /// How it was judged, where another criterion counts than the transient force.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judged: Option<Judged>,
     /// Body region touched.
     pub body_region: BodyRegion,
     /// Robot link that touches.
@@ -555,6 +559,7 @@ impl Hazard {
             confirmed: None,
             begins: None,
             class: f.class,
+            judged: Judged::of(c, f.class, link_names),
             body_region: c.region,
             robot_link: link_names[c.link].clone(),
             force_n: c.force_n,
@@ -602,9 +607,58 @@ impl Hazard {
         }
     }
 
-    /// The force that decides, N: the one that `ratio` is of.
+    /// Gives what holds a part of the body its name, where it is an obstacle.
+    pub fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
+        if let Some(judged) = &mut self.judged {
+            judged.name_obstacles(name);
+        }
+    }
+
+    /// What holds the part of the body, if that is what counts.
+    #[must_use]
+    pub fn clamping(&self) -> Option<&Clamping> {
+        self.judged.as_ref().filter(|_| self.class == Class::Clamping)?.clamping.as_ref()
+    }
+
+    /// The limit of the force that decides, N.
+    #[must_use]
+    pub fn deciding_limit_n(&self) -> f64 {
+        self.clamping().map_or(self.limit_n, |clamping| clamping.limit_n)
+    }
+
+    /// The speed below which it would be none, in few words.
+    #[must_use]
+    pub fn safe_words(&self) -> String {
+        let below = match self.class {
+            Class::Force | Class::HeadContact if self.body_region.permits_no_contact() => None,
+            Class::Force => Some(self.safe_below_m_s),
+            Class::Clamping => self
+                .clamping()
+                .filter(|_| self.judged.as_ref().is_some_and(|judged| judged.limit == LimitKind::Force))
+                .map(|clamping| clamping.closing_m_s * clamping.limit_n / clamping.force_n),
+            Class::HeadContact | Class::Pressure | Class::MovingContact | Class::Separation => None,
+        };
+        // No speed of a moving robot is safe for a head or a throat.
+        let no_speed = self.class == Class::MovingContact || self.body_region.permits_no_contact();
+        below.map_or_else(|| if no_speed { "none" } else { "-" }.to_owned(), |below| format!("{below:.2} m/s"))
+    }
+
+    /// What is broken, and by how much, in few words.
+    #[must_use]
+    pub fn measure_words(&self) -> String {
+        let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
+        measure_words(self.class, self.judged.as_ref(), figures)
+    }
+
+    /// The force that decides, N: the one that `ratio` is of, where that is a force.
     #[must_use]
     pub fn deciding_force_n(&self) -> f64 {
+        if let Some(clamping) = self.clamping() {
+            return clamping.force_n;
+        }
+        if !matches!(self.class, Class::Force | Class::HeadContact) {
+            return self.force_n;
+        }
         let off = |force: f64| (force / self.limit_n - self.ratio).abs();
         if off(self.directed_force_n) < off(self.force_n) { self.directed_force_n } else { self.force_n }
     }
@@ -623,8 +677,9 @@ impl Hazard {
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
         let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));
+        let meets = if self.class == Class::Separation { "nears" } else { "meets" };
         format!(
-            "at {:.2} s the robot's {} meets the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
+            "at {:.2} s the robot's {} {meets} the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
              {:.2}){sensors}{begins}",
             self.time_s,
             self.robot_link,
@@ -654,6 +709,23 @@ impl Hazard {
                 "{:.0} N on the {}, where no contact with a moving robot is allowed: {described}",
                 self.deciding_force_n(),
                 self.body_region.words()
+            ),
+            Class::Clamping => {
+                let against = self.clamping().map_or_else(String::new, |c| {
+                    format!(", held against {} {:.0} mm away", c.against, 1000.0 * c.gap_m)
+                });
+                format!("{} on the {}{against}: {described}", self.measure_words(), self.body_region.words())
+            }
+            Class::Pressure => format!("{} on the {}: {described}", self.measure_words(), self.body_region.words()),
+            Class::MovingContact => {
+                format!("the {} is {}: {described}", self.body_region.words(), self.measure_words())
+            }
+            Class::Separation => format!(
+                "the {} is {}, and the robot's {} moves: {}",
+                self.body_region.words(),
+                self.measure_words(),
+                self.robot_link,
+                self.described()
             ),
         }
     }

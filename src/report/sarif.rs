@@ -19,6 +19,10 @@ pub struct CellFile {
 /// The log.
 #[must_use]
 pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>) -> Value {
+    let mut others: Vec<Class> = report.hazards.iter().map(|hazard| hazard.class).collect();
+    others.retain(|class| class.beside_force().is_some());
+    others.sort_unstable();
+    others.dedup();
     let (name, version) = report.tool.split_once(' ').unwrap_or((&report.tool, ""));
     let rule = |class: Class, short: &str, full: &str| {
         json!({
@@ -28,6 +32,27 @@ pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>)
             "defaultConfiguration": { "level": "error" },
         })
     };
+    let rules: Vec<Value> = [
+        rule(
+            Class::Force,
+            "A person can be hit harder than allowed",
+            &format!(
+                "The potential collision force exceeds the limit of the body region, {}.",
+                report.standard_edition
+            ),
+        ),
+        rule(
+            Class::HeadContact,
+            "A moving robot can touch the head or the throat",
+            "Contact of a moving robot with skull, forehead or face is not permissible whatever the force.",
+        ),
+    ]
+    .into_iter()
+    .chain(others.into_iter().map(|class| {
+        let (short, full) = other_rule(class);
+        rule(class, short, full)
+    }))
+    .collect();
     json!({
         "$schema": "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json",
         "version": "2.1.0",
@@ -35,18 +60,7 @@ pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>)
             "tool": { "driver": {
                 "name": name,
                 "semanticVersion": version,
-                "rules": [
-                    rule(
-                        Class::Force,
-                        "A person can be hit harder than allowed",
-                        &format!("The potential collision force exceeds the limit of the body region, {}.", report.standard_edition),
-                    ),
-                    rule(
-                        Class::HeadContact,
-                        "A moving robot can touch the head or the throat",
-                        "Contact of a moving robot with skull, forehead or face is not permissible whatever the force.",
-                    ),
-                ],
+                "rules": rules,
             } },
             "automationDetails": { "id": format!("fmi-hazard/{}/", report.subject.title()) },
             "artifacts": [{ "location": { "uri": file.uri }, "hashes": { "sha-256": report.subject.cell_sha256 } }],
@@ -59,6 +73,31 @@ const fn rule_id(class: Class) -> &'static str {
     match class {
         Class::Force => "force-limit",
         Class::HeadContact => "head-contact",
+        Class::Clamping => "clamping",
+        Class::Pressure => "pressure-limit",
+        Class::MovingContact => "moving-contact",
+        Class::Separation => "separation-distance",
+    }
+}
+
+/// What a rule of another criterion than the transient force is.
+const fn other_rule(class: Class) -> (&'static str, &'static str) {
+    match class {
+        Class::Clamping => (
+            "A part of the body can be clamped",
+            "Between the robot and something that does not give way, the quasi-static limit of the body region is exceeded.",
+        ),
+        Class::Pressure => {
+            ("A person can be hit by something too small", "The pressure exceeds the limit of the body area.")
+        }
+        Class::MovingContact => {
+            ("A robot that moves can be touched", "No contact with a robot that moves is allowed in this cell.")
+        }
+        Class::Separation => (
+            "A robot moves too near to a person",
+            "The distance is shorter than the protective separation distance (ISO/TS 15066, 5.5.4).",
+        ),
+        Class::Force | Class::HeadContact => ("", ""),
     }
 }
 
@@ -99,7 +138,7 @@ fn result(report: &ScanReport, hazard: &Hazard, file: &CellFile, baseline: Optio
             "id": hazard.id,
             "cause": cause,
             "force_n": hazard.deciding_force_n(),
-            "limit_n": hazard.limit_n,
+            "limit_n": hazard.deciding_limit_n(),
             "ratio": hazard.ratio,
             "time_s": hazard.time_s,
             "confirmed": hazard.confirmed,

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::cause::{Cause, Change, Line};
+use super::judged::measure_cell;
 use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
 use super::paragraph::{WIDTH, wrapped_to};
-use crate::hazard::Class;
 use crate::human::Action;
 
 /// How the result is shown.
@@ -205,10 +205,8 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
     }
     let header = ["id", "ratio", "body region", "hit by", "force / limit", "safe below", "time", "seen", "confirmed"];
     let row = |h: &Hazard| {
-        let force = match h.class {
-            Class::Force => format!("{:.0} N / {:.0} N", h.deciding_force_n(), h.limit_n),
-            Class::HeadContact => format!("{:.0} N / none allowed", h.deciding_force_n()),
-        };
+        let figures = (h.deciding_force_n(), h.deciding_limit_n(), h.speed_m_s);
+        let force = measure_cell(h.class, h.judged.as_ref(), figures);
         [
             h.id.clone(),
             format!("{:.2}x", h.ratio),
@@ -216,7 +214,7 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
             h.robot_link.clone(),
             force,
             // No speed of a moving robot is safe for a head or a throat.
-            if h.body_region.permits_no_contact() { "none".to_owned() } else { format!("{:.2} m/s", h.safe_below_m_s) },
+            h.safe_words(),
             format!("{:.2} s", h.time_s),
             h.times_found.to_string(),
             match h.confirmed {

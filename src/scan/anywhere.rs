@@ -20,7 +20,7 @@ use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
 use crate::cell::Zone;
-use crate::hazard::contact::Criterion;
+use crate::hazard::Criterion;
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
 use crate::human::Start;

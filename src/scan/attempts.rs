@@ -79,6 +79,7 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
+            hazard.name_obstacles(|number| prepared.cell.obstacles[number].0.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;
             for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {

@@ -30,6 +30,7 @@ pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
         part: Part::of(hazard.body_region),
         reporting,
         long: since > cause::LONG_S,
+        criterion: hazard.class.beside_force(),
     };
     let [x, y, _] = hazard.contact_point_m;
     Member { kind, person_m: hazard.person_xy_m, contact_m: [x, y] }

@@ -10,6 +10,7 @@ use super::prepare::Prepared;
 use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
+use crate::hazard::Class;
 use crate::human::action::Walk;
 use crate::human::{Action, Place, Posture};
 use crate::report::floorplan::Plan;
@@ -30,13 +31,17 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
     let robot = (1..=contact).filter(|&frame| shown(frame)).map(|frame| &until[frame].frame.links);
     Scene {
         title: format!(
-            "{}: {} meets {}, {:.2} s, {:.0} N of {:.0} N",
+            "{}: {} meets {}, {:.2} s, {}",
             hazard.id,
             hazard.robot_link,
             hazard.body_region.words(),
             hazard.time_s,
-            hazard.deciding_force_n(),
-            hazard.limit_n
+            match hazard.class {
+                Class::Force | Class::HeadContact => {
+                    format!("{:.0} N of {:.0} N", hazard.deciding_force_n(), hazard.limit_n)
+                }
+                _ => hazard.measure_words(),
+            }
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
         zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),

@@ -40,7 +40,7 @@ use self::within::moments::worth_following;
 use self::within::{Undecided, Within};
 use super::Coverage;
 use super::curtain::Curtain;
-use super::encounter::Encounter;
+use super::encounter::{Encounter, Judge};
 use super::robot::RobotFrame;
 use super::sensors::{self, sees};
 use crate::cell::{Sensor, Workcell, Zone};
@@ -282,8 +282,15 @@ impl<'a> Anywhere<'a> {
         }
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
         let curtains = Curtain::all(cell, from, &obstacles);
-        let encounter =
-            Encounter { obstacles, arm, reach_tolerance_m: cell.search.reach_tolerance_m, worst: false, stop };
+        let encounter = Encounter {
+            obstacles,
+            arm,
+            reach_tolerance_m: cell.search.reach_tolerance_m,
+            worst: false,
+            judge: Judge::Ending,
+            clamping: None,
+            stop,
+        };
         let floor = Floor::new(&cell.body, &encounter.obstacles, bounds, floor_m);
         let floor = match &cell.floor {
             Some(polygon) => floor.bounded_by(polygon),

@@ -4,18 +4,22 @@
 //! every link, so that no harmless contact hides another; an arm whose shoulder is behind a wall is not available; a hand
 //! acts only along a free straight line from the wrist.
 
+mod targets;
+
+pub use self::targets::Judge;
+use self::targets::{Target, Targets, arm_region};
 use super::Coverage;
 use super::robot::RobotFrame;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
-use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
-use crate::hazard::Contact;
-use crate::hazard::contact::Touch;
+use crate::geometry::{Capsule, Cuboid, Pose, Vec3};
+use crate::hazard::contact::{STANDSTILL_M_S, Touch};
 use crate::hazard::danger::Proximity;
 use crate::hazard::finding::ArmPose;
+use crate::hazard::{Class, Contact};
 use crate::human::arm::ArmModel;
 use crate::human::reach::cells::ArmCells;
-use crate::human::reach::{ArmContact, ArmSegment, ContactScore, ReachQuery, reach};
+use crate::human::reach::{ArmContact, ArmSegment, ContactScore as _, ReachQuery, reach};
 use crate::human::{BodyPart, PlacedBody, Side, is_kept_from};
 use crate::standards::BodyRegion;
 use crate::stop::Stop;
@@ -67,8 +71,19 @@ pub struct Encounter {
     pub reach_tolerance_m: f64,
     /// Whether the worst arm contact is looked for where there is an unsafe one: for the record, not for the verdict.
     pub worst: bool,
+    /// What is looked for.
+    pub judge: Judge,
+    /// What of clamping is known, where it counts.
+    pub clamping: Option<Clamping>,
     /// When searches have to end: what they had not finished says nothing then.
     pub stop: Stop,
+}
+
+/// What of clamping does not follow from the robots at an instant.
+#[derive(Clone, Debug)]
+pub struct Clamping {
+    /// For each link how far it goes on after a contact, m.
+    pub travel_m: Vec<f64>,
 }
 
 /// A contact, and the arm pose if an arm makes it.
@@ -82,6 +97,7 @@ const TOUCHED_FIRST_M: f64 = 0.02;
 struct Pair {
     distance: f64,
     part: BodyPart,
+    capsule: Capsule,
     link: usize,
     on_body: Vec3,
     on_robot: Vec3,
@@ -111,87 +127,6 @@ impl ArmSpace<'static> {
     pub const OPEN: Self = Self { walls: &[], links: None };
 }
 
-/// Force ratio of arm contacts of a person who walks at some velocity with the robot of one frame, and which of its links
-/// count.
-struct ArmScore<'a>(&'a RobotFrame, Option<&'a [bool]>, Vec3);
-
-impl ContactScore for ArmScore<'_> {
-    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
-        if self.1.is_some_and(|links| !links[link]) {
-            return 0.0;
-        }
-        self.0.ratio(arm_region(segment), link, self.0.deciding_speed_bound(link, self.2))
-    }
-
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        self.0.ratio(arm_region(segment), link, self.0.deciding_speed_bound_near(link, points, self.2))
-    }
-
-    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
-        let speed = self.0.strike(link).deciding_speed(self.0.velocity(link, on_link), self.2);
-        self.0.ratio(arm_region(segment), link, speed)
-    }
-}
-
-/// The same for the robots of several instants.
-struct ManyScores<'a>(&'a [&'a RobotFrame], Option<&'a [bool]>, Vec3);
-
-impl ManyScores<'_> {
-    /// The frame, and the link of it.
-    fn at(&self, link: usize) -> (ArmScore<'_>, usize) {
-        let per_instant = self.0[0].links.len();
-        (ArmScore(self.0[link / per_instant], None, self.2), link % per_instant)
-    }
-}
-
-impl ContactScore for ManyScores<'_> {
-    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
-        if self.1.is_some_and(|links| !links[link]) {
-            return 0.0;
-        }
-        let (score, link) = self.at(link);
-        score.upper_bound(segment, link)
-    }
-
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        let (score, link) = self.at(link);
-        score.upper_bound_near(segment, link, points)
-    }
-
-    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
-        let (score, link) = self.at(link);
-        score.score(segment, link, on_link)
-    }
-}
-
-/// The same for links of several instants, one each, of somebody who stands.
-struct EachScore<'a>(&'a [(&'a RobotFrame, usize)]);
-
-impl ContactScore for EachScore<'_> {
-    fn upper_bound(&self, segment: ArmSegment, link: usize) -> f64 {
-        let (frame, link) = self.0[link];
-        ArmScore(frame, None, Vec3::ZERO).upper_bound(segment, link)
-    }
-
-    fn upper_bound_near(&self, segment: ArmSegment, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        let (frame, link) = self.0[link];
-        ArmScore(frame, None, Vec3::ZERO).upper_bound_near(segment, link, points)
-    }
-
-    fn score(&self, segment: ArmSegment, link: usize, on_link: Vec3) -> f64 {
-        let (frame, link) = self.0[link];
-        ArmScore(frame, None, Vec3::ZERO).score(segment, link, on_link)
-    }
-}
-
-const fn arm_region(segment: ArmSegment) -> BodyRegion {
-    match segment {
-        ArmSegment::Hand => BodyRegion::Hand,
-        ArmSegment::UpperArm | ArmSegment::Elbow => BodyRegion::UpperArm,
-        ArmSegment::Forearm => BodyRegion::LowerArm,
-    }
-}
-
 impl Encounter {
     /// The unsafe contact of trunk, head or legs with the robot, if there is one, of those that `counts`: of the pairs touched first the one with the highest ratio of force and limit.
     #[must_use]
@@ -205,7 +140,7 @@ impl Encounter {
         let touching = self.touching(&person.body, frame, &mut coverage.closest_approach_m);
         let mut harmful: Vec<Contact> = Vec::new();
         let mut harmless: Option<f64> = None;
-        for contact in touching.iter().map(|pair| body_contact(person, frame, pair)) {
+        for contact in touching.iter().flat_map(|pair| self.body_contacts(person, frame, pair)) {
             if contact.class().is_none() {
                 harmless = Some(harmless.map_or(contact.ratio(), |worst| worst.max(contact.ratio())));
             } else if counts(&contact) {
@@ -233,7 +168,7 @@ impl Encounter {
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
         let any = self.arm_contact(person, frame, space, &ANY_HAZARD, coverage)?;
-        if !self.worst {
+        if !self.worst || self.judge != Judge::Ending {
             return Some(any).filter(|(contact, _)| contact.class().is_some());
         }
         let worst =
@@ -254,7 +189,9 @@ impl Encounter {
         if frames.is_empty() {
             return true;
         }
-        let links: Vec<Solid> = frames.iter().flat_map(|f| f.links.iter().cloned()).collect();
+        let frames: Vec<_> = frames.iter().map(|frame| (*frame, self.pinches(frame))).collect();
+        let targets = Targets::all(&frames, space.links, person.velocity, self.judge);
+        let links = targets.solids();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
         person.arms.iter().all(|&side| {
             coverage.arm_checks += 1;
@@ -267,7 +204,7 @@ impl Encounter {
                 known: None,
                 links: &links,
                 obstacles: &obstacles,
-                score: &ManyScores(frames, space.links, person.velocity),
+                score: &targets,
                 threshold: NO_HAZARD.threshold,
                 tolerance_m: self.reach_tolerance_m,
                 enough: NO_HAZARD.enough,
@@ -292,7 +229,8 @@ impl Encounter {
         try_only: bool,
         coverage: &mut Coverage,
     ) -> ArmAnywhere {
-        let solids: Vec<Solid> = links.iter().map(|(frame, link)| frame.links[*link].clone()).collect();
+        let targets = Targets::each(links);
+        let solids = targets.solids();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(walls).copied().collect();
         coverage.arm_checks += 1;
         let outcome = reach(&ReachQuery {
@@ -305,7 +243,7 @@ impl Encounter {
             known: Some(known),
             links: &solids,
             obstacles: &obstacles,
-            score: &EachScore(links),
+            score: &targets,
             threshold: NO_HAZARD.threshold,
             tolerance_m: self.reach_tolerance_m,
             enough: NO_HAZARD.enough,
@@ -330,7 +268,7 @@ impl Encounter {
     /// The same of a part of an arm.
     #[must_use]
     pub fn may_harm_arm(frame: &RobotFrame, link: usize, segment: ArmSegment) -> bool {
-        ArmScore(frame, None, Vec3::ZERO).upper_bound(segment, link) > NO_HAZARD.threshold
+        Targets::each(&[(frame, link)]).upper_bound(segment, 0) > NO_HAZARD.threshold
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
@@ -343,7 +281,9 @@ impl Encounter {
         coverage: &mut Coverage,
     ) -> Proximity {
         let touching = self.touching(&person.body, frame, &mut 0.0);
-        let touched = touching.iter().map(|pair| body_contact(person, frame, pair).ratio());
+        let touched = touching
+            .iter()
+            .map(|pair| Contact::new(&touch_of_body(person, frame, pair), frame.strike(pair.link)).ratio());
         let arm = self.arm_contact(person, frame, space, &REWARD, coverage).map(|(contact, _)| {
             within_limits(contact.ratio(), coverage);
             contact.ratio()
@@ -385,7 +325,6 @@ impl Encounter {
         aim: &Aim,
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
-        let segments = [ArmSegment::Hand, ArmSegment::Forearm, ArmSegment::UpperArm];
         let shoulders: Vec<(Side, Pose)> = person.arms.iter().map(|&s| (s, person.body.shoulder(s))).collect();
         let in_reach = |p: &Pose| {
             frame.links.iter().any(|l| {
@@ -397,12 +336,11 @@ impl Encounter {
             return None;
         }
         coverage.checks_with_robot_in_arm_reach += 1;
-        let score = ArmScore(frame, space.links, person.velocity);
-        let may_matter = |link: usize, &s: &ArmSegment| score.upper_bound(s, link) > aim.threshold;
-        let counts = |link: &usize| space.links.is_none_or(|links| links[*link]);
-        if !(0..frame.links.len()).filter(counts).any(|link| segments.iter().any(|s| may_matter(link, s))) {
+        let targets = Targets::all(&[(frame, self.pinches(frame))], space.links, person.velocity, self.judge);
+        if !targets.may_matter(aim.threshold) {
             return None;
         }
+        let links = targets.solids();
         let mut obstacles = Vec::new();
         let obstacles = if space.walls.is_empty() {
             &self.obstacles
@@ -421,9 +359,9 @@ impl Encounter {
                 carried_m: 0.0,
                 hangs_from: None,
                 known: None,
-                links: &frame.links,
+                links: &links,
                 obstacles,
-                score: &score,
+                score: &targets,
                 threshold: aim.threshold,
                 tolerance_m: self.reach_tolerance_m,
                 enough: aim.enough,
@@ -433,7 +371,7 @@ impl Encounter {
             coverage.arm_boxes += u64::from(outcome.boxes);
             coverage.arm_checks_incomplete += u64::from(!outcome.complete && aim.must_complete && !self.stop.is_due());
             let Some(found) = outcome.best else { continue };
-            let contact = self.arm_touch(person, frame, &found);
+            let contact = self.arm_touch(person, targets.target(found.link), &found);
             if worst.as_ref().is_none_or(|(w, _)| contact.ratio() > w.ratio()) {
                 let pose = ArmPose {
                     left: side == Side::Left,
@@ -448,7 +386,8 @@ impl Encounter {
     }
 
     /// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.
-    fn arm_touch(&self, person: &Person, frame: &RobotFrame, found: &ArmContact) -> Contact {
+    fn arm_touch(&self, person: &Person, target: &Target<'_>, found: &ArmContact) -> Contact {
+        let Target { frame, link, .. } = *target;
         let radius = match found.segment {
             // What is told of a hand is a point of it already.
             ArmSegment::Hand => 0.0,
@@ -458,14 +397,51 @@ impl Encounter {
         let inside = found.signed_distance + radius < 0.0;
         let touch = Touch {
             region: arm_region(found.segment),
-            link: found.link,
+            area: None,
+            link,
             on_robot: found.on_link,
             on_body: on_surface(found.on_arm, found.on_link, inside, radius),
             distance_m: found.signed_distance,
-            robot_velocity: frame.velocity(found.link, found.on_link),
+            robot_velocity: frame.velocity(link, found.on_link),
             human_velocity: person.velocity,
         };
-        Contact::new(&touch, frame.strike(touch.link))
+        let clamped = target.pinch.map(|pinch| &pinch.clamped);
+        self.as_judged(Contact::judged(&touch, clamped, frame.strike(link)))
+    }
+
+    /// A contact as what is looked for.
+    fn as_judged(&self, contact: Contact) -> Contact {
+        match self.judge {
+            Judge::Ending => contact,
+            Judge::Moving(limit) if contact.speed_m_s > limit.max(STANDSTILL_M_S) => {
+                contact.breaking(Some(Class::MovingContact))
+            }
+            Judge::Moving(_) => contact.breaking(None),
+        }
+    }
+
+    /// The contacts of a part of the body with a link: as somebody who can give way, and where they cannot.
+    fn body_contacts(&self, person: &Person, frame: &RobotFrame, pair: &Pair) -> impl Iterator<Item = Contact> {
+        let strike = frame.strike(pair.link);
+        let free = Contact::new(&touch_of_body(person, frame, pair), strike);
+        let region_of = |at: Vec3| person.body.region_of(pair.part, at);
+        let held = (self.judge == Judge::Ending && self.clamping.is_some())
+            .then(|| self.clamps_part(&pair.capsule, frame, pair.link, region_of))
+            .flatten();
+        let held = held.map(|(region, clamped)| {
+            let touch = Touch {
+                region,
+                area: person.body.area_of(pair.part, clamped.at),
+                link: pair.link,
+                on_robot: clamped.at,
+                on_body: clamped.at,
+                distance_m: pair.distance,
+                robot_velocity: frame.velocity(pair.link, clamped.at),
+                human_velocity: person.velocity,
+            };
+            Contact::judged(&touch, Some(&clamped), strike)
+        });
+        std::iter::once(self.as_judged(free)).chain(held)
     }
 
     /// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
@@ -487,7 +463,7 @@ impl Encounter {
                 let is_kept = || self.obstacles.iter().any(|wall| is_kept_from(&capsule, solid, wall));
                 if distance <= 0.0 && !is_kept() {
                     let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
-                    pairs.push(Pair { distance, part, link, on_body, on_robot: near.on_second });
+                    pairs.push(Pair { distance, part, capsule, link, on_body, on_robot: near.on_second });
                 }
             }
         }
@@ -536,15 +512,15 @@ fn on_surface(on_axis: Vec3, on_link: Vec3, inside: bool, radius: f64) -> Vec3 {
     on_axis + if inside { -direction } else { direction } * radius
 }
 
-fn body_contact(person: &Person, frame: &RobotFrame, pair: &Pair) -> Contact {
-    let touch = Touch {
+fn touch_of_body(person: &Person, frame: &RobotFrame, pair: &Pair) -> Touch {
+    Touch {
         region: person.body.region_of(pair.part, pair.on_body),
+        area: person.body.area_of(pair.part, pair.on_body),
         link: pair.link,
         on_robot: pair.on_robot,
         on_body: pair.on_body,
         distance_m: pair.distance,
         robot_velocity: frame.velocity(pair.link, pair.on_robot),
         human_velocity: person.velocity,
-    };
-    Contact::new(&touch, frame.strike(touch.link))
+    }
 }

@@ -3,6 +3,7 @@
 //! - [`robot`]: the robot at one instant, from the FMU's outputs
 //! - [`sensors`]: what the sensors report while the person walks
 //! - [`encounter`]: person against robot at one instant: contact, danger
+//! - [`clamping`]: what keeps a part of the body from giving way
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`expansion`]: all actions from many states at once, on all cores
@@ -21,6 +22,7 @@
 pub mod answers;
 pub mod anywhere;
 pub mod bound;
+pub mod clamping;
 pub mod coverage;
 pub mod curtain;
 pub mod encounter;

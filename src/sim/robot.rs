@@ -1,11 +1,15 @@
 //! The robots at one instant: placed link shapes, their velocities, and how hard they would strike.
 
+use std::sync::OnceLock;
+
+use super::clamping::Pinch;
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
 use crate::cell::workcell::{Link, Robot};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::kinematics::{Neighbourhood, Twist};
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Strike;
+use crate::hazard::criterion::pressure::LinkContact;
 use crate::standards::BodyRegion;
 
 /// Links that are at rest by their speeds do not move by more, m.
@@ -26,12 +30,18 @@ pub struct RobotFrame {
     pub may_harm: bool,
     /// Index of each shape's robot.
     robot_of: Vec<usize>,
-    /// Effective mass and force ratios of each robot.
+    /// The robot of each shape, and what of it carries the shape: such do not move against each other.
+    body_of: Vec<(usize, usize)>,
+    /// Index of each shape's strike.
+    strike_of: Vec<usize>,
+    /// Effective mass and force ratios of links that strike alike.
     strikes: Vec<Strike>,
     /// Programme phase of each robot, where the cell names one.
     phases: Vec<Option<i64>>,
     /// The FMU's outputs behind all this.
     outputs: Vec<f64>,
+    /// Where links may clamp an arm, once it was asked for.
+    pub(super) pinches: OnceLock<Vec<Pinch>>,
 }
 
 impl RobotFrame {
@@ -45,21 +55,36 @@ impl RobotFrame {
         let twists: Vec<Twist> = cell.links.iter().map(|l| of(l).1).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
-        let strike = |(robot, b): (&Robot, &RobotBinding)| {
-            Strike::new(robot.moving_mass_kg, b.payload.read(outputs), cell.search.criterion)
+        let strike = |link: &Link| {
+            let (robot, b) = (&cell.robots[link.robot], &binding.robots[link.robot]);
+            Strike::new(robot.moving_mass_kg, b.payload.read(outputs), cell.criteria, link.contact)
         };
         #[expect(clippy::cast_possible_truncation, reason = "an FMI integer")]
         let phase = |b: &RobotBinding| b.phase.as_ref().map(|r| r.read(outputs) as i64);
-        let strikes: Vec<Strike> = cell.robots.iter().zip(&binding.robots).map(strike).collect();
-        let harms = |(link, bound): (&Link, &f64)| strikes[link.robot].may_harm(*bound);
+        // Links of a robot that touch alike strike alike.
+        let mut strikes: Vec<Strike> = Vec::with_capacity(cell.robots.len());
+        let mut kinds: Vec<(usize, LinkContact)> = Vec::with_capacity(cell.robots.len());
+        let mut strike_of = Vec::with_capacity(cell.links.len());
+        for link in &cell.links {
+            let kind = (link.robot, link.contact);
+            strike_of.push(kinds.iter().position(|known| *known == kind).unwrap_or_else(|| {
+                kinds.push(kind);
+                strikes.push(strike(link));
+                kinds.len() - 1
+            }));
+        }
+        let harms = |(link, bound): (usize, &f64)| strikes[strike_of[link]].may_harm(*bound);
         Self {
-            may_harm: cell.links.iter().zip(&speed_bounds).any(harms),
+            may_harm: speed_bounds.iter().enumerate().any(harms),
             links,
             twists,
             speed_bounds,
             fastest,
             robot_of: cell.links.iter().map(|l| l.robot).collect(),
+            body_of: cell.links.iter().map(|l| (l.robot, l.joint)).collect(),
+            strike_of,
             strikes,
+            pinches: OnceLock::new(),
             phases: binding.robots.iter().map(phase).collect(),
             outputs: outputs.to_vec(),
         }
@@ -70,7 +95,8 @@ impl RobotFrame {
     pub fn grown(&self, by_m: &[f64]) -> Self {
         let links: Vec<Solid> = self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
-        Self { fastest: speed_bounds.iter().copied().fold(0.0, f64::max), links, speed_bounds, ..self.clone() }
+        let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
+        Self { fastest, links, speed_bounds, pinches: OnceLock::new(), ..self.clone() }
     }
 
     /// How far from where it is here or at the end of the step to `next` each link is between them at most, m, of which the nearer
@@ -124,7 +150,7 @@ impl RobotFrame {
     /// The same at these points.
     #[must_use]
     pub fn deciding_speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>, human: Vec3) -> f64 {
-        let bound = self.twists[link].speed_bound(points).min(self.speed_bounds[link]);
+        let bound = self.speed_bound_near(link, points);
         let relative = || {
             let near = self.twists[link].seen_from(human).speed_bound(points);
             near.min(self.deciding_speed_bound(link, human))
@@ -132,16 +158,28 @@ impl RobotFrame {
         self.strike(link).deciding_speed_bound(bound, relative)
     }
 
+    /// Upper bound on the speed of these points of shape `link`, m/s.
+    #[must_use]
+    pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
+        self.twists[link].speed_bound(points).min(self.speed_bounds[link])
+    }
+
     /// How hard the robot of shape `link` strikes.
     #[must_use]
     pub fn strike(&self, link: usize) -> &Strike {
-        &self.strikes[self.robot_of[link]]
+        &self.strikes[self.strike_of[link]]
     }
 
     /// `F_coll / F_max` for a contact of `region` with a point of shape `link` that moves at `speed_m_s`.
     #[must_use]
     pub fn ratio(&self, region: BodyRegion, link: usize, speed_m_s: f64) -> f64 {
         self.strike(link).ratio(region, speed_m_s)
+    }
+
+    /// Whether two shapes are carried by the same part of a robot.
+    #[must_use]
+    pub fn same_body(&self, one: usize, other: usize) -> bool {
+        self.body_of[one] == self.body_of[other]
     }
 
     /// Programme phase of the robot of shape `link`.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use super::Coverage;
 use super::curtain::Curtain;
-use super::encounter::{ArmSpace, Encounter, Person};
+use super::encounter::{ArmSpace, Clamping, Encounter, Judge, Person};
 use super::robot::RobotFrame;
 use super::sensors::{DelayLine, Seen, input_row, sees};
 use super::threads::Memo;
@@ -192,6 +192,8 @@ impl World {
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
+            judge: Judge::Ending,
+            clamping: cell.criteria.clamping.then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
             stop: Stop::default(),
         };
         let body_reach_m = cell.body.reach_from_one_metre(0.0);

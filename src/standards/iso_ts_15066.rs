@@ -145,9 +145,30 @@ pub fn pressure_safe_speed_m_s(region: BodyRegion, m_r_kg: f64, pressure_pa: f64
     pressure_pa * area_m2 / impedance(region, m_r_kg)
 }
 
-/// Force per speed, N s/m: `sqrt(mu * k)`.
+/// Whether the region that is met can give way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recoil {
+    /// It can: its effective mass counts.
+    Free,
+    /// It is held: as if its mass were without bound.
+    None,
+}
+
+/// Force per speed, N s/m: `sqrt(mu * k)`; with padding of so many N/m in front of the region's spring.
+#[must_use]
+pub fn padded_impedance_n_s_m(region: BodyRegion, recoil: Recoil, m_r_kg: f64, padding_n_m: Option<f64>) -> f64 {
+    let m_h_kg = match recoil {
+        Recoil::Free => effective_mass_kg(region),
+        Recoil::None => f64::INFINITY,
+    };
+    let spring = spring_constant_n_m(region);
+    let spring = padding_n_m.map_or(spring, |padding| 1.0 / (1.0 / spring + 1.0 / padding));
+    (reduced_mass(m_h_kg, m_r_kg) * spring).sqrt()
+}
+
+/// The same without.
 fn impedance(region: BodyRegion, m_r_kg: f64) -> f64 {
-    (reduced_mass(effective_mass_kg(region), m_r_kg) * spring_constant_n_m(region)).sqrt()
+    padded_impedance_n_s_m(region, Recoil::Free, m_r_kg, None)
 }
 
 #[cfg(test)]

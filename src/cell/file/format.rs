@@ -1,8 +1,9 @@
 //! The cell file as it is written: TOML tables, one struct each. Units stand in the key names (`_m`, `_deg`, `_kg`).
 //!
-//! The file as a whole, FMUs and times are here; `robot`, `surroundings`, `person` and `explain` have the rest. Nothing
+//! The file as a whole, FMUs and times are here; `robot`, `surroundings`, `person`, `criteria` and `explain` have the rest. Nothing
 //! is interpreted here; [`super::validate`] turns this into a [`crate::cell::Workcell`].
 
+mod criteria;
 mod explain;
 mod person;
 mod robot;
@@ -17,6 +18,9 @@ use toml::Spanned;
 
 use crate::hazard::Criterion;
 
+pub use criteria::{
+    ClampingTable, ContactTable, CriteriaTable, MovingTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff,
+};
 pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
 pub use person::{HumanTable, PeopleFrom, Sex, StartAreaTable, StartTable};
 pub use robot::{CapsuleTable, FrameTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable};
@@ -79,6 +83,9 @@ pub struct CellFile {
     pub pose: BTreeMap<PoseQuantity, Spanned<String>>,
     /// The person.
     pub human: HumanTable,
+    /// What counts as unsafe; without it, the transient force of the paper.
+    #[serde(default)]
+    pub criteria: CriteriaTable,
     /// Search budget.
     #[serde(default)]
     pub search: SearchTable,
@@ -194,7 +201,7 @@ pub struct SearchTable {
     /// No contact deeper than this is missed by the arm check, m.
     pub reach_tolerance_m: f64,
     /// Which speed makes the force that decides: the robot's own, as in the paper, or that of approach, the person's walking
-    /// included.
+    /// included. The same as `transient_force` in `criteria`.
     pub criterion: Criterion,
 }
 

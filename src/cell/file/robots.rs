@@ -17,6 +17,7 @@ use crate::fmi::number;
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::surface::{Flaw, Triangles};
 use crate::geometry::{Capsule, Hull, Mesh, Pose, Solid, Surface, Vec3};
+use crate::hazard::criterion::pressure::LinkContact;
 
 /// Most triangles of a mesh that is taken exactly: arm searches ask for distances from it all the time, and reports carry
 /// it.
@@ -86,6 +87,7 @@ impl Checker<'_> {
             shape,
             place: place.clone(),
             looks,
+            contact: LinkContact::default(),
         };
         let mut links: Vec<Link> = shapes.into_iter().map(of_urdf).collect();
         links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
@@ -259,7 +261,12 @@ impl Checker<'_> {
             }
         };
         let shape = if joint_from_place == Pose::IDENTITY { shape } else { shape.placed(joint_from_place) };
-        Ok(Link { name: link.name.clone(), robot, joint, shape, place: self.place(span), looks: Vec::new() })
+        let contact = match &link.contact {
+            Some(table) => self.link_contact(table)?,
+            None => LinkContact::default(),
+        };
+        let (name, place) = (link.name.clone(), self.place(span));
+        Ok(Link { name, robot, joint, shape, place, looks: Vec::new(), contact })
     }
 
     /// Whether shapes of parts that are known by a point alone are spheres around it.

@@ -60,7 +60,9 @@ impl Checker<'_> {
         self.extends(&file);
         let step = self.problems.keep(self.step(&file));
         let fmus = self.problems.keep(self.fmus(&file));
-        let robots = self.robots(&file);
+        let (robots, mut links) = self.robots(&file);
+        self.link_contacts(&file, &mut links);
+        let chosen = self.criteria(&file);
         let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let (obstacles, obstacle_tables) = self.obstacles(&file);
         let body = self.problems.keep(self.body(&file));
@@ -73,7 +75,8 @@ impl Checker<'_> {
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
         let ((), ()) = (known?, budget?);
-        let ((step_s, steps_per_action), (robots, links)) = (step?, robots);
+        let ((step_s, steps_per_action), chosen) = (step?, chosen?);
+        let search = SearchTable { criterion: chosen.criteria.speed(), ..file.search };
         Some(Workcell {
             name: file.name.clone(),
             sha256: self.source.sha256(),
@@ -83,6 +86,7 @@ impl Checker<'_> {
             robots,
             files: self.files.take(),
             warnings: self.warnings.take(),
+            travel_after_contact_m: vec![chosen.clamping.stated_m; links.len()],
             links,
             obstacles,
             obstacle_tables,
@@ -97,7 +101,10 @@ impl Checker<'_> {
             from: file.human.from,
             start_region: region?,
             body: body?,
-            search: file.search,
+            criteria: chosen.criteria,
+            clamping: chosen.clamping,
+            separation: chosen.separation,
+            search,
             baseline: baseline?,
             file: Arc::new(file),
         })

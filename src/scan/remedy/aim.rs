@@ -57,7 +57,7 @@ impl Aim {
     /// when they do depends on what is changed, and tells nothing; what they report may, too, and then the place tells.
     pub fn whose(&self, id: &str, met: &Member) -> Whose {
         let near = |known: &&Member| apart(known, met) <= TOGETHER_M;
-        let who = |kind: &Kind| (kind.robot.clone(), kind.part);
+        let who = |kind: &Kind| (kind.robot.clone(), kind.part, kind.criterion);
         let there = |known: &&Member| who(&known.kind) == who(&met.kind) && near(known);
         let alike = |known: &&Member| there(known) && known.kind.reporting == met.kind.reporting;
         if self.ids.contains(id) || self.own.iter().any(|known| alike(&known)) {
@@ -85,6 +85,7 @@ pub(super) fn member_of(cell: &Workcell, finding: &Finding) -> Member {
             part: Part::of(finding.contact.region),
             reporting: reports.map(|(sensor, _)| sensor.name.clone()).collect(),
             long: false,
+            criterion: finding.class.beside_force(),
         },
         person_m: [person.x, person.y],
         contact_m: [contact.x, contact.y],
@@ -98,7 +99,7 @@ mod tests {
     fn at(part: Part, reporting: &[&str], x: f64) -> Member {
         let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
         Member {
-            kind: Kind { robot: "r".to_owned(), part, reporting, long: false },
+            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None },
             person_m: [x, 0.0],
             contact_m: [x, 1.0],
         }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use toml::Spanned;
 
-use super::PoseTable;
+use super::{ContactTable, PoseTable};
 
 /// A robot arm.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -60,6 +60,14 @@ pub struct RobotTable {
     /// Collision shapes, each rigidly attached to a joint's moving side.
     #[serde(default, rename = "link")]
     pub links: Vec<LinkTable>,
+    /// What all its links are like where they touch that do not say it themselves: for the pressure.
+    #[serde(default)]
+    #[schemars(with = "Option<ContactTable>")]
+    pub contact: Option<Spanned<ContactTable>>,
+    /// The same of links by name, for instance of a URDF.
+    #[serde(default)]
+    #[schemars(with = "BTreeMap<String, ContactTable>")]
+    pub contacts: BTreeMap<String, Spanned<ContactTable>>,
     /// Optional FMU output that tells the phase of the robot programme (Integer or Boolean); part of a hazard's identity.
     #[serde(default)]
     #[schemars(with = "Option<String>")]
@@ -180,6 +188,10 @@ pub struct LinkTable {
     /// A mesh file in the joint frame; its convex hull, unless told otherwise.
     #[serde(default)]
     pub mesh: Option<MeshTable>,
+    /// What the shape is like where it touches: for the pressure.
+    #[serde(default)]
+    #[schemars(with = "Option<ContactTable>")]
+    pub contact: Option<Spanned<ContactTable>>,
 }
 
 /// A mesh file: STL or OBJ.

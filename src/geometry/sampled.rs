@@ -1,0 +1,138 @@
+//! The surface of a robot link as points with outward normals, close enough together that every point of it is near one.
+
+use std::f64::consts::{PI, TAU};
+
+use super::distance::perpendicular_to;
+use super::triangle::{Corners, normal};
+use super::{Capsule, Solid, Vec3};
+
+/// A point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePoint {
+    /// Where it is, world, m.
+    pub at: Vec3,
+    /// Unit vector outwards.
+    pub outward: Vec3,
+}
+
+/// Points of the surface; no point of it is farther than `within_m` from the nearest of them.
+#[must_use]
+pub fn surface_points(solid: &Solid, within_m: f64) -> Vec<SurfacePoint> {
+    let mut points = Vec::new();
+    match solid {
+        Solid::Capsule(capsule) => of_capsule(capsule, within_m, &mut points),
+        Solid::Hull(hull) => {
+            let (corners, triangles) = hull.shape().to_trimesh();
+            let pose = hull.pose();
+            for triangle in triangles {
+                of_triangle(&triangle.map(|corner| pose * corners[corner as usize]), within_m, &mut points);
+            }
+        }
+        Solid::Mesh(mesh) => {
+            let (triangles, pose) = (mesh.surface().triangles(), mesh.pose());
+            for triangle in 0..triangles.triangles.len() {
+                of_triangle(&triangles.corners(triangle).map(|corner| pose * corner), within_m, &mut points);
+            }
+        }
+    }
+    points
+}
+
+/// So many steps of at most `step` make `length`; one at least.
+fn steps(length: f64, step: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited, and never negative")]
+    let steps = (length / step).ceil().clamp(1.0, 10_000.0) as u32;
+    steps
+}
+
+/// Rings around the axis: along the core, and over both caps.
+fn of_capsule(capsule: &Capsule, within_m: f64, points: &mut Vec<SurfacePoint>) {
+    let (radius, along) = (capsule.radius, capsule.b - capsule.a);
+    // Rings so far apart, and points in a ring, that half of both is within reach.
+    let step = within_m * std::f64::consts::SQRT_2;
+    let axis = along.try_normalize().unwrap_or(Vec3::Z);
+    let x = perpendicular_to(axis, axis);
+    let y = axis.cross(x);
+    let mut ring = |centre: Vec3, out: f64, up: f64| {
+        let count = steps(TAU * radius * out, step);
+        for i in 0..count {
+            let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(count));
+            let outward = (x * cos + y * sin) * out + axis * up;
+            points.push(SurfacePoint { at: centre + outward * radius, outward });
+        }
+    };
+    let length = along.length();
+    if length > 0.0 {
+        let rings = steps(length, step);
+        for i in 0..=rings {
+            ring(capsule.a + along * (f64::from(i) / f64::from(rings)), 1.0, 0.0);
+        }
+    } else {
+        ring(capsule.a, 1.0, 0.0);
+    }
+    let rings = steps(0.5 * PI * radius, step);
+    for (centre, side) in [(capsule.a, -1.0), (capsule.b, 1.0)] {
+        for i in 1..=rings {
+            let (sin, cos) = libm::sincos(0.5 * PI * f64::from(i) / f64::from(rings));
+            ring(centre, if i == rings { 0.0 } else { cos }, side * sin);
+        }
+    }
+}
+
+/// A grid between two sides, corners included.
+fn of_triangle(corners: &Corners, within_m: f64, points: &mut Vec<SurfacePoint>) {
+    let Some(outward) = normal(corners).try_normalize() else { return };
+    let [a, b, c] = *corners;
+    let longest = (b - a).length().max((c - a).length()).max((c - b).length());
+    let count = steps(longest, within_m);
+    for i in 0..=count {
+        for j in 0..=count - i {
+            let at = a + (b - a) * (f64::from(i) / f64::from(count)) + (c - a) * (f64::from(j) / f64::from(count));
+            points.push(SurfacePoint { at, outward });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use rand_core::{Rng, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+    use crate::geometry::surface::{Surface, Triangles};
+    use crate::geometry::{Hull, Mesh, Pose, rotation_about, test_meshes};
+
+    /// Random points of the surface, found as the nearest to points around, are all near one that is told; and those lie on the
+    /// surface, with normals that lead out of it.
+    #[test]
+    fn every_point_of_a_surface_is_near_one() {
+        let pose = Pose::from_parts(Vec3::new(0.4, -0.2, 1.0), rotation_about(Vec3::new(0.6, 0.0, 0.8), 1.1));
+        let (corners, triangles) = test_meshes::cuboid([-0.2, -0.1, -0.05], [0.2, 0.1, 0.05]);
+        let corners: Vec<Vec3> = corners.into_iter().map(Vec3::from_array).collect();
+        let surface = Surface::new(Triangles::merged(&corners, &triangles)).unwrap();
+        let solids = [
+            Solid::Capsule(Capsule { a: Vec3::ZERO, b: Vec3::new(0.0, 0.1, 0.3), radius: 0.07 }),
+            Solid::Capsule(Capsule { a: Vec3::X, b: Vec3::X, radius: 0.05 }),
+            Solid::Hull(Hull::from_points(&corners).unwrap()),
+            Solid::Mesh(Mesh::new(Arc::new(surface), Pose::IDENTITY)),
+        ];
+        let mut random = Pcg64::seed_from_u64(5);
+        let mut unit = || f64::from(random.next_u32()) / f64::from(u32::MAX) * 2.0 - 1.0;
+        for solid in solids.map(|solid| solid.placed(pose)) {
+            let points = surface_points(&solid, 0.02);
+            for point in &points {
+                let near = |by: f64| solid.point_distance(point.at + point.outward * by).distance;
+                assert!(near(0.0).abs() < 1e-9 && near(0.01) > 0.0 && near(-0.01) < 0.0, "{point:?}");
+            }
+            let (centre, radius) = solid.bounding_sphere();
+            for _ in 0..3000 {
+                let around = centre + Vec3::new(unit(), unit(), unit()) * (1.5 * radius);
+                let near = solid.point_distance(around);
+                let apart = points.iter().map(|point| (point.at - near.on_second).length()).fold(f64::MAX, f64::min);
+                assert!(apart <= 0.02 + 1e-9, "{apart} m from {}", near.on_second);
+            }
+        }
+    }
+}
