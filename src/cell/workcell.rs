@@ -279,6 +279,26 @@ impl Zone {
 }
 
 impl Workcell {
+    /// Whether nothing but the transient force counts as unsafe.
+    #[must_use]
+    pub fn judges_by_force_alone(&self) -> bool {
+        let force = Criteria::default().with_speed(self.criteria.speed());
+        self.criteria == force && self.separation.is_none()
+    }
+
+    /// Links whose pressure is not known, where that counts: their names, each once.
+    #[must_use]
+    pub fn links_of_unknown_pressure(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        let unknown = self.links.iter().filter(|link| self.criteria.pressure && link.contact.surface.is_none());
+        for link in unknown {
+            if !names.contains(&link.name.as_str()) {
+                names.push(&link.name);
+            }
+        }
+        names
+    }
+
     /// The file's tables, for binding variables.
     #[must_use]
     pub fn file(&self) -> &CellFile {

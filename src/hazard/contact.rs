@@ -271,7 +271,9 @@ impl Contact {
     pub fn too_near(self, apart: Apart) -> Self {
         /// What is nearer than this counts as so near, m.
         const LEAST_M: f64 = 0.001;
-        let ratio = apart.required_m / self.distance_m.max(LEAST_M);
+        /// Ratios are not told beyond this.
+        const MOST: f64 = 1000.0;
+        let ratio = (apart.required_m / self.distance_m.max(LEAST_M)).min(MOST);
         Self { apart: Some(apart), class: Some(Class::Separation), ratio, ..self }
     }
 

@@ -34,6 +34,20 @@ pub struct Finding {
     pub through: Vec<Through>,
 }
 
+impl Finding {
+    /// Whether it is told rather than another one of the same action, with neither of which sequences end: a contact before a
+    /// distance, then the worse one, then this.
+    #[must_use]
+    pub fn outweighs(&self, other: &Self) -> bool {
+        let touches = |finding: &Self| finding.class == Class::MovingContact;
+        match (touches(self), touches(other)) {
+            (true, false) => true,
+            (false, true) => false,
+            _ => self.contact.ratio() >= other.contact.ratio(),
+        }
+    }
+}
+
 /// A plane that told of an arm, and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Through {

@@ -6,7 +6,9 @@ use std::collections::BTreeMap;
 
 use super::assessment::{Assessment, Assessments};
 use super::cause::Cause;
+use super::judged::Judged;
 use super::model::{Hazard, ScanReport};
+use crate::hazard::criterion::Class;
 use crate::standards::iso_13849::required_performance_level;
 
 /// What ISO 12100, Table B.1 calls what this program can find: group, origin, consequence.
@@ -72,6 +74,30 @@ const CAUSE_COLUMNS: [&str; 13] = [
     "smallest_change",
 ];
 
+/// Further columns of both tables where more or other counts than the transient force: what is broken worst, whether the part of
+/// the body can give way, what the limit is one of, what holds it, and the measure in words.
+const CRITERION_COLUMNS: [&str; 5] = ["criterion", "contact_kind", "limit_kind", "held_against", "measure_and_limit"];
+
+/// What they say of a hazard or a cause.
+fn criterion(class: Class, judged: Option<&Judged>, measure: String) -> Vec<String> {
+    let text = |value: Option<String>| value.unwrap_or_default();
+    vec![
+        class.name().to_owned(),
+        text(judged.map(|judged| judged.contact.name().to_owned())),
+        text(judged.map(|judged| judged.limit.name().to_owned())),
+        text(judged.and_then(|judged| judged.clamping.as_ref()).map(|clamping| clamping.against.clone())),
+        measure,
+    ]
+}
+
+/// What the part of the body suffers, as ISO 12100, Table B.1 calls it.
+const fn consequence(class: Class) -> &'static str {
+    match class {
+        Class::Clamping => "crushing",
+        _ => KIND[2],
+    }
+}
+
 /// The table of hazards, with a header.
 ///
 /// # Errors
@@ -79,7 +105,9 @@ const CAUSE_COLUMNS: [&str; 13] = [
 pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
     let cause_of: BTreeMap<&str, &str> =
         report.causes.iter().flat_map(|c| c.hazards.iter().map(|id| (id.as_str(), c.id.as_str()))).collect();
-    let header: Vec<&str> = [&["id", "cause", "cell"], &KIND_COLUMNS[..], &HAZARD_COLUMNS, &PERSON_COLUMNS].concat();
+    let more: &[&str] = if report.settings.criteria.is_some() { &CRITERION_COLUMNS } else { &[] };
+    let header: Vec<&str> =
+        [&["id", "cause", "cell"], &KIND_COLUMNS[..], &HAZARD_COLUMNS, &PERSON_COLUMNS, more].concat();
     let row = |hazard: &Hazard| {
         let cause = cause_of.get(hazard.id.as_str()).copied().unwrap_or_default();
         let person = assessments.get(&hazard.id).or_else(|| assessments.get(cause)).cloned().unwrap_or_default();
@@ -111,7 +139,12 @@ pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String,
             hazard.sequences.clone().unwrap_or_default(),
             hazard.confirmed.map_or_else(String::new, |yes| yes.to_string()),
         ];
-        whole([&hazard.id, cause, &report.subject.title()], own.to_vec(), &person)
+        let judged = hazard.judged.as_ref();
+        let mut row = whole([&hazard.id, cause, &report.subject.title()], hazard.class, own.to_vec(), &person);
+        if !more.is_empty() {
+            row.extend(criterion(hazard.class, judged, hazard.measure_words()));
+        }
+        row
     };
     written(&header, report.hazards.iter().map(row))
 }
@@ -121,7 +154,8 @@ pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String,
 /// # Errors
 /// Never: it is written to memory.
 pub fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
-    let header: Vec<&str> = [&["id", "cell"], &KIND_COLUMNS[..], &CAUSE_COLUMNS, &PERSON_COLUMNS].concat();
+    let more: &[&str] = if report.settings.criteria.is_some() { &CRITERION_COLUMNS } else { &[] };
+    let header: Vec<&str> = [&["id", "cell"], &KIND_COLUMNS[..], &CAUSE_COLUMNS, &PERSON_COLUMNS, more].concat();
     let row = |cause: &Cause| {
         let person = assessments.get(&cause.id).cloned().unwrap_or_default();
         let mut hit: Vec<&str> = Vec::new();
@@ -149,17 +183,21 @@ pub fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, 
             cause.worst.clone(),
             change.map(|change| change.change.clone()).collect(),
         ];
-        whole([&cause.id, &report.subject.title()], own.to_vec(), &person)
+        let mut row = whole([&cause.id, &report.subject.title()], cause.class, own.to_vec(), &person);
+        if !more.is_empty() {
+            row.extend(criterion(cause.class, cause.judged.as_ref(), cause.force_words()));
+        }
+        row
     };
     written(&header, report.causes.iter().map(row))
 }
 
 /// A row: what it is about, of which kind, its own columns, what people decided.
-fn whole<const N: usize>(first: [&str; N], own: Vec<String>, person: &Assessment) -> Vec<String> {
+fn whole<const N: usize>(first: [&str; N], class: Class, own: Vec<String>, person: &Assessment) -> Vec<String> {
     let level = required_performance_level(&person.severity, &person.exposure, &person.avoidance);
     let mut row: Vec<String> = first.map(str::to_owned).to_vec();
     row.push(person.task.clone());
-    row.extend(KIND.map(str::to_owned));
+    row.extend([KIND[0], KIND[1], consequence(class)].map(str::to_owned));
     row.extend(own);
     row.extend([&person.severity, &person.exposure, &person.avoidance].map(Clone::clone));
     row.push(level.map_or_else(String::new, String::from));

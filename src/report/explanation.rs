@@ -1,6 +1,8 @@
 //! A hazard explained: what happens in plain words, the force with its formula, numbers and sources, the safe speed, and
 //! what came of changes of the cell.
 
+mod others;
+
 use std::fmt::Write as _;
 
 use schemars::JsonSchema;
@@ -9,6 +11,7 @@ use serde::Serialize;
 use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
 use super::paragraph::{wrapped, wrapped_under};
+use crate::hazard::criterion::Class;
 use crate::human::{Action, Walk};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
@@ -90,7 +93,11 @@ impl Explanation {
             hazard.body_region,
             hazard.robot_link,
             hazard.ratio,
-            if hazard.body_region.permits_no_contact() { " (contact there is not allowed at all)" } else { "" }
+            if hazard.body_region.permits_no_contact() && hazard.class.beside_force().is_none() {
+                " (contact there is not allowed at all)"
+            } else {
+                ""
+            }
         );
         let mut say = |text: &str| out += &wrapped(text, "   ");
         let ([x, y], heading) = self.start;
@@ -103,8 +110,9 @@ impl Explanation {
             say(&format!("{} {}.", sensor.name, sensor.words()));
         }
         let arm = hazard.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
+        let meets = if hazard.class == Class::Separation { "nears" } else { "meets" };
         say(&format!(
-            "At {:.2} s the robot's {}, which moves at {:.2} m/s, meets the {}{arm} at ({:.2}, {:.2}, {:.2}) m. The person \
+            "At {:.2} s the robot's {}, which moves at {:.2} m/s, {meets} the {}{arm} at ({:.2}, {:.2}, {:.2}) m. The person \
              stands at ({:.2}, {:.2}) m then.",
             hazard.time_s,
             hazard.robot_link,
@@ -123,7 +131,9 @@ impl Explanation {
             let ahead = if *until_s > 0.0 { ", ahead of the body" } else { "" };
             say(&format!("The arm went past {sensor} {since_s:.2} s before{ahead}, on its way there."));
         }
-        self.force(&mut out);
+        if !self.other_criterion(&mut out) {
+            self.force(&mut out);
+        }
         out
     }
 

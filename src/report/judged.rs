@@ -18,6 +18,31 @@ pub enum ContactKind {
     None,
 }
 
+impl ContactKind {
+    /// As in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Transient => "transient",
+            Self::QuasiStatic => "quasi_static",
+            Self::None => "none",
+        }
+    }
+}
+
+impl LimitKind {
+    /// As in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Force => "force",
+            Self::Pressure => "pressure",
+            Self::Motion => "motion",
+            Self::Distance => "distance",
+        }
+    }
+}
+
 /// What the limit is one of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -32,6 +32,7 @@ pub mod baseline;
 pub mod campaign;
 pub mod cause;
 pub mod comparison;
+pub mod criteria;
 pub mod csv;
 pub mod difference;
 pub mod explanation;

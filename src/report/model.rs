@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cause::Cause;
+use super::criteria::CriteriaRecord;
 use super::judged::{Clamping, Judged, LimitKind, measure_words};
 use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Criterion, Group, finding};
@@ -66,6 +67,9 @@ pub struct ScanReport {
     pub standard_edition: &'static str,
     /// Tables of figures used, each with source, confidence and whether a person has verified it.
     pub tables: Vec<Table>,
+    /// What is not known of the cell, and so passes nobody.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unknown: Vec<String>,
     /// Things the user should know.
     pub warnings: Vec<String>,
 }
@@ -226,6 +230,9 @@ pub struct Settings {
     pub reach_tolerance_m: f64,
     /// Which speed makes the force that decides.
     pub speed_criterion: Criterion,
+    /// What counts as unsafe, where that is more or other than the transient force.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub criteria: Option<CriteriaRecord>,
     /// Of a scan from anywhere: how long after the FMU's own start it looked, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,

@@ -49,6 +49,12 @@ pub fn render(report: &ScanReport, view: View) -> String {
     for fault in &report.faults {
         out += &wrapped_to(view.width, "  Not evaluated  ", &fault.message);
     }
+    if let Some(criteria) = &report.settings.criteria {
+        out += &wrapped_to(view.width, "  Unsafe is ", &criteria.words());
+    }
+    for unknown in &report.unknown {
+        out += &wrapped_to(view.width, "  Not known ", unknown);
+    }
     for warning in &report.warnings {
         out += &wrapped_to(view.width, "  Note      ", warning);
     }

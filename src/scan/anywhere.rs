@@ -458,6 +458,12 @@ impl<'a> Looking<'a> {
                     .to_owned(),
             );
         }
+        if !self.prepared.cell.judges_by_force_alone() {
+            found.reasons.push(
+                "from anywhere the transient force alone is looked at: by the other criteria of the cell file nothing is excluded"
+                    .to_owned(),
+            );
+        }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {
             Verdict::HazardsFound

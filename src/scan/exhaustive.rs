@@ -15,7 +15,7 @@ use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
-use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Stopped, Told, exhaust};
+use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
 use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, State};
@@ -168,6 +168,12 @@ fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
     footing.least_audit() + steps + (expander.cost() - steps) / 16
 }
 
+/// A finding with the actions before it.
+fn after(prefixes: &Prefixes, finding: Finding) -> Finding {
+    let before = prefixes.calmest.iter().map(|&action| Action::ALL[usize::from(action)]);
+    Finding { actions: before.chain(finding.actions.iter().copied()).collect(), ..finding }
+}
+
 /// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
 pub(super) fn census(
     prepared: &Prepared,
@@ -188,10 +194,16 @@ pub(super) fn census(
     let mut faults = Vec::new();
     let outcome = exhaust(&mut watched, options.budget, &mut |told| match told {
         Told::Met(met) => {
-            let mut actions: Vec<Action> = met.prefixes.calmest.iter().map(|&a| Action::ALL[usize::from(a)]).collect();
-            actions.extend(&met.unsafe_state.actions);
-            let finding = Finding { actions, ..met.unsafe_state };
+            let finding = after(met.prefixes, met.unsafe_state);
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
+                return ControlFlow::Continue(());
+            };
+            groups
+                .get(&id)
+                .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
+        }
+        Told::Noted { unsafe_state, prefixes } => {
+            let Some(id) = groups.add(after(prefixes, unsafe_state), 0, links) else {
                 return ControlFlow::Continue(());
             };
             groups

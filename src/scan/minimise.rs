@@ -39,7 +39,7 @@ pub fn minimise<P: Plant>(
             }
             let found = run(simulation, &candidate)?;
             tried.insert(candidate);
-            let same = found.filter(|f| Identity::of(f, links) == *identity);
+            let same = found.into_iter().find(|f| Identity::of(f, links) == *identity);
             if let Some(found) = same.filter(|f| calmness(&f.actions) < calmness(&best.actions)) {
                 best = found;
                 continue 'again;
@@ -49,8 +49,8 @@ pub fn minimise<P: Plant>(
     }
 }
 
-/// The unsafe contact that a sequence leads to.
-fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<Option<Finding>, PlantError> {
+/// What is unsafe in a sequence.
+fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<Vec<Finding>, PlantError> {
     simulation.reset()?;
     let _ = simulation.take_findings();
     for action in actions {
@@ -58,7 +58,8 @@ fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<O
             break;
         }
     }
-    Ok(simulation.take_findings().into_iter().find(|f| actions.starts_with(&f.actions)))
+    let findings = simulation.take_findings();
+    Ok(findings.into_iter().filter(|f| actions.starts_with(&f.actions)).collect())
 }
 
 /// What may be shorter or calmer, the most daring first.

@@ -36,6 +36,7 @@ mod attempts;
 pub mod campaign;
 pub mod causes;
 pub mod comparison;
+mod contact_stop;
 pub mod exhaustive;
 pub mod explain;
 pub mod film;

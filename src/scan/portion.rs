@@ -31,7 +31,7 @@ pub fn portion(
         .with_journal(Journal::of_part(share));
     let account = exhaust(&mut expander, how.budget, &mut |told| match told {
         Told::Progress { depth, done, of, cost } => tell(Progress::Level { depth, done, of, hazards: 0, cost }),
-        Told::Working | Told::Met(_) | Told::Failed { .. } => tell(Progress::Working),
+        Told::Working | Told::Met(_) | Told::Noted { .. } | Told::Failed { .. } => tell(Progress::Working),
     });
     match account {
         Ok(account) if account.stopped == Stopped::Asked => Ok(None),

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::contact_stop::travel_after_contact;
 use super::hosting::{Hosting, Source, StateChoice};
 use super::prepare_error::PrepareError;
 use super::stop_time;
@@ -144,7 +145,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         couplings,
     };
     free_start?;
-    Ok(Prepared {
+    Prepared {
         cell,
         text,
         binding,
@@ -159,7 +160,8 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         wiring,
         suspicions: Vec::new(),
         unsteady,
-    })
+    }
+    .knowing_contact_stop()
 }
 
 /// The files that the cell's robots come from, and the system that its FMUs come in.
@@ -288,7 +290,7 @@ impl Prepared {
             fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
         free_start?;
         let source = self.source.with_setup(setup);
-        Ok(Self {
+        Self {
             subject: Subject {
                 cell: cell.name.clone(),
                 beginning: told_beginning(&cell),
@@ -309,7 +311,25 @@ impl Prepared {
             wiring: self.wiring.clone(),
             suspicions: Vec::new(),
             unsteady: self.unsteady.clone(),
-        })
+        }
+        .knowing_contact_stop()
+    }
+
+    /// The same with how far links go on after a contact, where that is to be found out.
+    fn knowing_contact_stop(mut self) -> Result<Self, PrepareError> {
+        let Some(signal) = self.cell.clamping.signal.clone() else { return Ok(self) };
+        let travel = travel_after_contact(&self, &signal).map_err(PrepareError::FirstRun)?;
+        match travel {
+            Some(travel_m) => {
+                let cell = Workcell { travel_after_contact_m: travel_m, ..Workcell::clone(&self.cell) };
+                self.cell = Arc::new(cell);
+            }
+            None => self.suspicions.push(format!(
+                "the contact signal `{signal}` does not stop the robots: after it was set they still moved for 5 s. Gaps are looked at \
+                 as they are at each instant"
+            )),
+        }
+        Ok(self)
     }
 
     /// What the user should know of the cell file.

@@ -8,15 +8,19 @@ use super::footing::not_repeatable;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
+use crate::cell::Workcell;
+use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
+use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
 use crate::report::model::{
     FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::report::speeds::Speeds;
 use crate::sim::journal::Journal;
-use crate::standards::tables::tables;
+use crate::standards::provenance::Table;
+use crate::standards::tables;
 
 /// A finished scan.
 pub struct Scanned {
@@ -109,13 +113,19 @@ pub fn scan_with(
             coverage.arm_checks_incomplete
         ));
     }
+    let unknown = unknown(prepared);
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
     } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.not_evaluated() {
         Verdict::FmuFailed
     } else if interrupted && !timed_out {
         Verdict::Interrupted
-    } else if (timed_out && quick_cut) || vacuous.is_some() || unsteady.is_some() || speeds.refusal().is_some() {
+    } else if !unknown.is_empty()
+        || (timed_out && quick_cut)
+        || vacuous.is_some()
+        || unsteady.is_some()
+        || speeds.refusal().is_some()
+    {
         Verdict::Inconclusive
     } else {
         Verdict::NoneFound
@@ -151,10 +161,54 @@ pub fn scan_with(
         faults,
         self_test: prepared.self_test.clone(),
         standard_edition: STANDARD_EDITION,
-        tables: tables().collect(),
+        tables: used(&prepared.cell),
+        unknown,
         warnings,
     };
     Ok(Scanned { report, rung, effort, remembered })
+}
+
+/// The tables behind what counts in a cell.
+fn used(cell: &Workcell) -> Vec<Table> {
+    let clamping = tables::of_clamping().filter(|_| cell.criteria.clamping);
+    let pressure = tables::of_pressure().filter(|_| cell.criteria.pressure);
+    tables::of_every_scan().chain(clamping).chain(pressure).collect()
+}
+
+/// What no search can know, and so passes nobody.
+fn unknown(prepared: &Prepared) -> Vec<String> {
+    let links = prepared.cell.links_of_unknown_pressure();
+    if links.is_empty() {
+        return Vec::new();
+    }
+    let (says, it) = if links.len() == 1 { ("does not say", "it") } else { ("do not say", "them") };
+    vec![format!(
+        "pressure: {} {says} how small the surface is that touches (contact in the cell file), so no pressure by {it} is excluded",
+        links.join(", ")
+    )]
+}
+
+/// What counts as unsafe, where that is more or other than the transient force.
+pub(super) fn criteria(cell: &Workcell) -> Option<CriteriaRecord> {
+    (!cell.judges_by_force_alone()).then(|| CriteriaRecord {
+        transient_force: cell.criteria.transient_force,
+        clamping: cell.criteria.clamping.then(|| ClampingRecord {
+            contact_signal: cell.clamping.signal.clone(),
+            travel_after_contact_m: cell.travel_after_contact_m.iter().copied().fold(0.0, f64::max),
+        }),
+        pressure: cell.criteria.pressure,
+        moving_contact_faster_than_m_s: cell.criteria.moving_contact_m_s,
+        separation: cell.separation.as_ref().map(|separation| SeparationTerms {
+            stop: match &separation.stop {
+                Stop::Measured(name) => Some(name.clone()),
+                Stop::Stated { .. } => None,
+            },
+            intrusion_m: separation.intrusion_m,
+            person_uncertainty_m: separation.person_uncertainty_m,
+            robot_uncertainty_m: separation.robot_uncertainty_m,
+            approach_m_s: separation.approach_m_s,
+        }),
+    })
 }
 
 fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {
@@ -170,6 +224,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
         speed_criterion: prepared.cell.search.criterion,
+        criteria: criteria(&prepared.cell),
         until_s: None,
     }
 }

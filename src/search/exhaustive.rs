@@ -30,6 +30,8 @@ pub struct Expanded<S, U> {
     pub next: Vec<S>,
     /// What each action does.
     pub effects: Vec<Effect<U>>,
+    /// What is unsafe on the way of an action without ending it: the action, and what is known of it.
+    pub noted: Vec<(usize, U)>,
 }
 
 /// Expanded states of an [`Expansion`], in the order in which they were asked for.
@@ -134,6 +136,13 @@ pub enum Told<'a, U> {
     Working,
     /// An unsafe state.
     Met(Met<'a, U>),
+    /// Something unsafe with which sequences do not end.
+    Noted {
+        /// What it is.
+        unsafe_state: U,
+        /// The sequences before it.
+        prefixes: &'a Prefixes,
+    },
     /// An action that could not be evaluated.
     Failed {
         /// Why.
@@ -279,6 +288,9 @@ pub fn exhaust<E: Expansion>(
                 return Ok(account);
             };
             for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
+                for (_, unsafe_state) in expanded.noted {
+                    let _ = tell(Told::Noted { unsafe_state, prefixes });
+                }
                 for (action, effect) in expanded.effects.into_iter().enumerate() {
                     match effect {
                         Effect::To(_) if depth + 1 == horizon => account.harmless += &prefixes.count,

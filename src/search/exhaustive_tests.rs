@@ -64,6 +64,7 @@ impl Expansion for Ring {
         let expand = |field: i64| Expanded {
             next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
             effects: (0..MOVES.len()).map(|a| Self::effect(depth, field, a)).collect(),
+            noted: Vec::new(),
         };
         Ok(Some(states.iter().map(|s| expand(**s)).collect()))
     }

@@ -26,6 +26,10 @@ impl RobotBounds {
     /// The bounds that follow from a cell.
     #[must_use]
     pub fn new(cell: &Workcell) -> Self {
+        // How far a robot has to stay away is known from its stops only.
+        if cell.separation.is_some() {
+            return Self { balls: None };
+        }
         let ball = |(index, robot): (usize, &Robot)| {
             let links: Vec<&Link> = cell.links.iter().filter(|l| l.robot == index).collect();
             bound(robot, &links)

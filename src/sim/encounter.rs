@@ -420,6 +420,24 @@ impl Encounter {
         }
     }
 
+    /// Part of the body and link as they are, however far apart, where no obstacle is between.
+    pub(super) fn approach(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        (part, capsule): (BodyPart, &Capsule),
+        link: usize,
+    ) -> Option<Contact> {
+        let near = frame.links[link].segment_distance(capsule.a, capsule.b);
+        let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
+        let distance = near.distance - capsule.radius;
+        if distance > 0.0 && self.blocked(on_body, near.on_second) {
+            return None;
+        }
+        let pair = Pair { distance, part, capsule: *capsule, link, on_body, on_robot: near.on_second };
+        Some(Contact::new(&touch_of_body(person, frame, &pair), frame.strike(link)))
+    }
+
     /// The contacts of a part of the body with a link: as somebody who can give way, and where they cannot.
     fn body_contacts(&self, person: &Person, frame: &RobotFrame, pair: &Pair) -> impl Iterator<Item = Contact> {
         let strike = frame.strike(pair.link);

@@ -204,7 +204,7 @@ impl<P: Plant> Expander<P> {
         ahead: &Ahead,
         pending: &mut Vec<Pending>,
     ) -> Result<(Expanded<State, Finding>, Vec<Transition>), PlantError> {
-        let mut expanded = Expanded { next: Vec::new(), effects: Vec::new() };
+        let mut expanded = Expanded { next: Vec::new(), effects: Vec::new(), noted: Vec::new() };
         let mut transitions: Vec<Transition> = Vec::new();
         let per_action = self.world.cell.steps_per_action;
         let last = depth + 1 == self.horizon();
@@ -331,8 +331,19 @@ impl<P: Plant> Expansion for Expander<P> {
                 let finding = self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
                 let Some(finding) = finding else { return true };
                 let finding = Finding { actions: vec![p.action], ..finding };
-                expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);
-                false
+                let noted = &mut expanded[p.state].noted;
+                let known = noted.iter().position(|(action, _)| *action == p.action.index());
+                if finding.class.ends() {
+                    known.map(|known| noted.remove(known));
+                    expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);
+                    return false;
+                }
+                match known {
+                    Some(known) if noted[known].1.outweighs(&finding) => {}
+                    Some(known) => noted[known].1 = finding,
+                    None => noted.push((p.action.index(), finding)),
+                }
+                true
             });
         }
         Ok(Some(expanded))

@@ -21,6 +21,7 @@ use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, HadTold, Hit, Sensed, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
+use crate::hazard::Class;
 use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
@@ -320,7 +321,7 @@ impl Imagination {
             let stance = world.stance(&walked, i, action.posture(), sensed);
             let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
             let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
-            if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some()) {
+            if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some_and(Class::ends)) {
                 met = Some(niche(&hit, world.position(&stance.place)));
                 break;
             }

@@ -10,6 +10,8 @@ use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
 use super::world::{Earlier, Frames, HadTold, Window, World};
 use crate::cell::binding::SensorBinding;
+use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::human::Place;
 
@@ -17,6 +19,9 @@ use crate::human::Place;
 /// that all are forgotten and worked out again when they are needed.
 const MOTIONS_KEPT: usize = 200_000;
 const DIFFERENT_KEPT: usize = 50_000;
+
+/// So many actions of 0.2 s are waited for robots to stand, 5 s; then they count as not stopping.
+const MOST_ACTIONS_UNTIL_STILL: usize = 25;
 
 /// A plane that tells of an arm: the steps, counted from the start of an action, in which its input is active besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -80,6 +85,8 @@ pub(super) struct Robots<P: Plant> {
     of_several: BTreeMap<(NodeId, Box<[Told]>), Shadow>,
     /// What the FMU said when it first could not finish such a run.
     unfinished: Option<String>,
+    /// What stops take, by the state and the step of the action into it.
+    stops: BTreeMap<(NodeId, usize), Arc<Stopping>>,
     /// States that were reached since they were last taken.
     reached: BTreeSet<NodeId>,
     /// How told speeds are compared with the motion, and what was seen of that in all frames.
@@ -99,6 +106,7 @@ impl<P: Plant> Robots<P> {
             shadows: Vec::new(),
             of_several: BTreeMap::new(),
             unfinished: None,
+            stops: BTreeMap::new(),
             reached: BTreeSet::new(),
             comparison,
             motion: Motion::default(),
@@ -178,6 +186,81 @@ impl<P: Plant> Robots<P> {
         let step = actions * self.world.cell.steps_per_action + 1;
         self.comparison.look(&rows, step.saturating_sub(new), new, &mut self.motion);
         self.motion.look_at_links(frames, step);
+    }
+
+    /// What a stop takes that is commanded after step `i` of the action into `node`; nothing where separation does not count, or the
+    /// figures are stated and a sensor has `told` of the person.
+    pub(super) fn stopping(&mut self, node: NodeId, i: usize, told: bool) -> Result<Option<Arc<Stopping>>, PlantError> {
+        let world = Arc::clone(&self.world);
+        let Some(separation) = &world.cell.separation else { return Ok(None) };
+        if node == NodeId::ROOT {
+            return Ok(None);
+        }
+        let frames = self.frames(node);
+        match (&separation.stop, world.stop_command) {
+            (Stop::Stated { .. }, _) if told => Ok(None),
+            (Stop::Stated { reaction_s, stop_time_s, stop_distance_m }, _) => {
+                let travel = |speed: &f64| speed * reaction_s + stop_distance_m;
+                let travel_m = frames[i].speed_bounds.iter().map(travel).collect();
+                Ok(Some(Arc::new(Stopping { time_s: reaction_s + stop_time_s, travel_m })))
+            }
+            (Stop::Measured(_), Some(command)) => {
+                if let Some(known) = self.stops.get(&(node, i)) {
+                    return Ok(Some(Arc::clone(known)));
+                }
+                let stopping = Arc::new(self.run_until_still(node, i, command)?);
+                if self.stops.len() >= MOTIONS_KEPT {
+                    self.stops.clear();
+                }
+                self.stops.insert((node, i), Arc::clone(&stopping));
+                Ok(Some(stopping))
+            }
+            (Stop::Measured(name), None) => Err(PlantError::of(format!("`{name}` is no input of the FMU"))),
+        }
+    }
+
+    /// Runs the FMU on after step `i` of the action into `node`, with an input at a value, until all robots stand.
+    fn run_until_still(
+        &mut self,
+        node: NodeId,
+        i: usize,
+        (column, value): (usize, f64),
+    ) -> Result<Stopping, PlantError> {
+        let (per_action, width) = (self.world.cell.steps_per_action, self.world.binding.inputs.len());
+        let mut inputs = self.recall.inputs(node);
+        inputs.chunks_mut(width).skip(i + 1).for_each(|row| row[column] = value);
+        let mut held: Vec<f64> = inputs[inputs.len() - width..].to_vec();
+        held[column] = value;
+        let held = held.repeat(per_action);
+        let links = self.world.cell.links.len();
+        let never = || Stopping { time_s: f64::INFINITY, travel_m: vec![f64::INFINITY; links] };
+        let parent = self.recall.parent(node);
+        let mut at = match self.recall.advance(parent, per_action, &inputs)? {
+            Advanced::To(at) => at,
+            // What the FMU would do is not known: as if it did not stop.
+            Advanced::Fault(_) => return Ok(never()),
+        };
+        let mut since: Vec<Arc<RobotFrame>> = self.frames(at).iter().skip(i + 1).cloned().collect();
+        for _ in 0..MOST_ACTIONS_UNTIL_STILL {
+            let still = |frame: &Arc<RobotFrame>| frame.fastest <= STANDSTILL_M_S;
+            if since.len() >= per_action && since[since.len() - per_action..].iter().all(still) {
+                let moving = since.iter().rposition(|frame| !still(frame)).map_or(0, |last| last + 1);
+                #[expect(clippy::cast_precision_loss, reason = "a few hundred steps")]
+                let time_s = moving as f64 * self.world.cell.step_s;
+                let mut travel_m = vec![0.0; self.world.cell.links.len()];
+                for frame in &since[..moving] {
+                    let steps = travel_m.iter_mut().zip(&frame.speed_bounds);
+                    steps.for_each(|(travel, speed)| *travel += speed * self.world.cell.step_s);
+                }
+                return Ok(Stopping { time_s, travel_m });
+            }
+            at = match self.recall.advance(at, per_action, &held)? {
+                Advanced::To(at) => at,
+                Advanced::Fault(_) => return Ok(never()),
+            };
+            since.extend(self.frames(at).iter().cloned());
+        }
+        Ok(never())
     }
 
     /// What was seen so far of the robots' motion.
@@ -311,6 +394,7 @@ impl<P: Plant> Robots<P> {
         }
         self.motions.clear();
         self.different.clear();
+        self.stops.clear();
         self.reached.clear();
         self.recall.release_before(depth);
     }
@@ -321,11 +405,13 @@ pub(super) struct Instead<'a, P: Plant> {
     robots: &'a mut Robots<P>,
     node: NodeId,
     i: usize,
+    /// Whether a sensor reports the person then.
+    told: bool,
 }
 
 impl<'a, P: Plant> Instead<'a, P> {
-    pub(super) const fn new(robots: &'a mut Robots<P>, node: NodeId, i: usize) -> Self {
-        Self { robots, node, i }
+    pub(super) const fn new(robots: &'a mut Robots<P>, node: NodeId, i: usize, told: bool) -> Self {
+        Self { robots, node, i, told }
     }
 
     /// The state of the FMU had planes told of an arm in these windows.
@@ -347,5 +433,9 @@ impl<P: Plant> Earlier for Instead<'_, P> {
     fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, PlantError> {
         let node = self.node_for(windows)?;
         Ok(node.map(|node| self.robots.frames(node)))
+    }
+
+    fn stopping(&mut self) -> Result<Option<Arc<Stopping>>, PlantError> {
+        self.robots.stopping(self.node, self.i, self.told)
     }
 }

@@ -403,10 +403,11 @@ impl<P: Plant> Simulation<P> {
         }
         let unfinished = coverage.arm_runs_not_evaluated;
         let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
-        let evaluated = hit.is_some() || coverage.arm_runs_not_evaluated == unfinished;
+        let ends = hit.as_ref().is_some_and(|finding| finding.class.ends());
+        let evaluated = ends || coverage.arm_runs_not_evaluated == unfinished;
         let last = walked.places.len() - 1;
-        let (reward, end) = if let Some(finding) = hit {
-            findings.push(finding);
+        findings.extend(hit);
+        let (reward, end) = if ends {
             (UNSAFE_REWARD, Some(End::Unsafe))
         } else if self.state.actions.len() + 1 < self.horizon() {
             (0.0, None)
@@ -491,16 +492,24 @@ impl<P: Plant> Simulation<P> {
         coverage: &mut Coverage,
     ) -> Result<Option<Finding>, PlantError> {
         let frames = self.robots.frames(node);
+        // What does not end the action is told unless something does.
+        let mut noted: Option<Finding> = None;
         for i in 0..frames.len() {
             let stance = self.world.stance(walked, i, action.posture(), sensed);
-            let mut earlier = Instead::new(&mut self.robots, node, i);
+            let told = self.world.any_reports(&sensed.readings[i], &frames[i]);
+            let mut earlier = Instead::new(&mut self.robots, node, i, told);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
             let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);
-            let Some(finding) = finding else { continue };
-            return Ok(Some(Finding { actions: vec![action], ..finding }));
+            let Some(finding) = finding.map(|finding| Finding { actions: vec![action], ..finding }) else { continue };
+            if finding.class.ends() {
+                return Ok(Some(finding));
+            }
+            if noted.as_ref().is_none_or(|noted| !noted.outweighs(&finding)) {
+                noted = Some(finding);
+            }
         }
-        Ok(None)
+        Ok(noted)
     }
 }
 

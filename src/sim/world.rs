@@ -18,13 +18,15 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::geometry::{Cuboid, Vec3};
+use crate::hazard::contact::{Apart, STANDSTILL_M_S};
+use crate::hazard::criterion::separation::{Separation, Stop, Stopping};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Side, posture, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
-use crate::stop::Stop;
+use crate::stop::Stop as WorkStop;
 
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
@@ -146,6 +148,14 @@ pub trait Earlier {
     /// # Errors
     /// When the FMU fails.
     fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Self::Error>;
+
+    /// What a stop takes that is commanded at the instant; nothing where that does not matter.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    fn stopping(&mut self) -> Result<Option<Arc<Stopping>>, Self::Error> {
+        Ok(None)
+    }
 }
 
 /// The robots after step `i` of an action, and what there is to know of them.
@@ -180,26 +190,53 @@ pub struct World {
     body_reach_m: f64,
     /// How far bends get.
     bends: Memo<(Place, Posture), BendFraction>,
+    /// The same with moving contacts as what is looked for, where they count.
+    moving: Option<Box<World>>,
+    /// The input that stops the robots, and its value then, where separation counts.
+    pub(super) stop_command: Option<(usize, f64)>,
 }
 
 impl World {
     /// What follows from a cell and its variables.
     #[must_use]
     pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>) -> Self {
+        let moving = cell.criteria.moving_contact_m_s.map(|limit_m_s| {
+            let judge = Judge::Moving(limit_m_s.max(STANDSTILL_M_S));
+            Box::new(Self::looking_for(Arc::clone(&cell), Arc::clone(&binding), judge))
+        });
+        Self { moving, ..Self::looking_for(cell, binding, Judge::Ending) }
+    }
+
+    fn looking_for(cell: Arc<Workcell>, binding: Arc<Binding>, judge: Judge) -> Self {
         let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
         let encounter = Encounter {
             obstacles: boxes.clone(),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
-            judge: Judge::Ending,
-            clamping: cell.criteria.clamping.then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
-            stop: Stop::default(),
+            judge,
+            clamping: (cell.criteria.clamping && judge == Judge::Ending)
+                .then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
+            stop: WorkStop::default(),
         };
         let body_reach_m = cell.body.reach_from_one_metre(0.0);
+        let stop_command = match &cell.separation {
+            Some(Separation { stop: Stop::Measured(name), .. }) => binding.command(&cell, name),
+            _ => None,
+        };
         let (curtains, neighbours) = (Vec::new(), Vec::new());
-        let mut world =
-            Self { cell, binding, encounter, boxes, curtains, neighbours, body_reach_m, bends: Memo::new() };
+        let mut world = Self {
+            cell,
+            binding,
+            encounter,
+            boxes,
+            curtains,
+            neighbours,
+            body_reach_m,
+            bends: Memo::new(),
+            moving: None,
+            stop_command,
+        };
         world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
         let (curtains, reach) = (&world.curtains, world.encounter.arm.reach());
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
@@ -209,13 +246,14 @@ impl World {
 
     /// The same, but its searches end when `stop` says so: then what they find says nothing.
     #[must_use]
-    pub fn heeding(mut self, stop: Stop) -> Self {
+    pub fn heeding(mut self, stop: WorkStop) -> Self {
+        self.moving = self.moving.map(|moving| Box::new(moving.heeding(stop.clone())));
         self.encounter.stop = stop;
         self
     }
 
     /// When searches have to end.
-    pub(super) const fn stop(&self) -> &Stop {
+    pub(super) const fn stop(&self) -> &WorkStop {
         &self.encounter.stop
     }
 
@@ -224,6 +262,7 @@ impl World {
     #[must_use]
     pub fn content_with_any(mut self) -> Self {
         self.encounter.worst = false;
+        self.moving = self.moving.map(|moving| Box::new(moving.content_with_any()));
         self
     }
 
@@ -410,10 +449,82 @@ impl World {
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
         coverage.contact_checks += 1;
-        if !self.near(&stance.place, &frames[i]) {
+        if !self.near(&stance.place, &frames[i]) && self.cell.separation.is_none() {
             return Ok(None);
         }
-        self.contact_near(&self.person(stance), stance, (frames, i), true, earlier, coverage)
+        let person = self.person(stance);
+        if self.near(&stance.place, &frames[i])
+            && let Some(hit) = self.contact_near(&person, stance, (frames, i), true, earlier, coverage)?
+        {
+            return Ok(Some(hit));
+        }
+        self.passing(&person, stance, (frames, i), earlier, coverage)
+    }
+
+    /// What is unsafe after step `i` of an action without ending it: a moving contact, or a robot that is too near.
+    fn passing<E: Earlier>(
+        &self,
+        person: &Person,
+        stance: &Stance,
+        (frames, i): (&Frames, usize),
+        earlier: &mut E,
+        coverage: &mut Coverage,
+    ) -> Result<Option<Hit>, E::Error> {
+        if let Some(moving) = &self.moving
+            && self.near(&stance.place, &frames[i])
+        {
+            // What was counted is counted.
+            let mut own = Coverage::new(self.cell.sensors.len());
+            let hit = moving.contact_near(person, stance, (frames, i), true, earlier, &mut own)?;
+            coverage.arm_checks += own.arm_checks;
+            coverage.arm_boxes += own.arm_boxes;
+            coverage.arm_checks_incomplete += own.arm_checks_incomplete;
+            if hit.is_some() {
+                return Ok(hit);
+            }
+        }
+        match (&self.cell.separation, earlier.stopping()?) {
+            (Some(separation), Some(stopping)) => Ok(self.too_near(person, &frames[i], separation, &stopping)),
+            _ => Ok(None),
+        }
+    }
+
+    /// The pair of trunk, head or legs and a link that lacks most of the protective separation distance, while some robot moves;
+    /// what an obstacle is between does not count.
+    fn too_near(
+        &self,
+        person: &Person,
+        frame: &RobotFrame,
+        separation: &Separation,
+        stopping: &Stopping,
+    ) -> Option<Hit> {
+        let mut worst: Option<(f64, Contact)> = None;
+        for link in (0..frame.links.len()).filter(|link| frame.speed_bounds[*link] > STANDSTILL_M_S) {
+            let required_m = separation.required_m(stopping.time_s, stopping.travel_m[link]);
+            let (centre, radius) = frame.links[link].bounding_sphere();
+            for &(part, capsule) in person.body.parts() {
+                let middle = (capsule.a + capsule.b) * 0.5;
+                let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
+                let lacks = worst.as_ref().map_or(0.0, |worst| worst.0);
+                if required_m - ((centre - middle).length() - radius - half) <= lacks {
+                    continue;
+                }
+                let Some(contact) = self.encounter.approach(person, frame, (part, &capsule), link) else { continue };
+                let missing = required_m - contact.distance_m;
+                if missing > lacks || (worst.is_none() && missing > 0.0) {
+                    let stops_after_s = stopping.time_s;
+                    let apart = Apart { required_m, stops_after_s, travel_m: stopping.travel_m[link] };
+                    worst = Some((missing, contact.too_near(apart)));
+                }
+            }
+        }
+        worst.map(|(_, contact)| Hit::new((contact, None), frame))
+    }
+
+    /// Whether any sensor reports the person.
+    #[must_use]
+    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
+        (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
     }
 
     /// The same for one stance and several instants, each with its own robots. One search often settles many of them.
@@ -422,6 +533,28 @@ impl World {
     /// # Errors
     /// What `earlier` reports; it is asked only where there are light curtains.
     pub(super) fn contacts<E: Earlier>(
+        &self,
+        stance: &Stance,
+        posed: &mut Option<Person>,
+        instants: &mut [Instant<'_, E>],
+        coverage: &mut Coverage,
+    ) -> Result<Vec<Option<Hit>>, E::Error> {
+        let mut hits = self.ending_contacts(stance, posed, instants, coverage)?;
+        if self.moving.is_none() && self.cell.separation.is_none() {
+            return Ok(hits);
+        }
+        let person = posed.take().unwrap_or_else(|| self.person(stance));
+        let person = Person { velocity: self.velocity(stance), ..person };
+        for (hit, instant) in hits.iter_mut().zip(instants).filter(|(hit, _)| hit.is_none()) {
+            let Instant { frames, i, earlier } = instant;
+            *hit = self.passing(&person, stance, (frames, *i), earlier, coverage)?;
+        }
+        *posed = Some(person);
+        Ok(hits)
+    }
+
+    /// Those that end an action.
+    fn ending_contacts<E: Earlier>(
         &self,
         stance: &Stance,
         posed: &mut Option<Person>,

@@ -22,7 +22,7 @@ use crate::scan::prepare::Prepared;
 use crate::scan::run::Scanned;
 use crate::sim::Coverage;
 use crate::sim::expansion::Merge;
-use crate::standards::tables::tables;
+use crate::standards::tables::of_every_scan;
 
 /// Hazards that a run of their own has shown.
 #[derive(Debug, Default)]
@@ -113,7 +113,8 @@ impl Looked {
             faults: Vec::new(),
             self_test: prepared.self_test.clone(),
             standard_edition: STANDARD_EDITION,
-            tables: tables().collect(),
+            tables: of_every_scan().collect(),
+            unknown: Vec::new(),
         };
         Scanned { report, rung, effort: rest.did, remembered: 0 }
     }
@@ -134,6 +135,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: search.reach_tolerance_m,
         speed_criterion: search.criterion,
+        criteria: None,
         until_s: Some(found.until_s),
     }
 }

@@ -6,6 +6,7 @@ use std::convert::Infallible;
 use std::sync::Arc;
 
 use super::{Expander, Pending, Transition};
+use crate::hazard::criterion::separation::Stopping;
 use crate::host::{NodeId, Plant, PlantError};
 use crate::human::Place;
 use crate::human::walk::WalkTrace;
@@ -21,6 +22,8 @@ pub(super) struct Situation {
     pub(super) i: usize,
     /// By the windows in which they told.
     earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
+    /// What a stop takes from then on, where separation counts.
+    stopping: Option<Arc<Stopping>>,
 }
 
 impl Situation {
@@ -42,12 +45,24 @@ impl Situation {
                 }
             }
         }
+        if let Some(stopping) = &self.stopping {
+            digest.numbers(bits_of(stopping).into_iter());
+        }
         digest.key()
     }
 }
 
+/// What tells stops apart.
+fn bits_of(stopping: &Stopping) -> Vec<u64> {
+    std::iter::once(stopping.time_s).chain(stopping.travel_m.iter().copied()).map(f64::to_bits).collect()
+}
+
 impl Earlier for &Situation {
     type Error = Infallible;
+
+    fn stopping(&mut self) -> Result<Option<Arc<Stopping>>, Infallible> {
+        Ok(self.stopping.clone())
+    }
 
     fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Infallible> {
         Ok(self.earlier.get(windows).cloned().unwrap_or(HadTold::BeforeTime))
@@ -61,9 +76,9 @@ pub(super) struct Situations {
     asked: BTreeMap<Vec<Asked>, usize>,
     windows: Vec<Vec<Vec<Window>>>,
     /// By the number of the windows, then those of the frames ([`Moved::numbers`]).
-    numbers: BTreeMap<(usize, Vec<u32>), usize>,
-    /// At one step, by node and the number of the windows.
-    known: BTreeMap<(NodeId, usize), usize>,
+    numbers: BTreeMap<(usize, Vec<u32>, Vec<u64>), usize>,
+    /// At one step, by node, the number of the windows, and whether a sensor reports somebody.
+    known: BTreeMap<(NodeId, usize, bool), usize>,
     pub(super) all: Vec<Situation>,
 }
 
@@ -94,14 +109,16 @@ impl<P: Plant> Expander<P> {
     ) -> Result<usize, PlantError> {
         let asked = self.world.windows_that_may_matter(place, &transition.sensed.broken[i]);
         let asked = situations.windows(asked, &self.world.neighbours);
-        if let Some(number) = situations.known.get(&(transition.node, asked)) {
+        let told = self.world.any_reports(&transition.sensed.readings[i], &transition.frames[i]);
+        if let Some(number) = situations.known.get(&(transition.node, asked, told)) {
             return Ok(*number);
         }
+        let stopping = self.robots.stopping(transition.node, i, told)?;
         let windows = &situations.windows[asked];
         let mut shadows: Vec<Shadow> = Vec::with_capacity(windows.len());
         let mut numbers = vec![self.robots.moved(transition.node).numbers[i]];
         for windows in windows {
-            let shadow = Instead::new(&mut self.robots, transition.node, i).node_for(windows)?;
+            let shadow = Instead::new(&mut self.robots, transition.node, i, told).node_for(windows)?;
             numbers.push(match &shadow {
                 Shadow::Is(node) => self.robots.moved(*node).numbers[i],
                 Shadow::Unfinished => UNFINISHED,
@@ -109,7 +126,8 @@ impl<P: Plant> Expander<P> {
             });
             shadows.push(shadow);
         }
-        let key = (asked, numbers);
+        let stop = stopping.as_deref().map(bits_of).unwrap_or_default();
+        let key = (asked, numbers, stop);
         let number = match situations.numbers.get(&key) {
             Some(number) => *number,
             None => {
@@ -121,12 +139,13 @@ impl<P: Plant> Expander<P> {
                     HadTold::Unfinished => true,
                 };
                 let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
-                situations.all.push(Situation { may_harm, frames: Arc::clone(&transition.frames), i, earlier });
+                let frames = Arc::clone(&transition.frames);
+                situations.all.push(Situation { may_harm, frames, i, earlier, stopping });
                 situations.numbers.insert(key, situations.all.len() - 1);
                 situations.all.len() - 1
             }
         };
-        situations.known.insert((transition.node, asked), number);
+        situations.known.insert((transition.node, asked, told), number);
         Ok(number)
     }
 

@@ -1,0 +1,85 @@
+//! What counts as unsafe in a cell, as results record it: where that is more or other than the transient force.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::hazard::Criterion;
+
+/// What counts as unsafe.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct CriteriaRecord {
+    /// The transient force, by this speed; none if it does not count.
+    pub transient_force: Option<Criterion>,
+    /// Clamping.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clamping: Option<ClampingRecord>,
+    /// Pressure.
+    pub pressure: bool,
+    /// Contacts with points of the robot that are faster than this, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moving_contact_faster_than_m_s: Option<f64>,
+    /// Separation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub separation: Option<SeparationTerms>,
+}
+
+/// How clamping counts.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ClampingRecord {
+    /// The FMU input that tells robots of a contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_signal: Option<String>,
+    /// How far the link that goes on farthest after a contact does, m.
+    pub travel_after_contact_m: f64,
+}
+
+/// The terms of the protective separation distance that the cell file says.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct SeparationTerms {
+    /// The sensor or input that stops the robots; none if their stop is stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stop: Option<String>,
+    /// How far a part of the body gets in before the person is seen, m.
+    pub intrusion_m: f64,
+    /// Uncertainty of where the person is, m.
+    pub person_uncertainty_m: f64,
+    /// Uncertainty of where the robot is, m.
+    pub robot_uncertainty_m: f64,
+    /// Speed at which people approach, m/s.
+    pub approach_m_s: f64,
+}
+
+impl CriteriaRecord {
+    /// In words, for people.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let mut all = Vec::new();
+        match self.transient_force {
+            Some(Criterion::Absolute) => all.push("transient force".to_owned()),
+            Some(Criterion::Approach) => all.push("transient force by the speed of approach".to_owned()),
+            None => {}
+        }
+        if let Some(clamping) = &self.clamping {
+            let travel = 1000.0 * clamping.travel_after_contact_m;
+            let on = if travel > 0.0 { format!(" (robots go on by up to {travel:.0} mm)") } else { String::new() };
+            all.push(format!("clamping{on}"));
+        }
+        if self.pressure {
+            all.push("pressure".to_owned());
+        }
+        if let Some(limit) = self.moving_contact_faster_than_m_s {
+            let from = if limit > 0.0 { format!(" faster than {limit:.2} m/s") } else { String::new() };
+            all.push(format!("contact with a robot that moves{from}"));
+        }
+        if let Some(terms) = &self.separation {
+            let stop = terms.stop.as_ref().map_or_else(|| "stated".to_owned(), |stop| format!("by {stop}"));
+            all.push(format!(
+                "separation (stop {stop}, {:.2} m/s, {:.0} mm intrusion, {:.0} mm uncertainty)",
+                terms.approach_m_s,
+                1000.0 * terms.intrusion_m,
+                1000.0 * (terms.person_uncertainty_m + terms.robot_uncertainty_m)
+            ));
+        }
+        all.join(", ")
+    }
+}

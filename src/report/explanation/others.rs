@@ -1,0 +1,127 @@
+//! What is broken other than the transient force, explained: formula, numbers, and what would remove it.
+
+use std::fmt::Write as _;
+
+use super::Explanation;
+use crate::hazard::criterion::Class;
+use crate::report::judged::{Clamping, LimitKind, Pressure, Separation};
+use crate::report::model::STANDARD_EDITION;
+use crate::report::paragraph::wrapped;
+use crate::standards::iso_13854::least_gap_m;
+use crate::standards::iso_ts_15066::spring_constant_n_m;
+
+impl Explanation {
+    /// What is broken, where that is not the transient force; whether anything was told.
+    pub(super) fn other_criterion(&self, out: &mut String) -> bool {
+        let Some(judged) = &self.hazard.judged else { return false };
+        match (self.hazard.class, &judged.clamping, &judged.pressure, &judged.separation) {
+            (Class::Clamping, Some(clamping), pressure, _) => {
+                self.clamped(clamping, out);
+                if let (LimitKind::Pressure, Some(pressure)) = (judged.limit, pressure) {
+                    self.pressed(pressure, out);
+                }
+            }
+            (Class::Pressure, _, Some(pressure), _) => self.pressed(pressure, out),
+            (Class::Separation, _, _, Some(separation)) => self.apart(separation, out),
+            (Class::MovingContact, ..) => {
+                *out += "\n Contact\n";
+                *out += &wrapped(
+                    &format!(
+                        "In this cell no robot that moves may be touched (moving_contact in the cell file); this one moves at {:.2} m/s \
+                         there. For information, the transient force would be {:.0} N, {:.2} times its limit of {:.0} N. What would \
+                         remove it: a robot that stands before anybody gets there.",
+                        self.hazard.speed_m_s,
+                        self.hazard.force_n,
+                        self.hazard.force_n / self.hazard.limit_n,
+                        self.hazard.limit_n
+                    ),
+                    "   ",
+                );
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn clamped(&self, clamping: &Clamping, out: &mut String) {
+        let hazard = &self.hazard;
+        let (region, link) = (hazard.body_region, &hazard.robot_link);
+        let (least, travel) = (1000.0 * least_gap_m(region), 1000.0 * clamping.travel_m);
+        let on = if travel > 0.0 {
+            format!(", and {travel:.0} mm that the link goes on after the contact")
+        } else {
+            String::new()
+        };
+        let k = spring_constant_n_m(region) / 1000.0;
+        let safe = clamping.closing_m_s * clamping.limit_n / clamping.force_n;
+        let _ = writeln!(out, "\n Clamping, after {STANDARD_EDITION} and ISO 13854");
+        let mut say = |text: &str| *out += &wrapped(text, "   ");
+        say(&format!(
+            "The {} is between the robot's {link} and {}, which does not give way: {:.0} mm of room at ({:.2}, {:.2}, {:.2}) m, and it \
+             closes at {:.2} m/s. ISO 13854 asks for {least:.0} mm{on}. A part that cannot recoil bears half of the transient limit, and the \
+             whole mass of the robot is behind the stroke.",
+            region.words(),
+            clamping.against,
+            1000.0 * clamping.gap_m,
+            clamping.at_m[0],
+            clamping.at_m[1],
+            clamping.at_m[2],
+            clamping.closing_m_s,
+        ));
+        say(&format!(
+            "F = c sqrt(m_R k) = {:.3} m/s x sqrt({:.2} kg x {k:.0} kN/m) = {:.0} N; quasi-static limit {:.0} N; {:.2}x",
+            clamping.closing_m_s,
+            hazard.effective_mass_kg,
+            clamping.force_n,
+            clamping.limit_n,
+            clamping.force_n / clamping.limit_n,
+        ));
+        say(&format!(
+            "What would remove it: at least {:.0} mm of room between {link} and {} wherever people reach, or no faster than {safe:.2} m/s \
+             towards it where there is less.",
+            least + travel,
+            clamping.against
+        ));
+    }
+
+    fn pressed(&self, pressure: &Pressure, out: &mut String) {
+        let (hazard, kind) = (&self.hazard, if pressure.clamped { "quasi-static" } else { "transient" });
+        let _ = writeln!(out, "\n Pressure, after {STANDARD_EDITION}, Table A.2");
+        *out += &wrapped(
+            &format!(
+                "{:.0} N/cm2 on the {}, by what the cell file says of how small the {} touches; {kind} limit {:.0} N/cm2; {:.2}x. What \
+                 would remove it: a rounder or larger surface, padding, or less speed.",
+                pressure.n_cm2,
+                hazard.body_region.words(),
+                hazard.robot_link,
+                pressure.limit_n_cm2,
+                pressure.n_cm2 / pressure.limit_n_cm2
+            ),
+            "   ",
+        );
+    }
+
+    fn apart(&self, separation: &Separation, out: &mut String) {
+        let _ = writeln!(out, "\n Separation, after ISO/TS 15066, 5.5.4");
+        let mut say = |text: &str| *out += &wrapped(text, "   ");
+        let words = match (separation.required_m, separation.stops_after_s) {
+            (Some(required), Some(stops)) => format!(
+                "The person is {:.3} m from the robot's {}, which moves at {:.2} m/s. Stopped now it stands after {stops:.2} s and gets up to \
+                 {:.3} m farther, as the FMU shows. With what the cell file says of approach, intrusion and uncertainty the protective \
+                 separation distance is {required:.3} m: {:.0} mm are missing.",
+                separation.distance_m,
+                self.hazard.robot_link,
+                self.hazard.speed_m_s,
+                separation.travel_m,
+                1000.0 * (required - separation.distance_m)
+            ),
+            _ => format!(
+                "The person is {:.3} m from the robot's {}, which moves at {:.2} m/s and does not stop when it is told to: it still moved \
+                 after 5 s.",
+                separation.distance_m, self.hazard.robot_link, self.hazard.speed_m_s
+            ),
+        };
+        say(&words);
+        say("What would remove it: a sensor that reports people that much earlier, a shorter stop, or a slower robot.");
+    }
+}
