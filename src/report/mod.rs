@@ -39,6 +39,7 @@ pub mod floorplan;
 #[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;
+mod immovable;
 pub mod inspection;
 pub mod junit;
 #[cfg(feature = "mcap")]

@@ -217,7 +217,7 @@ impl Encounter {
         }
         let deepest = harmful.iter().map(|c| c.distance_m).fold(f64::INFINITY, f64::min);
         let first = harmful.into_iter().filter(|c| c.distance_m <= deepest + TOUCHED_FIRST_M);
-        first.reduce(|worst, c| if c.ratio() > worst.ratio() { c } else { worst })
+        first.reduce(|worst, c| if c.ratio() > worst.ratio() { c } else { worst }).map(|contact| frame.weighed(contact))
     }
 
     /// The unsafe contact of an arm with the robot, if there is one: the worse of the two arms, in the space that is
@@ -465,7 +465,7 @@ impl Encounter {
             robot_velocity: frame.velocity(found.link, found.on_link),
             human_velocity: person.velocity,
         };
-        Contact::new(&touch, frame.strike(touch.link))
+        frame.weighed(Contact::new(&touch, frame.strike(touch.link)))
     }
 
     /// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
