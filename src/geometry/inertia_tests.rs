@@ -23,7 +23,7 @@ fn planar() -> (KinematicTree, Masses) {
 
 /// The tip and the direction of the second link.
 fn tip(q: [f64; 2]) -> (Vec3, Vec3) {
-    let along = |angle: f64| Vec3::new(angle.cos(), angle.sin(), 0.0);
+    let along = |angle: f64| Vec3::new(libm::cos(angle), libm::sin(angle), 0.0);
     (along(q[0]) * L[0] + along(q[0] + q[1]) * L[1], along(q[0] + q[1]))
 }
 
@@ -67,7 +67,7 @@ fn the_planar_arm_is_as_its_formulas_say() {
     for q in [[0.3, 1.1], [-2.0, 0.4], [1.0, -2.5], [0.1, FRAC_PI_2]] {
         let placed = tree.place(&q);
         let matrix = masses.mass_matrix(&placed, None);
-        let (cos, sin) = (q[1].cos(), q[1].sin());
+        let (cos, sin) = (libm::cos(q[1]), libm::sin(q[1]));
         let second = M[1] * L[1] * L[1];
         let both = second + M[1] * L[0] * L[1] * cos;
         let first = (M[0] + M[1]) * L[0] * L[0] + second + 2.0 * M[1] * L[0] * L[1] * cos;
@@ -83,12 +83,12 @@ fn the_planar_arm_is_as_its_formulas_say() {
         assert!(close(m(across), M[1]) && close(m(along), stiff), "{q:?}: {} {}", m(across), m(along));
         // One does not move the other, so in between mobilities add up.
         let between = 1.0 / (0.75 / stiff + 0.25 / M[1]);
-        let direction = along * FRAC_PI_3.sin() + across * FRAC_PI_3.cos();
+        let direction = along * libm::sin(FRAC_PI_3) + across * libm::cos(FRAC_PI_3);
         assert!(close(m(direction), between), "{q:?}: {} {between}", m(direction));
         // The elbow alone is a pendulum, whose second link trails: 1 / (n' J M^-1 J' n) of the first joint.
-        let elbow = masses.reflected_mass_kg(&placed, None, 0, Vec3::new(q[0].cos(), q[0].sin(), 0.0) * L[0], {
-            Vec3::new(-q[0].sin(), q[0].cos(), 0.0)
-        });
+        let (cos, shoulder) = (libm::cos(q[0]), libm::sin(q[0]));
+        let (at, n) = (Vec3::new(cos, shoulder, 0.0) * L[0], Vec3::new(-shoulder, cos, 0.0));
+        let elbow = masses.reflected_mass_kg(&placed, None, 0, at, n);
         assert!(close(elbow, M[0] + M[1] * sin * sin), "{q:?}: {elbow}");
     }
 }
@@ -106,7 +106,7 @@ fn a_stretched_arm_gives_way_across_and_not_along_itself() {
     let q = [0.4, 1e-4];
     let (at, along) = tip(q);
     let m = masses.reflected_mass_kg(&tree.place(&q), None, 1, at, along);
-    assert!((m / (M[1] + M[0] / (1e-4_f64.sin() * 1e-4_f64.sin())) - 1.0).abs() < 1e-6, "{m}");
+    assert!((m / (M[1] + M[0] / (libm::sin(q[1]) * libm::sin(q[1]))) - 1.0).abs() < 1e-6, "{m}");
 }
 
 #[test]
@@ -131,9 +131,9 @@ fn joints_that_are_held_or_follow_another_give_way_as_one() {
     masses.bodies[1] = Inertia::point(M[1], Vec3::X * L[0]);
     masses.drives = [1.0, -2.0].map(|factor| Some(Drive { coordinate: 0, factor })).to_vec();
     let placed = tree.place(&[0.7, -1.4]);
-    let at = Vec3::X * (2.0 * L[0] * 0.7_f64.cos());
+    let at = Vec3::X * (2.0 * L[0] * libm::cos(0.7_f64));
     let m = masses.reflected_mass_kg(&placed, None, 1, at, Vec3::X);
-    assert!(close(m, M[1] + M[0] / (4.0 * 0.7_f64.sin() * 0.7_f64.sin())), "{m}");
+    assert!(close(m, M[1] + M[0] / (4.0 * libm::sin(0.7_f64) * libm::sin(0.7_f64))), "{m}");
     assert!(masses.reflected_mass_kg(&placed, None, 1, at, Vec3::Y) == f64::INFINITY);
 }
 
@@ -149,7 +149,7 @@ fn what_turns_without_inertia_gives_way_by_itself() {
     let end = at + along * 0.1;
     let m = |n| masses.reflected_mass_kg(&placed, None, 2, end, n);
     assert!(m(Vec3::Z.cross(along)).abs() < 1e-12, "{}", m(Vec3::Z.cross(along)));
-    assert!(close(m(along), M[1] + 1.0 + M[0] / (1.1_f64.sin() * 1.1_f64.sin())), "{}", m(along));
+    assert!(close(m(along), M[1] + 1.0 + M[0] / (libm::sin(1.1_f64) * libm::sin(1.1_f64))), "{}", m(along));
     assert!(m(Vec3::Z) == f64::INFINITY);
 }
 
