@@ -1507,6 +1507,7 @@ Hazard = TypedDict(
         'person_xy_m': list[float],
         'phase': int | None,
         'ratio': float,
+        'reflected_mass_kg': NotRequired[float | None],
         'robot_link': str,
         'safe_below_m_s': float,
         'sensors': list[SensorState],

@@ -4,7 +4,8 @@
 //! - [`extended`]: the files that it extends; [`layers`]: its tables laid over theirs
 //! - [`reading`]: its text to tables, past what does not fit
 //! - [`validate`]: these to a checked cell, every mistake with its line
-//! - `checker`: what those share that check a part; `robots`, `sensors`, `obstacles`, `starts`, `limits`: the parts
+//! - `checker`: what those share that check a part; `robots`, `inertias`, `sensors`, `obstacles`, `starts`, `limits`:
+//!   the parts
 //! - [`described`]: robots from a URDF
 //! - [`files`]: what a cell file names, read once and hashed
 
@@ -14,6 +15,7 @@ pub mod described;
 pub mod extended;
 pub mod files;
 pub mod format;
+mod inertias;
 pub mod layers;
 mod limits;
 mod obstacles;

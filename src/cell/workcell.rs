@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
-use crate::geometry::{Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
@@ -126,7 +126,7 @@ pub struct Robot {
     /// `world_from_base`.
     pub world_from_base: Pose,
     /// Kinematics, unless the FMU gives the poses of its parts.
-    pub kinematics: Option<Kinematics>,
+    pub kinematics: Option<Arc<Kinematics>>,
     /// Mass of the moving parts `M`, kg.
     pub moving_mass_kg: f64,
     /// Where the cell file says so, or names the URDF that does.
@@ -160,6 +160,10 @@ pub struct Kinematics {
     pub driven: Vec<Driven>,
     /// For each joint the fastest that it may move by its URDF, rad/s or m/s, where that is told.
     pub fastest: Vec<Option<f64>>,
+    /// How the mass of what moves is spread, where that is told of all of it.
+    pub masses: Option<Masses>,
+    /// The joint whose moving side carries the payload, and where its centre of mass is in that joint's frame, m.
+    pub payload_at: (usize, Vec3),
 }
 
 /// A joint's position: `factor * named + offset`. Other than 1 and 0 for joints that mimic others.

@@ -7,12 +7,14 @@
 //! - [`shape`]: capsules and boxes; [`distance`], [`segment_cuboid`], [`triangle`], [`polygon`]: closed forms for them
 //! - [`solid`]: a robot link where it stands: a capsule, a [`hull`] or a [`mesh`], which is a closed [`surface`]
 //! - [`boxes`]: a surface as boxes that lie in it, for obstacles; [`joined`]: walls that adjoin
-//! - [`kinematics`]: where links are, and how fast; [`sampled`]: the surface of one as points
+//! - [`kinematics`]: where links are, and how fast; [`inertia`]: how heavy, for whoever is hit by a point of them
+//! - [`sampled`]: the surface of a link as points
 
 pub mod boxes;
 pub mod coordinates;
 pub mod distance;
 pub mod hull;
+pub mod inertia;
 pub mod joined;
 pub mod kinematics;
 pub mod mesh;
@@ -31,6 +33,7 @@ pub(crate) mod test_meshes;
 
 pub use distance::Closest;
 pub use hull::Hull;
+pub use inertia::{Inertia, Masses};
 pub use mesh::Mesh;
 pub use parry3d_f64::math::{Matrix as Matrix3, Pose, Rotation, Vector as Vec3};
 pub use shape::{Capsule, Cuboid};

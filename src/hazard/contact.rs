@@ -35,6 +35,9 @@ pub struct Contact {
     pub approach_m_s: f64,
     /// Effective mass of the robot, kg.
     pub effective_mass_kg: f64,
+    /// Mass of the robot at this point and in the direction of the contact, by inertias and pose, kg, where that is known;
+    /// infinite where the robot cannot give way. For information: nothing is decided by it.
+    pub reflected_mass_kg: Option<f64>,
     /// Potential collision force `v sqrt(mu k)`, N.
     pub force_n: f64,
     /// The same with the approach speed, N.
@@ -189,6 +192,7 @@ impl Contact {
             speed_m_s: speed,
             approach_m_s: approach,
             effective_mass_kg: strike.effective_mass_kg,
+            reflected_mass_kg: None,
             force_n: strike.force_n(region, Recoil::Free, speed),
             directed_force_n: strike.force_n(region, Recoil::Free, approach),
             limit_n: transient_limit_n(region),
@@ -233,6 +237,13 @@ impl Contact {
         } else {
             None
         };
+    }
+
+    /// Direction from the robot to the body where that is hit, if there is one; none of an arm, whose pose is one of many.
+    #[must_use]
+    pub fn normal(&self) -> Option<Vec3> {
+        let across = (self.on_body - self.on_robot) * if self.distance_m < 0.0 { -1.0 } else { 1.0 };
+        across.try_normalize().filter(|_| Part::of(self.region) == Part::Body)
     }
 
     /// All criteria that it breaks, the worst first.

@@ -205,6 +205,9 @@ impl Explanation {
         for (symbol, value, what) in rows {
             *out += &wrapped_under(&format!("   {symbol:<6}{value:<11}"), &what);
         }
+        if let Some(text) = hazard.reflected_mass_kg.map(|kg| reflected(kg, m_r)) {
+            *out += &wrapped_under("   ", &text);
+        }
         for Table { title, source, verified, .. } in tables().filter(|table| BEHIND.contains(&table.id)) {
             let state = if verified { "verified" } else { "not yet verified against the purchased standard" };
             *out += &wrapped_under("   from  ", &format!("{title}: {source}; {state}"));
@@ -226,6 +229,18 @@ impl Explanation {
             )
         };
     }
+}
+
+/// What the robot weighs at a contact by inertias and pose, beside the mass that decides.
+fn reflected(reflected_kg: f64, effective_kg: f64) -> String {
+    let decides = format!("M/2 + payload, which decides, is {effective_kg:.0} kg");
+    if reflected_kg.is_finite() {
+        let kg = if reflected_kg < 9.5 { format!("{reflected_kg:.1}") } else { format!("{reflected_kg:.0}") };
+        return format!(
+            "By the links' inertias and the pose the robot weighs {kg} kg at this point in this direction; {decides}."
+        );
+    }
+    format!("By the links' joints the robot cannot give way at this point in this direction in this pose; {decides}.")
 }
 
 impl Reports {

@@ -40,6 +40,7 @@ pub mod floorplan;
 #[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;
+mod immovable;
 pub mod inspection;
 pub mod judged;
 pub mod junit;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cause::Cause;
 use super::criteria::CriteriaRecord;
+use super::immovable;
 use super::judged::{Clamping, Judged, LimitKind, measure_words};
 use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Criterion, Group, finding};
@@ -303,6 +304,12 @@ pub struct Hazard {
     pub safe_below_m_s: f64,
     /// Effective mass of the robot, kg.
     pub effective_mass_kg: f64,
+    /// Mass of the robot at this point, in this pose, and in the direction of the contact (of body and legs along its normal, of
+    /// arms along the velocity of the robot point), by the inertias of its links and its payload, kg: where the cell file or a
+    /// URDF tells them. `null` where the robot cannot give way in that direction. Nothing is decided by it.
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "immovable")]
+    #[schemars(with = "Option<f64>")]
+    pub reflected_mass_kg: Option<f64>,
     /// Time of the contact, s.
     pub time_s: f64,
     /// Contact point on the robot, m.
@@ -578,6 +585,7 @@ impl Hazard {
             approach_m_s: c.approach_m_s,
             safe_below_m_s: c.safe_speed_m_s(),
             effective_mass_kg: c.effective_mass_kg,
+            reflected_mass_kg: c.reflected_mass_kg,
             time_s: f.time_s,
             contact_point_m: c.on_robot.to_array(),
             body_point_m: c.on_body.to_array(),

@@ -321,7 +321,8 @@ impl Prepared {
         let travel = travel_after_contact(&self, &signal).map_err(PrepareError::FirstRun)?;
         match travel {
             Some(travel_m) => {
-                let cell = Workcell { travel_after_contact_m: travel_m, ..Workcell::clone(&self.cell) };
+                let mut cell = Workcell::clone(&self.cell);
+                cell.travel_after_contact_m = travel_m;
                 self.cell = Arc::new(cell);
             }
             None => self.suspicions.push(format!(

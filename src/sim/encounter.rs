@@ -152,7 +152,7 @@ impl Encounter {
         }
         let deepest = harmful.iter().map(|c| c.distance_m).fold(f64::INFINITY, f64::min);
         let first = harmful.into_iter().filter(|c| c.distance_m <= deepest + TOUCHED_FIRST_M);
-        first.reduce(|worst, c| if c.ratio() > worst.ratio() { c } else { worst })
+        first.reduce(|worst, c| if c.ratio() > worst.ratio() { c } else { worst }).map(|contact| frame.weighed(contact))
     }
 
     /// The unsafe contact of an arm with the robot, if there is one: the worse of the two arms, in the space that is
@@ -406,7 +406,7 @@ impl Encounter {
             human_velocity: person.velocity,
         };
         let clamped = target.pinch.map(|pinch| &pinch.clamped);
-        self.as_judged(Contact::judged(&touch, clamped, frame.strike(link)))
+        self.as_judged(frame.weighed(Contact::judged(&touch, clamped, frame.strike(link))))
     }
 
     /// A contact as what is looked for.

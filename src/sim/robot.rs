@@ -1,15 +1,15 @@
 //! The robots at one instant: placed link shapes, their velocities, and how hard they would strike.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::clamping::Pinch;
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
-use crate::cell::workcell::{Link, Robot};
+use crate::cell::workcell::{Kinematics, Link, Robot};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::kinematics::{Neighbourhood, Twist};
-use crate::geometry::{Pose, Solid, Vec3};
-use crate::hazard::Strike;
+use crate::geometry::{Inertia, Pose, Solid, Vec3};
 use crate::hazard::criterion::pressure::LinkContact;
+use crate::hazard::{Contact, Strike};
 use crate::standards::BodyRegion;
 
 /// Links that are at rest by their speeds do not move by more, m.
@@ -30,18 +30,38 @@ pub struct RobotFrame {
     pub may_harm: bool,
     /// Index of each shape's robot.
     robot_of: Vec<usize>,
-    /// The robot of each shape, and what of it carries the shape: such do not move against each other.
-    body_of: Vec<(usize, usize)>,
+    /// Index of the joint whose moving side carries each shape, or of the frame.
+    joint_of: Vec<usize>,
     /// Index of each shape's strike.
     strike_of: Vec<usize>,
     /// Effective mass and force ratios of links that strike alike.
     strikes: Vec<Strike>,
     /// Programme phase of each robot, where the cell names one.
     phases: Vec<Option<i64>>,
+    /// What tells how heavy each robot is at a point, where its inertias are known.
+    weights: Vec<Option<Weight>>,
     /// The FMU's outputs behind all this.
     outputs: Vec<f64>,
     /// Where links may clamp an arm, once it was asked for.
     pub(super) pinches: OnceLock<Vec<Pinch>>,
+}
+
+/// A robot whose inertias are known, in one pose.
+#[derive(Clone, Debug)]
+struct Weight {
+    kinematics: Arc<Kinematics>,
+    /// Of all joints, rad or m.
+    positions: Vec<f64>,
+    payload_kg: f64,
+}
+
+impl Weight {
+    fn new(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Option<Self> {
+        let kinematics = robot.kinematics.as_ref().filter(|kinematics| kinematics.masses.is_some())?;
+        let MotionBinding::Joints { positions, speeds } = &binding.motion else { return None };
+        let (positions, _) = joints(kinematics, positions, speeds, outputs);
+        Some(Self { kinematics: Arc::clone(kinematics), positions, payload_kg: binding.payload.read(outputs) })
+    }
 }
 
 impl RobotFrame {
@@ -81,11 +101,12 @@ impl RobotFrame {
             speed_bounds,
             fastest,
             robot_of: cell.links.iter().map(|l| l.robot).collect(),
-            body_of: cell.links.iter().map(|l| (l.robot, l.joint)).collect(),
+            joint_of: cell.links.iter().map(|l| l.joint).collect(),
             strike_of,
             strikes,
             pinches: OnceLock::new(),
             phases: binding.robots.iter().map(phase).collect(),
+            weights: cell.robots.iter().zip(&binding.robots).map(|(r, b)| Weight::new(r, b, outputs)).collect(),
             outputs: outputs.to_vec(),
         }
     }
@@ -179,7 +200,30 @@ impl RobotFrame {
     /// Whether two shapes are carried by the same part of a robot.
     #[must_use]
     pub fn same_body(&self, one: usize, other: usize) -> bool {
-        self.body_of[one] == self.body_of[other]
+        (self.robot_of[one], self.joint_of[one]) == (self.robot_of[other], self.joint_of[other])
+    }
+
+    /// Mass, kg, that whoever pushes at the point of shape `link` at world position `point` along `direction` has to move, by
+    /// the inertias of the links and the payload in this pose; infinite where the robot cannot give way there. None where the
+    /// inertias are not known, or without a direction. Worked out when asked for.
+    #[must_use]
+    pub fn reflected_mass_kg(&self, link: usize, point: Vec3, direction: Vec3) -> Option<f64> {
+        let Weight { kinematics, positions, payload_kg } = self.weights[self.robot_of[link]].as_ref()?;
+        let direction = direction.try_normalize()?;
+        let (carrier, centre) = kinematics.payload_at;
+        let payload = (*payload_kg > 0.0).then(|| (carrier, Inertia::point(*payload_kg, centre)));
+        let placed = kinematics.tree.place(positions);
+        let masses = kinematics.masses.as_ref()?;
+        Some(masses.reflected_mass_kg(&placed, payload, self.joint_of[link], point, direction))
+    }
+
+    /// A contact with one of the links, with the reflected mass there: where the body is hit along the contact's normal, where an
+    /// arm is along the velocity of the robot's point.
+    #[must_use]
+    pub fn weighed(&self, mut contact: Contact) -> Contact {
+        let direction = contact.normal().unwrap_or_else(|| self.velocity(contact.link, contact.on_robot));
+        contact.reflected_mass_kg = self.reflected_mass_kg(contact.link, contact.on_robot, direction);
+        contact
     }
 
     /// Programme phase of the robot of shape `link`.
@@ -219,8 +263,7 @@ pub fn moves_alike(robot: &Robot, binding: &RobotBinding, a: &[f64], b: &[f64]) 
 fn place(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Vec<(Pose, Twist)> {
     match (&binding.motion, &robot.kinematics) {
         (MotionBinding::Joints { positions, speeds }, Some(kinematics)) => {
-            let read = |readers: &[Reader]| -> Vec<f64> { readers.iter().map(|r| r.read(outputs)).collect() };
-            let (positions, speeds) = kinematics.all(&read(positions), &read(speeds));
+            let (positions, speeds) = joints(kinematics, positions, speeds, outputs);
             let placed = kinematics.tree.place(&positions);
             let twists = placed.twists(&speeds);
             placed.world_from_link.into_iter().zip(twists).collect()
@@ -228,6 +271,12 @@ fn place(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Vec<(Pose, T
         (MotionBinding::Frames(frames), _) => frames.iter().map(|f| frame(robot.world_from_base, f, outputs)).collect(),
         (MotionBinding::Joints { .. }, None) => Vec::new(),
     }
+}
+
+/// Positions and speeds of all joints.
+fn joints(kinematics: &Kinematics, positions: &[Reader], speeds: &[Reader], outputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let read = |readers: &[Reader]| -> Vec<f64> { readers.iter().map(|r| r.read(outputs)).collect() };
+    kinematics.all(&read(positions), &read(speeds))
 }
 
 /// One part from what the FMU says of it in the robot's base frame.

@@ -37,6 +37,7 @@ mod mutated_fmus;
 mod obstacles;
 mod pipelines;
 mod python_package;
+mod reflected_mass;
 mod replays;
 mod report_page;
 mod residual;

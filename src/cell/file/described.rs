@@ -8,14 +8,15 @@ use toml::Spanned;
 use super::checker::{Checker, pose};
 use super::files::{named_from, plain};
 use super::format::{JointTable, RobotTable, UpAxis};
+use super::inertias::Spread;
 use crate::cell::CellError;
 use crate::cell::error::{Source, nearest};
 use crate::cell::foreign::mesh::{self, Mesh};
 use crate::cell::foreign::packages::Packages;
-use crate::cell::foreign::urdf::{self, Shape, Urdf};
+use crate::cell::foreign::urdf::{self, Shape, Tensor, Urdf};
 use crate::cell::workcell::{Driven, Kinematics, Look};
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
-use crate::geometry::{Capsule, Hull, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Hull, Inertia, Pose, Solid, Vec3};
 
 type Result<T> = std::result::Result<T, Box<CellError>>;
 
@@ -134,7 +135,7 @@ fn masses<'a>(urdf: &'a Urdf, tree: &Tree<'a>) -> std::result::Result<f64, (f64,
     let light = tree
         .links(urdf)
         .map(|(link, ..)| link)
-        .filter(|link| (link.only_seen || !link.shapes.is_empty()) && link.mass_kg.is_none_or(|kg| kg == 0.0));
+        .filter(|link| link.is_there() && link.mass_kg.is_none_or(|kg| kg == 0.0));
     let light: Vec<&str> = light.map(|link| link.name.as_str()).collect();
     if total > 0.0 && light.is_empty() { Ok(total) } else { Err((total, light)) }
 }
@@ -180,9 +181,35 @@ impl Checker<'_> {
         let links = tree.links(&file.urdf).map(|(link, joint, pose)| (link.name.clone(), (joint, pose)));
         let joints = tree.moving.iter().enumerate().map(|(at, joint)| (joint.name.clone(), (at, Pose::IDENTITY)));
         let places = links.chain(joints).collect();
+        let masses = self.masses(robot, self.spreads(robot, &file, &tree), &driven);
         let fastest = tree.moving.iter().map(|joint| joint.fastest).collect();
-        let kinematics = Kinematics { tree: tree.tree, driven, fastest };
+        let kinematics = Kinematics { tree: tree.tree, driven, fastest, masses, payload_at: (0, Vec3::ZERO) };
         Ok(Described { kinematics, shapes, moving_mass_kg, places })
+    }
+
+    /// How the mass of what each joint moves is spread: by the cell file, else by the links that it moves with.
+    fn spreads(&self, robot: &RobotTable, file: &UrdfFile, tree: &Tree<'_>) -> Vec<Spread> {
+        let own = |joint: &urdf::Joint| {
+            let table = robot.joints.iter().find(|table| *table.name.get_ref() == joint.name)?;
+            self.problems.keep(self.inertia(table)).flatten()
+        };
+        let of_links = |at: usize| {
+            let (mut body, mut reasons, mut any) = (Inertia::NONE, Vec::new(), false);
+            for (link, _, joint_from_link) in tree.links(&file.urdf).filter(|(_, joint, _)| *joint == at) {
+                any |= link.inertia != Tensor::Untold;
+                match link.inertia {
+                    Tensor::Told(inertia) => body = body.with(&inertia.placed(joint_from_link)),
+                    Tensor::Wrong => reasons.push(format!("link `{}` has one that no body has", link.name)),
+                    Tensor::Untold if link.is_there() || link.mass_kg.is_some_and(|kg| kg > 0.0) => {
+                        reasons.push(format!("link `{}` has none", link.name));
+                    }
+                    Tensor::Untold => {}
+                }
+            }
+            if reasons.is_empty() { Spread::Told(body) } else { Spread::Unknown(reasons, any) }
+        };
+        let moving = tree.moving.iter().enumerate();
+        moving.map(|(at, joint)| own(joint).map_or_else(|| of_links(at), Spread::Told)).collect()
     }
 
     /// Collision shapes of the links that move and are `used`.

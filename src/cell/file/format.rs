@@ -23,7 +23,10 @@ pub use criteria::{
 };
 pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
 pub use person::{HumanTable, PeopleFrom, Sex, StartAreaTable, StartTable};
-pub use robot::{CapsuleTable, FrameTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable};
+pub use robot::{
+    CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, PayloadPlaceTable, RobotTable, UpAxis,
+    VariableTable,
+};
 pub use surroundings::{ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ZoneTable};
 
 /// The whole file.

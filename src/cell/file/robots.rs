@@ -24,7 +24,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 const MOST_TRIANGLES: usize = 20_000;
 
 /// What shapes may be attached to: the index of the joint or frame, and where they are in its frame.
-type Places = BTreeMap<String, (usize, Pose)>;
+pub(super) type Places = BTreeMap<String, (usize, Pose)>;
 
 impl Checker<'_> {
     /// All robots, and their links one robot after the other.
@@ -75,7 +75,7 @@ impl Checker<'_> {
         });
         self.problems.keep(moves)?;
         let mass = self.problems.keep(self.mass(table, described.as_ref()));
-        let (shapes, places, kinematics) = match described {
+        let (shapes, places, mut kinematics) = match described {
             Some(Described { kinematics, shapes, places, .. }) => (shapes, places, Some(kinematics)),
             None => (Vec::new(), places(robot), self.chain(robot)),
         };
@@ -92,6 +92,10 @@ impl Checker<'_> {
         let mut links: Vec<Link> = shapes.into_iter().map(of_urdf).collect();
         links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
         let _ = self.problems.keep(self.spheres(robot));
+        let payload_at = self.problems.keep(self.payload_at(robot, &places, &links));
+        if let Some((kinematics, at)) = kinematics.as_mut().zip(payload_at) {
+            kinematics.payload_at = at;
+        }
         if robot.links.is_empty() && links.is_empty() {
             let (message, help) = match robot.urdf {
                 Some(_) if !robot.urdf_shapes => (
@@ -111,7 +115,7 @@ impl Checker<'_> {
             self.problems.tell(error);
         }
         let (moving_mass_kg, mass_place) = mass?;
-        let world_from_base = pose(&robot.base);
+        let (world_from_base, kinematics) = (pose(&robot.base), kinematics.map(Arc::new));
         Some((Robot { name: robot.name.clone(), world_from_base, kinematics, moving_mass_kg, mass_place }, links))
     }
 
@@ -231,21 +235,28 @@ impl Checker<'_> {
             });
             driven.push(Driven { named: number, factor: 1.0, offset: 0.0 });
         }
-        let fastest = vec![None; driven.len()];
-        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven, fastest })
+        let spread = robot.joints.iter().map(|joint| self.spread(joint)).collect();
+        let (fastest, masses) = (vec![None; driven.len()], self.masses(robot, spread, &driven));
+        let payload_at = (0, Vec3::ZERO);
+        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven, fastest, masses, payload_at })
     }
 
-    fn link(&self, link: &LinkTable, robot: usize, places: &Places) -> Result<Link, Box<CellError>> {
-        let wanted = link.joint.get_ref();
-        let Some(&(joint, joint_from_place)) = places.get(wanted) else {
+    /// What moves that is named so.
+    pub(super) fn carrier(&self, named: &Spanned<String>, places: &Places) -> Result<(usize, Pose), Box<CellError>> {
+        let wanted = named.get_ref();
+        places.get(wanted).copied().ok_or_else(|| {
             let names = || places.keys().map(String::as_str);
             let help = match nearest(wanted, names()) {
                 Some(name) => format!("did you mean `{name}`?"),
                 None => format!("what moves is {}", names().collect::<Vec<_>>().join(", ")),
             };
             let message = format!("there is no joint `{wanted}` that moves");
-            return Err(self.source.error(link.joint.span(), "here", message, Some(help)));
-        };
+            self.source.error(named.span(), "here", message, Some(help))
+        })
+    }
+
+    fn link(&self, link: &LinkTable, robot: usize, places: &Places) -> Result<Link, Box<CellError>> {
+        let (joint, joint_from_place) = self.carrier(&link.joint, places)?;
         let span = link.joint.span();
         let shape = match (&link.capsule, &link.hull_m, &link.mesh) {
             (Some(capsule), None, None) => Solid::Capsule(self.capsule(capsule, &span)?),

@@ -14,7 +14,7 @@ use crate::cell::error::{Source, nearest};
 use crate::fmi::number;
 use crate::geometry::kinematics::Motion;
 use crate::geometry::roll_pitch_yaw;
-use crate::geometry::{Pose, Vec3};
+use crate::geometry::{Inertia, Pose, Vec3};
 
 /// A robot description.
 #[derive(Debug)]
@@ -30,12 +30,32 @@ pub(in crate::cell) struct Link {
     pub name: String,
     /// Mass, kg; nothing if it has no inertial.
     pub mass_kg: Option<f64>,
+    /// How it is spread.
+    pub inertia: Tensor,
     /// Collision shapes in the link's frame.
     pub shapes: Vec<(Pose, Shape)>,
     /// Meshes to look at, in the link's frame.
     pub looks: Vec<(Pose, Look)>,
     /// Whether it can be seen and has no collision shape.
     pub only_seen: bool,
+}
+
+impl Link {
+    /// Whether it is more than a frame.
+    pub fn is_there(&self) -> bool {
+        self.only_seen || !self.shapes.is_empty()
+    }
+}
+
+/// How the mass of a link is spread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::cell) enum Tensor {
+    /// That is not told, or all of it is 0, as in files that tell masses alone.
+    Untold,
+    /// As in no body.
+    Wrong,
+    /// So, in the link's frame.
+    Told(Inertia),
 }
 
 /// A collision shape.
@@ -139,11 +159,31 @@ impl Xml<'_> {
             }
             Ok(kg)
         });
+        let mass_kg = mass_kg.transpose()?;
+        let inertia = mass_kg.map_or(Tensor::Untold, |kg| self.inertia(node, kg).unwrap_or(Tensor::Untold));
         let shapes = children(node, "collision").map(|node| Ok((self.origin(node)?, self.shape(node)?)));
         let shapes = shapes.collect::<Result<Vec<_>>>()?;
         let only_seen = shapes.is_empty() && child(node, "visual").is_some();
         let looks = children(node, "visual").filter_map(|node| self.look(node)).collect();
-        Ok(Link { mass_kg: mass_kg.transpose()?, shapes, looks, only_seen, name })
+        Ok(Link { mass_kg, inertia, shapes, looks, only_seen, name })
+    }
+
+    /// How a link's mass is spread. No verdict depends on it: what cannot be read of it is no mistake in the robot.
+    fn inertia(&self, link: Node<'_, '_>, mass_kg: f64) -> Option<Tensor> {
+        let inertial = child(link, "inertial")?;
+        let tensor = child(inertial, "inertia")?;
+        let entry = |name| self.numbers(tensor, name, [0.0]).map(|[value]| value);
+        let entries = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(entry);
+        let (Ok(link_from_body), [Ok(xx), Ok(yy), Ok(zz), Ok(xy), Ok(xz), Ok(yz)]) = (self.origin(inertial), entries)
+        else {
+            return Some(Tensor::Wrong);
+        };
+        if [xx, yy, zz, xy, xz, yz].iter().all(|entry| *entry == 0.0) {
+            return None;
+        }
+        let inertia = Inertia::new(mass_kg, Vec3::ZERO, [xx, yy, zz], [xy, xz, yz]);
+        let real = mass_kg > 0.0 && inertia.is_semidefinite() && inertia.is_of_a_body();
+        Some(if real { Tensor::Told(inertia.placed(link_from_body)) } else { Tensor::Wrong })
     }
 
     /// What a visual shows, if that is a mesh. Nothing depends on it: a mistake in it is none of the robot.

@@ -51,6 +51,10 @@ pub struct RobotTable {
     /// The FMU output that gives the payload; or `payload_kg`.
     #[serde(default)]
     pub payload: Option<VariableTable>,
+    /// Where the payload's centre of mass is, for how heavy the robot is where it hits; if not told, in the middle of the last of
+    /// the robot's shapes. (Of use where `inertia`s, or those of a URDF, say how the robot's mass is spread.)
+    #[serde(default)]
+    pub payload_at: Option<PayloadPlaceTable>,
     /// Joints from the base to the tool, each on the one before, or those of the URDF; or `frame`s.
     #[serde(default, rename = "joint")]
     pub joints: Vec<JointTable>,
@@ -104,6 +108,37 @@ pub struct JointTable {
     /// Instead: the position of a slide that does not move, m.
     #[serde(default)]
     pub held_m: Option<f64>,
+    /// How the mass of its moving side is spread, up to the next joints: for how heavy the robot is where it hits, which is told
+    /// of hazards where this is known of all joints. It counts instead of what a URDF says.
+    #[serde(default)]
+    #[schemars(with = "Option<InertiaTable>")]
+    pub inertia: Option<Spanned<InertiaTable>>,
+}
+
+/// How the mass of a rigid body is spread.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InertiaTable {
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Its centre of mass in the joint frame, m.
+    pub centre_m: [f64; 3],
+    /// Moments of inertia xx, yy, zz about the centre of mass, in the directions of the joint frame, kg m^2.
+    pub moments_kg_m2: [f64; 3],
+    /// Products of inertia xy, xz, yz likewise, as entries of the tensor: `-sum(m x y)` and so on.
+    #[serde(default)]
+    pub products_kg_m2: [f64; 3],
+}
+
+/// Where the payload is.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PayloadPlaceTable {
+    /// The joint whose moving side carries it; with a URDF also one of its links.
+    #[schemars(with = "String")]
+    pub joint: Spanned<String>,
+    /// Its centre of mass in that frame, m.
+    pub centre_m: [f64; 3],
 }
 
 /// A moving part of the robot whose pose and velocity the FMU gives, in the robot's base frame. What it does not give of
