@@ -1556,6 +1556,7 @@ Place = TypedDict(
         'confirmed': bool,
         'force_n': float,
         'heading_deg': float,
+        'histories': int,
         'id': str,
         'limit_n': float,
         'posture': str,
