@@ -1557,6 +1557,7 @@ Place = TypedDict(
         'confirmed': bool,
         'force_n': float,
         'heading_deg': float,
+        'histories': int,
         'id': str,
         'limit_n': float,
         'posture': str,

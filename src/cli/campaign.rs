@@ -106,7 +106,9 @@ fn plan_it(own: &Plan) -> Result<u8, Failure> {
     };
     let manifest = plan(&own.path, &out)?;
     let (cells, scans, tasks) = (manifest.cells.len(), manifest.scans.len(), manifest.tasks().len());
-    output::result(&format!("{}: {cells} cells, {scans} scans, {tasks} tasks\n", manifest.campaign));
+    let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
+    let words = [plural(cells, "cell"), plural(scans, "scan"), plural(tasks, "task")].join(", ");
+    output::result(&format!("{}: {words}\n", manifest.campaign));
     output::note(&format!(" Plan    {}", out.join(MANIFEST).display()));
     output::note(&format!(" Next    fmi-hazard campaign run {}", out.display()));
     Ok(exit::NO_HAZARD)

@@ -127,6 +127,27 @@ pub struct Place {
     pub sensors: Vec<SensorState>,
     /// In how many cells of the floor, one for each posture, this was met.
     pub cells: usize,
+    /// In how many histories of what the sensors report.
+    pub histories: usize,
+}
+
+impl Place {
+    /// It was met in other histories as well.
+    pub(crate) const fn met_again(&mut self, other: &Self) {
+        self.cells += other.cells;
+        self.histories += other.histories;
+    }
+
+    /// What hits what, and how hard.
+    fn how_hard(&self) -> String {
+        let Self { body_region, robot_link, force_n, limit_n, ratio, .. } = self;
+        if self.class == Some(Class::HeadContact) {
+            // A ratio below 1 would read as harmless.
+            format!("{body_region} touched by {robot_link}: {force_n:.0} N; a moving robot may not touch it at all")
+        } else {
+            format!("{ratio:.2}x  {body_region} hit by {robot_link}: {force_n:.0} N, limit {limit_n:.0} N")
+        }
+    }
 }
 
 /// A cell of the floor.
@@ -228,15 +249,15 @@ impl Anywhere {
         for hazard in self.hazards.iter().filter(|hazard| !hazard.confirmed) {
             let [x, y] = hazard.xy_m;
             let line = format!(
-                "Not confirmed: {:.2}x  {} hit by {}: {:.0} N, limit {:.0} N, by somebody at ({x:.2}, {y:.2}) m who looks \
-                 towards {:.0} degrees, {}",
-                hazard.ratio,
-                hazard.body_region,
-                hazard.robot_link,
-                hazard.force_n,
-                hazard.limit_n,
+                "Not confirmed: {}, by somebody at ({x:.2}, {y:.2}) m who looks towards {:.0} degrees, {}{}",
+                hazard.how_hard(),
                 hazard.heading_deg,
                 hazard.posture,
+                if hazard.histories > 1 {
+                    format!("; in {} histories of what the sensors report", hazard.histories)
+                } else {
+                    String::new()
+                },
             );
             let _ = write!(text, "{}", wrapped_to(width, " ", &line));
         }

@@ -7,6 +7,7 @@ use svg::node::element::{Circle, ClipPath, Definitions, Group, Line, Path, Patte
 use super::anywhere::Place;
 use super::topview::Point;
 use super::whole::Whole;
+use crate::hazard::contact::Class;
 
 /// The longer side of the map, and the widest scale, pixels and pixels per metre.
 const MAP: f64 = 860.0;
@@ -310,7 +311,13 @@ fn way(place: &Place) -> String {
         format!("stands at {x:.2}, {y:.2} m")
     };
     let sure = if place.confirmed { "" } else { "; not confirmed" };
-    format!("{:.2}x: {region} hit by {}{when}; {how}, {}{sure}", place.ratio, place.robot_link, place.posture)
+    // Below 1 the ratio would read as harmless.
+    let hit = if place.class == Some(Class::HeadContact) {
+        format!("No contact allowed: {region} touched by")
+    } else {
+        format!("{:.2}x: {region} hit by", place.ratio)
+    };
+    format!("{hit} {}{when}; {how}, {}{sure}", place.robot_link, place.posture)
 }
 
 /// What everything means, and the worst ways; how far down it gets.

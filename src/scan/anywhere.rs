@@ -32,7 +32,7 @@ use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Means, Moment};
+use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Means, Moment, told_in};
 use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
@@ -423,6 +423,7 @@ impl<'a> Looking<'a> {
             };
             place.confirmed || !known.iter().any(same)
         });
+        found.hazards = once_each(std::mem::take(&mut found.hazards));
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
         if found.histories.is_empty() {
             found.reasons.push("no robot moved that could harm anybody, or no sensor leaves anybody unseen".to_owned());
@@ -476,4 +477,26 @@ impl<'a> Looking<'a> {
         };
         Looked { found: self.found, rest: self.rest }
     }
+}
+
+/// Each region that is hit by a link somewhere is told once, with the worst of it, however many histories lead there.
+fn once_each(places: Vec<Place>) -> Vec<Place> {
+    let mut told: Vec<Place> = Vec::new();
+    for place in places {
+        let same = |known: &&mut Place| {
+            !known.confirmed
+                && !place.confirmed
+                && (known.body_region, &known.robot_link, known.walks_in, told_in(known.xy_m))
+                    == (place.body_region, &place.robot_link, place.walks_in, told_in(place.xy_m))
+        };
+        match told.iter_mut().find(same) {
+            Some(known) if place.ratio <= known.ratio => known.met_again(&place),
+            Some(known) => {
+                let before = std::mem::replace(known, place);
+                known.met_again(&before);
+            }
+            None => told.push(place),
+        }
+    }
+    told
 }

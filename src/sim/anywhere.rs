@@ -583,6 +583,15 @@ impl<'a> Anywhere<'a> {
         all
     }
 
+    /// Of which of some boxes, each in a posture, it is shown without halving them that nobody is harmed in a history: what a search
+    /// rests on.
+    #[must_use]
+    pub fn settles(&self, history: &History, boxes: &[(PoseBox, Posture)], coverage: &mut Coverage) -> Vec<bool> {
+        let end = AtomicBool::new(false);
+        let within = Within::new(self, history, &end);
+        boxes.iter().map(|(at, posture)| within.settles(at, *posture, coverage)).collect()
+    }
+
     /// Boxes that hold every place from which a robot can be met.
     fn first_boxes(&self, history: &History) -> Vec<PoseBox> {
         let mut low = [f64::MAX; 2];

@@ -4,91 +4,26 @@
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use crate::common::anywhere::{cell, mat};
 use crate::common::guarded::guarded;
+use crate::common::instant::{ANYWHERE, Instant, seen, slow, uniform};
 use crate::common::write;
 use fmi_hazard::cell::Zone;
 use fmi_hazard::geometry::Vec3;
-use fmi_hazard::host::Plant as _;
 use fmi_hazard::human::posture::cut_back;
 use fmi_hazard::human::shoulder::is_available;
-use fmi_hazard::human::{Field, PoseBox, Posture, Side};
+use fmi_hazard::human::{PoseBox, Posture, Side};
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::prepare::{Prepared, prepare};
+use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::anywhere::ledger::Ledger;
 use fmi_hazard::sim::anywhere::told::{ARCS, Asking, Told, arc};
 use fmi_hazard::sim::anywhere::zones::Zones;
-use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, History, Means, Seen as AnInstant, told_in};
+use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Means, told_in};
 use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Person};
-use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::sensors::{Seen, input_row, sees};
-use tempfile::TempDir;
-
-/// The bar, so slow that it harms no arm, without bends or with them.
-fn slow(z: f64, parts: &str, bends: bool) -> String {
-    let text = cell(z, parts).replace("\"drive.speed\" = 5", "\"drive.speed\" = 2");
-    let straight = "[human]\nbend_forward_deg = 0\nbend_lateral_deg = 0\n";
-    if bends { text } else { text.replace("[human]\n", straight) }
-}
-
-fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
-    low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
-}
-
-/// A cell, and the bar in it after so many steps.
-struct Instant {
-    prepared: Prepared,
-    frame: Arc<RobotFrame>,
-    _dir: TempDir,
-}
-
-impl Instant {
-    fn of(text: &str, steps: usize) -> Self {
-        let dir = guarded();
-        let prepared = prepare(&write(dir.path(), "cell.toml", text), None).unwrap();
-        let (cell, binding) = (&prepared.cell, &prepared.binding);
-        let nobody = seen(&prepared, [9.0, 9.0], 0.0);
-        let mut inputs = Vec::new();
-        for _ in 0..steps {
-            input_row(&cell.sensors, &cell.pose, binding, &vec![false; cell.sensors.len()], &nobody, &mut inputs);
-        }
-        let mut plant = prepared.plant(StateChoice::Replay);
-        plant.restart().unwrap();
-        let outputs = plant.advance(steps, &inputs).unwrap();
-        let frame = Arc::new(RobotFrame::new(cell, binding, outputs.chunks(binding.columns()).last().unwrap()));
-        assert!(frame.may_harm);
-        Self { prepared, frame, _dir: dir }
-    }
-
-    /// A history of this instant, of people who walked so far at most from places where `from` is.
-    fn history(
-        &self,
-        search: &Search<'_>,
-        reading: Option<bool>,
-        (from, within_m): (&dyn Fn([f64; 2]) -> bool, f64),
-    ) -> History {
-        let floor = search.floor();
-        let open: Vec<bool> = (0..floor.cells()).map(|cell| floor.is_open(cell)).collect();
-        let sources: Vec<bool> = (0..floor.cells()).map(|cell| from(floor.middle(cell))).collect();
-        let frame = Arc::clone(&self.frame);
-        let within_m = [within_m, f64::MAX];
-        History {
-            readings: vec![reading; self.prepared.cell.sensors.len()],
-            links: vec![true].into(),
-            fields: [Field::from(floor, &sources, &open, f64::INFINITY), Field::at_once(floor, &open)].map(Arc::new),
-            seen: vec![AnInstant { step: 1, lasting: 0, frame, within_m, depth_m: f64::INFINITY }],
-        }
-    }
-}
-
-fn seen(prepared: &Prepared, [x, y]: [f64; 2], heading_rad: f64) -> Seen {
-    let position = Vec3::new(x, y, 0.0);
-    Seen { feet: prepared.cell.body.feet(position, heading_rad), body: None, position, heading_rad }
-}
+use fmi_hazard::sim::sensors::{Seen, sees};
 
 /// What is asked of some poses at an instant.
 struct Asked<'a> {
@@ -214,8 +149,6 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
         }
     }
 }
-
-const ANYWHERE: (&dyn Fn([f64; 2]) -> bool, f64) = (&|_| true, 1.0);
 
 #[test]
 fn whoever_bends_and_is_hit_is_in_a_square_that_is_told() {

@@ -53,7 +53,7 @@ fn shards_in_any_order_stopped_killed_and_done_twice_give_what_one_process_gives
     write(dir, "day.toml", DAY);
     for out in ["one", "four"] {
         let (code, told) = campaign(dir, &["plan", "day.toml", "--out", out]);
-        assert!(code == Some(0) && told.contains("1 cells, 24 scans, 24 tasks"), "{told}");
+        assert!(code == Some(0) && told.contains("1 cell, 24 scans, 24 tasks"), "{told}");
     }
     let (code, told) = campaign(dir, &["run", "one"]);
     assert!(code == Some(0) && told.contains("24 done now"), "{told}");
@@ -234,7 +234,7 @@ fn one_search_in_parts_gives_the_bytes_of_one_machine() {
         );
         write(dir, "parts.toml", &text);
         let (code, told) = campaign(dir, &["plan", "parts.toml", "--out", &out]);
-        assert!(code == Some(0) && told.contains("1 scans, 4 tasks"), "{told}");
+        assert!(code == Some(0) && told.contains("1 scan, 4 tasks"), "{told}");
         let names = campaign(dir, &["status", &out, "--tasks"]).1;
         let names: Vec<&str> = names.lines().collect();
         for (part, workers) in [(2, "1"), (0, "2"), (3, "1")] {

@@ -7,6 +7,7 @@ mod common;
 
 mod advice;
 mod anywhere;
+mod anywhere_arms;
 mod anywhere_instants;
 mod anywhere_sets;
 mod bad_archives;

@@ -7,6 +7,9 @@ are within 1 m of a square that was told, hit or open, the others within 2 m of 
 person are left out. From each `scan --from start --strategy exhaustive` looks at every sequence of so many actions of 0.2 s that ends
 within the time that was looked at from anywhere.
 
+Where so few places are unseen, or have room, that hardly any beginning can be used, it gives up after a number of tries, says so, and tells of
+those that it looked at; the exit code is 2 if there are none.
+
 Of each hazard that it finds the place at the contact must lie in a square of `floor` or `open_m`. What is promised is no more than that:
 arms less deep than `arm_tolerance_m` and bodies less deep than `body_tolerance_m` may be missed, and are told as tolerated. Anything
 else that is not told is MISSED, with the cell file that shows it, and the exit code is 1.
@@ -23,6 +26,8 @@ import time
 from pathlib import Path
 
 ACTION_S = 0.2
+# Random places that are tried for one beginning, and beginnings that are tried for each that is asked for.
+PLACES, BEGINNINGS = 200_000, 20
 
 
 def inside(at, rectangles, by=0.0):
@@ -51,8 +56,8 @@ class Told:
                        max(r[2] for r in around) + 2, max(r[3] for r in around) + 2]
 
     def beginning(self, rng, longest_s, step_s):
-        """A place, a heading in degrees, and a moment."""
-        while True:
+        """A place, a heading in degrees, and a moment; nothing where hardly any place is unseen."""
+        for _ in range(PLACES):
             near = self.floor + self.open
             if near and rng.random() < 0.5:
                 a, b, c, d = rng.choice(near)
@@ -62,6 +67,7 @@ class Told:
             if inside(at, self.unseen):
                 latest = round((self.until_s - longest_s) / step_s)
                 return at, rng.uniform(0, 360), rng.randint(0, max(latest, 0)) * step_s
+        return None
 
 
 def complete(binary, cell, folder, actions, beginning):
@@ -95,14 +101,19 @@ def main():
     told, rng, begun = given.told, random.Random(given.seed), time.time()
     assert given.actions * ACTION_S <= told.until_s, "less was looked at than the actions take"
     looked = left = hazards = sequences = in_floor = in_open = tolerated = seen = 0
-    missed = []
+    missed, gave_up = [], None
     with tempfile.TemporaryDirectory() as folder:
         while looked < given.begins:
             beginning = told.beginning(rng, given.actions * ACTION_S, given.step_s)
+            if beginning is None:
+                gave_up = f"of {PLACES} random places none is unseen"
+                break
+            if left >= BEGINNINGS * given.begins:
+                gave_up = f"{left} beginnings are seen or have no room"
+                break
             scan, text = complete(given.binary, given.cell, Path(folder), given.actions, beginning)
             if scan is None:
                 left += 1
-                assert left < 20 * given.begins, "hardly any beginning can be used"
                 continue
             looked += 1
             sequences += int(scan["certificate"]["sequences"])
@@ -122,10 +133,12 @@ def main():
           f"of {given.actions} actions, {time.time() - begun:.0f} s")
     print(f"  {hazards} hazards, {seen} of them of people whom a sensor reported; {in_floor} told, {in_open} in open, {tolerated} tolerated, "
           f"{len(missed)} MISSED")
+    if gave_up:
+        print(f"  gave up after {looked} of {given.begins} beginnings: {gave_up}")
     for hazard, text in missed[:5]:
         keys = ("body_region", "robot_link", "ratio", "distance_m", "time_s", "person_xy_m", "person_heading_deg", "actions")
         print(f"  MISSED {json.dumps({key: hazard[key] for key in keys})}\n{text}")
-    sys.exit(1 if missed else 0)
+    sys.exit(1 if missed else 0 if looked else 2)
 
 
 if __name__ == "__main__":

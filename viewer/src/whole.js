@@ -4,7 +4,7 @@
 import { h, section, svg } from "./dom.js";
 import { zoneName } from "./names.js";
 import { outline } from "./plan.js";
-import { count, ratio, region, time } from "./words.js";
+import { count, ratio, ratioOf, region, time } from "./words.js";
 
 const MARGIN_M = 0.35;
 /** Zones and floor may reach far beyond what matters: no more than this around the rest is drawn. */
@@ -192,7 +192,7 @@ function drawn(data, key) {
 function placeText(hit) {
   const when = typeof hit.time_s === "number" ? ` after ${time(hit.time_s)}` : "";
   const how = hit.walks_in ? `walks from ${place(hit.start_m)} to ${place(hit.xy_m)}` : `stands at ${place(hit.xy_m)}`;
-  return `${ratio(hit.ratio)}: ${region(hit.body_region)} hit by ${hit.robot_link}${when}; ${how}, ${hit.posture}${hit.confirmed ? "" : "; not confirmed"}`;
+  return `${ratioOf(hit.body_region, hit.ratio)}: ${region(hit.body_region)} hit by ${hit.robot_link}${when}; ${how}, ${hit.posture}${hit.confirmed ? "" : "; not confirmed"}`;
 }
 
 const swatch = (style, text) => h("li", {}, h("span", { class: "surface", style }), h("span", {}, text));

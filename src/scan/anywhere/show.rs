@@ -72,8 +72,11 @@ impl Looking<'_> {
                         == (place.body_region, &place.robot_link, place.walks_in)
             };
             match self.found.hazards.iter_mut().find(same) {
-                Some(known) if place.ratio <= known.ratio || !place.confirmed => known.cells += place.cells,
-                Some(known) => *known = Place { cells: known.cells + place.cells, ..place },
+                Some(known) if place.ratio <= known.ratio || !place.confirmed => known.met_again(&place),
+                Some(known) => {
+                    let before = std::mem::replace(known, place);
+                    known.met_again(&before);
+                }
                 None => self.found.hazards.push(place),
             }
         }
@@ -112,6 +115,7 @@ impl Looking<'_> {
             sensors: finding
                 .map_or_else(|| sensors.to_vec(), |finding| self::sensors(self.prepared, &known(&finding.sensors))),
             cells,
+            histories: 1,
         }
     }
 }

@@ -255,6 +255,12 @@ impl<'a> Within<'a> {
         true
     }
 
+    /// Whether it is shown of all of a box by itself that nobody is harmed in it.
+    pub(super) fn settles(&self, at: &PoseBox, posture: Posture, coverage: &mut Coverage) -> bool {
+        let near = self.near(at, 0..self.pairs.len());
+        self.of.has_no_room(at) || matches!(self.judge(at, posture, &near, true, coverage), Judged::Settled)
+    }
+
     /// A cell of the floor in ever smaller boxes, no more of them for a posture than told, up to the first harm.
     pub(super) fn closely(&self, (cell, postures): &Undecided, most: u64, coverage: &mut Coverage) -> Outcome {
         let mut outcome = Outcome::default();

@@ -6,6 +6,7 @@ pub mod fmpy;
 pub mod formats;
 pub mod guarded;
 pub mod hostile;
+pub mod instant;
 pub mod meshes;
 pub mod scanned;
 pub mod started;
