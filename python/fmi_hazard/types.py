@@ -176,9 +176,63 @@ What became of a hazard.
 """
 
 
-Class: TypeAlias = Literal['force', 'head_contact']
+class Clamping(TypedDict):
+    """
+    What holds a part of the body.
+    """
+
+    against: str
+    """
+    What does not give way: the floor, an obstacle, a link.
+    """
+    at_m: list[float]
+    """
+    Point of the robot from which the gap is measured, m.
+    """
+    closing_m_s: float
+    """
+    How fast the gap closes, m/s.
+    """
+    force_n: float
+    """
+    Force on the part, N.
+    """
+    gap_m: float
+    """
+    Width of the gap, m.
+    """
+    limit_n: float
+    """
+    Quasi-static limit, N.
+    """
+    toward: list[float]
+    """
+    Unit vector from there towards what does not give way.
+    """
+    travel_m: float
+    """
+    How far the robot goes on after the contact, as far as that counts, m.
+    """
+
+
+class ClampingRecord(TypedDict):
+    """
+    How clamping counts.
+    """
+
+    contact_signal: NotRequired[str | None]
+    """
+    The FMU input that tells robots of a contact.
+    """
+    travel_after_contact_m: float
+    """
+    How far the link that goes on farthest after a contact does, m.
+    """
+
+
+Class: TypeAlias = Literal['force', 'head_contact', 'clamping', 'pressure', 'moving_contact', 'separation']
 """
-Why a contact is a finding.
+Which criterion a hazard breaks.
 """
 
 
@@ -207,6 +261,12 @@ class Complete(TypedDict):
     """
     How many sequences there are, in decimal.
     """
+
+
+ContactKind: TypeAlias = Literal['transient', 'quasi_static', 'none']
+"""
+Whether the part of the body can give way.
+"""
 
 
 class Coverage(TypedDict):
@@ -522,6 +582,12 @@ class HazardChange(TypedDict):
     """
 
 
+LimitKind: TypeAlias = Literal['force', 'pressure', 'motion', 'distance']
+"""
+What the limit is one of.
+"""
+
+
 class Line(TypedDict):
     """
     The hazards of a cause in which one link hits one region.
@@ -625,6 +691,25 @@ Part: TypeAlias = Literal['body', 'arm']
 """
 What of the person is hit: an arm needs other guards than the rest.
 """
+
+
+class Pressure(TypedDict):
+    """
+    A pressure and its limit.
+    """
+
+    clamped: bool
+    """
+    Whether it is that of a part that cannot give way.
+    """
+    limit_n_cm2: float
+    """
+    The limit, N/cm2.
+    """
+    n_cm2: float
+    """
+    The pressure, N/cm2.
+    """
 
 
 class Problem(TypedDict):
@@ -893,54 +978,53 @@ class SensorState(TypedDict):
     """
 
 
-class Settings(TypedDict):
+class Separation(TypedDict):
     """
-    How it was searched.
+    How near a robot is.
     """
 
-    action_s: float
+    distance_m: float
     """
-    Duration of an action, s.
+    Distance from the person, arms left out, m.
     """
-    actions_per_sequence: int
+    required_m: float | None
     """
-    Actions in a sequence.
+    Protective separation distance, m; none if the robot does not stop at all.
     """
-    contact_check_interval_s: float
+    stops_after_s: float | None
     """
-    Communication step and contact-check interval, s.
+    How long the robot goes on if it is stopped at that instant, s; none if it does not stand within the time that is waited.
     """
-    iterations: int
+    travel_m: float
     """
-    Budget in iterations.
+    How far the link gets in that time at most, m.
     """
-    posture_sweep: bool
+
+
+class SeparationTerms(TypedDict):
     """
-    All postures checked per walk.
+    The terms of the protective separation distance that the cell file says.
     """
-    reach_tolerance_m: float
+
+    approach_m_s: float
     """
-    Depth of contact that the arm check may miss, m.
+    Speed at which people approach, m/s.
     """
-    seed: int
+    intrusion_m: float
     """
-    Seed.
+    How far a part of the body gets in before the person is seen, m.
     """
-    speed_criterion: Criterion
+    person_uncertainty_m: float
     """
-    Which speed makes the force that decides.
+    Uncertainty of where the person is, m.
     """
-    stop_at_first: bool
+    robot_uncertainty_m: float
     """
-    Stop at the first hazard instead of using the budget.
+    Uncertainty of where the robot is, m.
     """
-    strategy: str
+    stop: NotRequired[str | None]
     """
-    Strategy name.
-    """
-    until_s: NotRequired[float | None]
-    """
-    Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    The sensor or input that stops the robots; none if their stop is stated.
     """
 
 
@@ -1481,46 +1565,62 @@ class Comparison(TypedDict):
     """
 
 
-Hazard = TypedDict(
-    'Hazard',
-    {
-        'actions': list[Action],
-        'approach_m_s': float,
-        'arm': Arm | None,
-        'begins': NotRequired[Begin | None],
-        'bend_fraction': float,
-        'body_point_m': list[float],
-        'body_region': BodyRegion,
-        'class': Class,
-        'confirmed': bool | None,
-        'contact_point_m': list[float],
-        'directed_force_n': float,
-        'directed_ratio': float,
-        'distance_m': float,
-        'earliest_time_s': float,
-        'effective_mass_kg': float,
-        'first_iteration': int,
-        'force_n': float,
-        'id': str,
-        'limit_n': float,
-        'person_heading_deg': float,
-        'person_xy_m': list[float],
-        'phase': int | None,
-        'ratio': float,
-        'reflected_mass_kg': NotRequired[float | None],
-        'robot_link': str,
-        'safe_below_m_s': float,
-        'sensors': list[SensorState],
-        'sequences': str | None,
-        'shortest': Shortest,
-        'speed_m_s': float,
-        'through': list[Through],
-        'through_curtain': str | None,
-        'through_curtain_s': float | None,
-        'time_s': float,
-        'times_found': int,
-    },
-)
+class CriteriaRecord(TypedDict):
+    """
+    What counts as unsafe.
+    """
+
+    clamping: NotRequired[ClampingRecord | None]
+    """
+    Clamping.
+    """
+    moving_contact_faster_than_m_s: NotRequired[float | None]
+    """
+    Contacts with points of the robot that are faster than this, m/s.
+    """
+    pressure: bool
+    """
+    Pressure.
+    """
+    separation: NotRequired[SeparationTerms | None]
+    """
+    Separation.
+    """
+    transient_force: Criterion | None
+    """
+    The transient force, by this speed; none if it does not count.
+    """
+
+
+class Judged(TypedDict):
+    """
+    How a hazard was judged.
+    """
+
+    breaks: list[Class]
+    """
+    All criteria that it breaks, the worst first.
+    """
+    clamping: NotRequired[Clamping | None]
+    """
+    What holds the part of the body.
+    """
+    contact: ContactKind
+    """
+    Whether the part of the body can give way, in what it breaks worst.
+    """
+    limit: LimitKind
+    """
+    What the limit is one of that it breaks worst.
+    """
+    pressure: NotRequired[Pressure | None]
+    """
+    The pressure.
+    """
+    separation: NotRequired[Separation | None]
+    """
+    How near the robot is, and should not be.
+    """
 
 
 class Others(TypedDict):
@@ -1774,6 +1874,61 @@ class SelfTest(TypedDict):
     """
 
 
+class Settings(TypedDict):
+    """
+    How it was searched.
+    """
+
+    action_s: float
+    """
+    Duration of an action, s.
+    """
+    actions_per_sequence: int
+    """
+    Actions in a sequence.
+    """
+    contact_check_interval_s: float
+    """
+    Communication step and contact-check interval, s.
+    """
+    criteria: NotRequired[CriteriaRecord | None]
+    """
+    What counts as unsafe, where that is more or other than the transient force.
+    """
+    iterations: int
+    """
+    Budget in iterations.
+    """
+    posture_sweep: bool
+    """
+    All postures checked per walk.
+    """
+    reach_tolerance_m: float
+    """
+    Depth of contact that the arm check may miss, m.
+    """
+    seed: int
+    """
+    Seed.
+    """
+    speed_criterion: Criterion
+    """
+    Which speed makes the force that decides.
+    """
+    stop_at_first: bool
+    """
+    Stop at the first hazard instead of using the budget.
+    """
+    strategy: str
+    """
+    Strategy name.
+    """
+    until_s: NotRequired[float | None]
+    """
+    Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    """
+
+
 class VerifiedHazard(TypedDict):
     """
     The same for programs.
@@ -1915,6 +2070,7 @@ Cause = TypedDict(
         'force_n': float,
         'hazards': list[str],
         'id': str,
+        'judged': NotRequired[Judged | None],
         'limit_n': float,
         'lines': list[Line],
         'part': Part,
@@ -1924,6 +2080,7 @@ Cause = TypedDict(
         'sentence': str,
         'sequences': str | None,
         'share': float | None,
+        'speed_m_s': NotRequired[float | None],
         'worst': str,
     },
 )
@@ -1952,22 +2109,47 @@ class Check(TypedDict):
     """
 
 
-class EventHazard(TypedDict):
-    """
-    A hazard was found. It is not confirmed yet: what counts stands in the results.
-    """
-
-    event: Literal['hazard']
-    hazard: Hazard
-    """
-    As in hazards.jsonl.
-    """
-
-
-Event: TypeAlias = EventDoing | EventProgress | EventHazard | EventResults | EventNote | EventWarning | EventError
-"""
-A line on standard error with `--progress json`. There may be other lines: what the system says, or a mistake in the options.
-"""
+Hazard = TypedDict(
+    'Hazard',
+    {
+        'actions': list[Action],
+        'approach_m_s': float,
+        'arm': Arm | None,
+        'begins': NotRequired[Begin | None],
+        'bend_fraction': float,
+        'body_point_m': list[float],
+        'body_region': BodyRegion,
+        'class': Class,
+        'confirmed': bool | None,
+        'contact_point_m': list[float],
+        'directed_force_n': float,
+        'directed_ratio': float,
+        'distance_m': float,
+        'earliest_time_s': float,
+        'effective_mass_kg': float,
+        'first_iteration': int,
+        'force_n': float,
+        'id': str,
+        'judged': NotRequired[Judged | None],
+        'limit_n': float,
+        'person_heading_deg': float,
+        'person_xy_m': list[float],
+        'phase': int | None,
+        'ratio': float,
+        'reflected_mass_kg': NotRequired[float | None],
+        'robot_link': str,
+        'safe_below_m_s': float,
+        'sensors': list[SensorState],
+        'sequences': str | None,
+        'shortest': Shortest,
+        'speed_m_s': float,
+        'through': list[Through],
+        'through_curtain': str | None,
+        'through_curtain_s': float | None,
+        'time_s': float,
+        'times_found': int,
+    },
+)
 
 
 class Remedy(TypedDict):
@@ -2055,6 +2237,10 @@ class ScanReport(TypedDict):
     """
     Name and version of this tool.
     """
+    unknown: NotRequired[list[str]]
+    """
+    What is not known of the cell, and so passes nobody.
+    """
     verdict: Verdict
     """
     Overall outcome.
@@ -2063,6 +2249,24 @@ class ScanReport(TypedDict):
     """
     Things the user should know.
     """
+
+
+class EventHazard(TypedDict):
+    """
+    A hazard was found. It is not confirmed yet: what counts stands in the results.
+    """
+
+    event: Literal['hazard']
+    hazard: Hazard
+    """
+    As in hazards.jsonl.
+    """
+
+
+Event: TypeAlias = EventDoing | EventProgress | EventHazard | EventResults | EventNote | EventWarning | EventError
+"""
+A line on standard error with `--progress json`. There may be other lines: what the system says, or a mistake in the options.
+"""
 
 
 class Explanation(TypedDict):

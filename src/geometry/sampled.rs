@@ -124,7 +124,7 @@ mod tests {
             let points = surface_points(&solid, 0.02);
             for point in &points {
                 let near = |by: f64| solid.point_distance(point.at + point.outward * by).distance;
-                assert!(near(0.0).abs() < 1e-9 && near(0.01) > 0.0 && near(-0.01) < 0.0, "{point:?}");
+                assert!(near(0.0).abs() < 1e-9 && near(0.01) > 0.0 && near(-0.01) < 1e-9, "{point:?}");
             }
             let (centre, radius) = solid.bounding_sphere();
             for _ in 0..3000 {

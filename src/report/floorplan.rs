@@ -7,7 +7,7 @@ use svg::node::element::{Circle, ClipPath, Definitions, Group, Line, Path, Patte
 use super::anywhere::Place;
 use super::topview::Point;
 use super::whole::Whole;
-use crate::hazard::contact::Class;
+use crate::hazard::Class;
 
 /// The longer side of the map, and the widest scale, pixels and pixels per metre.
 const MAP: f64 = 860.0;

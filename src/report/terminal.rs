@@ -162,6 +162,9 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
 
 /// The force with the other speed, where the two are far apart.
 fn other_force(worst: &Hazard, view: View) -> String {
+    if worst.class.beside_force().is_some() {
+        return String::new();
+    }
     let own = worst.force_n / worst.limit_n;
     let [less, more] =
         if own < worst.directed_ratio { [own, worst.directed_ratio] } else { [worst.directed_ratio, own] };

@@ -275,3 +275,7 @@ fn enters(from: Vec3, along: Vec3, wall: &Cuboid) -> Enters {
     let normal = [Vec3::X, Vec3::Y, Vec3::Z][face] * -along[face].signum();
     Enters::At(enter, wall.rotation * normal)
 }
+
+#[cfg(test)]
+#[path = "clamping_tests.rs"]
+mod tests;

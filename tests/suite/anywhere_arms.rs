@@ -17,7 +17,7 @@ use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Seen as AnInstant};
 use fmi_hazard::sim::curtain::Curtain;
-use fmi_hazard::sim::encounter::{Encounter, Person};
+use fmi_hazard::sim::encounter::{Encounter, Judge, Person};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::{Seen, sees};
 use fmi_hazard::standards::BodyRegion;
@@ -196,6 +196,8 @@ fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
     let curtains = Curtain::all(cell, Vec3::new(from[0], from[1], 0.0), &obstacles);
     let arm = ArmModel::default();
     let encounter = Encounter {
+        judge: Judge::Ending,
+        clamping: None,
         obstacles: obstacles.clone(),
         arm,
         reach_tolerance_m: TOLERANCE_M,

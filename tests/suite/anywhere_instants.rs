@@ -22,7 +22,7 @@ use fmi_hazard::sim::anywhere::ledger::Ledger;
 use fmi_hazard::sim::anywhere::told::{ARCS, Asking, Told, arc};
 use fmi_hazard::sim::anywhere::zones::Zones;
 use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Means, told_in};
-use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Person};
+use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Judge, Person};
 use fmi_hazard::sim::sensors::{Seen, sees};
 
 /// What is asked of some poses at an instant.
@@ -51,6 +51,8 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
         found.harms.iter().map(|harm| told_in(harm.xy_m)).chain(found.open.iter().map(|at| told_in(*at))).collect();
     let obstacles: Vec<_> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
     let encounter = Encounter {
+        judge: Judge::Ending,
+        clamping: None,
         obstacles: obstacles.clone(),
         arm: fmi_hazard::human::arm::ArmModel::default(),
         reach_tolerance_m: cell.search.reach_tolerance_m,

@@ -19,6 +19,7 @@ mod book;
 mod campaign_engines;
 mod campaigns;
 mod causes;
+mod criteria;
 mod every_scan_ends;
 mod exhaustive;
 mod explain;
