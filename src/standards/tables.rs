@@ -1,9 +1,9 @@
-//! Every table of this floor with its origin.
+//! Every table of this floor with its origin: those that scans rest on, and those of separation distances.
 
 use super::provenance::Table;
 use super::{anthropometry, iso_13849, iso_13855, iso_13857, iso_ts_15066};
 
-/// Every table of this floor.
+/// Every table that scans rest on.
 pub fn tables() -> impl Iterator<Item = Table> {
     iso_ts_15066::TABLES
         .into_iter()
@@ -11,6 +11,11 @@ pub fn tables() -> impl Iterator<Item = Table> {
         .chain(iso_13855::TABLES)
         .chain(iso_13857::TABLES)
         .chain(anthropometry::TABLES)
+}
+
+/// Every table that separation distances rest on.
+pub fn distance_tables() -> impl Iterator<Item = Table> {
+    iso_13855::TABLES.into_iter().chain(iso_13855::DISTANCE_TABLES).chain(iso_13857::OPENING_TABLES)
 }
 
 #[cfg(test)]
@@ -22,7 +27,7 @@ mod tests {
     /// As long as no purchased text was compared, no table may claim so.
     #[test]
     fn every_table_admits_that_it_is_unverified() {
-        assert!(tables().all(|table| !table.verified));
+        assert!(tables().chain(distance_tables()).all(|table| !table.verified));
     }
 
     #[test]
@@ -32,7 +37,9 @@ mod tests {
         for standard in ["iso_ts_15066", "iso_13849", "iso_13855", "iso_13857", "ansur_ii"] {
             assert!(ids.iter().any(|id| id.starts_with(standard)), "{standard}");
         }
-        for table in tables() {
+        let more: BTreeSet<_> = distance_tables().map(|table| table.id).collect();
+        assert!(more.len() == distance_tables().count() && more.intersection(&ids).count() == 1);
+        for table in tables().chain(distance_tables()) {
             for text in [table.title, table.source, table.confidence] {
                 assert!(!text.is_empty() && !text.contains("  "), "{}: {text}", table.id);
             }
