@@ -212,8 +212,8 @@ fn through_m(resolution_m: f64) -> f64 {
 #[must_use]
 pub fn through(edition: Edition, t_s: f64, z_m: f64, detection: &Detection) -> Required {
     let clause = match edition {
-        Edition::Of2010 => "6.2",
-        Edition::Of2024 => "8, D_DT",
+        Edition::Of2010 => "clause 6.2",
+        Edition::Of2024 => "clause 8, D_DT",
     };
     let walking = |c_m| Required::known(Separation::walking(t_s, c_m, z_m), clause);
     let fine = |d| Required::known(Separation::of_hands(t_s, through_m(d), z_m), clause);
@@ -235,8 +235,7 @@ pub fn through(edition: Edition, t_s: f64, z_m: f64, detection: &Detection) -> R
             "what the edition of 2024 asks above 55 mm was not found; the figure is that of 2010".to_owned(),
         )),
         (_, None, Some(_)) => walking(ARM_M).unless(Some(
-            "makers disagree on C above a resolution of 70 mm (850 or 1200 mm): if it has single beams, say how many with \
-             `beams`"
+            "makers disagree on C above a resolution of 70 mm (850 or 1200 mm), unless it is a row of single beams"
                 .to_owned(),
         )),
         (_, None, None) => fine(0.0).unless(Some("its resolution is not known".to_owned())),
@@ -294,8 +293,8 @@ pub fn over(
     (hazard_m, edge_m): ([f64; 2], f64),
 ) -> Option<Required> {
     let clause = match edition {
-        Edition::Of2010 => "6.5, Table 1",
-        Edition::Of2024 => "8, D_DO",
+        Edition::Of2010 => "clause 6.5, Table 1",
+        Edition::Of2024 => "clause 8, D_DO",
     };
     // Whether a hand or a person comes does not matter to the least distance: K T of who walks is less.
     let of = |c_m: f64| match detection.is_fine() {
@@ -312,8 +311,7 @@ pub fn over(
         // ISO 13857: nobody reaches over 2700 mm.
         (Edition::Of2024, _) if edge_m >= 2.7 - 1e-9 => None,
         (Edition::Of2024, _) => Some(Required::known(of(0.0), clause).unless(Some(
-            "how far somebody reaches over it is not known: the table of D_DO (2024) was not found; --edition 2010 has one"
-                .to_owned(),
+            "how far somebody reaches over it is not known: the table of D_DO (2024) was not found".to_owned(),
         ))),
     }
 }
@@ -368,8 +366,8 @@ pub fn beam_heights(beams: u32, [low_m, high_m]: [f64; 2]) -> Option<String> {
 #[must_use]
 pub fn along(edition: Edition, t_s: f64, z_m: f64, height_m: f64, resolution_m: Option<f64>) -> Required {
     let (c_m, clause) = match edition {
-        Edition::Of2010 => ((LEANING_M - HEIGHT_SHARE * height_m).max(ARM_M), "6.3"),
-        Edition::Of2024 => (LEANING_M, "9"),
+        Edition::Of2010 => ((LEANING_M - HEIGHT_SHARE * height_m).max(ARM_M), "clause 6.3"),
+        Edition::Of2024 => (LEANING_M, "clause 9"),
     };
     let mm = |m: f64| (m * 1000.0).round();
     let too_low = match resolution_m {
@@ -404,8 +402,10 @@ pub fn along(edition: Edition, t_s: f64, z_m: f64, height_m: f64, resolution_m: 
 #[must_use]
 pub fn mat(edition: Edition, t_s: f64, z_m: f64, step_m: f64) -> Required {
     match edition {
-        Edition::Of2010 => Required::known(Separation::walking(t_s, LEANING_M - HEIGHT_SHARE * step_m, z_m), "7"),
-        Edition::Of2024 => Required::known(Separation::walking(t_s, LEANING_M, z_m), "mats and floors"),
+        Edition::Of2010 => {
+            Required::known(Separation::walking(t_s, LEANING_M - HEIGHT_SHARE * step_m, z_m), "clause 7")
+        }
+        Edition::Of2024 => Required::known(Separation::walking(t_s, LEANING_M, z_m), "clause on mats and floors"),
     }
 }
 
@@ -413,8 +413,8 @@ pub fn mat(edition: Edition, t_s: f64, z_m: f64, step_m: f64) -> Required {
 #[must_use]
 pub fn two_hand(edition: Edition, t_s: f64, z_m: f64) -> Required {
     match edition {
-        Edition::Of2010 => Required::known(Separation::walking(t_s, 0.25, z_m), "8"),
-        Edition::Of2024 => Required::known(Separation::walking(t_s, 0.55, z_m), "two-hand controls"),
+        Edition::Of2010 => Required::known(Separation::walking(t_s, 0.25, z_m), "clause 8"),
+        Edition::Of2024 => Required::known(Separation::walking(t_s, 0.55, z_m), "clause on two-hand controls"),
     }
 }
 
@@ -431,8 +431,8 @@ pub struct Opening {
 #[must_use]
 pub fn door(edition: Edition, t_s: f64, z_m: f64, opening: &Opening) -> Required {
     let clause = match edition {
-        Edition::Of2010 => "9",
-        Edition::Of2024 => "12, D_GT",
+        Edition::Of2010 => "clause 9",
+        Edition::Of2024 => "clause 12, D_GT",
     };
     let of = |c_m| Required::known(Separation::walking((t_s - opening.time_s).max(0.0), c_m, z_m), clause);
     match opening.gap_m {
