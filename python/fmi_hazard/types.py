@@ -350,6 +350,12 @@ In what two values differ that should be the same.
 """
 
 
+Edition: TypeAlias = Literal['2010', '2024']
+"""
+Which edition of the standard.
+"""
+
+
 Effect: TypeAlias = Literal['stops', 'slows', 'starts', 'speeds_up', 'changes', 'nothing']
 """
 What the robots do after an input has changed.
@@ -690,6 +696,12 @@ class Outside(TypedDict):
 Part: TypeAlias = Literal['body', 'arm']
 """
 What of the person is hit: an arm needs other guards than the rest.
+"""
+
+
+Placed: TypeAlias = Literal['far_enough', 'not_known', 'too_near']
+"""
+Whether a safeguard stands far enough away.
 """
 
 
@@ -1138,6 +1150,21 @@ class Spent(TypedDict):
     """
 
 
+class Stopped(TypedDict):
+    """
+    What a sensor does that begins to report at some moment.
+    """
+
+    at_s: float
+    """
+    When it begins to report, s after the beginning of the run.
+    """
+    still_after_s: float | None
+    """
+    Time until the robots stand still, s, if it stops them.
+    """
+
+
 class Subject(TypedDict):
     """
     What was scanned.
@@ -1336,6 +1363,53 @@ class WatchedHistory(TypedDict):
     unseen: bool
     """
     Whether that is from the start on: nobody was seen before.
+    """
+
+
+class Way(TypedDict):
+    """
+    A way past a safeguard to the robots.
+    """
+
+    at_s: float
+    """
+    When it does, s after the beginning of the run.
+    """
+    clause: str | None
+    """
+    Clause of the standard.
+    """
+    edge_m: list[float]
+    """
+    The point of the safeguard's edge that is nearest, m.
+    """
+    formula: str | None
+    """
+    The formula with its numbers.
+    """
+    how: str
+    """
+    How somebody comes: through it, over it, into it and so on.
+    """
+    known: bool
+    """
+    Whether S is known, and not only the least that it can be.
+    """
+    link: str
+    """
+    The link that comes nearest.
+    """
+    margin_mm: int | None
+    """
+    That less S, mm.
+    """
+    s_mm: int | None
+    """
+    S, mm: rounded up; none for a sensor that does not stop the robots.
+    """
+    stands_mm: int
+    """
+    How far the safeguard is from the nearest point that a moving robot reaches, mm: rounded down.
     """
 
 
@@ -1815,6 +1889,58 @@ class Residual(TypedDict):
     """
 
 
+class Safeguard(TypedDict):
+    """
+    A safeguard.
+    """
+
+    delay_s: float
+    """
+    Response time of its own before the FMU is told, s.
+    """
+    kind: str
+    """
+    What it is, in words.
+    """
+    margin_mm: int | None
+    """
+    How much farther it is than S on the way with the least room, mm; negative where it is nearer. Where something is not known, S
+    is the least that it can be.
+    """
+    moments: list[Stopped]
+    """
+    What it did at each moment that was tried.
+    """
+    not_known: list[str]
+    """
+    What is not known, and why.
+    """
+    notes: list[str]
+    """
+    What else there is to say.
+    """
+    placed: Placed
+    """
+    Whether it stands far enough away.
+    """
+    sensor: str
+    """
+    Name of the sensor.
+    """
+    stop_s: float | None
+    """
+    Longest time from when the FMU is told until the robots stand still, s, if it stops them whenever it reports.
+    """
+    t_s: float | None
+    """
+    T: both together, s.
+    """
+    ways: list[Way]
+    """
+    The ways past it, that with the least room first.
+    """
+
+
 class SelfTest(TypedDict):
     """
     The outcome of the self-test.
@@ -2109,6 +2235,41 @@ class Check(TypedDict):
     """
 
 
+class Distances(TypedDict):
+    """
+    All safeguards of a cell.
+    """
+
+    cell: str
+    """
+    Name of the cell.
+    """
+    edition: Edition
+    """
+    Edition of ISO 13855.
+    """
+    fastest_m_s: float
+    """
+    Fastest point of any robot while nobody was detected, m/s.
+    """
+    run_s: float
+    """
+    How long each run was in which stop times and the robots' reach were measured, s.
+    """
+    safeguards: list[Safeguard]
+    """
+    One for each sensor of the cell.
+    """
+    tables: list[Table]
+    """
+    Where the figures come from.
+    """
+    warnings: list[str]
+    """
+    What else there is to know.
+    """
+
+
 Hazard = TypedDict(
     'Hazard',
     {
@@ -2324,6 +2485,10 @@ class Commands(TypedDict):
     compare: Comparison
     """
     `compare`.
+    """
+    distance: Distances
+    """
+    `distance`.
     """
     explain: Explanation
     """

@@ -12,6 +12,7 @@ use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::{Body, Start};
+use crate::standards::iso_13855::{Detection, Opening};
 
 /// A validated cell in SI units and radians.
 #[derive(Clone, Debug)]
@@ -41,6 +42,8 @@ pub struct Workcell {
     pub obstacle_tables: Vec<Option<usize>>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
+    /// For each of them what its safety distance depends on besides.
+    pub placings: Vec<Placing>,
     /// What of the person's pose goes to the FMU.
     pub pose: Vec<PoseQuantity>,
     /// Where and when the person may begin; each is searched by itself.
@@ -246,6 +249,19 @@ pub struct Sensor {
     pub active: bool,
     /// Response time in whole steps.
     pub delay_steps: usize,
+}
+
+/// What the cell file says of a safeguard for its safety distance alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Placing {
+    /// How finely a light curtain or a field sees.
+    pub detection: Detection,
+    /// Height of a field above the floor, m.
+    pub height_m: f64,
+    /// How a door opens.
+    pub opening: Opening,
+    /// Supplement to the distance, m.
+    pub supplement_m: f64,
 }
 
 /// Where a sensor sees.

@@ -9,7 +9,7 @@ use super::output;
 /// What one does with a cell, in this order, and the commands for it.
 const GROUPS: [(&str, &[&str]); 6] = [
     ("Look at an FMU", &["inspect", "probe", "selftest"]),
-    ("Set up a cell", &["init", "check", "pack", "examples", "schema"]),
+    ("Set up a cell", &["init", "check", "distance", "pack", "examples", "schema"]),
     ("Scan it", &["scan", "campaign", "demo", "bench", "step"]),
     ("Understand what was found", &["explain", "replay", "report"]),
     ("Decide whether it is mended", &["verify", "compare"]),

@@ -10,6 +10,7 @@ mod changes;
 mod check;
 mod compare;
 mod demo;
+mod distance;
 mod earlier;
 mod events;
 mod examples;
@@ -80,6 +81,8 @@ enum Command {
     Pack(pack::Arguments),
     /// Run an FMU: whether it moves, repeats itself, and which inputs stop it, after how long, with which polarity
     Probe(probe::Arguments),
+    /// Compare how far safeguards stand from the robots with the safety distance of ISO 13855, for the measured stop time
+    Distance(distance::Arguments),
     /// Scan many cells, starts, values and bodies, in parts on many machines, and put the results together
     Campaign(campaign::Arguments),
     /// Try what an FMU's promises about its state are worth
@@ -129,6 +132,7 @@ pub fn main() -> ExitCode {
         Command::Check(a) => check::run(&a),
         Command::Pack(a) => pack::run(&a),
         Command::Probe(a) => probe::run(&a),
+        Command::Distance(a) => distance::run(&a),
         Command::Campaign(a) => campaign::run(&a),
         Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),

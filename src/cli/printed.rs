@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::{check, events, replay};
 use crate::report::anywhere::Anywhere;
 use crate::report::difference::Difference;
+use crate::report::distance::Distances;
 use crate::report::explanation::Explanation;
 use crate::report::model::ScanReport;
 use crate::report::verified;
@@ -18,6 +19,8 @@ struct Commands<'a> {
     scan: ScanReport,
     /// `check`.
     check: check::Told,
+    /// `distance`.
+    distance: Distances,
     /// `explain`.
     explain: Explanation,
     /// `compare`.

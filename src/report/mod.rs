@@ -15,6 +15,7 @@
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
+//! - [`distance`]: safeguards and their distances
 //! - [`speeds`]: told speeds that are not those of the motion
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
@@ -35,6 +36,7 @@ pub mod comparison;
 pub mod criteria;
 pub mod csv;
 pub mod difference;
+pub mod distance;
 pub mod explanation;
 pub mod floorplan;
 #[cfg(feature = "mcap")]

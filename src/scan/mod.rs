@@ -4,6 +4,7 @@
 //! - `hosting`: where FMUs run; `prepare_error`: why a cell cannot be simulated
 //! - `trial`: FMUs loaded and self-tested, for that
 //! - [`probe`](mod@probe): what inputs do to the robots
+//! - [`distance`]: how far safeguards stand from the robots, and have to by ISO 13855
 //! - [`options`]: how to search, and what is told meanwhile
 //! - [`run`]: one search with its findings grouped and confirmed
 //! - [`exhaustive`]: all sequences, and what can be said after that
@@ -37,6 +38,7 @@ pub mod campaign;
 pub mod causes;
 pub mod comparison;
 mod contact_stop;
+pub mod distance;
 pub mod exhaustive;
 pub mod explain;
 pub mod film;

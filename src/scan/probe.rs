@@ -317,7 +317,15 @@ pub fn probe(prepared: &Prepared) -> Result<Probe, PlantError> {
     probed(prepared, run_s(prepared), Depth::Moments)
 }
 
-/// The same, and what each other input does.
+/// The same in runs so long, s.
+///
+/// # Errors
+/// When the FMU fails.
+pub fn probe_for(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
+    probed(prepared, run_s, Depth::Moments)
+}
+
+/// What [`probe`] does, and what each other input does.
 ///
 /// # Errors
 /// When the FMU fails.

@@ -14,6 +14,24 @@ pub(super) const TABLES: [Table; 1] = [Table {
     verified: false,
 }];
 
+/// What stands behind how far somebody reaches through an opening.
+pub(super) const OPENING_TABLES: [Table; 1] = [Table {
+    id: "iso_13857_openings",
+    title: "ISO 13857:2019, Table 4: reaching through slots, persons of 14 years and above",
+    source: "public secondary sources that quote Table 4",
+    confidence: "the rule above 120 mm in two independent public sources, the distances in one",
+    verified: false,
+}];
+
+/// How far somebody reaches through a slot so wide, m; none where more than an arm gets through.
+#[must_use]
+pub fn reach_through_slot_m(width_m: f64) -> Option<f64> {
+    let rows = [(4, 2), (6, 10), (8, 20), (10, 80), (12, 100), (20, 120), (120, 850)];
+    let width_mm = width_m * 1000.0 - 1e-6;
+    let row = rows.into_iter().find(|(up_to, _)| width_mm <= f64::from(*up_to))?;
+    Some(f64::from(row.1) / 1000.0)
+}
+
 /// Safety distance when the arm is held at the shoulder only, m: the whole arm reaches.
 pub const FROM_SHOULDER_M: f64 = 0.85;
 /// Safety distance when the arm is held up to the elbow, m: forearm and hand reach.
@@ -39,6 +57,17 @@ mod tests {
         assert!((UPPER_ARM_M - 0.30).abs() < 1e-12);
         assert!((FOREARM_M - 0.32).abs() < 1e-12);
         assert!((HAND_RADIUS_M - 0.23).abs() < 1e-12);
+    }
+
+    /// Up to 4 mm a fingertip, up to 20 mm a hand, and then the arm: a slot is longer than 65 mm here.
+    #[test]
+    fn wider_slots_let_more_through() {
+        for (width_mm, reach_mm) in
+            [(0.0, 2.0), (4.0, 2.0), (4.1, 10.0), (8.0, 20.0), (20.0, 120.0), (20.1, 850.0), (120.0, 850.0)]
+        {
+            assert_eq!(reach_through_slot_m(width_mm / 1000.0), Some(reach_mm / 1000.0), "{width_mm}");
+        }
+        assert_eq!(reach_through_slot_m(0.121), None);
     }
 
     /// The standard's arm is meant for the 95th percentile: longer than a median man's measured arm, and within

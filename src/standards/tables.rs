@@ -1,4 +1,4 @@
-//! Every table of this floor with its origin.
+//! Every table of this floor with its origin: those that scans rest on, and those of separation distances.
 
 use super::provenance::Table;
 use super::{anthropometry, body_area, iso_13849, iso_13854, iso_13855, iso_13857, iso_ts_15066};
@@ -28,6 +28,11 @@ pub fn tables() -> impl Iterator<Item = Table> {
     of_every_scan().chain(of_clamping()).chain(of_pressure())
 }
 
+/// Every table that separation distances rest on.
+pub fn distance_tables() -> impl Iterator<Item = Table> {
+    iso_13855::TABLES.into_iter().chain(iso_13855::DISTANCE_TABLES).chain(iso_13857::OPENING_TABLES)
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -37,7 +42,7 @@ mod tests {
     /// As long as no purchased text was compared, no table may claim so.
     #[test]
     fn every_table_admits_that_it_is_unverified() {
-        assert!(tables().all(|table| !table.verified));
+        assert!(tables().chain(distance_tables()).all(|table| !table.verified));
     }
 
     #[test]
@@ -47,7 +52,9 @@ mod tests {
         for standard in ["iso_ts_15066", "iso_13849", "iso_13855", "iso_13857", "ansur_ii"] {
             assert!(ids.iter().any(|id| id.starts_with(standard)), "{standard}");
         }
-        for table in tables() {
+        let more: BTreeSet<_> = distance_tables().map(|table| table.id).collect();
+        assert!(more.len() == distance_tables().count() && more.intersection(&ids).count() == 1);
+        for table in tables().chain(distance_tables()) {
             for text in [table.title, table.source, table.confidence] {
                 assert!(!text.is_empty() && !text.contains("  "), "{}: {text}", table.id);
             }

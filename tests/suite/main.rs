@@ -20,6 +20,7 @@ mod campaign_engines;
 mod campaigns;
 mod causes;
 mod criteria;
+mod distance;
 mod every_scan_ends;
 mod exhaustive;
 mod explain;

@@ -5,9 +5,10 @@ use toml::Spanned;
 use super::checker::Checker;
 use super::format::{CellFile, SensorKind, SensorTable, ZoneTable};
 use crate::cell::CellError;
-use crate::cell::workcell::{Sensor, Zone};
+use crate::cell::workcell::{Placing, Sensor, Zone};
 use crate::fmi;
 use crate::geometry::{Cuboid, Vec3, rotation_about};
+use crate::standards::iso_13855::{Detection, Opening};
 
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
@@ -20,15 +21,16 @@ pub(in crate::cell) fn polarity(s: &SensorTable) -> Option<bool> {
 }
 
 impl Checker<'_> {
-    /// All sensors.
-    pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> Vec<Sensor> {
+    /// All sensors, and what is said of each for its safety distance.
+    pub(super) fn sensors(&self, file: &CellFile, step_s: f64) -> (Vec<Sensor>, Vec<Placing>) {
         for (number, s) in file.sensors.iter().enumerate() {
             let alone = file.sensors[..number].iter().all(|other| other.name != s.name);
             let _ = self.problems.keep(self.that(alone, s.variable.span(), || {
                 (format!("two sensors are called `{}`", s.name), "give each sensor its own name".to_owned())
             }));
         }
-        let sensors = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)));
+        let all = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)));
+        let (sensors, placings): (Vec<Sensor>, Vec<Placing>) = all.into_iter().unzip();
         let planes: Vec<&str> = sensors.iter().filter(|s| s.zone.plane().is_some()).map(|s| s.name.as_str()).collect();
         let enough = self.that(planes.is_empty() || step_s >= SHORTEST_S, file.time.step_s.span(), || {
             let message = format!("time.step_s is {}, too short for {}", fmi::number(step_s), planes.join(", "));
@@ -42,10 +44,10 @@ impl Checker<'_> {
                 planes.join(", ")
             ));
         }
-        sensors
+        (sensors, placings)
     }
 
-    fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<Sensor, Box<CellError>> {
+    fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<(Sensor, Placing), Box<CellError>> {
         let active = self.problems.keep(self.active(s)).unwrap_or_default();
         let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
         let zone = match (s.kind, &s.zone) {
@@ -63,7 +65,7 @@ impl Checker<'_> {
             }
             (SensorKind::Mat, Some(zone)) => Zone::Mat(self.polygon(s, zone)?),
             (SensorKind::ScannerField, Some(zone)) => {
-                let height_m = zone.get_ref().height_m.unwrap_or(0.2);
+                let height_m = zone.get_ref().height_m.unwrap_or(FIELD_HEIGHT_M);
                 self.that((0.0..=1.0).contains(&height_m), span.clone(), || {
                     (
                         format!("the height of sensor `{}` is {} m", s.name, fmi::number(height_m)),
@@ -96,7 +98,78 @@ impl Checker<'_> {
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;
-        Ok(Sensor { name: s.name.clone(), zone, active, delay_steps })
+        let placing = self.placing(s)?;
+        Ok((Sensor { name: s.name.clone(), zone, active, delay_steps }, placing))
+    }
+
+    /// What the safety distance alone depends on.
+    fn placing(&self, s: &SensorTable) -> Result<Placing, Box<CellError>> {
+        use SensorKind::{InterlockedDoor, LightCurtain, Reported, ScannerField};
+        let seeing: &[SensorKind] = &[LightCurtain, ScannerField];
+        let (beams, doors): (&[SensorKind], &[SensorKind]) = (&[LightCurtain], &[InterlockedDoor]);
+        for (key, value, kinds, most) in [
+            ("resolution_mm", &s.resolution_mm, seeing, 500.0),
+            ("opening_mm", &s.opening_mm, doors, 10_000.0),
+            ("opening_ms", &s.opening_ms, doors, 60_000.0),
+        ] {
+            let Some(value) = value else { continue };
+            self.belongs(s, key, &value.span(), kinds)?;
+            self.between(s, key, value, most)?;
+        }
+        if let Some(beams_of) = &s.beams {
+            self.belongs(s, "beams", &beams_of.span(), beams)?;
+            self.that((1..=100).contains(beams_of.get_ref()), beams_of.span(), || {
+                (format!("light curtain `{}` has {} beams", s.name, beams_of.get_ref()), "use 1 to 100".to_owned())
+            })?;
+            self.that(s.resolution_mm.is_none(), beams_of.span(), || {
+                let message = format!("light curtain `{}` has both beams and a resolution", s.name);
+                (message, "beams for a row of single ones, resolution_mm for a curtain".to_owned())
+            })?;
+        }
+        if let Some(supplement) = &s.supplement_mm {
+            self.that(s.kind != Reported, supplement.span(), || {
+                let message = format!("sensor `{}` is inside the FMU: where it begins is not known here", s.name);
+                (message, "remove supplement_mm".to_owned())
+            })?;
+            self.between(s, "supplement_mm", supplement, 10_000.0)?;
+        }
+        let thousandth = |value: &Option<Spanned<f64>>| value.as_ref().map(|value| *value.get_ref() / 1000.0);
+        Ok(Placing {
+            detection: Detection {
+                resolution_m: thousandth(&s.resolution_mm),
+                beams: s.beams.as_ref().map(|beams| *beams.get_ref()),
+            },
+            height_m: s.zone.as_ref().and_then(|zone| zone.get_ref().height_m).unwrap_or(FIELD_HEIGHT_M),
+            opening: Opening { gap_m: thousandth(&s.opening_mm), time_s: thousandth(&s.opening_ms).unwrap_or(0.0) },
+            supplement_m: thousandth(&s.supplement_mm).unwrap_or(0.0),
+        })
+    }
+
+    /// Whether a key is of this kind of sensor.
+    fn belongs(
+        &self,
+        s: &SensorTable,
+        key: &str,
+        span: &std::ops::Range<usize>,
+        kinds: &[SensorKind],
+    ) -> Result<(), Box<CellError>> {
+        self.that(kinds.contains(&s.kind), span.clone(), || {
+            let of = kinds.iter().map(|kind| match kind {
+                SensorKind::LightCurtain => "a light curtain",
+                SensorKind::ScannerField => "a scanner field",
+                SensorKind::InterlockedDoor => "a door",
+                _ => "another sensor",
+            });
+            let of: Vec<&str> = of.collect();
+            (format!("sensor `{}` has {key}, which only {} has", s.name, of.join(" or ")), format!("remove {key}"))
+        })
+    }
+
+    fn between(&self, s: &SensorTable, key: &str, value: &Spanned<f64>, most: f64) -> Result<(), Box<CellError>> {
+        let number = *value.get_ref();
+        self.that(number >= 0.0 && number <= most, value.span(), || {
+            (format!("{key} of sensor `{}` is {}", s.name, fmi::number(number)), format!("use 0 to {most}"))
+        })
     }
 
     /// Value while a person is detected.
@@ -165,6 +238,9 @@ impl Checker<'_> {
         Ok(Cuboid { half: narrow.half.with_x(narrow.half.x + ASIDE_M), ..narrow })
     }
 }
+
+/// Height of a scanner field above the floor unless told otherwise, m.
+const FIELD_HEIGHT_M: f64 = 0.2;
 
 /// Shortest step with a light curtain, a door or a two-hand control, s: in 64 of them a hand gets as far as an arm is long.
 const SHORTEST_S: f64 = 0.01;

@@ -63,7 +63,7 @@ impl Checker<'_> {
         let (robots, mut links) = self.robots(&file);
         self.link_contacts(&file, &mut links);
         let chosen = self.criteria(&file);
-        let sensors = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
+        let (sensors, placings) = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let (obstacles, obstacle_tables) = self.obstacles(&file);
         let body = self.problems.keep(self.body(&file));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
@@ -91,6 +91,7 @@ impl Checker<'_> {
             obstacles,
             obstacle_tables,
             sensors,
+            placings,
             pose: file.pose.keys().copied().collect(),
             start: beginnings.first()?.start,
             beginnings,

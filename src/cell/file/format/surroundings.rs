@@ -101,6 +101,29 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "f64")]
     pub delay_ms: Option<Spanned<f64>>,
+    /// Light curtain and scanner field: resolution or detection capability, mm; for `distance` alone, which does not know the
+    /// safety distance without it.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub resolution_mm: Option<Spanned<f64>>,
+    /// Light curtain that is a row of single beams: how many; for `distance` alone, instead of a resolution.
+    #[serde(default)]
+    #[schemars(with = "Option<u32>")]
+    pub beams: Option<Spanned<u32>>,
+    /// Door: how wide it is open at most when its switch tells, mm; for `distance` alone.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub opening_mm: Option<Spanned<f64>>,
+    /// Door: time from when its switch tells until somebody gets through, ms; for `distance` alone, where it counts for the door.
+    /// A scan has doors open at once.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub opening_ms: Option<Spanned<f64>>,
+    /// Supplement to the safety distance, mm, such as the tolerance of a scanner: Z of ISO 13855; for `distance` alone, none unless
+    /// told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub supplement_mm: Option<Spanned<f64>>,
 }
 
 /// Where a sensor sees.
