@@ -18,6 +18,7 @@ mod book;
 mod campaign_engines;
 mod campaigns;
 mod causes;
+mod criteria_cells;
 mod every_scan_ends;
 mod exhaustive;
 mod explain;
