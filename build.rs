@@ -148,7 +148,8 @@ fn cell_files(folder: &Path) -> Result<Vec<(String, PathBuf)>, Box<dyn Error>> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().and_then(|name| name.to_str()).ok_or("a file name is not UTF-8")?.to_owned();
-        if path.is_file() && path.extension().is_some_and(|extension| extension == "toml" || extension == "md") {
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        if path.is_file() && extension.is_some_and(|extension| ["toml", "md", "svg"].contains(&extension)) {
             files.push((name, path));
         }
     }

@@ -14,7 +14,7 @@ pub struct Example {
     pub summary: &'static str,
     /// Its FMUs, complete archives: name and content. The first is the whole cell in FMI 2.0.
     pub fmus: &'static [(&'static str, &'static [u8])],
-    /// The cell files (`cell.toml`, `fixed.toml`, `README.md`): name and content.
+    /// The cell files (`cell.toml`, `fixed.toml`, `README.md`, the picture in it): name and content.
     pub files: &'static [(&'static str, &'static [u8])],
 }
 

@@ -47,6 +47,8 @@ pub struct Drive {
     line_override: f64,
     line_time: f64,
     line_target: f64,
+    /// The ramp time along it, s: that of when it began.
+    line_ramp: f64,
     reset_was_pressed: bool,
 }
 
@@ -70,6 +72,7 @@ impl Drive {
             line_override: 1.0,
             line_time: 0.0,
             line_target: 1.0,
+            line_ramp: 0.0,
             reset_was_pressed: false,
         }
     }
@@ -80,7 +83,7 @@ impl Drive {
         self.reset_was_pressed = demands.reset;
         if demands.stop {
             self.stop_since.get_or_insert(self.tick);
-        } else if pressed && self.state(settings) == STOPPED {
+        } else if pressed && self.state() == STOPPED {
             self.stop_since = None;
         }
         if demands.slow {
@@ -112,41 +115,42 @@ impl Drive {
             1.0
         };
         if target != self.line_target {
-            (self.line_override, self.line_time) = self.at(tick, settings);
+            (self.line_override, self.line_time) = self.at(tick);
             self.line_start = tick;
             self.line_target = target;
+            self.line_ramp = settings.t_ramp;
         }
     }
 
     /// Override and programme time at a tick of the present line.
-    fn at(&self, tick: u64, settings: &Settings) -> (f64, f64) {
+    fn at(&self, tick: u64) -> (f64, f64) {
         let (from, to) = (self.line_override, self.line_target);
         let elapsed = seconds(tick.saturating_sub(self.line_start));
-        let until_clamped = (to - from).abs() * settings.t_ramp;
+        let until_clamped = (to - from).abs() * self.line_ramp;
         if elapsed >= until_clamped {
             let on_the_slope = until_clamped * (from + to) / 2.0;
             (to, self.line_time + on_the_slope + (elapsed - until_clamped) * to)
         } else {
-            let slope = if to > from { 1.0 / settings.t_ramp } else { -1.0 / settings.t_ramp };
+            let slope = if to > from { 1.0 / self.line_ramp } else { -1.0 / self.line_ramp };
             (from + slope * elapsed, self.line_time + from * elapsed + slope * elapsed * elapsed / 2.0)
         }
     }
 
     /// The override, 0 to 1.
-    pub fn pace(&self, settings: &Settings) -> f64 {
-        self.at(self.tick, settings).0
+    pub fn pace(&self) -> f64 {
+        self.at(self.tick).0
     }
 
     /// The integral of the override since the start, s.
-    pub fn programme_time(&self, settings: &Settings) -> f64 {
-        self.at(self.tick, settings).1
+    pub fn programme_time(&self) -> f64 {
+        self.at(self.tick).1
     }
 
     /// `plc.stop_state`.
-    pub fn state(&self, settings: &Settings) -> i32 {
+    pub fn state(&self) -> i32 {
         if self.stop_since.is_some() {
             // Standing counts only once the stop acts: reduced speed may be standstill as well.
-            if self.line_target == 0.0 && self.pace(settings) == 0.0 { STOPPED } else { STOPPING }
+            if self.line_target == 0.0 && self.pace() == 0.0 { STOPPED } else { STOPPING }
         } else if self.slow_since.is_some() {
             REDUCED
         } else {
@@ -161,7 +165,8 @@ impl Drive {
 
     /// Takes over another's latch: what a faulty restore does.
     pub fn with_latch_of(self, other: &Self) -> Self {
-        Self { stop_since: other.stop_since, line_target: other.line_target, ..self }
+        let line_ramp = self.line_ramp.max(other.line_ramp);
+        Self { stop_since: other.stop_since, line_target: other.line_target, line_ramp, ..self }
     }
 
     /// Writes all fields.
@@ -175,6 +180,7 @@ impl Drive {
         out.f64(self.line_override);
         out.f64(self.line_time);
         out.f64(self.line_target);
+        out.f64(self.line_ramp);
         out.bool(self.reset_was_pressed);
     }
 
@@ -195,6 +201,7 @@ impl Drive {
             line_override: input.f64()?,
             line_time: input.f64()?,
             line_target: input.f64()?,
+            line_ramp: input.f64()?,
             reset_was_pressed: input.bool()?,
         })
     }
@@ -226,7 +233,7 @@ mod tests {
         let mut drive = Drive::running();
         drive.advance(1, demand(true, false), &SETTINGS);
         drive.advance(999, demand(false, false), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPED);
+        assert_eq!(drive.state(), STOPPED);
         drive
     }
 
@@ -235,21 +242,21 @@ mod tests {
         let mut drive = Drive::running();
         drive.advance(100, demand(false, false), &SETTINGS);
         drive.advance(50, demand(true, false), &SETTINGS);
-        assert_eq!((drive.state(&SETTINGS), drive.pace(&SETTINGS)), (STOPPING, 1.0));
+        assert_eq!((drive.state(), drive.pace()), (STOPPING, 1.0));
         drive.advance(150, demand(true, false), &SETTINGS);
-        assert!((drive.pace(&SETTINGS) - 0.5).abs() < 1e-12);
+        assert!((drive.pace() - 0.5).abs() < 1e-12);
         drive.advance(149, demand(true, false), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPING);
+        assert_eq!(drive.state(), STOPPING);
         drive.advance(1, demand(true, false), &SETTINGS);
-        assert_eq!((drive.state(&SETTINGS), drive.pace(&SETTINGS)), (STOPPED, 0.0));
+        assert_eq!((drive.state(), drive.pace()), (STOPPED, 0.0));
         // Travel of a stop from full pace: reaction time plus half the ramp time.
-        assert!((drive.programme_time(&SETTINGS) - (0.1 + 0.05 + 0.15)).abs() < 1e-12);
+        assert!((drive.programme_time() - (0.1 + 0.05 + 0.15)).abs() < 1e-12);
     }
 
     #[test]
     fn a_short_demand_is_latched() {
         let drive = stopped();
-        assert!((drive.programme_time(&SETTINGS) - 0.2).abs() < 1e-12);
+        assert!((drive.programme_time() - 0.2).abs() < 1e-12);
     }
 
     #[test]
@@ -257,19 +264,19 @@ mod tests {
         let slow = Demands { slow: true, ..Demands::default() };
         let mut drive = Drive::running();
         drive.advance(50, slow, &SETTINGS);
-        assert_eq!((drive.state(&SETTINGS), drive.pace(&SETTINGS)), (REDUCED, 1.0));
+        assert_eq!((drive.state(), drive.pace()), (REDUCED, 1.0));
         // From 1 to 0.25 takes 0.75 of the ramp.
         drive.advance(225, slow, &SETTINGS);
-        assert!((drive.pace(&SETTINGS) - 0.25).abs() < 1e-12);
+        assert!((drive.pace() - 0.25).abs() < 1e-12);
         drive.advance(500, slow, &SETTINGS);
-        assert!((drive.pace(&SETTINGS) - 0.25).abs() < 1e-12);
+        assert!((drive.pace() - 0.25).abs() < 1e-12);
         drive.advance(30, Demands::default(), &SETTINGS);
-        assert!((drive.pace(&SETTINGS) - 0.35).abs() < 1e-12);
+        assert!((drive.pace() - 0.35).abs() < 1e-12);
         // A short demand is forgotten before it acts.
         drive.advance(300, Demands::default(), &SETTINGS);
         drive.advance(40, slow, &SETTINGS);
         drive.advance(300, Demands::default(), &SETTINGS);
-        assert_eq!((drive.state(&SETTINGS), drive.pace(&SETTINGS)), (RUNNING, 1.0));
+        assert_eq!((drive.state(), drive.pace()), (RUNNING, 1.0));
     }
 
     #[test]
@@ -278,13 +285,13 @@ mod tests {
         let both = Demands { stop: true, slow: true, reset: false };
         drive.advance(1000, Demands { slow: true, ..Demands::default() }, &SETTINGS);
         drive.advance(50 + 75, both, &SETTINGS);
-        assert_eq!((drive.state(&SETTINGS), drive.pace(&SETTINGS)), (STOPPED, 0.0));
+        assert_eq!((drive.state(), drive.pace()), (STOPPED, 0.0));
         let standstill = Settings { reduced: 0.0, ..SETTINGS };
         let mut drive = Drive::running();
         drive.advance(1000, Demands { slow: true, ..Demands::default() }, &standstill);
-        assert_eq!((drive.state(&standstill), drive.pace(&standstill)), (REDUCED, 0.0));
+        assert_eq!((drive.state(), drive.pace()), (REDUCED, 0.0));
         drive.advance(20, Demands { stop: true, slow: true, reset: false }, &standstill);
-        assert_eq!(drive.state(&standstill), STOPPED);
+        assert_eq!(drive.state(), STOPPED);
     }
 
     #[test]
@@ -309,14 +316,14 @@ mod tests {
     fn only_a_press_without_a_demand_restarts() {
         let mut drive = stopped();
         drive.advance(20, demand(true, true), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPED, "demand there");
+        assert_eq!(drive.state(), STOPPED, "demand there");
         drive.advance(20, demand(false, true), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPED, "held, not pressed");
+        assert_eq!(drive.state(), STOPPED, "held, not pressed");
         drive.advance(20, demand(false, false), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPED, "the end of the demand alone");
+        assert_eq!(drive.state(), STOPPED, "the end of the demand alone");
         drive.advance(150, demand(false, true), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), RUNNING);
-        assert!((drive.pace(&SETTINGS) - 0.5).abs() < 1e-12);
+        assert_eq!(drive.state(), RUNNING);
+        assert!((drive.pace() - 0.5).abs() < 1e-12);
     }
 
     #[test]
@@ -325,7 +332,7 @@ mod tests {
         drive.advance(20, demand(true, false), &SETTINGS);
         drive.advance(100, demand(false, true), &SETTINGS);
         drive.advance(900, demand(false, true), &SETTINGS);
-        assert_eq!(drive.state(&SETTINGS), STOPPED);
+        assert_eq!(drive.state(), STOPPED);
     }
 
     #[test]
@@ -339,11 +346,11 @@ mod tests {
                 slow: (1300..1500).contains(&tick),
                 reset: tick == 800,
             };
-            let before = drive.pace(&SETTINGS);
+            let before = drive.pace();
             drive.advance(1, demands, &SETTINGS);
-            sum += (before + drive.pace(&SETTINGS)) / 2000.0;
-            assert!((drive.programme_time(&SETTINGS) - sum).abs() < 1e-9, "tick {tick}");
+            sum += (before + drive.pace()) / 2000.0;
+            assert!((drive.programme_time() - sum).abs() < 1e-9, "tick {tick}");
         }
-        assert_eq!(drive.state(&SETTINGS), STOPPED);
+        assert_eq!(drive.state(), STOPPED);
     }
 }

@@ -26,17 +26,20 @@ pub struct Path {
     robot: &'static Robot,
     rotation: Rotation,
     legs: Vec<Leg>,
-    cycle_time: f64,
 }
 
 #[derive(Debug)]
 struct Leg {
     start: Vec3,
     direction: Vec3,
-    /// When the leg starts, s into the cycle.
-    begins: f64,
+    /// How long it takes at full pace, s.
+    duration: f64,
+    /// Programmed speed, m/s.
+    programmed: f64,
     /// Mass of the workpiece, kg.
     carries: f64,
+    /// Whether it is slowed down to the speed of approach.
+    approach: bool,
     /// At each grid point.
     knots: Vec<Knot>,
 }
@@ -78,7 +81,7 @@ impl Path {
     /// Times the programme of a robot; None if it leaves the reach, passes a singular pose, has a leg of no length or
     /// does not come back to its start.
     pub fn new(spec: &RobotSpec) -> Option<Self> {
-        let mut path = Self { robot: spec.robot, rotation: spec.rotation, legs: Vec::new(), cycle_time: 0.0 };
+        let mut path = Self { robot: spec.robot, rotation: spec.rotation, legs: Vec::new() };
         let mut at = spec.start;
         let mut q = path.angles(at, &spec.near)?;
         for leg in spec.legs {
@@ -87,25 +90,33 @@ impl Path {
             let duration = last.time;
             q = last.q;
             let direction = direction(at, leg.end)?;
-            path.legs.push(Leg { start: at, direction, begins: path.cycle_time, carries: leg.carries, knots });
-            path.cycle_time += duration;
+            let (programmed, carries, approach) = (leg.speed, leg.carries, leg.approach);
+            path.legs.push(Leg { start: at, direction, duration, programmed, carries, approach, knots });
             at = leg.end;
         }
         (at == spec.start).then_some(path)
     }
 
-    /// Duration of one cycle at full pace, s.
-    #[cfg(test)]
-    pub fn cycle_time(&self) -> f64 {
-        self.cycle_time
+    /// Duration of one cycle, s, if approaches are no faster than `v_approach`, m/s.
+    fn cycle_time(&self, v_approach: f64) -> f64 {
+        self.legs.iter().fold(0.0, |time, leg| time + leg.duration / leg.pace(v_approach))
     }
 
-    /// The motion at a programme time (s, taken modulo the cycle).
-    pub fn at(&self, programme_time: f64) -> Motion {
-        let time = programme_time.rem_euclid(self.cycle_time);
-        let leg_number = self.legs.partition_point(|leg| leg.begins <= time).saturating_sub(1);
+    /// The motion at a programme time (s, taken modulo the cycle), if approaches are no faster than `v_approach`, m/s.
+    pub fn at(&self, programme_time: f64, v_approach: f64) -> Motion {
+        let time = programme_time.rem_euclid(self.cycle_time(v_approach));
+        let (mut leg_number, mut begins) = (0, 0.0);
+        for (number, leg) in self.legs.iter().enumerate().take(self.legs.len() - 1) {
+            let ends = begins + leg.duration / leg.pace(v_approach);
+            if time < ends {
+                break;
+            }
+            (leg_number, begins) = (number + 1, ends);
+        }
         let leg = &self.legs[leg_number];
-        let (distance, speed, near) = leg.place(time - leg.begins);
+        let pace = leg.pace(v_approach);
+        let (distance, speed, near) = leg.place((time - begins) * pace);
+        let speed = speed * pace;
         let position = add(leg.start, scale(leg.direction, distance));
         let velocity = scale(leg.direction, speed);
         // Both exist on the whole path: `new` has solved them on the grid, and the path keeps clear of the limits.
@@ -127,6 +138,11 @@ fn direction(from: Vec3, to: Vec3) -> Option<Vec3> {
 }
 
 impl Leg {
+    /// Seconds of the leg as it is timed per second. It begins and ends at rest, so slowed down it is still without jumps.
+    fn pace(&self, v_approach: f64) -> f64 {
+        if self.approach { (v_approach / self.programmed).min(1.0) } else { 1.0 }
+    }
+
     /// Distance from the start of the leg and path speed, `time` seconds after its beginning, and joint angles nearby.
     fn place(&self, time: f64) -> (f64, f64, &Joints) {
         let next = self.knots.partition_point(|knot| knot.time <= time).clamp(1, self.knots.len() - 1);
@@ -275,7 +291,11 @@ mod tests {
         // Slow and far from any joint limit: t = length / v + v / a.
         let path = to_and_fro([0.5, 0.0, 0.6], [0.5, 0.0, 0.8], 0.4).unwrap();
         let expected = 2.0 * (0.2 / 0.4 + 0.4 / MAX_PATH_ACCELERATION);
-        assert!((path.cycle_time() - expected).abs() < 2e-3, "{} s, expected {expected} s", path.cycle_time());
+        assert!(
+            (path.cycle_time(f64::INFINITY) - expected).abs() < 2e-3,
+            "{} s, expected {expected} s",
+            path.cycle_time(f64::INFINITY)
+        );
     }
 
     #[test]
@@ -284,8 +304,8 @@ mod tests {
         let path = to_and_fro([0.25, -0.3, 0.6], [0.25, 0.3, 0.6], 2.0).unwrap();
         let mut fastest: f64 = 0.0;
         let mut time = 0.0;
-        while time < path.cycle_time() {
-            let motion = path.at(time);
+        while time < path.cycle_time(f64::INFINITY) {
+            let motion = path.at(time, f64::INFINITY);
             for joint in 0..6 {
                 assert!(motion.qd[joint].abs() <= IRB_1200.max_speed(joint) * 1.001, "joint {joint} at {time} s");
             }
@@ -322,11 +342,11 @@ mod tests {
         for spec in WORKCELLS.iter().flat_map(|cell| cell.robots) {
             let path = Path::new(spec).unwrap_or_else(|| panic!("{} cannot be run", spec.robot.name));
             let robot = spec.robot;
-            let mut before = path.at(0.0);
+            let mut before = path.at(0.0, f64::INFINITY);
             let mut legs = vec![0];
             let mut time = 0.0;
-            while time < path.cycle_time() {
-                let motion = path.at(time);
+            while time < path.cycle_time(f64::INFINITY) {
+                let motion = path.at(time, f64::INFINITY);
                 let chain = robot.place(&motion.q);
                 assert!(off_the_polyline(spec, chain.origins[6]) < 1e-9, "{} at {time} s", robot.name);
                 for (row, expected) in chain.rotations[5].iter().zip(&spec.rotation) {
@@ -359,7 +379,7 @@ mod tests {
         let slow = 0.1 / 0.5 + 0.5 / 15.0;
         let fast = 0.52_f64.sqrt() / 2.0 + 2.0 / 15.0;
         let expected = 4.0 * slow + 2.0 * fast;
-        let cycle = Path::new(&safety_fence::SPEC.robots[0]).unwrap().cycle_time();
+        let cycle = Path::new(&safety_fence::SPEC.robots[0]).unwrap().cycle_time(f64::INFINITY);
         assert!(cycle >= expected - 1e-9, "{cycle} s is faster than the limits allow: {expected} s");
         assert!(cycle - expected < 5e-3, "{cycle} s, expected {expected} s");
     }

@@ -123,6 +123,8 @@ struct Things<'a> {
     floor: bool,
     obstacles: Vec<(usize, &'a Cuboid)>,
     links: Vec<usize>,
+    /// Links that the same part carries: nobody is within them.
+    neighbours: Vec<usize>,
 }
 
 impl<'a> Things<'a> {
@@ -136,8 +138,19 @@ impl<'a> Things<'a> {
     ) -> Self {
         let (solid, speed) = (&frame.links[link], frame.speed_bounds[link]);
         let (centre, radius) = solid.bounding_sphere();
+        let in_reach = |other: usize| {
+            let (other_centre, other_radius) = frame.links[other].bounding_sphere();
+            (other_centre - centre).length() - radius - other_radius <= longest_m
+        };
+        let others = |same_body: bool| {
+            let all = (0..frame.links.len()).filter(move |other| *other != link);
+            all.filter(move |other| frame.same_body(link, *other) == same_body)
+        };
+        let fast = |other: &usize| matters(speed + frame.speed_bounds[*other]) && in_reach(*other);
+        let links: Vec<usize> = others(false).filter(fast).collect();
         let (mut floor, mut obstacles) = (false, Vec::new());
-        if matters(speed) {
+        // What does not count itself may still be between a link and one that comes towards it.
+        if matters(speed) || !links.is_empty() {
             floor = centre.z - radius <= longest_m;
             let apart = |wall: &Cuboid| match solid {
                 Solid::Capsule(c) => segment_cuboid_apart(c.a, c.b, wall) - c.radius,
@@ -146,15 +159,8 @@ impl<'a> Things<'a> {
             let all = encounter.obstacles.iter().enumerate();
             obstacles.extend(all.filter(|(_, wall)| apart(wall) <= longest_m));
         }
-        let comes_near = |other: &usize| {
-            if *other == link || frame.same_body(link, *other) || !matters(speed + frame.speed_bounds[*other]) {
-                return false;
-            }
-            let (other_centre, other_radius) = frame.links[*other].bounding_sphere();
-            (other_centre - centre).length() - radius - other_radius <= longest_m
-        };
-        let links = (0..frame.links.len()).filter(comes_near).collect();
-        Self { frame, link, floor, obstacles, links }
+        let neighbours = others(true).filter(|other| in_reach(*other)).collect();
+        Self { frame, link, floor, obstacles, links, neighbours }
     }
 
     const fn is_empty(&self) -> bool {
@@ -187,6 +193,9 @@ impl<'a> Things<'a> {
 
     /// The first that a ray meets within some length; nothing for a ray that begins inside of something.
     fn met(&self, from: Vec3, along: Vec3, longest_m: f64) -> Option<Met> {
+        if self.neighbours.iter().any(|other| self.frame.links[*other].point_distance(from).distance <= 0.0) {
+            return None;
+        }
         let mut first: Option<Met> = None;
         let mut longest = longest_m;
         if self.floor {

@@ -5,8 +5,18 @@ use std::path::Path;
 
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
 
-const CELLS: [&str; 6] =
-    ["safety-fence", "sensor-mat", "two-scanners", "light-curtain", "heavy-workpiece", "head-collision"];
+const CELLS: [&str; 10] = [
+    "safety-fence",
+    "sensor-mat",
+    "two-scanners",
+    "light-curtain",
+    "heavy-workpiece",
+    "head-collision",
+    "hand-at-table",
+    "wall-behind",
+    "sharp-workpiece",
+    "short-zone",
+];
 
 /// Exit code, stdout and stderr without line breaks and box drawing.
 fn run(dir: &Path, arguments: &[&str]) -> (i32, String, String) {

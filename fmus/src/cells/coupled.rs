@@ -96,7 +96,7 @@ impl Controller {
     }
 
     fn motion(&self) -> Motion {
-        path().at(self.phase0 + self.speed_scale * self.drive.programme_time(&self.settings()))
+        path().at(self.phase0 + self.speed_scale * self.drive.programme_time(), f64::INFINITY)
     }
 
     /// Reads what `write` wrote.
@@ -130,7 +130,7 @@ impl Model for Controller {
 
     fn read_out(&self, values: &mut [Value]) {
         let motion = self.motion();
-        let pace = self.drive.pace(&self.settings());
+        let pace = self.drive.pace();
         values[controller::T_RAMP] = Value::Real(self.t_ramp);
         values[controller::SPEED_SCALE] = Value::Real(self.speed_scale);
         values[controller::PHASE0] = Value::Real(self.phase0);

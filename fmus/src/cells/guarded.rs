@@ -96,19 +96,17 @@ impl Guarded {
     }
 
     fn value(&self, place: usize) -> Value {
-        let settings = self.settings();
         match place {
             vr::MUTING => Value::Boolean(self.muting),
             vr::CLEAR => Value::Boolean(self.clear),
             vr::OCCUPIED => Value::Boolean(self.occupied()),
             vr::COUNTS => Value::Boolean(self.counts()),
             vr::Q => Value::Real(
-                self.reals[vr::SPEED] * self.drive.programme_time(&settings)
-                    + self.reals[vr::BURST_BY] * self.burst_s(),
+                self.reals[vr::SPEED] * self.drive.programme_time() + self.reals[vr::BURST_BY] * self.burst_s(),
             ),
             vr::QD => {
                 let is_in_burst = self.burst_s() > 0.0 && self.burst_s() < BURST_S;
-                let speed = self.reals[vr::SPEED] * self.drive.pace(&settings);
+                let speed = self.reals[vr::SPEED] * self.drive.pace();
                 let share = if self.lasting > 0 { self.reals[vr::TOLD_SHARE] } else { 1.0 };
                 Value::Real(share * speed + if is_in_burst { self.reals[vr::BURST_BY] } else { 0.0 })
             }

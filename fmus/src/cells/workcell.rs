@@ -100,6 +100,16 @@ impl Workcell {
         Settings { t_react: p[parameter::T_REACT], t_ramp: p[parameter::T_RAMP], reduced }
     }
 
+    /// The settings for what a robot carries.
+    fn settings_of(&self, robot: usize) -> Settings {
+        let settings = self.settings();
+        if shared(self.cell).spec.t_ramp_loaded.is_some() && self.motion(robot).carries > 0.0 {
+            Settings { t_ramp: self.parameters[parameter::T_RAMP_LOADED], ..settings }
+        } else {
+            settings
+        }
+    }
+
     /// Programme seconds per second at full override.
     fn full_pace(&self) -> f64 {
         let scale = self.parameters[parameter::SPEED_SCALE];
@@ -110,8 +120,10 @@ impl Workcell {
     }
 
     fn motion(&self, robot: usize) -> Motion {
-        let time = self.full_pace() * self.drives[robot].programme_time(&self.settings());
-        shared(self.cell).paths[robot].at(self.parameters[parameter::PHASE0] + time)
+        let time = self.full_pace() * self.drives[robot].programme_time();
+        let shared = shared(self.cell);
+        let v_approach = shared.spec.v_approach.map_or(f64::INFINITY, |_| self.parameters[parameter::V_APPROACH]);
+        shared.paths[robot].at(self.parameters[parameter::PHASE0] + time, v_approach)
     }
 
     /// Whether the scanner of `field` (0 or 1) sees a foot.
@@ -147,8 +159,7 @@ impl Workcell {
     }
 
     fn value(&self, motions: &[Option<Motion>; ROBOTS], role: Role) -> Value {
-        let settings = self.settings();
-        let pace = |robot: usize| self.full_pace() * self.drives[robot].pace(&settings);
+        let pace = |robot: usize| self.full_pace() * self.drives[robot].pace();
         let robot_value = |robot: usize, of: &dyn Fn(&Motion, f64) -> f64| {
             Value::Real(motions[robot].as_ref().map_or(f64::NAN, |motion| of(motion, pace(robot))))
         };
@@ -170,12 +181,12 @@ impl Workcell {
                 }
             }),
             Role::TcpSpeed(robot) => robot_value(robot, &|motion, pace| motion.tcp_speed * pace),
-            Role::Override(robot) => Value::Real(self.drives[robot].pace(&settings)),
+            Role::Override(robot) => Value::Real(self.drives[robot].pace()),
             Role::Leg(robot) => {
                 let leg = motions[robot].as_ref().map_or(0, |motion| motion.leg);
                 Value::Integer(i32::try_from(leg).unwrap_or(i32::MAX))
             }
-            Role::StopState(robot) => Value::Integer(self.drives[robot].state(&settings)),
+            Role::StopState(robot) => Value::Integer(self.drives[robot].state()),
             Role::Payload(robot) => {
                 let tool = shared(self.cell).spec.robots[robot].tool_kg;
                 robot_value(robot, &|motion, _| tool + motion.carries)
@@ -205,9 +216,8 @@ impl Model for Workcell {
     }
 
     fn step(&mut self, ticks: u64) -> Outcome {
-        let settings = self.settings();
         for robot in 0..shared(self.cell).paths.len() {
-            let demands = self.demands(robot);
+            let (demands, settings) = (self.demands(robot), self.settings_of(robot));
             self.drives[robot].advance(ticks, demands, &settings);
         }
         Outcome::Done
@@ -372,6 +382,59 @@ mod tests {
         slow.set("plc.v_limit", Value::Real(0.24));
         slow.model.step(400);
         assert!((slow.real("robot.tcp_speed") - 0.24).abs() < 1e-9);
+    }
+
+    /// Milliseconds from the demand on until the robot stands.
+    fn stop_takes(bench: &mut Bench) -> u32 {
+        bench.set("plc.field_clear", Value::Boolean(false));
+        let mut milliseconds = 0;
+        while bench.get("plc.stop_state") != Value::Integer(3) {
+            bench.model.step(1);
+            milliseconds += 1;
+        }
+        milliseconds
+    }
+
+    #[test]
+    fn a_stop_with_a_casting_takes_longer_even_if_it_is_put_down_meanwhile() {
+        let mut bench = Bench::new("short-zone");
+        bench.set("ctrl.phase0", Value::Real(0.3));
+        assert_eq!((bench.real("gripper.payload"), stop_takes(&mut bench)), (2.0, 100 + 300));
+        let mut bench = Bench::new("short-zone");
+        bench.set("ctrl.phase0", Value::Real(1.6));
+        assert_eq!((bench.real("gripper.payload"), stop_takes(&mut bench)), (10.0, 100 + 700));
+        // 0.15 s before the end of the leg: the ramp is that of its beginning, and the speed has no jump.
+        let mut bench = Bench::new("short-zone");
+        bench.set("ctrl.phase0", Value::Real(2.0 * (1.1 / 0.9 + 0.9 / 15.0) - 0.15));
+        assert_eq!((bench.real("gripper.payload"), stop_takes(&mut bench)), (10.0, 100 + 700));
+        assert_eq!(bench.real("gripper.payload"), 2.0);
+    }
+
+    #[test]
+    fn approaches_are_as_slow_as_they_are_told_and_the_rest_is_not() {
+        for (v_approach, told) in [(0.25, 0.25), (0.09, 0.09), (9.0, 0.5)] {
+            let mut bench = Bench::new("hand-at-table");
+            bench.set("ctrl.phase0", Value::Real(0.0));
+            bench.set("ctrl.v_approach", Value::Real(v_approach));
+            let (mut fastest, mut before) = ([0.0_f64; 7], bench.angles("robot.q"));
+            let mut speeds = bench.angles("robot.qd");
+            for _ in 0..8000 {
+                bench.model.step(1);
+                let Value::Integer(leg) = bench.get("ctrl.leg") else { panic!("no number") };
+                let leg = usize::try_from(leg).unwrap();
+                fastest[leg] = fastest[leg].max(bench.real("robot.tcp_speed"));
+                let (q, qd) = (bench.angles("robot.q"), bench.angles("robot.qd"));
+                for joint in 0..6 {
+                    let by_speed = (speeds[joint] + qd[joint]) / 2.0 * 1e-3;
+                    assert!((q[joint] - before[joint] - by_speed).abs() < 5e-5, "joint {joint} in leg {leg}");
+                }
+                (before, speeds) = (q, qd);
+            }
+            let expected = [0.5, told, 0.5, 0.5, 0.5, told, 0.5];
+            for (leg, (fastest, expected)) in fastest.iter().zip(expected).enumerate() {
+                assert!((fastest - expected).abs() < 2e-3, "leg {leg}: {fastest} m/s, expected {expected} m/s");
+            }
+        }
     }
 
     #[test]

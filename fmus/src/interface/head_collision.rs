@@ -28,7 +28,9 @@ pub const SPEC: Spec = Spec {
     }],
     t_react: 0.12,
     t_ramp: 0.50,
+    t_ramp_loaded: None,
     phase0: 0.0,
+    v_approach: None,
     safeguard: Safeguard::Slow {
         input: "plc.field_clear",
         about: "Signal of the laser scanner; false limits the speed as long as it lasts",

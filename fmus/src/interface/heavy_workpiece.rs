@@ -22,8 +22,8 @@ pub const SPEC: Spec = Spec {
         start: [0.95, 0.174, 0.1807],
         legs: &[
             leg([1.15, 0.174, 0.1807], 0.48),
-            Leg { end: [0.40, 0.174, 0.1807], speed: 0.48, carries: WORKPIECE },
-            Leg { end: [0.30, 0.174, -0.0693], speed: 0.48, carries: WORKPIECE },
+            Leg { end: [0.40, 0.174, 0.1807], speed: 0.48, carries: WORKPIECE, approach: false },
+            Leg { end: [0.30, 0.174, -0.0693], speed: 0.48, carries: WORKPIECE, approach: false },
             leg([0.40, 0.174, 0.1807], 0.48),
             leg([0.95, 0.174, 0.1807], 0.48),
         ],
@@ -31,7 +31,9 @@ pub const SPEC: Spec = Spec {
     }],
     t_react: 0.05,
     t_ramp: 0.50,
+    t_ramp_loaded: None,
     phase0: 0.0,
+    v_approach: None,
     safeguard: Safeguard::AlwaysLimited {
         input: "plc.guard_closed",
         about: "Contact of the cell door; false is the demand for a protective stop (category 1, path kept, latched)",

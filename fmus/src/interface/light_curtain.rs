@@ -26,7 +26,9 @@ pub const SPEC: Spec = Spec {
     }],
     t_react: 0.05,
     t_ramp: 0.40,
+    t_ramp_loaded: None,
     phase0: 0.176,
+    v_approach: None,
     safeguard: Safeguard::Stop {
         input: "plc.curtain_clear",
         about: "Signal of the light curtain; false is the demand for a protective stop (category 1, path kept, latched)",

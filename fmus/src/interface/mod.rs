@@ -9,6 +9,7 @@ pub mod description3;
 pub mod faulty;
 pub mod gantry;
 pub mod guarded;
+pub mod hand_at_table;
 pub mod head_collision;
 pub mod heavy_workpiece;
 pub mod hostile;
@@ -17,22 +18,30 @@ pub mod light_curtain;
 pub mod robots;
 pub mod safety_fence;
 pub mod sensor_mat;
+pub mod sharp_workpiece;
+pub mod short_zone;
 pub mod two_scanners;
 pub mod types3;
 pub mod variables;
+pub mod wall_behind;
 pub mod workcell;
 
 use variables::{Interface, Variant};
 use workcell::Spec;
 
-/// The six workcells, in the order of the paper's table.
-pub const WORKCELLS: [&Spec; 6] = [
+/// The workcells: the six of the paper, in the order of its table, and one for each criterion that the paper does not have (two
+/// for clamping).
+pub const WORKCELLS: [&Spec; 10] = [
     &safety_fence::SPEC,
     &sensor_mat::SPEC,
     &head_collision::SPEC,
     &light_curtain::SPEC,
     &two_scanners::SPEC,
     &heavy_workpiece::SPEC,
+    &hand_at_table::SPEC,
+    &wall_behind::SPEC,
+    &sharp_workpiece::SPEC,
+    &short_zone::SPEC,
 ];
 
 /// Builds the interfaces of all models in the library and their variants, in a fixed order. FMI 3.0 has `types3` as

@@ -26,7 +26,9 @@ pub const SPEC: Spec = Spec {
     }],
     t_react: 0.05,
     t_ramp: 0.30,
+    t_ramp_loaded: None,
     phase0: 0.0,
+    v_approach: None,
     safeguard: Safeguard::Stop {
         input: "plc.guard_closed",
         about: "Guard contact; false is the demand for a protective stop (category 1, path kept, latched)",

@@ -29,7 +29,9 @@ pub const SPEC: Spec = Spec {
     }],
     t_react: 0.05,
     t_ramp: 0.30,
+    t_ramp_loaded: None,
     phase0: 0.20,
+    v_approach: None,
     safeguard: Safeguard::Stop {
         input: "plc.mat_clear",
         about: "Signal of the sensor mat; false is the demand for a protective stop (category 1, path kept, latched)",

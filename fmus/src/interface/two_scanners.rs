@@ -32,7 +32,9 @@ pub const SPEC: Spec = Spec {
     ],
     t_react: 0.10,
     t_ramp: 0.30,
+    t_ramp_loaded: None,
     phase0: 0.0,
+    v_approach: None,
     safeguard: Safeguard::Fields { start: [-2.4, 0.0, 0.0, 2.4, -1.6] },
     output: Place::Joints,
 };

@@ -19,8 +19,12 @@ pub struct Spec {
     pub t_react: f64,
     /// Start value of `ctrl.t_ramp`, s.
     pub t_ramp: f64,
+    /// Start value of `ctrl.t_ramp_loaded`, s, where a stop takes longer with a workpiece.
+    pub t_ramp_loaded: Option<f64>,
     /// Start value of `ctrl.phase0`, s.
     pub phase0: f64,
+    /// Start value of `ctrl.v_approach`, m/s, where the programme has legs that approach something.
+    pub v_approach: Option<f64>,
     /// What the safety controller listens to.
     pub safeguard: Safeguard,
     /// How the robots' place is told.
@@ -55,12 +59,27 @@ pub struct Leg {
     pub speed: f64,
     /// Mass of the workpiece that is carried along it, kg.
     pub carries: f64,
+    /// Whether it approaches something: then `ctrl.v_approach` limits its speed as well.
+    pub approach: bool,
 }
 
 /// An unloaded leg.
 pub const fn leg(end: [f64; 3], speed: f64) -> Leg {
-    Leg { end, speed, carries: 0.0 }
+    Leg { end, speed, carries: 0.0, approach: false }
 }
+
+/// A leg with a workpiece.
+pub const fn loaded(end: [f64; 3], speed: f64, carries: f64) -> Leg {
+    Leg { end, speed, carries, approach: false }
+}
+
+/// The same leg as an approach.
+pub const fn approaching(leg: Leg) -> Leg {
+    Leg { approach: true, ..leg }
+}
+
+/// A UR's tool, which points along its own -y, straight down.
+pub const UR_POINTING_DOWN: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
 
 /// The tool straight down; the tool's y axis along the base's y axis.
 pub const POINTING_DOWN: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]];
@@ -118,7 +137,9 @@ pub mod parameter {
     pub const PHASE0: usize = 3;
     pub const V_LIMIT: usize = 4;
     pub const FIELDS: usize = 5;
-    pub const COUNT: usize = 10;
+    pub const V_APPROACH: usize = 10;
+    pub const T_RAMP_LOADED: usize = 11;
+    pub const COUNT: usize = 12;
 }
 
 /// What a variable of a workcell stands for; the first number of an output is the robot's place in the spec.
@@ -221,6 +242,15 @@ fn parameters(table: &mut Table, spec: &Spec) {
         "s",
         [spec.t_ramp, 0.001, 5.0],
     );
+    if let Some(t_ramp_loaded) = spec.t_ramp_loaded {
+        table.parameter(
+            "ctrl.t_ramp_loaded",
+            "The same while the robot carries a workpiece: which holds is decided when the override begins to change",
+            parameter::T_RAMP_LOADED,
+            "s",
+            [t_ramp_loaded, 0.001, 5.0],
+        );
+    }
     table.parameter(
         "ctrl.speed_scale",
         "Programme speed as a fraction of the programmed speeds",
@@ -235,6 +265,15 @@ fn parameters(table: &mut Table, spec: &Spec) {
         "s",
         [spec.phase0, 0.0, 60.0],
     );
+    if let Some(v_approach) = spec.v_approach {
+        table.parameter(
+            "ctrl.v_approach",
+            "Greatest speed of the legs that approach a place where something is gripped or put down",
+            parameter::V_APPROACH,
+            "m/s",
+            [v_approach, 0.01, 10.0],
+        );
+    }
     match spec.safeguard {
         Safeguard::Stop { .. } => {}
         Safeguard::Slow { v_reduced, .. } => table.parameter(

@@ -15,7 +15,7 @@ type Near = [Vec<(usize, Vec<[V3; 2]>)>; 3];
 pub const UPPER: f64 = 0.30;
 pub const FORE: f64 = 0.32;
 const ELBOW: f64 = 0.06;
-const UPPER_RADIUS: f64 = 0.055;
+pub const UPPER_RADIUS: f64 = 0.055;
 const FORE_RADIUS: f64 = 0.045;
 const HAND: f64 = 0.23;
 const SHOULDER_FREE: f64 = 0.075;
@@ -27,7 +27,7 @@ const REACHES: [(Region, f64); 3] = [
 ];
 
 /// One angle at a time, and two that often go together.
-const DIRECTIONS: [[f64; 4]; 14] = [
+pub const DIRECTIONS: [[f64; 4]; 14] = [
     [1.0, 0.0, 0.0, 0.0],
     [-1.0, 0.0, 0.0, 0.0],
     [0.0, 1.0, 0.0, 0.0],
@@ -82,17 +82,17 @@ pub struct Pose {
 }
 
 impl Pose {
-    fn upper(&self) -> [V3; 2] {
+    pub fn upper(&self) -> [V3; 2] {
         [self.shoulder, self.elbow]
     }
-    fn upper_that_counts(&self) -> [V3; 2] {
+    pub fn upper_that_counts(&self) -> [V3; 2] {
         [between(self.shoulder, self.elbow, SHOULDER_FREE / UPPER), self.elbow]
     }
-    fn fore(&self) -> [V3; 2] {
+    pub fn fore(&self) -> [V3; 2] {
         [self.elbow, self.wrist]
     }
     /// Upper arm, elbow, rest of the forearm: axis, radius, region.
-    fn limbs(&self) -> [([V3; 2], f64, Region); 3] {
+    pub fn limbs(&self) -> [([V3; 2], f64, Region); 3] {
         let cut = between(self.elbow, self.wrist, ELBOW / FORE);
         [
             (self.upper(), UPPER_RADIUS, "upper_arm"),
@@ -100,6 +100,41 @@ impl Pose {
             ([cut, self.wrist], FORE_RADIUS, "lower_arm"),
         ]
     }
+}
+
+/// The pose that follows from the angles: `m` is 1 for the left arm, -1 for the right one.
+pub fn pose(shoulder: V3, trunk: &M3, m: f64, [a, f, r, e]: Angles) -> Pose {
+    let turn = |axis: usize, degrees: f64| about(super::geometry::UNIT[axis], degrees.to_radians());
+    let upper = product(&turn(0, m * a), &turn(1, -f));
+    let fore = product(&upper, &product(&turn(2, -m * r), &turn(1, -e)));
+    let elbow = add(shoulder, turned(trunk, turned(&upper, [0.0, 0.0, -UPPER])));
+    let wrist = add(elbow, turned(trunk, turned(&fore, [0.0, 0.0, -FORE])));
+    Pose { shoulder, elbow, wrist }
+}
+
+/// By how much the hand has to move, at most, to bring all angles into their ranges, m; negative within them.
+pub fn beyond_limits([a, f, r, e]: Angles) -> f64 {
+    let beyond = |x: f64, [low, high]: [f64; 2], radius: f64| (low - x).max(x - high).to_radians() * radius;
+    beyond(a, [-10.0, 170.0], UPPER + FORE)
+        .max(beyond(f, flexion(a), UPPER + FORE))
+        .max(beyond(r, rotation(a, f), FORE))
+        .max(beyond(e, [0.0, 150.0], FORE))
+}
+
+/// Angles spread over their ranges.
+pub fn grid() -> Vec<Angles> {
+    let steps = |low: f64, high: f64, count: u32| {
+        (0..count).map(move |i| low + (high - low) * (f64::from(i) + 0.5) / f64::from(count))
+    };
+    let mut all = Vec::new();
+    for a in steps(-10.0, 170.0, 8) {
+        let [low, high] = flexion(a);
+        for f in steps(low, high, 9) {
+            let [low, high] = rotation(a, f);
+            all.extend(steps(low, high, 7).flat_map(|r| steps(0.0, 150.0, 6).map(move |e| [a, f, r, e])));
+        }
+    }
+    all
 }
 
 /// What an arm is asked about.
@@ -128,14 +163,8 @@ pub struct Touch {
 }
 
 impl Question<'_> {
-    pub fn pose(&self, [a, f, r, e]: Angles) -> Pose {
-        let m = self.side;
-        let turn = |axis: usize, degrees: f64| about(super::geometry::UNIT[axis], degrees.to_radians());
-        let upper = product(&turn(0, m * a), &turn(1, -f));
-        let fore = product(&upper, &product(&turn(2, -m * r), &turn(1, -e)));
-        let elbow = add(self.shoulder, turned(&self.trunk, turned(&upper, [0.0, 0.0, -UPPER])));
-        let wrist = add(elbow, turned(&self.trunk, turned(&fore, [0.0, 0.0, -FORE])));
-        Pose { shoulder: self.shoulder, elbow, wrist }
+    pub fn pose(&self, angles: Angles) -> Pose {
+        pose(self.shoulder, &self.trunk, self.side, angles)
     }
 
     /// How free the pose is: negative where it is not, m. With `slack`, only what stays when upper arm and wrist move so.
@@ -283,13 +312,8 @@ impl Question<'_> {
 
     /// What is missing to a contact that stays one when the arm moves a little, m.
     fn missing(&self, angles: Angles) -> f64 {
-        let [a, f, r, e] = angles;
         let pose = self.pose(angles);
-        let beyond = |x: f64, [low, high]: [f64; 2], radius: f64| (low - x).max(x - high).to_radians() * radius;
-        let limits = beyond(a, [-10.0, 170.0], UPPER + FORE)
-            .max(beyond(f, flexion(a), UPPER + FORE))
-            .max(beyond(r, rotation(a, f), FORE))
-            .max(beyond(e, [0.0, 150.0], FORE));
+        let limits = beyond_limits(angles);
         let (upper, fore) = self.clearance(&pose);
         let mut contact = f64::MAX;
         for link in &self.robot.links {

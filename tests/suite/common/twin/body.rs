@@ -158,6 +158,13 @@ impl Body {
         };
         let sixteenths = if posture == 0 { 16 } else { free_bend(cell, origin, bent) };
         let rotation = bent(sixteenths);
+        Self::posed([x, y], &feet.0, rotation, sixteenths)
+    }
+
+    /// The body on this spot of the floor, with the legs and the trunk turned so.
+    pub fn posed([x, y]: [f64; 2], legs: &M3, rotation: M3, sixteenths: u32) -> Self {
+        let feet = (*legs, [x, y, 0.0]);
+        let origin = [x, y, PIVOT];
         let in_world = |(rotation, origin): &(M3, V3), (name, from, to, radius): (&'static str, V3, V3, f64)| Part {
             name,
             core: [from, to].map(|p| add(*origin, turned(rotation, p))),

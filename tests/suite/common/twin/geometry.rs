@@ -65,7 +65,7 @@ pub fn rpy(degrees: V3) -> M3 {
     product(&about(UNIT[2], z), &product(&about(UNIT[1], y), &about(UNIT[0], x)))
 }
 
-fn nearest_on(p: V3, a: V3, b: V3) -> V3 {
+pub fn nearest_on(p: V3, a: V3, b: V3) -> V3 {
     let d = sub(b, a);
     let l = dot(d, d);
     if l > 0.0 { between(a, b, (dot(sub(p, a), d) / l).clamp(0.0, 1.0)) } else { a }

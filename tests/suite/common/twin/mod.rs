@@ -14,6 +14,9 @@
 //! | [`robot`] | runs of the FMU, and where the links are then |
 //! | [`arm`] | poses of arms: certain, uncertain or none |
 //! | [`planes`] | sensors, and which run and depth an arm gets behind a plane |
+//! | [`clamp`] | what is clamped, by samples of every surface |
+//! | [`clamp_asked`] | the program asked about such a scene |
+//! | [`clamp_scenes`] | random scenes for that |
 //! | [`enumerate`] | all sequences, and what a single one meets |
 //!
 //! Arms: the program promises to find what stays a contact above the limit when the arm moves by its tolerance of 20 mm, and
@@ -25,6 +28,9 @@ pub mod arm;
 pub mod body;
 pub mod cell;
 pub mod cells;
+pub mod clamp;
+pub mod clamp_asked;
+pub mod clamp_scenes;
 pub mod enumerate;
 pub mod force;
 pub mod geometry;
