@@ -8,8 +8,7 @@
 //! - what the program tells is true to the letter: point, direction, gap, speed, force, limit, and that the part is there.
 #![allow(clippy::print_stdout, reason = "figures of both for who reads the log")]
 
-#[path = "common/twin/mod.rs"]
-mod twin;
+use crate::common::twin;
 
 use std::collections::BTreeMap;
 

@@ -10,8 +10,7 @@
 //! - that each hazard was confirmed.
 #![allow(clippy::print_stdout, reason = "figures of both for who reads the log")]
 
-#[path = "common/twin/mod.rs"]
-mod twin;
+use crate::common::twin;
 
 use std::path::Path;
 

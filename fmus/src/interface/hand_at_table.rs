@@ -26,7 +26,7 @@ pub const SPEC: Spec = Spec {
         suffix: "",
         robot: &UR10E,
         rotation: UR_POINTING_DOWN,
-        near: [0.8518, -1.6813, 2.0823, -1.9718, -1.5708, -3.8606],
+        near: [0.8518, -1.6813, 2.0823, -1.9718, -1.57, -3.8606],
         start: OVER_TRAY,
         legs: &[
             leg(ABOVE_PART, 0.5),

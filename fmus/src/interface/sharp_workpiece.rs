@@ -17,7 +17,7 @@ pub const SPEC: Spec = Spec {
         suffix: "",
         robot: &UR10E,
         rotation: UR_POINTING_DOWN,
-        near: [0.5993, -1.6097, 2.283, -2.2441, -1.5708, -4.1131],
+        near: [0.5993, -1.6097, 2.283, -2.2441, -1.57, -4.1131],
         start: [-0.35, -0.45, 0.22],
         legs: &[loaded([0.35, -0.45, 0.22], 0.4, SHEET), loaded([-0.35, -0.45, 0.22], 0.4, SHEET)],
         tool_kg: 1.5,

@@ -17,7 +17,7 @@ pub const SPEC: Spec = Spec {
         suffix: "",
         robot: &UR10E,
         rotation: UR_POINTING_DOWN,
-        near: [2.1304, -1.3559, 1.8336, -2.0485, -1.5708, -2.582],
+        near: [2.1304, -1.3559, 1.8336, -2.0485, -1.57, -2.582],
         start: [0.55, -0.55, 0.30],
         legs: &[leg([-0.55, -0.55, 0.30], 0.9), loaded([0.55, -0.55, 0.30], 0.9, CASTING)],
         tool_kg: 2.0,

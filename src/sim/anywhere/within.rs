@@ -37,6 +37,7 @@ const HOPELESS_M: f64 = 0.025;
 const LOOK: Duration = Duration::from_millis(20);
 
 /// What is known of a box, for one posture.
+#[expect(clippy::large_enum_variant, reason = "one at a time")]
 enum Judged {
     Settled,
     Harmed(Harm),

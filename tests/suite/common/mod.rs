@@ -10,6 +10,7 @@ pub mod instant;
 pub mod meshes;
 pub mod scanned;
 pub mod started;
+pub mod twin;
 
 use std::path::{Path, PathBuf};
 
