@@ -249,6 +249,10 @@ impl Contact {
     /// All criteria that it breaks, the worst first.
     #[must_use]
     pub fn breaks(&self) -> Vec<Class> {
+        // Nobody is touched yet.
+        if self.class == Some(Class::Separation) {
+            return vec![Class::Separation];
+        }
         let mut all: Vec<(Class, f64)> = Vec::new();
         if self.counts_force && self.transient_force_n() > self.limit_n {
             all.push((Class::Force, self.transient_force_n() / self.limit_n));

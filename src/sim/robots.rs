@@ -246,10 +246,15 @@ impl<P: Plant> Robots<P> {
             if since.len() >= per_action && since[since.len() - per_action..].iter().all(still) {
                 let moving = since.iter().rposition(|frame| !still(frame)).map_or(0, |last| last + 1);
                 #[expect(clippy::cast_precision_loss, reason = "a few hundred steps")]
-                let time_s = moving as f64 * self.world.cell.step_s;
+                // It stands by the end of the step after the last at whose end it moves, and is no faster in a step than at its
+                // faster end.
+                let time_s = (moving + 1) as f64 * self.world.cell.step_s;
+                let own = self.frames(node);
                 let mut travel_m = vec![0.0; self.world.cell.links.len()];
-                for frame in &since[..moving] {
-                    let steps = travel_m.iter_mut().zip(&frame.speed_bounds);
+                let ends = std::iter::once(&own[i]).chain(&since);
+                for (begin, end) in ends.zip(&since[..=moving]) {
+                    let speeds = begin.speed_bounds.iter().zip(&end.speed_bounds).map(|(a, b)| a.max(*b));
+                    let steps = travel_m.iter_mut().zip(speeds);
                     steps.for_each(|(travel, speed)| *travel += speed * self.world.cell.step_s);
                 }
                 return Ok(Stopping { time_s, travel_m });
