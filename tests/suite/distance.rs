@@ -186,7 +186,7 @@ fn doors_and_two_hand_controls() {
     let (said, code) = door("opening_mm = 10");
     assert_eq!((way(&said, "through"), code), ([816, 1350, 534], Some(0)));
     assert_eq!(way(&door("opening_mm = 10\nopening_ms = 200\nsupplement_mm = 25").0, "through")[0], 416 + 80 + 25);
-    // The page on safeguards: 1.40 m behind the curtain's place less 0.05 m are 1.40 m from the buttons.
+    // The robot comes to 1.35 m behind the curtain's place, the buttons are 0.05 m before it; C is 250 mm, and 550 mm in 2024.
     let post = "kind = \"two_hand_control\"\nzone = { polygon_m = [[-0.25, -0.6], [0.25, -0.6], [0.25, -0.1], [-0.25, -0.1]], \
                 line_m = [[-0.3, -0.05], [0.3, -0.05]] }";
     let path = changed(dir, "light-curtain/fixed.toml", "held.toml", &[(curtain, post)]);

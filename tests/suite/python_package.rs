@@ -62,6 +62,7 @@ fn what_commands_print_fits_the_published_schema() {
     let worst = crate::common::scan_json(&dir.path().join("out"))["causes"][0]["id"].as_str().unwrap().to_owned();
     for arguments in [
         &["check", cell][..],
+        &["distance", fixed],
         &["explain", "out", &worst, "--quick", "--iterations", "2"],
         &["compare", "out", "out"],
         &["verify", "out", fixed],
