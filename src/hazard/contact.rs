@@ -249,6 +249,10 @@ impl Contact {
     /// All criteria that it breaks, the worst first.
     #[must_use]
     pub fn breaks(&self) -> Vec<Class> {
+        if self.apart.is_some() {
+            // Nobody is touched, so forces are only what they would be.
+            return vec![Class::Separation];
+        }
         let mut all: Vec<(Class, f64)> = Vec::new();
         if self.counts_force && self.transient_force_n() > self.limit_n {
             all.push((Class::Force, self.transient_force_n() / self.limit_n));
