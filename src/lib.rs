@@ -10,7 +10,8 @@
 //! are not actions: at every instant all arm poses are searched for one that touches the robot and is free of
 //! obstacles. A state is unsafe when person and robot touch and the potential collision force
 //! `F = v sqrt(mu k)`, `mu = (1/m_H + 1/m_R)^-1`, exceeds the limit of the body region (ISO/TS 15066 Annex A), or when a
-//! moving robot touches the head. Monte Carlo tree search with double progressive widening looks for action
+//! moving robot touches the head; clamping, pressure, any contact with a moving robot and separation count where a cell says so.
+//! Monte Carlo tree search with double progressive widening looks for action
 //! sequences that reach such a state; states of the FMU are saved and restored, and every finding is confirmed by a
 //! fresh instance without any restore.
 //!

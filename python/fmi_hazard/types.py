@@ -1329,6 +1329,14 @@ class VerifiedOutcomeStillThere(TypedDict):
     """
 
 
+class VerifiedOutcomeNotJudged(TypedDict):
+    """
+    The changed cell does not judge by the criterion that it breaks.
+    """
+
+    result: Literal['not_judged']
+
+
 class VerifiedOutcomeNotRun(TypedDict):
     """
     The FMU failed.
@@ -1341,7 +1349,7 @@ class VerifiedOutcomeNotRun(TypedDict):
     result: Literal['not_run']
 
 
-VerifiedOutcome: TypeAlias = VerifiedOutcomeFixed | VerifiedOutcomeNoRoom | VerifiedOutcomeStillThere | VerifiedOutcomeNotRun
+VerifiedOutcome: TypeAlias = VerifiedOutcomeFixed | VerifiedOutcomeNoRoom | VerifiedOutcomeStillThere | VerifiedOutcomeNotJudged | VerifiedOutcomeNotRun
 """
 What became of a hazard.
 """

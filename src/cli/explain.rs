@@ -73,6 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 Outcome::StillThere { body_region, robot_link, .. } => {
                     format!("its sequences lead to {body_region} <- {robot_link} now")
                 }
+                Outcome::NotJudged => "the cell does not count its criterion any more".to_owned(),
                 Outcome::NoRoom => "nobody has room any more where it begins".to_owned(),
                 _ => "its sequences end without an unsafe contact now".to_owned(),
             };

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::exit::{FMU_FAILED, Failure, HAZARDS, NO_HAZARD};
+use super::exit::{FMU_FAILED, Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
 use super::{earlier, output};
@@ -52,6 +52,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         HAZARDS
     } else if any(|outcome| matches!(outcome, Outcome::NotRun { .. })) {
         FMU_FAILED
+    } else if any(|outcome| matches!(outcome, Outcome::NotJudged)) {
+        INCONCLUSIVE
     } else {
         NO_HAZARD
     })

@@ -249,8 +249,8 @@ impl Contact {
     /// All criteria that it breaks, the worst first.
     #[must_use]
     pub fn breaks(&self) -> Vec<Class> {
-        // Nobody is touched yet.
-        if self.class == Some(Class::Separation) {
+        if self.apart.is_some() {
+            // Nobody is touched, so forces are only what they would be.
             return vec![Class::Separation];
         }
         let mut all: Vec<(Class, f64)> = Vec::new();

@@ -1,12 +1,12 @@
 //! What counts as unsafe in a cell, as results record it: where that is more or other than the transient force.
 
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::hazard::Criterion;
+use crate::hazard::{Class, Criterion};
 
 /// What counts as unsafe.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CriteriaRecord {
     /// The transient force, by this speed; none if it does not count.
     pub transient_force: Option<Criterion>,
@@ -24,7 +24,7 @@ pub struct CriteriaRecord {
 }
 
 /// How clamping counts.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ClampingRecord {
     /// The FMU input that tells robots of a contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -34,7 +34,7 @@ pub struct ClampingRecord {
 }
 
 /// The terms of the protective separation distance that the cell file says.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SeparationTerms {
     /// The sensor or input that stops the robots; none if their stop is stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -81,5 +81,61 @@ impl CriteriaRecord {
             ));
         }
         all.join(", ")
+    }
+}
+
+/// Whether a hazard of this class is one by what counts as unsafe; without a record the transient force does, and nothing else.
+#[must_use]
+pub fn judges(criteria: Option<&CriteriaRecord>, class: Class) -> bool {
+    let Some(criteria) = criteria else { return class.beside_force().is_none() };
+    match class {
+        Class::Force | Class::HeadContact => criteria.transient_force.is_some(),
+        Class::Clamping => criteria.clamping.is_some(),
+        Class::Pressure => criteria.pressure,
+        Class::MovingContact => criteria.moving_contact_faster_than_m_s.is_some(),
+        Class::Separation => criteria.separation.is_some(),
+    }
+}
+
+/// Whether a scan that accounted for every sequence, and found hazards of these classes, would have told every hazard of a class. Of
+/// those with which sequences do not end, a worse one of the same action stands for others.
+#[must_use]
+pub fn tells_all(criteria: Option<&CriteriaRecord>, class: Class, mut found: impl Iterator<Item = Class>) -> bool {
+    judges(criteria, class) && (class.ends() || !found.any(|other| !other.ends()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(separation: bool) -> CriteriaRecord {
+        let terms = SeparationTerms {
+            stop: None,
+            intrusion_m: 0.2,
+            person_uncertainty_m: 0.0,
+            robot_uncertainty_m: 0.0,
+            approach_m_s: 1.6,
+        };
+        CriteriaRecord {
+            transient_force: None,
+            clamping: None,
+            pressure: true,
+            moving_contact_faster_than_m_s: None,
+            separation: separation.then_some(terms),
+        }
+    }
+
+    /// What is not looked for is not gone.
+    #[test]
+    fn what_does_not_count_is_not_told() {
+        assert!(judges(None, Class::Force) && judges(None, Class::HeadContact) && !judges(None, Class::Clamping));
+        let one = record(false);
+        assert!(judges(Some(&one), Class::Pressure) && !judges(Some(&one), Class::Force));
+        assert!(!tells_all(Some(&one), Class::Separation, [].into_iter()));
+        // One that is told in each action may hide others that do not end it.
+        let all = record(true);
+        assert!(tells_all(Some(&all), Class::Separation, [Class::Pressure].into_iter()));
+        assert!(!tells_all(Some(&all), Class::Separation, [Class::Separation].into_iter()));
+        assert!(tells_all(Some(&all), Class::Pressure, [Class::Separation].into_iter()));
     }
 }

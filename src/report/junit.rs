@@ -5,6 +5,7 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::baseline::{Baseline, Standing};
 use super::cause::grouped;
+use super::criteria::tells_all;
 use super::model::{Hazard, ScanReport, Verdict};
 
 /// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that
@@ -45,8 +46,14 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
     }
     let complete = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
     for cause in baseline.into_iter().flat_map(|known| known.gone_causes(report)) {
-        let status = if complete {
+        let told = |hazard: &&Hazard| {
+            let found = report.hazards.iter().map(|hazard| hazard.class);
+            tells_all(report.settings.criteria.as_ref(), hazard.class, found)
+        };
+        let status = if complete && cause.hazards.iter().all(told) {
             TestCaseStatus::success()
+        } else if complete {
+            skipped("not found again, but the scan does not tell every hazard of its criterion")
         } else {
             skipped("not found again, but the scan did not account for every sequence")
         };

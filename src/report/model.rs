@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::cause::Cause;
 use super::criteria::CriteriaRecord;
 use super::immovable;
-use super::judged::{Clamping, Judged, LimitKind, measure_words};
+use super::judged::Judged;
 use super::speeds::SpeedRecord;
 use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
@@ -620,49 +620,6 @@ impl Hazard {
                 confirmed: None,
             },
         }
-    }
-
-    /// Gives what holds a part of the body its name, where it is an obstacle.
-    pub fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
-        if let Some(judged) = &mut self.judged {
-            judged.name_obstacles(name);
-        }
-    }
-
-    /// What holds the part of the body, if that is what counts.
-    #[must_use]
-    pub fn clamping(&self) -> Option<&Clamping> {
-        self.judged.as_ref().filter(|_| self.class == Class::Clamping)?.clamping.as_ref()
-    }
-
-    /// The limit of the force that decides, N.
-    #[must_use]
-    pub fn deciding_limit_n(&self) -> f64 {
-        self.clamping().map_or(self.limit_n, |clamping| clamping.limit_n)
-    }
-
-    /// The speed below which it would be none, in few words.
-    #[must_use]
-    pub fn safe_words(&self) -> String {
-        let below = match self.class {
-            Class::Force | Class::HeadContact if self.body_region.permits_no_contact() => None,
-            Class::Force => Some(self.safe_below_m_s),
-            Class::Clamping => self
-                .clamping()
-                .filter(|_| self.judged.as_ref().is_some_and(|judged| judged.limit == LimitKind::Force))
-                .map(|clamping| clamping.closing_m_s * clamping.limit_n / clamping.force_n),
-            Class::HeadContact | Class::Pressure | Class::MovingContact | Class::Separation => None,
-        };
-        // No speed of a moving robot is safe for a head or a throat.
-        let no_speed = self.class == Class::MovingContact || self.body_region.permits_no_contact();
-        below.map_or_else(|| if no_speed { "none" } else { "-" }.to_owned(), |below| format!("{below:.2} m/s"))
-    }
-
-    /// What is broken, and by how much, in few words.
-    #[must_use]
-    pub fn measure_words(&self) -> String {
-        let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
-        measure_words(self.class, self.judged.as_ref(), figures)
     }
 
     /// The force that decides, N: the one that `ratio` is of, where that is a force.

@@ -6,8 +6,10 @@ use serde::Deserialize;
 
 use super::anywhere::ANYWHERE;
 use super::cause::{Cause, CauseAdvice};
+use super::criteria::{CriteriaRecord, tells_all};
 use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
 use super::moved::found;
+use crate::hazard::Class;
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -32,6 +34,21 @@ pub struct Recorded {
     /// The folder that it was read from.
     #[serde(skip)]
     pub folder: PathBuf,
+}
+
+impl Recorded {
+    /// Whether every hazard of a class would have been told, by what was accounted for and by what counts as unsafe.
+    #[must_use]
+    pub fn tells_all(&self, class: Class) -> bool {
+        let criteria = self.settings.get("criteria").map(CriteriaRecord::deserialize);
+        match criteria.transpose() {
+            Ok(criteria) => {
+                self.complete() && tells_all(criteria.as_ref(), class, self.hazards.iter().map(|hazard| hazard.class))
+            }
+            // What counted is not known.
+            Err(_) => false,
+        }
+    }
 }
 
 /// What was scanned.

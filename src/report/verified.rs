@@ -56,6 +56,8 @@ pub enum Outcome {
         /// Time of the contact, s.
         time_s: f64,
     },
+    /// The changed cell does not judge by the criterion that it breaks.
+    NotJudged,
     /// The FMU failed.
     NotRun {
         /// Why.
@@ -83,6 +85,10 @@ impl Verified {
                      {time_s:.2} s"
                 )
             }
+            Outcome::NotJudged => format!(
+                "NOT JUDGED   {id}  the changed cell does not count {}: see [criteria]",
+                self.hazard.class.name().replace('_', " ")
+            ),
             Outcome::NotRun { cause } => format!("NOT RUN      {id}  the FMU failed: {cause}"),
         }
     }
@@ -142,7 +148,10 @@ pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
                     format!("{}: the sequences of all {of} end without an unsafe contact{room}", cause.id),
                 )
             }
-            (false, 0) => ("NOT RUN      ", format!("{}: the FMU failed in {} of {of} hazards", cause.id, of - fixed)),
+            (false, 0) => match members.iter().filter(|one| one.outcome == Outcome::NotJudged).count() {
+                0 => ("NOT RUN      ", format!("{}: the FMU failed in {} of {of} hazards", cause.id, of - fixed)),
+                n => ("NOT JUDGED   ", format!("{}: {n} of {of} hazards, by what the changed cell counts", cause.id)),
+            },
             (false, there) => ("STILL THERE  ", format!("{}: {there} of {of} hazards", cause.id)),
         };
         let _ = writeln!(out, " {word}{rest}");
@@ -184,6 +193,8 @@ pub fn as_junit(cell: &str, causes: &[Cause], verified: &[Verified]) -> Result<S
             failed(NonSuccessKind::Failure, "hazard")
         } else if any(|outcome| matches!(outcome, Outcome::NotRun { .. })) {
             failed(NonSuccessKind::Error, "FMU fault")
+        } else if any(|outcome| matches!(outcome, Outcome::NotJudged)) {
+            failed(NonSuccessKind::Error, "not judged")
         } else {
             TestCaseStatus::success()
         };

@@ -1,8 +1,8 @@
 //! How far a cell's safeguards stand from its robots, and how far they have to by ISO 13855: the stop time is measured from the
 //! FMU, and so is what the robots reach while nobody is detected.
 //!
-//! What is measured: the horizontal distance from where somebody gets into a mat or field unseen until then ([`entry`]), or from the
-//! plane of a curtain or a door, or from the buttons, to the nearest point of any link that moves ([`swept`]). What is not known
+//! What is measured: the horizontal distance from where somebody gets into a mat or field unseen until then (`entry`), or from the
+//! plane of a curtain or a door, or from the buttons, to the nearest point of any link that moves (`swept`). What is not known
 //! makes the verdict not known, never passed; and too near where not even the least that S can be is kept.
 
 mod entry;

@@ -96,6 +96,12 @@ pub fn scan_with(
     if let (Some(certificate), Some(reason)) = (&mut certificate, speeds.refusal()) {
         certificate.refuse(reason);
     }
+    let unknown = unknown(prepared);
+    if let Some(certificate) = &mut certificate {
+        unknown.iter().cloned().for_each(|reason| certificate.refuse(reason));
+        certificate.reasons.extend(rests_on(&prepared.cell));
+    }
+    warnings.extend(numbers_are_about(&prepared.cell));
     // Not somebody, but its time.
     let timed_out = interrupted && prepared.stop().ends_search() && !prepared.stop().is_asked();
     if timed_out {
@@ -113,7 +119,6 @@ pub fn scan_with(
             coverage.arm_checks_incomplete
         ));
     }
-    let unknown = unknown(prepared);
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
     } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.not_evaluated() {
@@ -186,6 +191,24 @@ fn unknown(prepared: &Prepared) -> Vec<String> {
         "pressure: {} {says} how small the surface is that touches (contact in the cell file), so no pressure by {it} is excluded",
         links.join(", ")
     )]
+}
+
+/// What was tried out, and not shown, for a criterion.
+fn rests_on(cell: &Workcell) -> Option<String> {
+    let signal = cell.clamping.signal.as_ref()?;
+    Some(format!(
+        "how far links go on after a contact was tried out by `{signal}` at moments 0.1 s apart, with nobody there"
+    ))
+}
+
+/// What numbers of sequences leave out, where something counts that does not end them.
+fn numbers_are_about(cell: &Workcell) -> Option<String> {
+    let passing = cell.criteria.moving_contact_m_s.is_some() || cell.separation.is_some();
+    passing.then(|| {
+        "numbers and shares of sequences, and what bounds them, are about what ends a sequence; of moving contacts and separation the \
+         worst of each action is told"
+            .to_owned()
+    })
 }
 
 /// What counts as unsafe, where that is more or other than the transient force.

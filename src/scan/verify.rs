@@ -18,6 +18,9 @@ pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
     let Ok(there) = prepared.of_hazard(hazard) else {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NoRoom };
     };
+    if !there.cell.judges(hazard.class) {
+        return Verified { hazard: hazard.clone(), outcome: Outcome::NotJudged };
+    }
     let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
         let (cell, binding) = (Arc::clone(&there.cell), Arc::clone(&there.binding));
         replay(cell, binding, there.plant(StateChoice::Replay), actions)

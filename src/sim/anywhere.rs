@@ -291,15 +291,7 @@ impl<'a> Anywhere<'a> {
             clamping: None,
             stop,
         };
-        let floor = Floor::new(&cell.body, &encounter.obstacles, bounds, floor_m);
-        let floor = match &cell.floor {
-            Some(polygon) => floor.bounded_by(polygon),
-            None => floor,
-        };
-        let floor = match &cell.start_region {
-            Some(polygon) => floor.entered_in(polygon),
-            None => floor,
-        };
+        let floor = cell.bounded(Floor::new(&cell.body, &encounter.obstacles, bounds, floor_m));
         let ground = floor.joined_to_the_outside(&starts, |_| true);
         let mut this = Self {
             cell,

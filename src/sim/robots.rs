@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
-use super::world::{Earlier, Frames, HadTold, Window, World};
+use super::world::{Command, Earlier, Frames, HadTold, Window, World};
 use crate::cell::binding::SensorBinding;
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
@@ -219,19 +219,15 @@ impl<P: Plant> Robots<P> {
         }
     }
 
-    /// Runs the FMU on after step `i` of the action into `node`, with an input at a value, until all robots stand.
-    fn run_until_still(
-        &mut self,
-        node: NodeId,
-        i: usize,
-        (column, value): (usize, f64),
-    ) -> Result<Stopping, PlantError> {
+    /// Runs the FMU on after step `i` of the action into `node`, with a command as soon as it is told, until all robots stand.
+    fn run_until_still(&mut self, node: NodeId, i: usize, command: Command) -> Result<Stopping, PlantError> {
+        let Command { column, value, delay_steps } = command;
         let (per_action, width) = (self.world.cell.steps_per_action, self.world.binding.inputs.len());
         let mut inputs = self.recall.inputs(node);
-        inputs.chunks_mut(width).skip(i + 1).for_each(|row| row[column] = value);
-        let mut held: Vec<f64> = inputs[inputs.len() - width..].to_vec();
-        held[column] = value;
-        let held = held.repeat(per_action);
+        let last: Vec<f64> = inputs[inputs.len() - width..].to_vec();
+        inputs.chunks_mut(width).skip(i + 1 + delay_steps).for_each(|row| row[column] = value);
+        // Of the actions after it: what is left of the delay, then the command.
+        let mut delay = (i + 1 + delay_steps).saturating_sub(per_action);
         let links = self.world.cell.links.len();
         let never = || Stopping { time_s: f64::INFINITY, travel_m: vec![f64::INFINITY; links] };
         let parent = self.recall.parent(node);
@@ -243,7 +239,7 @@ impl<P: Plant> Robots<P> {
         let mut since: Vec<Arc<RobotFrame>> = self.frames(at).iter().skip(i + 1).cloned().collect();
         for _ in 0..MOST_ACTIONS_UNTIL_STILL {
             let still = |frame: &Arc<RobotFrame>| frame.fastest <= STANDSTILL_M_S;
-            if since.len() >= per_action && since[since.len() - per_action..].iter().all(still) {
+            if delay == 0 && since.len() >= per_action && since[since.len() - per_action..].iter().all(still) {
                 let moving = since.iter().rposition(|frame| !still(frame)).map_or(0, |last| last + 1);
                 #[expect(clippy::cast_precision_loss, reason = "a few hundred steps")]
                 // It stands by the end of the step after the last at whose end it moves, and is no faster in a step than at its
@@ -259,6 +255,9 @@ impl<P: Plant> Robots<P> {
                 }
                 return Ok(Stopping { time_s, travel_m });
             }
+            let mut held = last.repeat(per_action);
+            held.chunks_mut(width).skip(delay).for_each(|row| row[column] = value);
+            delay = delay.saturating_sub(per_action);
             at = match self.recall.advance(at, per_action, &held)? {
                 Advanced::To(at) => at,
                 Advanced::Fault(_) => return Ok(never()),

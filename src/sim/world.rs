@@ -3,6 +3,7 @@
 //!
 //! Nothing here changes over a scan, so threads may share it.
 
+mod passing;
 mod through_plane;
 
 use std::ops::Range;
@@ -18,7 +19,7 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::geometry::{Cuboid, Vec3};
-use crate::hazard::contact::{Apart, STANDSTILL_M_S};
+use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Separation, Stop, Stopping};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
@@ -192,8 +193,19 @@ pub struct World {
     bends: Memo<(Place, Posture), BendFraction>,
     /// The same with moving contacts as what is looked for, where they count.
     moving: Option<Box<World>>,
-    /// The input that stops the robots, and its value then, where separation counts.
-    pub(super) stop_command: Option<(usize, f64)>,
+    /// What stops the robots, where separation counts.
+    pub(super) stop_command: Option<Command>,
+}
+
+/// An input of the FMU that is set to a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Command {
+    /// Its column.
+    pub(super) column: usize,
+    /// The value.
+    pub(super) value: f64,
+    /// So many steps after there is reason to: the response time of a sensor that sets it.
+    pub(super) delay_steps: usize,
 }
 
 impl World {
@@ -221,7 +233,11 @@ impl World {
         };
         let body_reach_m = cell.body.reach_from_one_metre(0.0);
         let stop_command = match &cell.separation {
-            Some(Separation { stop: Stop::Measured(name), .. }) => binding.command(&cell, name),
+            Some(Separation { stop: Stop::Measured(name), .. }) => {
+                let sensor = cell.sensors.iter().find(|sensor| sensor.name == *name);
+                let delay_steps = sensor.map_or(0, |sensor| sensor.delay_steps);
+                binding.command(&cell, name).map(|(column, value)| Command { column, value, delay_steps })
+            }
             _ => None,
         };
         let (curtains, neighbours) = (Vec::new(), Vec::new());
@@ -459,66 +475,6 @@ impl World {
             return Ok(Some(hit));
         }
         self.passing(&person, stance, (frames, i), earlier, coverage)
-    }
-
-    /// What is unsafe after step `i` of an action without ending it: a moving contact, or a robot that is too near.
-    fn passing<E: Earlier>(
-        &self,
-        person: &Person,
-        stance: &Stance,
-        (frames, i): (&Frames, usize),
-        earlier: &mut E,
-        coverage: &mut Coverage,
-    ) -> Result<Option<Hit>, E::Error> {
-        if let Some(moving) = &self.moving
-            && self.near(&stance.place, &frames[i])
-        {
-            // What was counted is counted.
-            let mut own = Coverage::new(self.cell.sensors.len());
-            let hit = moving.contact_near(person, stance, (frames, i), true, earlier, &mut own)?;
-            coverage.arm_checks += own.arm_checks;
-            coverage.arm_boxes += own.arm_boxes;
-            coverage.arm_checks_incomplete += own.arm_checks_incomplete;
-            if hit.is_some() {
-                return Ok(hit);
-            }
-        }
-        match (&self.cell.separation, earlier.stopping()?) {
-            (Some(separation), Some(stopping)) => Ok(self.too_near(person, &frames[i], separation, &stopping)),
-            _ => Ok(None),
-        }
-    }
-
-    /// The pair of trunk, head or legs and a link that lacks most of the protective separation distance, while some robot moves;
-    /// what an obstacle is between does not count.
-    fn too_near(
-        &self,
-        person: &Person,
-        frame: &RobotFrame,
-        separation: &Separation,
-        stopping: &Stopping,
-    ) -> Option<Hit> {
-        let mut worst: Option<(f64, Contact)> = None;
-        for link in (0..frame.links.len()).filter(|link| frame.speed_bounds[*link] > STANDSTILL_M_S) {
-            let required_m = separation.required_m(stopping.time_s, stopping.travel_m[link]);
-            let (centre, radius) = frame.links[link].bounding_sphere();
-            for &(part, capsule) in person.body.parts() {
-                let middle = (capsule.a + capsule.b) * 0.5;
-                let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
-                let lacks = worst.as_ref().map_or(0.0, |worst| worst.0);
-                if required_m - ((centre - middle).length() - radius - half) <= lacks {
-                    continue;
-                }
-                let Some(contact) = self.encounter.approach(person, frame, (part, &capsule), link) else { continue };
-                let missing = required_m - contact.distance_m;
-                if missing > lacks || (worst.is_none() && missing > 0.0) {
-                    let stops_after_s = stopping.time_s;
-                    let apart = Apart { required_m, stops_after_s, travel_m: stopping.travel_m[link] };
-                    worst = Some((missing, contact.too_near(apart)));
-                }
-            }
-        }
-        worst.map(|(_, contact)| Hit::new((contact, None), frame))
     }
 
     /// Whether any sensor reports the person.

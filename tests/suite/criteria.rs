@@ -129,6 +129,7 @@ fn pressure_of_links_that_say_nothing_is_not_known() {
     let (code, said, scan) = scanned(dir.path(), "safety-fence/fixed", 4, "[criteria]\npressure = true\n");
     assert_eq!(code, Some(4), "{said}");
     assert!(scan["hazards"].as_array().unwrap().is_empty() && scan["verdict"] == "inconclusive");
+    assert!(scan["certificate"]["complete"] == false && !said.contains("Complete: all"), "{said}");
     let unknown = scan["unknown"][0].as_str().unwrap();
     assert!(unknown.contains("gripper") && unknown.contains("turret") && said.contains("Not known"), "{said}");
     let edge = "[criteria]\npressure = true\ntransient_force = false\n[[robot]]\nname = \"IRB 1200-5/0.9\"\n\
@@ -175,6 +176,26 @@ fn separation_is_what_the_stop_of_that_very_state_asks_for() {
         finite += 1;
     }
     assert!(finite > 0, "{said}");
+    // A sensor that tells later stops the robot later by as much.
+    let late = format!("{criteria}[[sensor]]\nname = \"mat\"\ndelay_ms = 100\n");
+    let (_, _, later) = scanned(dir.path(), "sensor-mat/cell", 6, &late);
+    let longest = |scan: &Value| {
+        let all = hazards(scan, "separation").into_iter();
+        all.filter_map(|h| h["judged"]["separation"]["stops_after_s"].as_f64()).fold(0.0, f64::max)
+    };
+    assert!(longest(&later) >= longest(&scan) + 0.08, "{} {}", longest(&later), longest(&scan));
+    // What a cell does not count any more is neither fixed nor gone.
+    let run = |arguments: &[&str]| {
+        let output = fmi_hazard(dir.path()).args(arguments).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let before = format!("out-sensor-mat-cell-{}", criteria.len());
+    let (code, told) = run(&["verify", &before, "sensor-mat/fixed.toml"]);
+    assert!(code == Some(4) && told.contains("NOT JUDGED") && told.contains("does not count separation"), "{told}");
+    let (_, told) = run(&["compare", &before, "out-sensor-mat-cell-0", "--format", "json"]);
+    let rows: Value = serde_json::from_str(&told).unwrap();
+    let counts = &rows["counts"];
+    assert!(counts["fixed"].is_null() && counts["not_found_again"].as_u64().is_some_and(|n| n > 0), "{counts}");
     // Nothing to stop with, or something that does not exist.
     let wrong = "[criteria]\nseparation = { stop = \"fild\", intrusion_m = 0.2 }\n";
     let file = write(

@@ -30,7 +30,7 @@ const FLAWS: [Flaw; 3] = [
         actions: 6,
         // 0.25 m/s x sqrt(16.05 kg k) with 75 and 40 kN/m, over 135 and 160 N.
         worst: &[("hand", 2.03), ("lower_arm", 1.25)],
-        links: &["gripper", "tool"],
+        links: &["gripper"],
         against: Some("table"),
         words: "clamps the hand that reaches over table against table",
     },

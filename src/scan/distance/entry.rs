@@ -109,15 +109,7 @@ fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) ->
     starts.iter().for_each(|start| hold(*start, AROUND_M));
     let longest = (high[0] - low[0]).max(high[1] - low[1]);
     let cell_m = CELL_M.max(longest / MOST_CELLS);
-    let floor = Floor::new(&cell.body, &obstacles, (low, high), cell_m);
-    let floor = match &cell.floor {
-        Some(polygon) => floor.bounded_by(polygon),
-        None => floor,
-    };
-    let floor = match &cell.start_region {
-        Some(polygon) => floor.entered_in(polygon),
-        None => floor,
-    };
+    let floor = cell.bounded(Floor::new(&cell.body, &obstacles, (low, high), cell_m));
     // A cell may be cut by an edge: it is passed where its middle is outside, or no deeper inside than it is wide.
     let middles: Vec<[f64; 2]> = (0..floor.cells()).map(|cell| floor.middle(cell)).collect();
     let unseen = |at: [f64; 2]| {
