@@ -6,7 +6,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::Body;
+use super::{Body, PoseBox};
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
@@ -26,6 +26,14 @@ pub struct Floor {
     bounded: bool,
     /// Where people come from, if that is not the edge.
     entry: Option<Vec<bool>>,
+}
+
+/// Whether nobody has room to stand anywhere in a box.
+#[must_use]
+pub fn is_without_room(body: &Body, obstacles: &[Cuboid], at: &PoseBox) -> bool {
+    let capsule = body.blocking_capsule(at.position());
+    let apart = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance;
+    obstacles.iter().any(|o| apart(o) + at.place_moves_m() < capsule.radius)
 }
 
 impl Floor {
@@ -295,6 +303,31 @@ mod tests {
         let front = [-1.0, 1.0].map(|s| wall(s * (0.5 * door_m + 0.5 * side), -1.5, 0.5 * side, 0.01));
         [vec![wall(0.0, 1.5, 1.51, 0.01), wall(-1.5, 0.0, 0.01, 1.51), wall(1.5, 0.0, 0.01, 1.51)], front.to_vec()]
             .concat()
+    }
+
+    #[test]
+    fn a_box_is_without_room_only_where_nobody_in_it_has_any() {
+        let mut rng = Rng::new(3);
+        let mut uniform = |low: f64, high: f64| {
+            low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+        };
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let obstacles = [wall(0.2, 0.0, 0.25, 0.3), wall(-0.5, 0.4, 0.01, 0.4)];
+        let mut without = [0, 0];
+        for _ in 0..4000 {
+            let at = PoseBox {
+                xy_m: [uniform(-0.8, 0.7), uniform(-0.6, 0.9)],
+                half_m: uniform(0.0, 0.08),
+                heading_rad: 0.0,
+                half_rad: 3.0,
+            };
+            let xy_m = [0, 1].map(|axis| at.xy_m[axis] + at.half_m * uniform(-2.0, 2.0).clamp(-1.0, 1.0));
+            let of_box = is_without_room(&body, &obstacles, &at);
+            let of_one = is_without_room(&body, &obstacles, &PoseBox::point(xy_m, 0.0));
+            assert!(of_one || !of_box, "{xy_m:?} in {at:?}");
+            without = [without[0] + usize::from(of_box), without[1] + usize::from(of_one && !of_box)];
+        }
+        assert!(without.iter().all(|count| *count > 100), "{without:?}");
     }
 
     fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {

@@ -26,7 +26,7 @@ pub mod walk;
 pub use action::{Action, Posture, Walk};
 pub use body::{Anthropometry, Body, Radii};
 pub use field::Field;
-pub use floor::Floor;
+pub use floor::{Floor, is_without_room};
 pub use obstacles::is_kept_from;
 pub use part::{BodyPart, Side};
 pub use place::{Place, Start};

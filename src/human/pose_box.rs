@@ -49,6 +49,25 @@ impl PoseBox {
         self.place_moves_m() + 2.0 * lever_m * libm::sin(0.5 * self.half_rad.min(PI))
     }
 
+    /// Middle and radius of a ball, m, that holds whatever is no farther than `far_m` from the point `height_m` above the feet of
+    /// anybody in the box.
+    #[must_use]
+    pub fn around(&self, height_m: f64, far_m: f64) -> (Vec3, f64) {
+        (self.position() + Vec3::Z * height_m, far_m + self.place_moves_m())
+    }
+
+    /// Boxes whose union it is, of equal arcs.
+    pub fn arcs(&self, count: u32) -> impl Iterator<Item = Self> + use<> {
+        let whole = Self { half_rad: self.half_rad.min(PI), ..*self };
+        let half_rad = whole.half_rad / f64::from(count.max(1));
+        let first_rad = whole.heading_rad - whole.half_rad;
+        (0..count.max(1)).map(move |number| Self {
+            heading_rad: first_rad + f64::from(2 * number + 1) * half_rad,
+            half_rad,
+            ..whole
+        })
+    }
+
     /// Parts whose union it is: quarters of the square, or halves of the arc, whichever moves a point more that is `lever_m`
     /// from the axis.
     #[must_use]
@@ -93,7 +112,7 @@ mod tests {
     #[test]
     fn points_move_no_farther_than_told_and_parts_leave_nothing_out() {
         let mut rng = Rng::new(5);
-        let mut nearly = 0;
+        let (mut nearly, mut nearly_outside) = (0, 0);
         for _ in 0..4000 {
             let of = PoseBox {
                 xy_m: [uniform(&mut rng, -2.0, 2.0), uniform(&mut rng, -2.0, 2.0)],
@@ -120,7 +139,14 @@ mod tests {
             let parts = of.parts(lever);
             assert!(parts.iter().any(holds), "{of:?}");
             assert!(parts.iter().all(|part| part.moves_m(lever) < told), "{of:?}");
+            assert!(of.arcs(1 + u32::try_from(rng.below(5)).unwrap()).any(|part| holds(&part)), "{of:?}");
+            let far = uniform(&mut rng, 0.0, 1.2);
+            let (middle, radius) = of.around(point.z, far);
+            let end = Vec3::new(xy[0], xy[1], point.z) + Vec3::new(libm::cos(along), libm::sin(along), 0.0) * far;
+            let gap = radius - (end - middle).length();
+            assert!(gap >= -1e-12, "{end:?} outside of {middle:?} {radius}");
+            nearly_outside += usize::from(gap < 0.02 * of.half_m);
         }
-        assert!(nearly > 50, "{nearly}");
+        assert!(nearly > 50 && nearly_outside > 5, "{nearly} {nearly_outside}");
     }
 }

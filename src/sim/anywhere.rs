@@ -45,12 +45,11 @@ use super::robot::RobotFrame;
 use super::sensors::{self, sees};
 use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::joined::{joined, joined_two, merged};
-use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
 use crate::human::arm::ArmModel;
 use crate::human::posture::{cut_back, may_be_cut_back};
-use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture};
+use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, is_without_room};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
@@ -382,9 +381,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether nobody has room to stand anywhere in a box.
     fn has_no_room(&self, at: &PoseBox) -> bool {
-        let capsule = self.cell.body.blocking_capsule(at.position());
-        let apart = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance;
-        self.encounter.obstacles.iter().any(|o| apart(o) + at.place_moves_m() < capsule.radius)
+        is_without_room(&self.cell.body, &self.encounter.obstacles, at)
     }
 
     fn placed(&self, at: &PoseBox, posture: Posture, bend: BendFraction) -> PlacedBody {
@@ -402,9 +399,7 @@ impl<'a> Anywhere<'a> {
     /// Whether somebody can stand there.
     #[must_use]
     pub fn has_room(&self, xy_m: [f64; 2]) -> bool {
-        let capsule = self.cell.body.blocking_capsule(Vec3::new(xy_m[0], xy_m[1], 0.0));
-        let has_room = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance >= capsule.radius;
-        self.ground.any_open(xy_m, 0.0) && self.encounter.obstacles.iter().all(has_room)
+        self.ground.any_open(xy_m, 0.0) && !self.has_no_room(&PoseBox::point(xy_m, 0.0))
     }
 
     /// Whether somebody may be there at the start, upright, of whom the sensors then report these readings.

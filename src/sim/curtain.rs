@@ -8,7 +8,7 @@
 //! A door is the same with another switch. So are the buttons of a two-hand control for the hands that let them go, but
 //! not for the rest of the body; and hands that have been free for long are held by nothing.
 
-use crate::cell::{Sensor, Workcell};
+use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::distance::{point_segment, segment_segment};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::standards::iso_13855::HAND_SPEED_M_S;
@@ -39,17 +39,21 @@ impl Curtain {
     /// All those of a cell, whose person begins at `start`.
     #[must_use]
     pub fn all(cell: &Workcell, start: Vec3, obstacles: &[Cuboid]) -> Vec<Self> {
-        let curtain = |(sensor, Sensor { zone, .. }): (usize, &Sensor)| {
-            let (plane, post) = zone.plane()?;
-            Some(Self {
-                sensor,
-                plane: *plane,
-                from: post.map_or(start, |post| Vec3::new(post[0][0], post[0][1], 0.0)),
-                hands_only: post.is_some(),
-                closed: Closed::new(plane, obstacles),
-            })
-        };
+        let curtain = |(number, Sensor { zone, .. }): (usize, &Sensor)| Self::new(number, zone, start, obstacles);
         cell.sensors.iter().enumerate().filter_map(curtain).collect()
+    }
+
+    /// That of a sensor whose zone has a plane.
+    #[must_use]
+    pub fn new(sensor: usize, zone: &Zone, start: Vec3, obstacles: &[Cuboid]) -> Option<Self> {
+        let (plane, post) = zone.plane()?;
+        Some(Self {
+            sensor,
+            plane: *plane,
+            from: post.map_or(start, |post| Vec3::new(post[0][0], post[0][1], 0.0)),
+            hands_only: post.is_some(),
+            closed: Closed::new(plane, obstacles),
+        })
     }
 
     /// No point of one plane is nearer to one of the other than this, m: seen from above.

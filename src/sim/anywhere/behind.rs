@@ -11,9 +11,11 @@ use super::{Anywhere, History, Seen};
 use crate::geometry::Hull;
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::reach::cells::{ArmCells, Target};
-use crate::human::{BendFraction, PoseBox, Posture, Side};
-use crate::sim::curtain::Curtain;
-use crate::standards::iso_13855::HAND_SPEED_M_S;
+use crate::human::{BendFraction, Floor, PoseBox, Posture, Side};
+use crate::sim::curtain::{Curtain, depth_m};
+
+/// Steps in which somebody may have leaned through a plane that was clear before.
+const SINCE_CLEAR: usize = 1;
 
 /// What keeps an arm from a link at an instant, besides what keeps it from all.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +45,35 @@ pub(super) struct ToldOf {
     others: Vec<bool>,
 }
 
+impl ToldOf {
+    /// Whether somebody in a box may be one of whom it has told nothing.
+    fn may_have_come_another_way(&self, ground: &Floor, at: &PoseBox) -> bool {
+        !ground.holds(at.xy_m, at.half_m) || ground.within(at.xy_m, at.half_m).any(|cell| self.others[cell])
+    }
+}
+
+/// Everybody in a cell of the floor, whatever they look at.
+fn everybody_in(ground: &Floor, cell: usize) -> PoseBox {
+    PoseBox {
+        xy_m: ground.middle(cell),
+        half_m: 0.5 * ground.cell_m(),
+        heading_rad: 0.0,
+        half_rad: std::f64::consts::PI,
+    }
+}
+
+/// Whether everybody in a box is behind a plane.
+fn is_behind(curtain: &Curtain, at: &PoseBox) -> bool {
+    curtain.depth(at.position() + Vec3::Z) > at.place_moves_m()
+}
+
+/// Whether everybody in a box has the hip before a plane, and no way from there to a link round its ends or over its top that is
+/// short enough, `from_hip` being the hip's height and the longest reach from it, m.
+fn gets_there_through_it_only(curtain: &Curtain, (height_m, reach_m): (f64, f64), link: &Solid, at: &PoseBox) -> bool {
+    let (hip, reach_m) = at.around(height_m, reach_m);
+    curtain.depth(hip) + at.place_moves_m() <= 0.0 && curtain.closed.out_of_reach(hip, reach_m, link)
+}
+
 impl Anywhere<'_> {
     /// What is known of a plane.
     pub(super) fn told_of(&self, curtain: &Curtain) -> ToldOf {
@@ -70,12 +101,7 @@ impl Anywhere<'_> {
 
     /// Whether anybody in a cell of the floor may touch what `arms` are about.
     fn may_reach(&self, arms: &ArmCells, cell: usize) -> bool {
-        let at = PoseBox {
-            xy_m: self.ground.middle(cell),
-            half_m: 0.5 * self.ground.cell_m(),
-            heading_rad: 0.0,
-            half_rad: std::f64::consts::PI,
-        };
+        let at = everybody_in(&self.ground, cell);
         Posture::ALL.into_iter().any(|posture| {
             BendFraction::ALL
                 .into_iter()
@@ -122,7 +148,7 @@ impl Anywhere<'_> {
     fn depth_m(&self, limit: Limit, told_m: f64) -> f64 {
         match limit {
             Limit::Told(_) => told_m,
-            Limit::Clear(_) => HAND_SPEED_M_S * self.cell.step_s,
+            Limit::Clear(_) => depth_m(SINCE_CLEAR, self.cell.step_s),
         }
     }
 
@@ -135,21 +161,19 @@ impl Anywhere<'_> {
     /// Whether whoever is in a box gets to a link behind a plane only through it, which was clear a step ago: they stand before it,
     /// and no way round its ends or over its top is short enough.
     fn leans_through(&self, curtain: &Curtain, history: &History, link: &Solid, at: &PoseBox) -> bool {
-        let (height, reach) = self.cell.body.reach_from_hip(self.encounter.arm.reach());
-        let (hip, moves_m) = (at.position() + Vec3::Z * height, at.place_moves_m());
+        let from_hip = self.cell.body.reach_from_hip(self.encounter.arm.reach());
         history.readings[curtain.sensor] == Some(false)
             && !curtain.hands_only
-            && curtain.depth(hip) + moves_m <= 0.0
-            && curtain.closed.out_of_reach(hip, reach + moves_m, link)
+            && gets_there_through_it_only(curtain, from_hip, link, at)
     }
 
     /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
     /// gets of whom it has told nothing. Who leans over it may be told by other sensors only.
     fn has_told_of(&self, number: usize, is_told: bool, at: &PoseBox) -> bool {
-        let ToldOf { come_before, others } = &self.told_of[number];
-        let another = || self.ground.within(at.xy_m, at.half_m).any(|cell| others[cell]);
-        let is_behind = || self.curtains[number].depth(at.position() + Vec3::Z) > at.place_moves_m();
-        *come_before && (is_told || (is_behind() && self.ground.holds(at.xy_m, at.half_m) && !another()))
+        let told_of = &self.told_of[number];
+        told_of.come_before
+            && (is_told
+                || (is_behind(&self.curtains[number], at) && !told_of.may_have_come_another_way(&self.ground, at)))
     }
 
     /// Whether planes keep the body of whoever is in a box from a link at an instant.
@@ -198,3 +222,7 @@ fn solid(cuboid: &Cuboid) -> Option<Solid> {
     };
     Hull::from_points(&(0..8).map(corner).collect::<Vec<_>>()).map(Solid::Hull)
 }
+
+#[cfg(test)]
+#[path = "behind_tests.rs"]
+mod tests;

@@ -165,64 +165,16 @@ impl Told {
         floor: &Floor,
         tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<Self>, PlantError> {
-        let [columns, rows] = floor.size();
-        let mut known: BTreeMap<(usize, usize, u32), usize> = BTreeMap::new();
         let mut people: Vec<Vec<Stance>> = Vec::new();
-        let mut possible = vec![0_u32; columns * rows * ARCS as usize];
-        let blocks: Vec<(usize, usize)> = (0..rows)
-            .step_by(COARSE)
-            .flat_map(|row| (0..columns).step_by(COARSE).map(move |column| (column, row)))
-            .collect();
-        for (number, &(column, row)) in blocks.iter().enumerate() {
-            #[expect(clippy::cast_precision_loss, reason = "some thousand blocks")]
-            if tell(number as f64 / blocks.len() as f64).is_break() {
-                return Ok(None);
-            }
-            let (to_column, to_row) = ((column + COARSE).min(columns), (row + COARSE).min(rows));
-            let cells = || (row..to_row).flat_map(move |row| (column..to_column).map(move |column| (column, row)));
-            if !cells().any(|(column, row)| floor.is_open(row * columns + column)) {
-                continue;
-            }
-            let mut kind = |corner: (usize, usize), heading: u32| -> Result<Option<usize>, PlantError> {
-                let heading = heading % ARCS;
-                if let Some(kind) = known.get(&(corner.0, corner.1, heading)) {
-                    return Ok(Some(*kind));
-                }
-                let at = (floor.corner(corner), TAU * (f64::from(heading) - 0.5) / f64::from(ARCS));
-                let Some(kind) = asking.kind(at)? else { return Ok(None) };
-                known.insert((corner.0, corner.1, heading), kind);
+        let mut kind = |at: Stance| {
+            let kind = asking.kind(at)?;
+            if let Some(kind) = kind {
                 people.resize(people.len().max(kind + 1), Vec::new());
                 people[kind].push(at);
-                Ok(Some(kind))
-            };
-            // Corners of the block, its middle, and all headings.
-            let (middle_column, middle_row) = ((column + to_column) / 2, (row + to_row) / 2);
-            let corners =
-                [(column, row), (to_column, row), (column, to_row), (to_column, to_row), (middle_column, middle_row)];
-            let mut bits = 0_u32;
-            for corner in corners {
-                for heading in 0..ARCS {
-                    let Some(kind) = kind(corner, heading)? else { return Ok(None) };
-                    bits |= 1 << kind;
-                }
             }
-            for (column, row) in cells() {
-                let cell = row * columns + column;
-                for arc in 0..ARCS {
-                    let mut own = bits;
-                    if bits.count_ones() > 1 {
-                        own = 0;
-                        for corner in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
-                            for heading in [arc, arc + 1] {
-                                let Some(kind) = kind(corner, heading)? else { return Ok(None) };
-                                own |= 1 << kind;
-                            }
-                        }
-                    }
-                    possible[cell * ARCS as usize + arc as usize] = own;
-                }
-            }
-        }
+            Ok(kind)
+        };
+        let Some(possible) = possible(floor, &mut kind, tell)? else { return Ok(None) };
         Ok(Some(Self { kinds: asking.kinds.clone(), people, possible, asked: asking.asked }))
     }
 
@@ -242,9 +194,119 @@ impl Told {
     }
 }
 
+/// Of each cell of a floor and arc of headings the kinds that are possible, as bits, where `kind` says of a person what is reported of
+/// them; nothing if it was told to end, or if there are too many kinds.
+fn possible(
+    floor: &Floor,
+    kind: &mut dyn FnMut(Stance) -> Result<Option<usize>, PlantError>,
+    tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Option<Vec<u32>>, PlantError> {
+    let [columns, rows] = floor.size();
+    let mut known: BTreeMap<(usize, usize, u32), usize> = BTreeMap::new();
+    let mut possible = vec![0_u32; columns * rows * ARCS as usize];
+    let blocks: Vec<(usize, usize)> = (0..rows)
+        .step_by(COARSE)
+        .flat_map(|row| (0..columns).step_by(COARSE).map(move |column| (column, row)))
+        .collect();
+    for (number, &(column, row)) in blocks.iter().enumerate() {
+        #[expect(clippy::cast_precision_loss, reason = "some thousand blocks")]
+        if tell(number as f64 / blocks.len() as f64).is_break() {
+            return Ok(None);
+        }
+        let (to_column, to_row) = ((column + COARSE).min(columns), (row + COARSE).min(rows));
+        let cells = || (row..to_row).flat_map(move |row| (column..to_column).map(move |column| (column, row)));
+        if !cells().any(|(column, row)| floor.is_open(row * columns + column)) {
+            continue;
+        }
+        let mut kind_at = |corner: (usize, usize), heading: u32| -> Result<Option<usize>, PlantError> {
+            let heading = heading % ARCS;
+            if let Some(kind) = known.get(&(corner.0, corner.1, heading)) {
+                return Ok(Some(*kind));
+            }
+            let at = (floor.corner(corner), TAU * (f64::from(heading) - 0.5) / f64::from(ARCS));
+            let Some(kind) = kind(at)? else { return Ok(None) };
+            known.insert((corner.0, corner.1, heading), kind);
+            Ok(Some(kind))
+        };
+        // Corners of the block, its middle, and all headings.
+        let (middle_column, middle_row) = ((column + to_column) / 2, (row + to_row) / 2);
+        let corners =
+            [(column, row), (to_column, row), (column, to_row), (to_column, to_row), (middle_column, middle_row)];
+        let mut bits = 0_u32;
+        for corner in corners {
+            for heading in 0..ARCS {
+                let Some(kind) = kind_at(corner, heading)? else { return Ok(None) };
+                bits |= 1 << kind;
+            }
+        }
+        for (column, row) in cells() {
+            let cell = row * columns + column;
+            for arc in 0..ARCS {
+                let mut own = bits;
+                if bits.count_ones() > 1 {
+                    own = 0;
+                    for corner in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
+                        for heading in [arc, arc + 1] {
+                            let Some(kind) = kind_at(corner, heading)? else { return Ok(None) };
+                            own |= 1 << kind;
+                        }
+                    }
+                }
+                possible[cell * ARCS as usize + arc as usize] = own;
+            }
+        }
+    }
+    Ok(Some(possible))
+}
+
 /// The number of the arc that holds a heading: the first is around that along x.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten arcs")]
 pub fn arc(heading_rad: f64) -> u32 {
     (heading_rad.rem_euclid(TAU) / TAU * f64::from(ARCS)).round() as u32 % ARCS
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::human::{Anthropometry, Body};
+    use crate::search::Rng;
+
+    /// Fields that see a point somewhat before people on one side of a line: what is reported of anybody is among what is possible in
+    /// their cell and arc, but for those nearer to the line than the point moves between the edges of an arc.
+    #[test]
+    fn what_is_reported_of_anybody_is_possible_where_they_are() {
+        const BEFORE_M: f64 = 0.3;
+        let mut rng = Rng::new(17);
+        let mut uniform = |low: f64, high: f64| {
+            low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+        };
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let floor = Floor::new(&body, &[], ([-1.0, -1.0], [1.0, 1.1]), 0.05);
+        let (sin, cos) = (libm::sin, libm::cos);
+        let moves_m = BEFORE_M * (1.0 - cos(TAU / f64::from(ARCS) / 2.0));
+        let (mut looked_at, mut both) = (0, 0);
+        for _ in 0..40 {
+            let lines = [0; 2].map(|_: i32| (uniform(0.0, TAU), uniform(-0.8, 0.8)));
+            let beyond = |(way, far): (f64, f64), ([x, y], heading): Stance| {
+                (x + BEFORE_M * cos(heading)) * cos(way) + (y + BEFORE_M * sin(heading)) * sin(way) - far
+            };
+            let kind =
+                |at: Stance| usize::from(beyond(lines[0], at) > 0.0) + 2 * usize::from(beyond(lines[1], at) > 0.0);
+            let asked = possible(&floor, &mut |at| Ok(Some(kind(at))), &mut |_| ControlFlow::Continue(()));
+            let told = asked.unwrap().unwrap();
+            both += told.iter().filter(|kinds| kinds.count_ones() > 1).count();
+            for _ in 0..2000 {
+                let at = ([uniform(-1.0, 1.0), uniform(-1.0, 1.1)], uniform(0.0, TAU));
+                if lines.iter().any(|line| beyond(*line, at).abs() <= moves_m) {
+                    continue;
+                }
+                looked_at += 1;
+                let cells = floor.within(at.0, 0.0);
+                let is = |cell: usize| told[cell * ARCS as usize + arc(at.1) as usize] >> kind(at) & 1 == 1;
+                assert!(cells.into_iter().any(is), "{} of {at:?} with {lines:?}", kind(at));
+            }
+        }
+        assert!(looked_at > 50_000 && both > 1000, "{looked_at} {both}");
+    }
 }

@@ -218,12 +218,11 @@ impl<'a> Within<'a> {
 
     /// Of some links at instants those that anybody in a box may meet.
     fn near(&self, at: &PoseBox, pairs: impl Iterator<Item = usize>) -> Vec<usize> {
-        let (centre, moves) = (at.position() + Vec3::Z, at.place_moves_m());
         let least = self.history.least(at.xy_m, at.half_m);
         let near = |number: &usize| {
             let pair = &self.pairs[*number];
-            pair.is_within(least)
-                && pair.is_near(centre, moves + if pair.arms { self.of.reach_m } else { self.of.body_m })
+            let (centre, reach_m) = at.around(1.0, if pair.arms { self.of.reach_m } else { self.of.body_m });
+            pair.is_within(least) && pair.is_near(centre, reach_m)
         };
         pairs.filter(near).collect()
     }
@@ -308,7 +307,7 @@ impl<'a> Within<'a> {
             .map(|(x, y)| [at.xy_m[0] + x * quarter, at.xy_m[1] + y * quarter]);
         let mut reaching: Vec<(f64, PoseBox, Posture, PlacedBody, Side)> = Vec::new();
         // Wherever shoulders are in the cell: within what holds the rest of the body.
-        let shoulders = (at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m);
+        let shoulders = at.around(1.0, self.of.body_m);
         let in_time = |pair: &&Pair| pair.arms && self.is_in_time(pair, at, shoulders);
         let in_time: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(in_time).collect();
         let headings = || headings(TRIED_HEADINGS).map(|(heading_rad, _)| heading_rad);
@@ -389,10 +388,11 @@ impl<'a> Within<'a> {
         // Whether somebody can be as in the middle of the box: asked only where that matters.
         let possible = || self.of.is_possible(at.xy_m, at.heading_rad, posture, &self.history.readings);
         let far = self.history.least(at.xy_m, at.half_m);
+        let (centre, body_m) = at.around(1.0, self.of.body_m);
         let near_body = |pair: &&Pair| {
             let seen = &self.history.seen[pair.n];
             pair.is_within(far)
-                && pair.is_near(at.position() + Vec3::Z, at.place_moves_m() + self.of.body_m)
+                && pair.is_near(centre, body_m)
                 && !self.of.keeps_bodies(self.history, (seen, &seen.frame.links[pair.link]), at)
         };
         let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();

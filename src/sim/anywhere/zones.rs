@@ -192,7 +192,8 @@ impl Anywhere<'_> {
 
     /// Whether any part of somebody, arms as well, may be in the plane of a sensor.
     fn is_near_plane(&self, sensor: &Sensor, at: &PoseBox) -> bool {
-        let near = |plane| point_cuboid(at.position().with_z(1.0), plane).distance <= self.reach_m + at.place_moves_m();
+        let (centre, reach_m) = at.around(1.0, self.reach_m);
+        let near = |plane| point_cuboid(centre, plane).distance <= reach_m;
         sensor.zone.plane().is_some_and(|(plane, _)| near(plane))
     }
 }
