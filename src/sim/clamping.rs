@@ -57,13 +57,20 @@ struct Met {
 }
 
 impl Encounter {
-    /// Where links may clamp an arm.
-    pub(super) fn pinches<'a>(&self, frame: &'a RobotFrame) -> &'a [Pinch] {
-        let Some(clamping) = &self.clamping else { return &[] };
-        frame.pinches.get_or_init(|| {
-            let links = 0..frame.links.len();
-            links.flat_map(|link| self.pinches_of(frame, link, clamping.travel_m[link])).collect()
-        })
+    /// Where links may clamp an arm that has its shoulder at one of these points.
+    pub(super) fn pinches_near<'a>(&self, frame: &'a RobotFrame, shoulders: &[Vec3]) -> Vec<&'a Pinch> {
+        let Some(clamping) = &self.clamping else { return Vec::new() };
+        let within = |at: Vec3, around: f64| {
+            shoulders.iter().any(|shoulder| (at - *shoulder).length() - around <= self.arm.reach())
+        };
+        let links = frame.links.iter().enumerate().filter(|(_, solid)| {
+            let (centre, radius) = solid.bounding_sphere();
+            within(centre, radius)
+        });
+        let all = links.flat_map(|(link, _)| {
+            frame.pinches[link].get_or_init(|| self.pinches_of(frame, link, clamping.travel_m[link]))
+        });
+        all.filter(|pinch| within(pinch.clamped.at, 0.0)).collect()
     }
 
     fn pinches_of(&self, frame: &RobotFrame, link: usize, travel_m: f64) -> Vec<Pinch> {

@@ -40,6 +40,9 @@ const ANY_HAZARD: Aim = Aim { threshold: 1.0, enough: 1.0, work_limit: 2_000_000
 /// found is a real contact and nothing is excluded by it.
 const WORST: Aim = Aim { threshold: 0.0, enough: f64::INFINITY, work_limit: 10_000, must_complete: false };
 
+/// As much worse than a contact that is known has to be what is looked for, as in each search of the worst.
+const CLEARLY_WORSE: f64 = 1.05;
+
 /// The same for the reward of an episode that found nothing, which only steers the search.
 const REWARD: Aim = Aim { work_limit: 1_000, ..WORST };
 
@@ -171,8 +174,10 @@ impl Encounter {
         if !self.worst || self.judge != Judge::Ending {
             return Some(any).filter(|(contact, _)| contact.class().is_some());
         }
-        let worst =
-            self.arm_contact(person, frame, space, &WORST, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
+        // Without clamping the search begins from nothing, as it always has: results stay what they were.
+        let least = if self.clamping.is_some() { CLEARLY_WORSE * any.0.ratio() } else { WORST.threshold };
+        let aim = Aim { threshold: least, ..WORST };
+        let worst = self.arm_contact(person, frame, space, &aim, coverage).filter(|(c, _)| c.ratio() >= any.0.ratio());
         Some(worst.unwrap_or(any)).filter(|(contact, _)| contact.class().is_some())
     }
 
@@ -189,7 +194,8 @@ impl Encounter {
         if frames.is_empty() {
             return true;
         }
-        let frames: Vec<_> = frames.iter().map(|frame| (*frame, self.pinches(frame))).collect();
+        let shoulders: Vec<Vec3> = person.arms.iter().map(|side| person.body.shoulder(*side).translation).collect();
+        let frames: Vec<_> = frames.iter().map(|frame| (*frame, self.pinches_near(frame, &shoulders))).collect();
         let targets = Targets::all(&frames, space.links, person.velocity, self.judge);
         let links = targets.solids();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(space.walls).copied().collect();
@@ -336,7 +342,10 @@ impl Encounter {
             return None;
         }
         coverage.checks_with_robot_in_arm_reach += 1;
-        let targets = Targets::all(&[(frame, self.pinches(frame))], space.links, person.velocity, self.judge);
+        let centres: Vec<Vec3> = shoulders.iter().map(|(_, at)| at.translation).collect();
+        let targets =
+            Targets::all(&[(frame, self.pinches_near(frame, &centres))], space.links, person.velocity, self.judge);
+        let targets = targets.that_matter(aim.threshold);
         if !targets.may_matter(aim.threshold) {
             return None;
         }

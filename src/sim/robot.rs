@@ -42,8 +42,8 @@ pub struct RobotFrame {
     weights: Vec<Option<Weight>>,
     /// The FMU's outputs behind all this.
     outputs: Vec<f64>,
-    /// Where links may clamp an arm, once it was asked for.
-    pub(super) pinches: OnceLock<Vec<Pinch>>,
+    /// Where each link may clamp an arm, once it was asked for.
+    pub(super) pinches: Box<[OnceLock<Vec<Pinch>>]>,
 }
 
 /// A robot whose inertias are known, in one pose.
@@ -96,6 +96,7 @@ impl RobotFrame {
         let harms = |(link, bound): (usize, &f64)| strikes[strike_of[link]].may_harm(*bound);
         Self {
             may_harm: speed_bounds.iter().enumerate().any(harms),
+            pinches: links.iter().map(|_| OnceLock::new()).collect(),
             links,
             twists,
             speed_bounds,
@@ -104,7 +105,6 @@ impl RobotFrame {
             joint_of: cell.links.iter().map(|l| l.joint).collect(),
             strike_of,
             strikes,
-            pinches: OnceLock::new(),
             phases: binding.robots.iter().map(phase).collect(),
             weights: cell.robots.iter().zip(&binding.robots).map(|(r, b)| Weight::new(r, b, outputs)).collect(),
             outputs: outputs.to_vec(),
@@ -117,7 +117,8 @@ impl RobotFrame {
         let links: Vec<Solid> = self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
-        Self { fastest, links, speed_bounds, pinches: OnceLock::new(), ..self.clone() }
+        let pinches = links.iter().map(|_| OnceLock::new()).collect();
+        Self { fastest, links, speed_bounds, pinches, ..self.clone() }
     }
 
     /// How far from where it is here or at the end of the step to `next` each link is between them at most, m, of which the nearer

@@ -48,7 +48,7 @@ pub(super) const fn arm_region(segment: ArmSegment) -> BodyRegion {
 impl<'a> Targets<'a> {
     /// All links of some instants, of which those count that are named so, one instant after the other; and where they clamp arms.
     pub(super) fn all(
-        frames: &[(&'a RobotFrame, &'a [Pinch])],
+        frames: &[(&'a RobotFrame, Vec<&'a Pinch>)],
         counts: Option<&[bool]>,
         velocity: Vec3,
         judge: Judge,
@@ -59,7 +59,7 @@ impl<'a> Targets<'a> {
             let counts = |link: usize| counts.is_none_or(|counts| counts[before + link]);
             let links = (0..frame.links.len()).map(|link| Target { frame, link, pinch: None, counts: counts(link) });
             all.extend(links);
-            let places = pinches.iter().map(|pinch| {
+            let places = pinches.iter().map(|&pinch| {
                 let link = pinch.link;
                 Target { frame, link, pinch: Some(pinch), counts: counts(link) }
             });
@@ -75,6 +75,21 @@ impl<'a> Targets<'a> {
         Self { all, links, velocity, judge }
     }
 
+    /// The same without those that are never bad enough, where there are others than the links of a single instant.
+    pub(super) fn that_matter(mut self, threshold: f64) -> Self {
+        if self.links.is_none() {
+            let matters: Vec<bool> = (0..self.all.len()).map(|number| self.matters(number, threshold)).collect();
+            let mut matters = matters.into_iter();
+            self.all.retain(|_| matters.next().unwrap_or(true));
+        }
+        self
+    }
+
+    fn matters(&self, number: usize, threshold: f64) -> bool {
+        let segments = [ArmSegment::Hand, ArmSegment::Forearm, ArmSegment::UpperArm];
+        segments.iter().any(|segment| self.upper_bound(*segment, number) > threshold)
+    }
+
     /// Links, each at an instant of its own, of somebody who stands.
     pub(super) fn each(links: &[(&'a RobotFrame, usize)]) -> Self {
         let all = links.iter().map(|&(frame, link)| Target { frame, link, pinch: None, counts: true }).collect();
@@ -88,8 +103,7 @@ impl<'a> Targets<'a> {
 
     /// Whether any contact with one of them could be bad enough.
     pub(super) fn may_matter(&self, threshold: f64) -> bool {
-        let segments = [ArmSegment::Hand, ArmSegment::Forearm, ArmSegment::UpperArm];
-        (0..self.all.len()).any(|n| segments.iter().any(|segment| self.upper_bound(*segment, n) > threshold))
+        (0..self.all.len()).any(|number| self.matters(number, threshold))
     }
 
     /// Their shapes.
