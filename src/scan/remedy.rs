@@ -3,8 +3,8 @@
 //! Hazardous is any hazard, whatever region of the body and robot it is about: a change that removes one cause of a scan and
 //! leaves others is told apart (`aim`), and never as enough. What is cheap comes first (`trial`, `looking`):
 //!
-//! 1. **Against the change itself** (`behaviour`): the person would start inside a field, the robot would hardly move or
-//!    merely be elsewhere in its programme, or sensors and robot would answer later to the same walks: a safeguard made
+//! 1. **Against the change itself** (`behaviour`): the person would start inside a field, the robot would hardly move, run into
+//!    an obstacle or merely be elsewhere in its programme, or sensors and robot would answer later to the same walks: a safeguard made
 //!    smaller. Such changes are no advice.
 //! 2. **Known sequences**, of all hazards of the scan, each from where it begins.
 //! 3. **Quick searches**: from the start, for longer than the cell file says (a hazard that only comes later is not gone),
@@ -29,7 +29,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::aim::{Aim, Whose};
-use self::behaviour::{Answers, Behaviour, Objection, probes};
+use self::behaviour::{Answers, Behaviour, Names, Objection, probes};
 use self::looking::Known;
 pub use self::looking::Purse;
 use self::standpoint::{Standpoint, begin_at, with_each_start};
@@ -149,6 +149,8 @@ struct Bench<'a> {
     links: Vec<String>,
     sensors: Vec<&'a str>,
     robots: Vec<&'a str>,
+    named_links: Vec<&'a str>,
+    obstacles: Vec<&'a str>,
     probes: Vec<Vec<Action>>,
     /// For so many actions the person stands still to see what the robots do.
     rest: usize,
@@ -219,6 +221,8 @@ impl<'a> Bench<'a> {
             links: cell.links.iter().map(|link| link.name.clone()).collect(),
             sensors: cell.sensors.iter().map(|sensor| sensor.name.as_str()).collect(),
             robots: cell.robots.iter().map(|robot| robot.name.as_str()).collect(),
+            named_links: cell.links.iter().map(|link| link.name.as_str()).collect(),
+            obstacles: cell.obstacles.iter().map(|(name, _)| name.as_str()).collect(),
             probes,
             rest,
             before,
@@ -239,8 +243,9 @@ impl<'a> Bench<'a> {
         Ok(self.before.objection(&there, false, self.names()).is_none())
     }
 
-    fn names(&self) -> [&[&str]; 2] {
-        [&self.sensors, &self.robots]
+    fn names(&self) -> Names<'_> {
+        let Self { sensors, robots, named_links, obstacles, .. } = self;
+        Names { sensors, robots, links: named_links, obstacles }
     }
 
     /// Whether a goal is about sequences from there.

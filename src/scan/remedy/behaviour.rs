@@ -2,7 +2,11 @@
 //! says against a change of the cell: the person would start where a sensor sees them, the robot would hardly move, a
 //! safeguard would be smaller or slower.
 
-use crate::geometry::Vec3;
+use std::collections::BTreeSet;
+
+use crate::geometry::sampled::surface_points;
+use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
+use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::host::{Hosted, PlantError};
 use crate::human::Action;
@@ -19,6 +23,21 @@ pub(super) struct Behaviour {
     at_start: Vec<bool>,
     /// Highest speed of each robot meanwhile, in the second half, m/s.
     speeds: Vec<f64>,
+    /// Obstacles, each with the link that is in it at some time.
+    run_into: BTreeSet<(usize, usize)>,
+}
+
+/// What parts of a cell are called.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Names<'a> {
+    /// Sensors.
+    pub sensors: &'a [&'a str],
+    /// Robots.
+    pub robots: &'a [&'a str],
+    /// Links.
+    pub links: &'a [&'a str],
+    /// Obstacles.
+    pub obstacles: &'a [&'a str],
 }
 
 /// What they answer to walks.
@@ -49,6 +68,12 @@ const RANDOM_WALKS: usize = 60;
 /// A robot that is left so much of its speed hardly moves.
 const HARDLY: f64 = 0.1;
 
+/// A link that is no deeper in an obstacle than this only touches it, m: shapes are about as large as what they stand for.
+const TOUCHES_M: f64 = 0.01;
+
+/// No point of a link that is no capsule is farther than this from one that is looked at, m.
+const POINTS_M: f64 = 0.02;
+
 /// Links that begin farther off than this begin elsewhere, m.
 const ELSEWHERE_M: f64 = 1e-3;
 
@@ -76,16 +101,25 @@ impl Behaviour {
                 speeds[*robot] = speeds[*robot].max(*speed);
             }
         }
+        let mut run_into = BTreeSet::new();
+        for (number, (_, obstacle)) in cell.obstacles.iter().enumerate() {
+            for link in 0..cell.links.len() {
+                if rest.iter().any(|instant| is_in(&instant.frame.links[link], obstacle)) {
+                    run_into.insert((number, link));
+                }
+            }
+        }
         Ok(Self {
+            run_into,
             links: rest[0].frame.links.iter().map(|link| link.bounding_sphere().0).collect(),
             at_start: (0..sensors).map(|sensor| rest.iter().any(|instant| instant.readings[sensor])).collect(),
             speeds,
         })
     }
 
-    /// What a change from this to `after` says against it. `names` are those of sensors and robots.
-    pub fn objection(&self, after: &Self, is_time: bool, names: [&[&str]; 2]) -> Option<Objection> {
-        let [sensors, robots] = names;
+    /// What a change from this to `after` says against it.
+    pub fn objection(&self, after: &Self, is_time: bool, names: Names<'_>) -> Option<Objection> {
+        let Names { sensors, robots, links, obstacles } = names;
         let other = |text: String| Some(Objection::Other(text));
         let newly = |(now, before): (&bool, &bool)| *now && !before;
         if let Some(sensor) = after.at_start.iter().zip(&self.at_start).position(newly) {
@@ -100,11 +134,29 @@ impl Behaviour {
                 ));
             }
         }
+        if let Some((obstacle, link)) = after.run_into.difference(&self.run_into).next() {
+            return other(format!("{} then runs into {}", links[*link], obstacles[*obstacle]));
+        }
         let moved = |(a, b): (&Vec3, &Vec3)| (*a - *b).length() > ELSEWHERE_M;
         if is_time && self.links.iter().zip(&after.links).any(moved) {
             return other("it only changes where the robot is when the person begins".to_owned());
         }
         None
+    }
+}
+
+/// Whether a link is in an obstacle, not only at it.
+fn is_in(link: &Solid, obstacle: &Cuboid) -> bool {
+    let (centre, radius) = link.bounding_sphere();
+    if point_cuboid(centre, obstacle).distance > radius - TOUCHES_M {
+        return false;
+    }
+    match link {
+        Solid::Capsule(c) => segment_cuboid(c.a, c.b, obstacle).distance < c.radius - TOUCHES_M,
+        Solid::Hull(_) | Solid::Mesh(_) => {
+            let points = surface_points(link, POINTS_M);
+            points.iter().any(|point| point_cuboid(point.at, obstacle).distance < -TOUCHES_M)
+        }
     }
 }
 
@@ -177,12 +229,44 @@ mod tests {
     }
 
     fn objection(before: &Behaviour, after: &Behaviour, is_time: bool) -> Option<Objection> {
-        before.objection(after, is_time, [&["mat"], &["robot"]])
+        let names = Names { sensors: &["mat"], robots: &["robot"], links: &["tool"], obstacles: &["fence", "table"] };
+        before.objection(after, is_time, names)
+    }
+
+    #[test]
+    fn a_link_at_an_obstacle_is_not_in_it_and_one_of_corners_is_where_its_surface_is() {
+        let table = Cuboid {
+            centre: Vec3::new(0.0, 0.0, 0.4),
+            half: Vec3::new(0.5, 0.4, 0.4),
+            rotation: crate::geometry::Rotation::IDENTITY,
+        };
+        let ball = |z: f64| {
+            let at = Vec3::new(0.2, 0.1, z);
+            Solid::Capsule(crate::geometry::Capsule { a: at, b: at + Vec3::X * 0.1, radius: 0.1 })
+        };
+        let corners = |low: f64| {
+            let corner = |bits: u8| {
+                let side = |bit: u8| if bits >> bit & 1 == 1 { 0.1 } else { -0.1 };
+                Vec3::new(side(0), side(1), low + 0.1 + side(2))
+            };
+            Solid::Hull(crate::geometry::Hull::from_points(&(0..8).map(corner).collect::<Vec<_>>()).unwrap())
+        };
+        for (link, is) in [
+            (ball(0.905), false),
+            (ball(0.895), false),
+            (ball(0.885), true),
+            (corners(0.805), false),
+            (corners(0.795), false),
+            (corners(0.785), true),
+        ] {
+            assert_eq!(is_in(&link, &table), is, "{link:?}");
+        }
     }
 
     #[test]
     fn who_starts_in_a_field_or_before_a_robot_that_stands_has_learnt_nothing() {
-        let before = Behaviour { links: vec![Vec3::ZERO], at_start: vec![false], speeds: vec![1.0] };
+        let run_into = BTreeSet::from([(0, 0)]);
+        let before = Behaviour { links: vec![Vec3::ZERO], at_start: vec![false], speeds: vec![1.0], run_into };
         let says = |after: &Behaviour, is_time| match objection(&before, after, is_time) {
             Some(Objection::Other(text)) => text,
             other => panic!("{other:?}"),
@@ -195,6 +279,9 @@ mod tests {
             says(&slow, false),
             "robot then hardly moves while the person is at the start: 4 % of its speed is left"
         );
+        let through = Behaviour { run_into: BTreeSet::from([(0, 0), (1, 0)]), ..before.clone() };
+        assert_eq!(says(&through, false), "tool then runs into table");
+        assert_eq!(objection(&through, &before, false), None);
         let elsewhere = Behaviour { links: vec![Vec3::X], ..before.clone() };
         assert!(says(&elsewhere, true).contains("where the robot is when"));
         assert_eq!(objection(&before, &elsewhere, false), None);
