@@ -278,9 +278,9 @@ fn does(hazard: &Hazard) -> (&'static str, String) {
         (Class::Clamping, Some(clamping)) => {
             ("clamps", format!(" against {}, with {:.0} mm of room", clamping.against, 1000.0 * clamping.gap_m))
         }
-        (Class::Pressure, _) => ("presses", format!(": {}", hazard.measure_words())),
+        (Class::Pressure, _) => ("presses", " with too small a surface".to_owned()),
         (Class::MovingContact, _) => ("touches", String::new()),
-        (Class::Separation, _) => ("nears", format!(", which is {}", hazard.measure_words())),
+        (Class::Separation, _) => ("comes too near", String::new()),
         (Class::Force | Class::HeadContact | Class::Clamping, _) => ("hits", String::new()),
     }
 }

@@ -110,7 +110,7 @@ impl Explanation {
             say(&format!("{} {}.", sensor.name, sensor.words()));
         }
         let arm = hazard.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
-        let meets = if hazard.class == Class::Separation { "nears" } else { "meets" };
+        let meets = if hazard.class == Class::Separation { "comes too near" } else { "meets" };
         say(&format!(
             "At {:.2} s the robot's {}, which moves at {:.2} m/s, {meets} the {}{arm} at ({:.2}, {:.2}, {:.2}) m. The person \
              stands at ({:.2}, {:.2}) m then.",

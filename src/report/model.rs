@@ -649,7 +649,7 @@ impl Hazard {
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
         let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));
-        let meets = if self.class == Class::Separation { "nears" } else { "meets" };
+        let meets = if self.class == Class::Separation { "comes too near" } else { "meets" };
         format!(
             "at {:.2} s the robot's {} {meets} the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
              {:.2}){sensors}{begins}",

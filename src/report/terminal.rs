@@ -6,6 +6,7 @@ use super::cause::{Cause, Change, Line};
 use super::judged::measure_cell;
 use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
 use super::paragraph::{WIDTH, wrapped_to};
+use crate::hazard::criterion::Class;
 use crate::human::Action;
 
 /// How the result is shown.
@@ -153,7 +154,14 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
     }
     let hit = |(region, links): &(String, Vec<&str>)| format!("{region} by {}", links.join(", "));
     let hit: Vec<String> = regions.iter().map(hit).collect();
-    *out += &wrapped_to(view.width, "   Hit: ", &hit.join("; "));
+    let done = match cause.class {
+        Class::Force | Class::HeadContact => "Hit",
+        Class::Clamping => "Clamped",
+        Class::Pressure => "Pressed",
+        Class::MovingContact => "Touched",
+        Class::Separation => "Too near",
+    };
+    *out += &wrapped_to(view.width, &format!("   {done}: "), &hit.join("; "));
     let Some(advice) = &cause.advice else { return };
     let helps: Vec<String> = advice.changes.iter().take(CHANGES).map(Change::words).collect();
     let helps = if helps.is_empty() { "no single change that was tried".to_owned() } else { helps.join("; or ") };

@@ -185,7 +185,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
             let part = touched.at(instant, arms);
             let gap = gap(instant, &part);
             match link {
-                _ if frame == contact_frame => [gap, hazard.speed_m_s, hazard.ratio],
+                _ if frame == contact_frame => [gap, hazard.speed_m_s, hazard.transient_ratio()],
                 Some(link) => {
                     let near = instant.frame.links[link].segment_distance(part.a, part.b);
                     let velocity = instant.frame.velocity(link, near.on_second);

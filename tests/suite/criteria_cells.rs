@@ -52,7 +52,7 @@ const FLAWS: [Flaw; 3] = [
         worst: &[("hand", 1.75), ("lower_arm", 2.38), ("upper_arm", 2.47)],
         links: &["sheet"],
         against: None,
-        words: "presses the upper arm that reaches over bench: 890 N/cm2",
+        words: "presses the upper arm that reaches over bench with too small a surface",
     },
 ];
 

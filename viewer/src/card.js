@@ -74,7 +74,7 @@ export function remedy({ id, advice }) {
 
 /** The card; `choose` selects an id, `assess` leads to the form. */
 export function causeCard(data, cause, { choose, assess, assessments }) {
-  const [worst, sizes] = words.severity(cause);
+  const [worst, sizes] = words.severity(cause, data.hazard(cause.worst));
   const outline = bodyOutline(cause);
   const decision = h("p", { class: "decided", "data-test": "cause-decision" });
   const chosen = (id) => (event) => {
@@ -94,11 +94,12 @@ export function causeCard(data, cause, { choose, assess, assessments }) {
       h("a", { href: `#${id}`, "data-test": "way", "data-id": id, onclick: chosen(id) }, h("span", { class: "id" }, id), ` ${words.ratio(words.forces(hazard, data.scan.settings).decides.ratio)} after ${words.time(hazard.time_s)}`),
     );
   };
+  const size = (region, ratio) => (words.byForce(cause) ? words.ratioOf(region, ratio) : words.ratio(ratio));
   const line = ({ body_region: region, robot_link: link, ratio, hazards }) =>
     h(
       "details",
       { class: "line", "data-test": "line" },
-      h("summary", {}, `${link} hits the ${words.region(region)}: `, h("b", {}, words.ratioOf(region, ratio)), `, ${words.count(hazards.length, "way")}`),
+      h("summary", {}, `${link} ${words.deed({ ...data.hazard(hazards[0]), body_region: region })}: `, h("b", {}, size(region, ratio)), `, ${words.count(hazards.length, "way")}`),
       h("ul", { class: "ways" }, hazards.map(way)),
     );
 

@@ -25,9 +25,38 @@ function bothForces(hazard, settings) {
 const sequence = (actions, each) => h("ol", { class: "sequence" }, words.sequence(actions, each).map((text) => h("li", {}, text)));
 
 function what(hazard, settings) {
+  if (!words.byForce(hazard)) {
+    return `The robot's ${hazard.robot_link}, which moves at ${words.speed(hazard.speed_m_s)}, ${words.deed(hazard)} after ${words.time(hazard.time_s)}.`;
+  }
   const { decides } = words.forces(hazard, settings);
   const text = `The robot's ${hazard.robot_link} hits the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(decides.ratio)} the limit.`;
   return words.permitsNoContact(hazard.body_region) ? `${text} A moving robot may not touch it at all, whatever the force.` : text;
+}
+
+/** What is broken by another criterion, and, for information, the force that it would be on somebody who can give way. */
+function otherCriterion(hazard) {
+  const [times, sizes] = words.severity(hazard);
+  return h(
+    "div",
+    { "data-test": "forces" },
+    h("p", {}, h("b", {}, times), ` ${sizes}`, h("b", {}, " (decides)")),
+    hazard.class === "separation" ? null : h("p", { class: "note" }, `On somebody who can give way: ${words.force(hazard.force_n)}, ${words.ratio(hazard.force_n / hazard.limit_n)} the limit.`),
+  );
+}
+
+/** With the numbers of this contact, as far as a formula has it. */
+function otherFormula({ judged, effective_mass_kg: mass }) {
+  const { clamping, pressure, separation, limit: by } = judged ?? {};
+  if (separation) {
+    const stops = typeof separation.stops_after_s === "number" ? `Stopped at that instant the robot stands after ${words.time(separation.stops_after_s)}, up to ${separation.travel_m.toFixed(3)} m farther` : "The robot does not stop";
+    return `${stops}, as the FMU shows.`;
+  }
+  if (clamping && by === "force") {
+    const { closing_m_s: c, gap_m: gap, travel_m: travel, force_n: f, limit_n: limit } = clamping;
+    const on = travel > 0 ? `; after a contact the link goes on by ${(1000 * travel).toFixed(0)} mm` : "";
+    return `${(1000 * gap).toFixed(0)} mm of room${on}. F = c √(m k) = ${words.force(f)} with c = ${words.speed(c)}, at which the gap closes, and the robot's effective mass m = ${mass.toFixed(2)} kg; quasi-static limit ${words.force(limit)}.`;
+  }
+  return pressure ? `By what the cell file says of how small the surface is that touches${pressure.clamped ? "; the part cannot give way" : ""}.` : "";
 }
 
 /** The facts about a hazard; in short those that a printed page has room for. */
@@ -37,10 +66,11 @@ export function facts(hazard, settings, { short = false } = {}) {
   const bend = hazard.bend_fraction < 1 ? `, bent as far as obstacles leave it (${(100 * hazard.bend_fraction).toFixed(0)} %)` : "";
   const list = definitions([
     ["what", what(hazard, settings)],
-    ["where", `contact at ${words.point(hazard.contact_point_m)}; the person stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
+    ["where", `${hazard.class === "separation" ? "nearest point of the robot" : "contact"} at ${words.point(hazard.contact_point_m)}; the person stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
     ["begins", hazard.begins ? `at ${words.point(hazard.begins.xy_m)}, looking to ${hazard.begins.heading_deg.toFixed(0)}°, ${words.begun(hazard.begins)}; times count from then` : ""],
-    ["force", bothForces(hazard, settings)],
-    ["how computed", short ? "" : formula(hazard)],
+    ["force", words.byForce(hazard) ? bothForces(hazard, settings) : ""],
+    ["broken", words.byForce(hazard) ? "" : otherCriterion(hazard)],
+    ["how computed", short ? "" : words.byForce(hazard) ? formula(hazard) : otherFormula(hazard)],
     ["arm", hazard.arm && !short ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
     ["way of the arm", hazard.through.map((plane) => `past ${plane.sensor} ${words.time(plane.since_s)} before the contact${plane.until_s > 0 ? ", ahead of the body" : ""}; the robot is where it is when that reports it`).join("; ")],
     ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
@@ -50,7 +80,7 @@ export function facts(hazard, settings, { short = false } = {}) {
     ["worst sequence", sequence(hazard.actions, each)],
     [
       "shortest and calmest",
-      short ? "" : same ? "the same sequence" : [`${words.ratio(hazard.shortest.ratio)}, ${words.force(hazard.shortest.force_n)} at ${words.time(hazard.shortest.time_s)}; confirmed: ${words.confirmed(hazard.shortest.confirmed)}`, sequence(hazard.shortest.actions, each)],
+      short ? "" : same ? "the same sequence" : [`${words.ratio(hazard.shortest.ratio)}${hazard.judged?.limit === "force" || words.byForce(hazard) ? `, ${words.force(hazard.shortest.force_n)}` : ""} at ${words.time(hazard.shortest.time_s)}; confirmed: ${words.confirmed(hazard.shortest.confirmed)}`, sequence(hazard.shortest.actions, each)],
     ],
     ["replay it", short ? "" : [command(`fmi-hazard replay scan.json ${hazard.id}`), " in the folder with this report"]],
   ]);

@@ -2,7 +2,7 @@
 
 import { h, section } from "./dom.js";
 import { FIELDS, requiredLevel } from "./assessments.js";
-import { count, ratio, region } from "./words.js";
+import { count, deed, ratio } from "./words.js";
 
 const FILE = "assessments.json";
 
@@ -57,7 +57,7 @@ export function assessmentForm(data, selection, assessments) {
     subject.replaceChildren(
       h("b", {}, id()),
       scope.checked
-        ? `: only ${hazard.robot_link} hits the ${region(hazard.body_region)}, ${ratio(hazard.ratio)}. What is left empty is as for the cause.`
+        ? `: only ${hazard.robot_link} ${deed(hazard)}, ${ratio(hazard.ratio)}. What is left empty is as for the cause.`
         : `, for ${whole.hazards.length === 1 ? "its one way" : `all its ${count(whole.hazards.length, "way")}`}: ${whole.sentence}`,
     );
     for (const [field, element] of inputs) {

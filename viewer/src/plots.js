@@ -12,7 +12,7 @@ const HEIGHT_PX = 132;
 const SYNC = "replay";
 
 const GRAPHS = [
-  { key: "force_ratio", title: "a hit at this speed would be", unit: "x", of: "x the limit", limit: 1, colour: "--hitting" },
+  { key: "force_ratio", title: "a hit at this speed would be", others: "a hit of somebody who can give way would be", unit: "x", of: "x the limit", limit: 1, colour: "--hitting" },
   { key: "distance_m", title: "gap to what is hit", unit: "m", limit: 0, colour: "--accent" },
   { key: "speed_m_s", title: "speed of the link", unit: "m/s", colour: "--path" },
 ];
@@ -68,7 +68,8 @@ export function makePlots(seek) {
   const figures = GRAPHS.map((graph) => {
     const value = h("b");
     const box = h("div", { class: "plot" });
-    return { ...graph, value, box, element: h("figure", {}, h("figcaption", {}, `${graph.title} `, value), box) };
+    const title = h("span", {}, graph.title);
+    return { ...graph, value, box, named: title, element: h("figure", {}, h("figcaption", {}, title, " ", value), box) };
   });
   const element = h("div", { class: "plots", "data-test": "plots" }, figures.map((figure) => figure.element));
   let replay = null;
@@ -138,8 +139,9 @@ export function makePlots(seek) {
 
   return {
     element,
-    load(next, marked) {
+    load(next, marked, byForce) {
       [replay, events, frame] = [next, marked, 0];
+      figures.forEach(({ named, title, others }) => (named.textContent = byForce ? title : (others ?? title)));
       build();
     },
     show,

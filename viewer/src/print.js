@@ -48,7 +48,7 @@ function firstPage(data, assessments) {
     ]),
     h("h3", {}, "Assessed by"),
     h("div", { class: "sign" }, ["Name", "Date", "Signature"].map((text) => h("p", {}, text))),
-    h("p", { class: "note" }, "A hazard is a way, found in the model, for a person to be hit harder than ISO/TS 15066 allows. This report helps an assessment; it does not show that the cell is safe."),
+    h("p", { class: "note" }, `A hazard is a way, found in the model, for a person to be ${scan.settings.criteria ? "harmed by what this cell counts as unsafe" : "hit harder than ISO/TS 15066 allows"}. This report helps an assessment; it does not show that the cell is safe.`),
   );
 }
 
@@ -56,7 +56,7 @@ const remedyLine = ({ advice }) => advice?.changes[0]?.change ?? (advice ? "no s
 
 function causePage(data, cause, assessments) {
   const hazard = data.hazard(cause.worst);
-  const [worst, sizes] = words.severity(cause);
+  const [worst, sizes] = words.severity(cause, hazard);
   const outline = bodyOutline(cause);
   outline.mark(hazard.body_region);
   const view = data.topView(cause.worst);

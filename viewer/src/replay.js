@@ -38,7 +38,7 @@ export function makeReplay(data, selection) {
       parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? "report" : "reports"} the person` : "no sensor reports the person");
     }
     if (frame === current.contact_frame) {
-      parts.push(`contact: ${hazard.robot_link} hits the ${words.region(hazard.body_region)}`);
+      parts.push(`${hazard.class === "separation" ? "" : "contact: "}${hazard.robot_link} ${words.deed(hazard)}`);
     }
     return parts.join(" · ");
   }
@@ -65,9 +65,9 @@ export function makeReplay(data, selection) {
   function choose({ hazard: id }) {
     hazard = data.hazard(id);
     current = data.replay(id) ?? null;
-    title.textContent = `${id}: ${hazard.robot_link} hits the ${words.region(hazard.body_region)}`;
+    title.textContent = `${id}: ${hazard.robot_link} ${words.deed(hazard)}`;
     const worst = data.causeOf(id)?.worst === id;
-    caption.replaceChildren(h("b", {}, worst ? "Its worst way" : "One of its ways"), `: ${hazard.robot_link} hits the ${words.region(hazard.body_region)} after ${words.time(hazard.time_s)} `, h("span", { class: "id" }, id));
+    caption.replaceChildren(h("b", {}, worst ? "Its worst way" : "One of its ways"), `: ${hazard.robot_link} ${words.deed(hazard)} after ${words.time(hazard.time_s)} `, h("span", { class: "id" }, id));
     details.replaceChildren(facts(hazard, scan.settings));
     full.hidden = current === null;
     graphs.hidden = current === null;
@@ -81,7 +81,7 @@ export function makeReplay(data, selection) {
     stage.drawFlat(data.topView(id));
     stage.scene?.load(current, hazard);
     transport.load(current, events);
-    plots.load(current, events);
+    plots.load(current, events, words.byForce(hazard));
     strips.load(current, events);
     player.load(current.frames, cell.step_s, current.contact_frame);
     stage.look("overview");

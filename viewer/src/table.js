@@ -5,7 +5,7 @@ import { current, h, section } from "./dom.js";
 import * as words from "./words.js";
 
 /** Columns: title, what it is sorted by, what a cell holds, whether it is a number. */
-function columns({ decisionOf, worst, counted, causeOf, settings }) {
+function columns({ decisionOf, worst, counted, causeOf, settings, others }) {
   const number = true;
   const times = (z) => z.sequences ?? z.times_found;
   const of = (z) => words.forces(z, settings);
@@ -18,6 +18,7 @@ function columns({ decisionOf, worst, counted, causeOf, settings }) {
     ["force: own speed", (z) => z.force_n, (z) => words.force(z.force_n), number],
     ["force: approach", (z) => z.directed_force_n, (z) => words.force(z.directed_force_n), number],
     ["limit", (z) => z.limit_n, words.limit, number],
+    ...(others ? [["what is broken", (z) => z.class, words.measure]] : []),
     ["speed", (z) => z.speed_m_s, (z) => words.speed(z.speed_m_s), number],
     ["safe below", (z) => z.safe_below_m_s, words.safeBelow, number],
     ["time", (z) => z.time_s, (z) => words.time(z.time_s), number],
@@ -58,7 +59,7 @@ export function hazardTable(data, selection, assessments, toReplay) {
   const worst = Math.max(...hazards.map((hazard) => words.forces(hazard, settings).decides.ratio));
   const decisionOf = (id) => assessments.decision(id);
   const counted = hazards.some((hazard) => hazard.sequences !== null);
-  const shown = columns({ decisionOf, worst, counted, causeOf: data.causeOf, settings });
+  const shown = columns({ decisionOf, worst, counted, causeOf: data.causeOf, settings, others: hazards.some((hazard) => !words.byForce(hazard)) });
   const distinct = (of) => [...new Set(hazards.map(of))].sort();
   let sorted = { column: 2, descending: true };
   let bin = null;

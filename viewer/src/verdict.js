@@ -3,6 +3,16 @@
 import { h } from "./dom.js";
 import { count, grouped } from "./words.js";
 
+/** What may happen to a person, by the criteria that are broken. */
+export function canBe({ hazards }) {
+  const kinds = new Set(hazards.map(({ class: kind }) => kind));
+  if (["force", "head_contact"].some((kind) => kinds.has(kind)) || kinds.size === 0) {
+    return [...kinds].every((kind) => kind === "force" || kind === "head_contact") ? "A person can be hit harder than allowed" : "A person can be hit harder than allowed, and more";
+  }
+  const words = { clamping: "clamped", pressure: "pressed harder than allowed", moving_contact: "touched by a robot that moves", separation: "nearer than allowed to a robot that moves" };
+  return `A person can be ${[...kinds].map((kind) => words[kind]).join(", and ")}`;
+}
+
 function sentence(scan) {
   const number = scan.hazards.length;
   const sure = scan.hazards.filter((hazard) => hazard.confirmed).length;
@@ -10,7 +20,7 @@ function sentence(scan) {
     case "hazards_found": {
       const causes = scan.causes?.length ?? 0;
       const confirmed = sure === number ? (number === 1 ? "confirmed" : "all confirmed") : `${grouped(sure)} confirmed`;
-      return `A person can be hit harder than allowed: ${count(causes, "cause")}, ${count(number, "way")}, ${confirmed} by a fresh replay.`;
+      return `${canBe(scan)}: ${count(causes, "cause")}, ${count(number, "way")}, ${confirmed} by a fresh replay.`;
     }
     case "none_found":
       return "No hazard found in this model.";
@@ -73,7 +83,7 @@ export function verdict({ scan, cell }) {
     h(
       "p",
       { class: "note" },
-      "A hazard is a way, found in the model, for a person to be hit harder than ISO/TS 15066 allows. The report helps an assessment; it does not show that the cell is safe.",
+      `A hazard is a way, found in the model, for a person to be ${scan.settings.criteria ? "harmed by what this cell counts as unsafe" : "hit harder than ISO/TS 15066 allows"}. The report helps an assessment; it does not show that the cell is safe.`,
     ),
   );
 }

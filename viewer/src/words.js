@@ -33,6 +33,12 @@ export const ratio = (value) => `${value.toFixed(2)}x`;
 /** A force in whole newtons. */
 export const force = (value) => `${value.toFixed(0)} N`;
 
+/** A pressure. */
+const pressed = (value) => `${value.toFixed(0)} N/cm²`;
+
+/** A length. */
+const metres = (value) => `${value.toFixed(2)} m`;
+
 /** A speed. */
 export const speed = (value) => `${value.toFixed(2)} m/s`;
 
@@ -90,16 +96,65 @@ export function sequence(actions, each) {
   return groups.map(({ name, times }) => `${times > 1 ? `${times} x ` : ""}${action(name)}, ${+(times * each).toFixed(2)} s`);
 }
 
+/** Whether a hazard or a cause is one of the transient force, on somebody who can give way. */
+export const byForce = ({ class: kind }) => kind === "force" || kind === "head_contact";
+
+/** What the robot does to the part of the body: "clamps the hand against table". */
+export function deed({ class: kind, judged, body_region: part }) {
+  const hit = region(part);
+  switch (kind) {
+    case "clamping":
+      return `clamps the ${hit}${judged?.clamping ? ` against ${judged.clamping.against}` : ""}`;
+    case "pressure":
+      return `presses the ${hit}`;
+    case "moving_contact":
+      return `touches the ${hit} while it moves`;
+    case "separation":
+      return `is too near the ${hit}`;
+    default:
+      return `hits the ${hit}`;
+  }
+}
+
+/** How bad a hazard or a cause is by another criterion, in two parts; `speed_m_s` is that of the point that touches. */
+function otherSeverity({ class: kind, judged, ratio: times, force_n: newtons, limit_n: most }, speed_m_s) {
+  const { clamping, pressure, separation, limit: by } = judged ?? {};
+  if (kind === "separation" && separation) {
+    const { distance_m: is, required_m: needed } = separation;
+    return typeof needed === "number"
+      ? [`${metres(needed - is)} too near`, `${metres(is)} away, ${metres(needed)} needed`]
+      : ["too near", `${metres(is)} away from a robot that does not stop`];
+  }
+  if (kind === "moving_contact") {
+    return ["no contact allowed", `touched at ${speed(speed_m_s)}`];
+  }
+  if (by === "pressure" && pressure) {
+    return [`${ratio(times)} the limit`, `${pressed(pressure.n_cm2)}, limit ${pressed(pressure.limit_n_cm2)}`];
+  }
+  const [is, may] = clamping ? [clamping.force_n, clamping.limit_n] : [newtons, most];
+  return [`${ratio(times)} the limit`, `${force(is)}, limit ${force(may)} for what cannot give way`];
+}
+
 /** Whether no moving robot may touch the region: the head, and the front of the neck. */
 export const permitsNoContact = (region) => ["skull_forehead", "face", "neck_front"].includes(region);
 
 /** The speed below which the force stays within the limit; no speed is safe for a head or a throat. */
 export function safeBelow(hazard) {
+  const { clamping, limit: by } = hazard.judged ?? {};
+  if (hazard.class === "clamping" && by === "force" && clamping) {
+    return speed((clamping.closing_m_s * clamping.limit_n) / clamping.force_n);
+  }
+  if (!byForce(hazard)) {
+    return hazard.class === "moving_contact" ? "none" : "-";
+  }
   return permitsNoContact(hazard.body_region) ? "none" : speed(hazard.safe_below_m_s);
 }
 
-/** The force that a contact may have at most; a moving robot may not touch a head or a throat at all. */
+/** What a contact may have at most, and has; a moving robot may not touch a head or a throat at all. */
 export const limit = (hazard) => (hazard.class === "head_contact" ? "none allowed" : force(hazard.limit_n));
+
+/** What is broken, in one cell of a table. */
+export const measure = (hazard) => (byForce(hazard) ? `${force(hazard.force_n)} / ${limit(hazard)}` : otherSeverity(hazard, hazard.speed_m_s).join(": "));
 
 /** Forces further apart than this are worth a second look. */
 const APART = 2;
@@ -107,7 +162,7 @@ const APART = 2;
 /** What is said where they are. */
 export const APART_TEXT = `The two differ by more than a factor of ${APART}.`;
 
-/** Both forces of a hazard: by the robot's own speed and by the speed of approach, and which of them decides. */
+/** Both forces of a hazard: by the robot's own speed and by the speed of approach, and which of them decides, where none of them does by what ratio another criterion is broken. */
 export function forces(hazard, { speed_criterion: criterion }) {
   const byApproach = criterion === "approach";
   const own = { name: "with the robot's own speed", force: hazard.force_n, ratio: hazard.force_n / hazard.limit_n, speed: hazard.speed_m_s, decides: !byApproach };
@@ -118,6 +173,9 @@ export function forces(hazard, { speed_criterion: criterion }) {
     speed: hazard.approach_m_s,
     decides: byApproach,
   };
+  if (!byForce(hazard)) {
+    return { own, approach, decides: { ratio: hazard.ratio }, apart: false };
+  }
   const [less, more] = [own.ratio, approach.ratio].sort((a, b) => a - b);
   return { own, approach, decides: byApproach ? approach : own, apart: more > APART * less };
 }
@@ -129,8 +187,12 @@ export const ratioOf = (region, times) => (times < 1 && permitsNoContact(region)
 export const criterion = ({ speed_criterion: name }) =>
   name === "approach" ? "the speed of approach (the person's walking included)" : "the robot's own speed";
 
-/** How bad it is, in two parts: as many times the limit, and the force beside it. */
-export function severity({ class: kind, ratio: times, force_n: newtons, limit_n: most }) {
+/** How bad a cause or a hazard is, in two parts: as many times the limit, and the force beside it. `worst` is the worst hazard of the cause. */
+export function severity(of, worst = of) {
+  const { class: kind, ratio: times, force_n: newtons, limit_n: most } = of;
+  if (!byForce(of)) {
+    return otherSeverity(of, worst.speed_m_s);
+  }
   const sizes = `${force(newtons)}, limit ${force(most)}`;
   return kind === "head_contact" ? ["no contact allowed", `${sizes} (${ratio(times)})`] : [`${ratio(times)} the limit`, sizes];
 }
