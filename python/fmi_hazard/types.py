@@ -622,6 +622,7 @@ Met = TypedDict(
     {
         'actions': list[Action],
         'body_region': BodyRegion,
+        'class': Class,
         'from': Begin | None,
         'ratio': float,
         'robot_link': str,

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::model::Begin;
 use super::paragraph::wrapped;
 use super::terminal::grouped;
+use crate::hazard::criterion::Class;
 use crate::human::Action;
 use crate::standards::BodyRegion;
 
@@ -111,6 +112,8 @@ pub enum OneLess {
 /// A hazard that was met after a change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Met {
+    /// What it breaks.
+    pub class: Class,
     /// What is hit.
     pub body_region: BodyRegion,
     /// By what.
@@ -147,9 +150,10 @@ pub struct Others {
 impl Met {
     fn words(&self) -> String {
         let mut words = format!(
-            "{:.2}x {} hit by {} after {:.2} s",
+            "{:.2}x {} {} {} after {:.2} s",
             self.ratio,
             self.body_region.words(),
+            self.class.done().join(" "),
             self.robot_link,
             self.time_s
         );

@@ -6,7 +6,6 @@ use super::cause::{Cause, Change, Line};
 use super::judged::measure_cell;
 use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
 use super::paragraph::{WIDTH, wrapped_to};
-use crate::hazard::criterion::Class;
 use crate::human::Action;
 
 /// How the result is shown.
@@ -154,13 +153,8 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
     }
     let hit = |(region, links): &(String, Vec<&str>)| format!("{region} by {}", links.join(", "));
     let hit: Vec<String> = regions.iter().map(hit).collect();
-    let done = match cause.class {
-        Class::Force | Class::HeadContact => "Hit",
-        Class::Clamping => "Clamped",
-        Class::Pressure => "Pressed",
-        Class::MovingContact => "Touched",
-        Class::Separation => "Too near",
-    };
+    let [done, _] = cause.class.done();
+    let done = done[..1].to_uppercase() + &done[1..];
     *out += &wrapped_to(view.width, &format!("   {done}: "), &hit.join("; "));
     let Some(advice) = &cause.advice else { return };
     let helps: Vec<String> = advice.changes.iter().take(CHANGES).map(Change::words).collect();

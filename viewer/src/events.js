@@ -18,7 +18,7 @@ export function eventsOf(replay, hazard) {
   const rest = restFrame(replay.speed_m_s, from);
   return [
     ...reports,
-    { frame: replay.contact_frame, kind: "contact", text: "contact" },
+    { frame: replay.contact_frame, kind: "contact", text: hazard.class === "separation" ? "too near" : "contact" },
     ...(rest >= 0 ? [{ frame: rest, kind: "rest", text: `${hazard.robot_link} stands still` }] : []),
   ].sort((a, b) => a.frame - b.frame);
 }

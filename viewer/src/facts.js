@@ -73,7 +73,7 @@ export function facts(hazard, settings, { short = false } = {}) {
     ["how computed", short ? "" : words.byForce(hazard) ? formula(hazard) : otherFormula(hazard)],
     ["arm", hazard.arm && !short ? `${hazard.arm.side} arm. An arm pose is searched at every instant; the one shown is that at the contact.` : ""],
     ["way of the arm", hazard.through.map((plane) => `past ${plane.sensor} ${words.time(plane.since_s)} before the contact${plane.until_s > 0 ? ", ahead of the body" : ""}; the robot is where it is when that reports it`).join("; ")],
-    ["sensors", `at the contact: ${words.sensors(hazard.sensors)}`],
+    ["sensors", `${hazard.class === "separation" ? "then" : "at the contact"}: ${words.sensors(hazard.sensors)}`],
     ["programme phase", hazard.phase === null || short ? "" : String(hazard.phase)],
     ["found", short ? "" : `${words.found(hazard)}; earliest contact at ${words.time(hazard.earliest_time_s)}${hazard.first_iteration > 0 ? `; first in iteration ${hazard.first_iteration}` : ""}`],
     ["confirmed", `by a fresh instance without any restore: ${words.confirmed(hazard.confirmed)}`],

@@ -97,6 +97,18 @@ impl Class {
         }
     }
 
+    /// What happened to a part of the body, and the word that stands before what did it.
+    #[must_use]
+    pub const fn done(self) -> [&'static str; 2] {
+        match self {
+            Self::Force | Self::HeadContact => ["hit", "by"],
+            Self::Clamping => ["clamped", "by"],
+            Self::Pressure => ["pressed", "by"],
+            Self::MovingContact => ["touched", "by"],
+            Self::Separation => ["too near", "to"],
+        }
+    }
+
     /// Whether sequences end with it: after a contact within all limits, or a distance that is too short, they go on.
     #[must_use]
     pub const fn ends(self) -> bool {

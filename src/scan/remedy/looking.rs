@@ -6,7 +6,7 @@ use super::aim::member_of;
 use super::standpoint::Standpoint;
 use super::{Bench, Effort, Goal, Why};
 use crate::cell::knob::Knob;
-use crate::hazard::{Finding, Groups, Identity};
+use crate::hazard::{Class, Finding, Groups, Identity};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
 use crate::report::advice::{Complete, Met};
@@ -35,6 +35,7 @@ pub(super) struct Known {
 #[derive(Clone, Debug)]
 pub(super) struct Witness {
     pub known: Known,
+    pub class: Class,
     pub region: BodyRegion,
     pub link: usize,
     pub ratio: f64,
@@ -46,6 +47,7 @@ impl Witness {
         let contact = &finding.contact;
         Self {
             known: Known { standpoint, actions: finding.actions.clone() },
+            class: finding.class,
             region: contact.region,
             link: contact.link,
             ratio: contact.ratio(),
@@ -57,6 +59,7 @@ impl Witness {
         let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
         Self {
             known: Known { standpoint, actions: hazard.actions.clone() },
+            class: hazard.class,
             region: hazard.body_region,
             link: link.unwrap_or_default(),
             ratio: hazard.ratio,
@@ -138,6 +141,7 @@ impl<'a> Changed<'a> {
             begins_s: prepared.cell.begins_s(),
         };
         Met {
+            class: witness.class,
             body_region: witness.region,
             robot_link: self.own.cell.links[witness.link].name.clone(),
             ratio: witness.ratio,
