@@ -1332,7 +1332,7 @@ class VerifiedOutcomeStillThere(TypedDict):
 
 class VerifiedOutcomeNotJudged(TypedDict):
     """
-    The changed cell does not judge by the criterion that it breaks.
+    The changed cell does not judge as strictly by the criterion that it breaks, or not at all.
     """
 
     result: Literal['not_judged']

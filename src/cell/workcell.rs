@@ -8,9 +8,9 @@ use toml::Spanned;
 use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Cuboid, Masses, Pose, Solid, Vec3};
+use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
-use crate::hazard::{Class, Criteria};
 use crate::human::floor::Floor;
 use crate::human::{Body, Start};
 use crate::standards::iso_13855::{Detection, Opening};
@@ -305,18 +305,6 @@ impl Workcell {
     pub fn judges_by_force_alone(&self) -> bool {
         let force = Criteria::default().with_speed(self.criteria.speed());
         self.criteria == force && self.separation.is_none()
-    }
-
-    /// Whether a hazard of this class is one here.
-    #[must_use]
-    pub fn judges(&self, class: Class) -> bool {
-        match class {
-            Class::Force | Class::HeadContact => self.criteria.transient_force.is_some(),
-            Class::Clamping => self.criteria.clamping,
-            Class::Pressure => self.criteria.pressure,
-            Class::MovingContact => self.criteria.moving_contact_m_s.is_some(),
-            Class::Separation => self.separation.is_some(),
-        }
     }
 
     /// A floor that ends where people may not be, and that they enter where they come from.

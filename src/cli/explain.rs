@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &hosting)?;
     let prepared = earlier::as_plainly(prepared, &arguments.scan);
     stopping::by_signals(&stop);
-    match verify(&prepared, hazard).outcome {
+    match verify(&prepared, recorded.looks().as_ref(), hazard).outcome {
         _ if stop.is_asked() => return Ok(INTERRUPTED),
         Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
         Outcome::StillThere { body_region, robot_link, .. }
@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
                 Outcome::StillThere { body_region, robot_link, .. } => {
                     format!("its sequences lead to {body_region} <- {robot_link} now")
                 }
-                Outcome::NotJudged => "the cell does not count its criterion any more".to_owned(),
+                Outcome::NotJudged => "the cell does not judge as strictly any more".to_owned(),
                 Outcome::NoRoom => "nobody has room any more where it begins".to_owned(),
                 _ => "its sequences end without an unsafe contact now".to_owned(),
             };

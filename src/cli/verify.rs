@@ -33,10 +33,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let known = earlier::read(&arguments.scan)?;
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
     let prepared = earlier::beginning_of(&known, prepared)?;
+    let looks = known.looks();
     let mut progress = output::Progress::new(known.hazards.len() as u64, "hazards");
     let mut verified = Vec::with_capacity(known.hazards.len());
     for (done, hazard) in (1..).zip(&known.hazards) {
-        verified.push(verify(&prepared, hazard));
+        verified.push(verify(&prepared, looks.as_ref(), hazard));
         progress.at(done, "");
     }
     progress.finish();

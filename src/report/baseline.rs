@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::cause::{Cause, Grouped, grouped};
 use super::difference::Change;
-use super::model::{Hazard, ScanReport};
+use super::looks::Looks;
+use super::model::{Hazard, ScanReport, Verdict};
 use super::recorded::Recorded;
 
 /// Known hazards by id, and their causes.
@@ -13,6 +14,7 @@ pub struct Baseline {
     known: BTreeMap<String, Hazard>,
     hazards: Vec<Hazard>,
     causes: Vec<Cause>,
+    looks: Option<Looks>,
 }
 
 /// How a hazard stands to a baseline.
@@ -34,7 +36,7 @@ impl Baseline {
     #[must_use]
     pub fn of(scan: Recorded) -> Self {
         let known = scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect();
-        Self { known, hazards: scan.hazards, causes: scan.causes }
+        Self { known, looks: scan.looks(), hazards: scan.hazards, causes: scan.causes }
     }
 
     /// How a hazard stands to it.
@@ -63,6 +65,15 @@ impl Baseline {
             !causes.contains(cause.id) && cause.hazards.iter().all(|hazard| !found.contains(hazard.id.as_str()))
         };
         grouped(&self.causes, &self.hazards).into_iter().filter(gone).collect()
+    }
+
+    /// Whether the scan, which accounted for every sequence, would have told this hazard if it were still there.
+    #[must_use]
+    pub fn would_tell(&self, report: &ScanReport, hazard: &Hazard) -> bool {
+        let found = report.hazards.iter().map(|hazard| hazard.class);
+        let says_something = report.verdict != Verdict::Inconclusive;
+        says_something
+            && self.looks.as_ref().is_some_and(|its| Looks::from(&report.settings).would_tell(its, hazard, found))
     }
 
     /// Hazards of a scan that are new or became worse.

@@ -27,7 +27,7 @@ pub enum Change {
     Same,
     /// In both, less hard after.
     Less,
-    /// Only before, and the later scan was not complete, or does not judge by that criterion: it may still be there.
+    /// Only before, and the later scan was not complete, or did not look for it as closely: it may still be there.
     NotFoundAgain,
     /// Only before, and the later scan accounted for every sequence.
     Fixed,
@@ -120,7 +120,7 @@ impl Difference {
         let (old, new) = (by_id(before), by_id(after));
         let mut hazards: Vec<Row> = old
             .values()
-            .map(|hazard| row(Some(hazard), new.get(&hazard.id), hazard, after.tells_all(hazard.class)))
+            .map(|hazard| row(Some(hazard), new.get(&hazard.id), hazard, after.would_tell(before, hazard)))
             .chain(new.values().filter(|h| !old.contains_key(&h.id)).map(|h| row(None, Some(h), h, true)))
             .collect();
         hazards.sort_by(|a, b| a.change.cmp(&b.change).then_with(|| a.id.cmp(&b.id)));

@@ -247,12 +247,6 @@ impl Hazard {
         }
     }
 
-    /// As many times the limit as the transient force is, which is what counts of a hazard of no other criterion.
-    #[must_use]
-    pub fn transient_ratio(&self) -> f64 {
-        if self.class.beside_force().is_none() { self.ratio } else { self.force_n / self.limit_n }
-    }
-
     /// What holds the part of the body, if that is what counts.
     #[must_use]
     pub fn clamping(&self) -> Option<&Clamping> {

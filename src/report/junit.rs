@@ -5,7 +5,6 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::baseline::{Baseline, Standing};
 use super::cause::grouped;
-use super::criteria::tells_all;
 use super::model::{Hazard, ScanReport, Verdict};
 
 /// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that
@@ -45,15 +44,14 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
         cases.push(case(&xml(&cause.title()), &cell, status));
     }
     let complete = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
-    for cause in baseline.into_iter().flat_map(|known| known.gone_causes(report)) {
-        let told = |hazard: &&Hazard| {
-            let found = report.hazards.iter().map(|hazard| hazard.class);
-            tells_all(report.settings.criteria.as_ref(), hazard.class, found)
-        };
+    for (known, cause) in
+        baseline.into_iter().flat_map(|known| known.gone_causes(report).into_iter().map(move |cause| (known, cause)))
+    {
+        let told = |hazard: &&Hazard| known.would_tell(report, hazard);
         let status = if complete && cause.hazards.iter().all(told) {
             TestCaseStatus::success()
         } else if complete {
-            skipped("not found again, but the scan does not tell every hazard of its criterion")
+            skipped("not found again, but the scan did not look for it as closely as the baseline")
         } else {
             skipped("not found again, but the scan did not account for every sequence")
         };

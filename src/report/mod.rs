@@ -4,6 +4,7 @@
 //! - [`cause`]: hazards that are one flaw
 //! - [`recorded`]: the same, read back
 //! - [`moved`]: its paths, so that it can be moved
+//! - [`looks`]: what a scan looks for, and whether that is as much as an earlier one did
 //! - [`difference`]: two scans side by side
 //! - [`baseline`]: hazards that are known already
 //! - [`assessment`]: what people decided about hazards
@@ -46,6 +47,7 @@ mod immovable;
 pub mod inspection;
 pub mod judged;
 pub mod junit;
+pub mod looks;
 #[cfg(feature = "mcap")]
 pub mod mcap;
 pub mod model;

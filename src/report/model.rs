@@ -76,7 +76,7 @@ pub struct ScanReport {
 }
 
 /// Overall outcome; never a statement of safety.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// At least one hazard.

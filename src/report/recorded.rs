@@ -6,10 +6,9 @@ use serde::Deserialize;
 
 use super::anywhere::ANYWHERE;
 use super::cause::{Cause, CauseAdvice};
-use super::criteria::{CriteriaRecord, tells_all};
-use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION};
+use super::looks::Looks;
+use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION, Verdict};
 use super::moved::found;
-use crate::hazard::Class;
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -18,6 +17,8 @@ pub struct Recorded {
     pub schema_version: u32,
     /// Name and version of the tool.
     pub tool: String,
+    /// Overall outcome.
+    pub verdict: Verdict,
     /// What was scanned.
     pub subject: RecordedSubject,
     /// How it was searched.
@@ -37,17 +38,20 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// Whether every hazard of a class would have been told, by what was accounted for and by what counts as unsafe.
+    /// What it looked for; none if it does not say.
     #[must_use]
-    pub fn tells_all(&self, class: Class) -> bool {
-        let criteria = self.settings.get("criteria").map(CriteriaRecord::deserialize);
-        match criteria.transpose() {
-            Ok(criteria) => {
-                self.complete() && tells_all(criteria.as_ref(), class, self.hazards.iter().map(|hazard| hazard.class))
-            }
-            // What counted is not known.
-            Err(_) => false,
-        }
+    pub fn looks(&self) -> Option<Looks> {
+        Looks::of(&self.settings)
+    }
+
+    /// Whether it would have told this hazard of an earlier scan if it were still there.
+    #[must_use]
+    pub fn would_tell(&self, earlier: &Self, hazard: &Hazard) -> bool {
+        let both = self.looks().zip(earlier.looks());
+        let found = self.hazards.iter().map(|hazard| hazard.class);
+        // Where nothing moved, or nobody was seen, nothing was shown.
+        let says_something = self.verdict != Verdict::Inconclusive;
+        self.complete() && says_something && both.is_some_and(|(mine, its)| mine.would_tell(&its, hazard, found))
     }
 }
 

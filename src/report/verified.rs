@@ -56,7 +56,7 @@ pub enum Outcome {
         /// Time of the contact, s.
         time_s: f64,
     },
-    /// The changed cell does not judge by the criterion that it breaks.
+    /// The changed cell does not judge as strictly by the criterion that it breaks, or not at all.
     NotJudged,
     /// The FMU failed.
     NotRun {
@@ -86,7 +86,7 @@ impl Verified {
                 )
             }
             Outcome::NotJudged => format!(
-                "NOT JUDGED   {id}  the changed cell does not count {}: see [criteria]",
+                "NOT JUDGED   {id}  the changed cell does not count {} as strictly: see [criteria]",
                 self.hazard.class.name().replace('_', " ")
             ),
             Outcome::NotRun { cause } => format!("NOT RUN      {id}  the FMU failed: {cause}"),

@@ -185,7 +185,10 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
             let part = touched.at(instant, arms);
             let gap = gap(instant, &part);
             match link {
-                _ if frame == contact_frame => [gap, hazard.speed_m_s, hazard.transient_ratio()],
+                // What a hit would be does not depend on the hazard's own criterion, nor on what holds the person.
+                _ if frame == contact_frame && hazard.class.beside_force().is_none() => {
+                    [gap, hazard.speed_m_s, hazard.ratio]
+                }
                 Some(link) => {
                     let near = instant.frame.links[link].segment_distance(part.a, part.b);
                     let velocity = instant.frame.velocity(link, near.on_second);

@@ -4,21 +4,25 @@ use std::sync::Arc;
 
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
+use super::run::criteria;
+use crate::cell::Workcell;
 use crate::hazard::Finding;
 use crate::host::PlantError;
 use crate::human::Action;
+use crate::report::looks::Looks;
 use crate::report::model::Hazard;
 use crate::report::verified::{Outcome, Verified};
 use crate::sim::replay::replay;
 
-/// Runs the worst and the shortest sequence of a hazard from a fresh instance each, from where and when it begins.
+/// Runs the worst and the shortest sequence of a hazard from a fresh instance each, from where and when it begins. `earlier` is
+/// what the scan looked for that knows it.
 #[must_use]
-pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
+pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> Verified {
     // The FMU and its variables are bound already: what can be wrong is the place.
     let Ok(there) = prepared.of_hazard(hazard) else {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NoRoom };
     };
-    if !there.cell.judges(hazard.class) {
+    if !earlier.is_some_and(|earlier| looks(&there.cell).judges_as_strictly_as(earlier, hazard.class)) {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NotJudged };
     }
     let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
@@ -47,4 +51,16 @@ pub fn verify(prepared: &Prepared, hazard: &Hazard) -> Verified {
         time_s: found.time_s,
     });
     Verified { hazard: hazard.clone(), outcome }
+}
+
+/// What a scan of the cell would look for.
+fn looks(cell: &Workcell) -> Looks {
+    Looks {
+        speed_criterion: cell.search.criterion,
+        criteria: criteria(cell),
+        actions_per_sequence: cell.search.actions,
+        contact_check_interval_s: cell.step_s,
+        reach_tolerance_m: cell.search.reach_tolerance_m,
+        until_s: None,
+    }
 }

@@ -1,0 +1,158 @@
+//! What a scan looks for, as its settings say: whether a later scan would have told a hazard that an earlier one did. A hazard
+//! that is not looked for any more is not fixed.
+
+use serde::Deserialize;
+
+use super::criteria::{CriteriaRecord, judges, tells_all};
+use super::model::{Hazard, Settings};
+use crate::hazard::{Class, Criterion};
+
+/// The settings that decide what is told.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Looks {
+    /// Which speed makes the force that decides.
+    #[serde(default)]
+    pub speed_criterion: Criterion,
+    /// What counts as unsafe, where that is more or other than the transient force.
+    pub criteria: Option<CriteriaRecord>,
+    /// Actions in a sequence.
+    pub actions_per_sequence: u32,
+    /// Communication step and contact-check interval, s.
+    pub contact_check_interval_s: f64,
+    /// Depth of contact that the arm check may miss, m.
+    pub reach_tolerance_m: f64,
+    /// Of a scan from anywhere: until when, s.
+    pub until_s: Option<f64>,
+}
+
+impl From<&Settings> for Looks {
+    fn from(settings: &Settings) -> Self {
+        Self {
+            speed_criterion: settings.speed_criterion,
+            criteria: settings.criteria.clone(),
+            actions_per_sequence: settings.actions_per_sequence,
+            contact_check_interval_s: settings.contact_check_interval_s,
+            reach_tolerance_m: settings.reach_tolerance_m,
+            until_s: settings.until_s,
+        }
+    }
+}
+
+impl Looks {
+    /// Of the settings in a `scan.json`; none if they do not say.
+    #[must_use]
+    pub fn of(settings: &serde_json::Map<String, serde_json::Value>) -> Option<Self> {
+        serde_json::from_value(serde_json::Value::Object(settings.clone())).ok()
+    }
+
+    /// Whether a contact that was a hazard of this class by what `earlier` looked for is one by this. Terms that describe the
+    /// machine (how far something gets in unseen, how far a robot goes on) may differ: they are what is changed in a cell.
+    #[must_use]
+    pub fn judges_as_strictly_as(&self, earlier: &Self, class: Class) -> bool {
+        let (mine, its) = (self.criteria.as_ref(), earlier.criteria.as_ref());
+        let by_force = |looks: &Self| match &looks.criteria {
+            Some(criteria) => criteria.transient_force,
+            None => Some(looks.speed_criterion),
+        };
+        judges(mine, class)
+            && match class {
+                // The force by the robot's own speed and by the speed of approach: neither is always the larger one.
+                Class::Force | Class::HeadContact => by_force(self) == by_force(earlier),
+                Class::Clamping | Class::Pressure => true,
+                Class::MovingContact => {
+                    let from = |of: Option<&CriteriaRecord>| of.and_then(|of| of.moving_contact_faster_than_m_s);
+                    from(mine) <= from(its)
+                }
+                Class::Separation => {
+                    let terms = |of: Option<&CriteriaRecord>| of.and_then(|of| of.separation.clone());
+                    terms(mine).map(|terms| terms.approach_m_s) >= terms(its).map(|terms| terms.approach_m_s)
+                }
+            }
+    }
+
+    /// Whether a scan that accounted for every sequence, and found hazards of these classes, would have told this hazard of an
+    /// earlier scan if it were still there.
+    #[must_use]
+    pub fn would_tell(&self, earlier: &Self, hazard: &Hazard, found: impl Iterator<Item = Class>) -> bool {
+        let long_enough = match (self.until_s, earlier.until_s) {
+            (None, None) => self.actions_per_sequence as usize >= hazard.shortest.actions.len(),
+            (Some(mine), Some(its)) => mine >= its,
+            // One is about people from anywhere, the other about one beginning.
+            _ => false,
+        };
+        long_enough
+            && self.contact_check_interval_s <= earlier.contact_check_interval_s
+            && self.reach_tolerance_m <= earlier.reach_tolerance_m
+            && self.judges_as_strictly_as(earlier, hazard.class)
+            && tells_all(self.criteria.as_ref(), hazard.class, found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::criteria::SeparationTerms;
+    use super::*;
+
+    fn looks() -> Looks {
+        let separation = SeparationTerms {
+            stop: None,
+            intrusion_m: 0.2,
+            person_uncertainty_m: 0.0,
+            robot_uncertainty_m: 0.0,
+            approach_m_s: 1.6,
+        };
+        Looks {
+            speed_criterion: Criterion::Absolute,
+            criteria: Some(CriteriaRecord {
+                transient_force: Some(Criterion::Absolute),
+                clamping: None,
+                pressure: true,
+                moving_contact_faster_than_m_s: Some(0.1),
+                separation: Some(separation),
+            }),
+            actions_per_sequence: 8,
+            contact_check_interval_s: 0.02,
+            reach_tolerance_m: 0.02,
+            until_s: None,
+        }
+    }
+
+    /// Each criterion, loosened by itself, says nothing of its own hazards any more and as much as before of the others.
+    #[test]
+    fn what_is_judged_more_loosely_is_not_told() {
+        const ALL: [Class; 6] = [
+            Class::Force,
+            Class::HeadContact,
+            Class::Clamping,
+            Class::Pressure,
+            Class::MovingContact,
+            Class::Separation,
+        ];
+        type Loosen = fn(&mut CriteriaRecord);
+        let cases: [(Loosen, &[Class]); 6] = [
+            (|c| c.transient_force = Some(Criterion::Approach), &[Class::Force, Class::HeadContact]),
+            (|c| c.transient_force = None, &[Class::Force, Class::HeadContact]),
+            (|c| c.pressure = false, &[Class::Pressure]),
+            (|c| c.moving_contact_faster_than_m_s = Some(0.5), &[Class::MovingContact]),
+            (|c| c.separation.as_mut().unwrap().approach_m_s = 0.5, &[Class::Separation]),
+            (|c| c.separation.as_mut().unwrap().intrusion_m = 0.1, &[]),
+        ];
+        let before = looks();
+        for (loosen, lost) in cases {
+            let mut after = looks();
+            loosen(after.criteria.as_mut().unwrap());
+            for class in ALL.into_iter().filter(|class| *class != Class::Clamping) {
+                assert_eq!(after.judges_as_strictly_as(&before, class), !lost.contains(&class), "{class:?} {after:?}");
+            }
+        }
+        // Stricter is strict enough, without a record as with one.
+        let mut after = looks();
+        after.criteria.as_mut().unwrap().moving_contact_faster_than_m_s = Some(0.0);
+        assert!(ALL.iter().all(|class| after.judges_as_strictly_as(&before, *class) || *class == Class::Clamping));
+        let plain = |speed_criterion| Looks { criteria: None, speed_criterion, ..looks() };
+        let [absolute, approach] = [Criterion::Absolute, Criterion::Approach].map(plain);
+        assert!(absolute.judges_as_strictly_as(&before, Class::Force));
+        assert!(!approach.judges_as_strictly_as(&before, Class::Force));
+        assert!(!approach.judges_as_strictly_as(&absolute, Class::HeadContact));
+    }
+}
