@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal, NotRequired, TypeAlias, TypedDict
 
-Action: TypeAlias = Literal['stop/upright', 'stop/bend-forward', 'stop/bend-left', 'stop/bend-right', 'stop/bend-forward-left', 'stop/bend-forward-right', 'forward/upright', 'forward/bend-forward', 'forward/bend-left', 'forward/bend-right', 'forward/bend-forward-left', 'forward/bend-forward-right', 'left45/upright', 'left45/bend-forward', 'left45/bend-left', 'left45/bend-right', 'left45/bend-forward-left', 'left45/bend-forward-right', 'left90/upright', 'left90/bend-forward', 'left90/bend-left', 'left90/bend-right', 'left90/bend-forward-left', 'left90/bend-forward-right', 'right45/upright', 'right45/bend-forward', 'right45/bend-left', 'right45/bend-right', 'right45/bend-forward-left', 'right45/bend-forward-right', 'right90/upright', 'right90/bend-forward', 'right90/bend-left', 'right90/bend-right', 'right90/bend-forward-left', 'right90/bend-forward-right']
+Action: TypeAlias = str
 """
-A walk and a posture, for 200 ms.
+A walk and a posture, for 200 ms, and the controls that are worked meanwhile, by their numbers in the cell file.
 """
 
 
@@ -266,6 +266,18 @@ class Complete(TypedDict):
 ContactKind: TypeAlias = Literal['transient', 'quasi_static', 'none']
 """
 Whether the part of the body can give way.
+"""
+
+
+ControlKind: TypeAlias = Literal['momentary', 'held', 'toggled']
+"""
+How a control is worked.
+"""
+
+
+ControlledBy: TypeAlias = Literal['person', 'anyone']
+"""
+Who can work a control.
 """
 
 
@@ -1332,7 +1344,8 @@ class VerifiedOutcomeStillThere(TypedDict):
 
 class VerifiedOutcomeNotJudged(TypedDict):
     """
-    The changed cell does not judge as strictly by the criterion that it breaks, or not at all.
+    The changed cell does not judge as strictly by the criterion that it breaks, or not at all; or it does not have a control
+    that is worked on the way.
     """
 
     result: Literal['not_judged']
@@ -1419,6 +1432,29 @@ class Way(TypedDict):
     stands_mm: int
     """
     How far the safeguard is from the nearest point that a moving robot reaches, mm: rounded down.
+    """
+
+
+class Working(TypedDict):
+    """
+    A control that is worked in an action.
+    """
+
+    at_s: float
+    """
+    When the action begins, s.
+    """
+    by: ControlledBy
+    """
+    Who works it.
+    """
+    kind: ControlKind
+    """
+    How it is worked.
+    """
+    name: str
+    """
+    Its name.
     """
 
 
@@ -1645,6 +1681,25 @@ class Comparison(TypedDict):
     inputs: list[str]
     """
     What of the inputs is different, in words.
+    """
+
+
+class ControlRecord(TypedDict):
+    """
+    A control of a cell.
+    """
+
+    by: ControlledBy
+    """
+    Who works it.
+    """
+    kind: ControlKind
+    """
+    How it is worked.
+    """
+    name: str
+    """
+    Its name.
     """
 
 
@@ -2026,6 +2081,10 @@ class Settings(TypedDict):
     """
     Communication step and contact-check interval, s.
     """
+    controls: NotRequired[list[ControlRecord]]
+    """
+    Controls that the search works.
+    """
     criteria: NotRequired[CriteriaRecord | None]
     """
     What counts as unsafe, where that is more or other than the transient force.
@@ -2318,6 +2377,7 @@ Hazard = TypedDict(
         'through_curtain_s': float | None,
         'time_s': float,
         'times_found': int,
+        'worked': NotRequired[list[Working]],
     },
 )
 

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 
 use super::error::{Problems, Source};
-use super::file::format::{CellFile, Literal, ParameterLimits, SensorKind, SensorTable};
+use super::file::format::{CellFile, ControlTable, Literal, ParameterLimits, SensorKind, SensorTable};
 use super::file::polarity;
 use super::foreign::ssp::Wiring;
 use super::{CellError, Workcell};
@@ -31,12 +31,15 @@ pub use reading::{Derived, HARDEST, Orientation, Reader, jumps};
 pub struct Binding {
     /// Parameters set before initialisation.
     pub parameters: Vec<(UnitPort, f64)>,
-    /// Inputs written at every step: first the distinct sensor variables, then the person's pose, then the constants.
+    /// Inputs written at every step: first the distinct sensor variables, then the person's pose, then the controls, then the
+    /// constants.
     pub inputs: Vec<UnitPort>,
     /// For each sensor, the index of its input, or how to read it.
     pub sensors: Vec<SensorBinding>,
     /// Number of distinct inputs driven by sensors.
     pub sensor_inputs: usize,
+    /// For each control its values, released and pressed; their inputs follow those of the pose.
+    pub controls: Vec<[f64; 2]>,
     /// Values of the constant inputs, following the others.
     pub constants: Vec<f64>,
     /// Outputs read after every step.
@@ -176,6 +179,13 @@ pub fn bind(
         let port = b.input(name, Some(PortKind::Real));
         inputs.extend(problems.keep(port.and_then(|port| b.driven_once(name, port, &inputs))));
     }
+    let mut controls = Vec::new();
+    for control in &file.controls {
+        if let Some((port, values)) = problems.keep(b.control(control, &inputs)) {
+            controls.push(values);
+            inputs.push(port);
+        }
+    }
     let mut constants = Vec::new();
     for (name, literal) in &file.inputs {
         if let Some((port, value)) = problems.keep(b.constant(&named(name, literal), *literal.get_ref(), &inputs)) {
@@ -237,6 +247,7 @@ pub fn bind(
         inputs,
         sensors: sensors.into_iter().flatten().collect(),
         sensor_inputs,
+        controls,
         constants,
         outputs: b.outputs,
         derived: b.derived,
@@ -396,6 +407,29 @@ impl<'a> Binder<'a> {
         Ok(SensorBinding::Input(index))
     }
 
+    /// The input that a control drives, and its values, released and pressed.
+    fn control(&mut self, control: &ControlTable, taken: &[UnitPort]) -> Result<(UnitPort, [f64; 2]), Box<CellError>> {
+        let name = &control.variable;
+        let port = self.input(name, None)?;
+        let port = self.driven_once(name, port, taken)?;
+        let mut values = [0.0; 2];
+        for (value, (given, pressed)) in values.iter_mut().zip([(&control.released, false), (&control.pressed, true)]) {
+            let usual = match port.port.kind {
+                PortKind::Boolean => Literal::Bool(pressed),
+                _ => Literal::Number(f64::from(u8::from(pressed))),
+            };
+            let literal = given.as_ref().map_or(usual, |given| *given.get_ref());
+            *value = self.literal(name, &port.port, literal)?;
+            self.within_limits(&port, *value);
+        }
+        if values[0].to_bits() == values[1].to_bits() {
+            let message = format!("control `{}` has one value, pressed or not", control.name);
+            let help = Some("give `released` and `pressed` different values".to_owned());
+            return Err(self.source.error(name.span(), "here", message, help));
+        }
+        Ok((port, values))
+    }
+
     /// An input that is held constant.
     fn constant(
         &mut self,
@@ -455,7 +489,7 @@ impl<'a> Binder<'a> {
             return Ok(port);
         }
         let message = format!("`{}` is driven by two things at once", name.get_ref());
-        let help = Some("a sensor, the pose, a constant or a connection: remove one of the two".to_owned());
+        let help = Some("a sensor, the pose, a control, a constant or a connection: remove one of the two".to_owned());
         Err(self.source.error(name.span(), "here", message, help))
     }
 

@@ -10,6 +10,7 @@
 //! - [`files`]: what a cell file names, read once and hashed
 
 mod checker;
+mod controls;
 mod criteria;
 pub mod described;
 pub mod extended;

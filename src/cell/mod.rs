@@ -25,7 +25,7 @@ pub mod workcell;
 
 pub use binding::Binding;
 pub use error::CellError;
-pub use workcell::{Sensor, Workcell, Zone};
+pub use workcell::{Control, Sensor, Workcell, Zone};
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
 pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";

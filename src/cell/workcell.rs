@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use toml::Spanned;
 
-use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
+use super::file::format::{CellFile, ControlKind, ControlledBy, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use crate::geometry::kinematics::KinematicTree;
-use crate::geometry::{Cuboid, Masses, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
@@ -45,6 +45,8 @@ pub struct Workcell {
     pub sensors: Vec<Sensor>,
     /// For each of them what its safety distance depends on besides.
     pub placings: Vec<Placing>,
+    /// What people work.
+    pub controls: Vec<Control>,
     /// What of the person's pose goes to the FMU.
     pub pose: Vec<PoseQuantity>,
     /// Where and when the person may begin; each is searched by itself.
@@ -250,6 +252,21 @@ pub struct Sensor {
     pub active: bool,
     /// Response time in whole steps.
     pub delay_steps: usize,
+}
+
+/// Something that people work.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Control {
+    /// Name used in results.
+    pub name: String,
+    /// Where a hand works it: whatever is inside; none if it is not told, which is for those that anyone works.
+    pub place: Option<Capsule>,
+    /// Who works it.
+    pub by: ControlledBy,
+    /// How.
+    pub kind: ControlKind,
+    /// Communication steps for which it is pressed in an action.
+    pub steps: usize,
 }
 
 /// What the cell file says of a safeguard for its safety distance alone.

@@ -10,6 +10,7 @@ use super::hosting::HostingArguments;
 use super::output::{self, Format};
 use crate::cell::CellError;
 use crate::cell::error::Source;
+use crate::cell::file::format::ControlledBy;
 use crate::cell::find::{Examined, Todo, examine};
 use crate::cell::workcell::{StartArea, Workcell};
 use crate::fmi::number;
@@ -210,6 +211,13 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         let reaction = found.and_then(|found| found.reactions.iter().find(|reaction| reaction.input == sensor.name));
         let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
         lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.active));
+    }
+    for control in &cell.controls {
+        let who = match control.by {
+            ControlledBy::Person => "the person, where a hand gets to it",
+            ControlledBy::Anyone => "a colleague, at any moment",
+        };
+        lines.push(format!("  control   {}: {who}", control.name));
     }
     lines.extend(starts(cell));
     lines.push(format!(

@@ -252,7 +252,7 @@ impl Arguments {
         let known = self.baseline.is_some() || self.write_baseline || cell.baseline.is_some();
         let alone = known || cell.beginnings.len() > 1 || self.of_starts().is_some() || self.format == Format::Json;
         // From anywhere the transient force alone is looked at.
-        let alone = alone || !cell.judges_by_force_alone();
+        let alone = alone || !cell.judges_by_force_alone() || !cell.controls.is_empty();
         let usual = || Ok(if alone { From::Start } else { From::Both });
         self.from.or(said).map_or_else(|| from_environment()?.map_or_else(usual, Ok), Ok)
     }

@@ -68,6 +68,9 @@ pub struct Kind {
     pub long: bool,
     /// The criterion that it breaks, where that is not the transient force: being clamped is another flaw than being hit.
     pub criterion: Option<&'static str>,
+    /// Names of the controls that are worked on the shortest and calmest way there: a restart with somebody inside is another flaw
+    /// than a stop that comes too late.
+    pub worked: Vec<String>,
 }
 
 /// A hazard as causes see it.
@@ -173,6 +176,9 @@ fn id(kind: &Kind, square: Option<[i64; 2]>) -> String {
     if let Some(criterion) = kind.criterion {
         text += &format!("\0{criterion}");
     }
+    if !kind.worked.is_empty() {
+        text += &format!("\0worked\0{}", kind.worked.join("\0"));
+    }
     let hash = Sha256::digest(text.as_bytes());
     format!("C-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])
 }
@@ -185,7 +191,7 @@ mod tests {
     fn member(part: Part, reporting: &[&str], person_m: [f64; 2]) -> Member {
         let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
         Member {
-            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None },
+            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None, worked: Vec::new() },
             person_m,
             contact_m: person_m,
         }

@@ -1,4 +1,5 @@
-//! The 36 actions of the virtual human: six ways to walk, each with six postures (Huck et al., ICRA 2021).
+//! The actions of the virtual human: six ways to walk, each with six postures (Huck et al., ICRA 2021), and beside them the
+//! controls of the cell that somebody works meanwhile.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -7,6 +8,8 @@ use std::str::FromStr;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+
+use super::Presses;
 
 /// Duration of one action, s.
 pub const ACTION_S: f64 = 0.2;
@@ -127,11 +130,15 @@ impl Posture {
     }
 }
 
-/// One action, as index `walk * 6 + posture` in 0..36. Its text form (`Display`, `FromStr`, serde) is like
-/// `left45/bend-forward`.
+/// One action: a walk, a posture, and which controls are worked. Its index is `36 * set of controls + 6 * walk + posture`, so
+/// without controls it is in 0..36. Its text form (`Display`, `FromStr`, serde) is like `left45/bend-forward`, with
+/// `+press1` behind it where the first control of the cell file is worked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct Action(u8);
+pub struct Action {
+    presses: Presses,
+    moves: u8,
+}
 
 impl JsonSchema for Action {
     fn schema_name() -> Cow<'static, str> {
@@ -139,33 +146,34 @@ impl JsonSchema for Action {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let all = Self::ALL.map(|action| action.to_string());
+        let walks = Walk::ALL.map(Walk::id).join("|");
+        let postures = Posture::ALL.map(Posture::id).join("|");
         json_schema!({
-            "description": "A walk and a posture, for 200 ms.",
+            "description": "A walk and a posture, for 200 ms, and the controls that are worked meanwhile, by their numbers in the cell file.",
             "type": "string",
-            "enum": all.as_slice(),
+            "pattern": format!("^({walks})/({postures})(\\+press[1-{}])*$", Presses::MOST),
         })
     }
 }
 
 /// A text that is no action.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("`{0}` is not an action: write a walk and a posture, such as `left45/bend-forward` or `stop/upright`")]
+#[error("`{0}` is not an action: write a walk and a posture, such as `left45/bend-forward` or `stop/upright+press1`")]
 pub struct UnknownAction(pub String);
 
 impl Action {
-    /// Number of actions.
+    /// Number of actions without a control.
     pub const COUNT: usize = Walk::ALL.len() * Posture::ALL.len();
 
-    /// Every action once; `ALL[i].index() == i`.
+    /// Every action without a control once; `ALL[i].index() == i`.
     pub const ALL: [Self; Self::COUNT] = {
-        let mut all = [Self(0); Self::COUNT];
+        let mut all = [Self::REST; Self::COUNT];
         let mut index = 0;
-        let mut code = 0;
+        let mut moves = 0;
         while index < Self::COUNT {
-            all[index] = Self(code);
+            all[index] = Self { presses: Presses::NONE, moves };
             index += 1;
-            code += 1;
+            moves += 1;
         }
         all
     };
@@ -176,23 +184,42 @@ impl Action {
     /// The action that joins a walk and a posture.
     #[must_use]
     pub const fn new(walk: Walk, posture: Posture) -> Self {
-        Self(walk as u8 * 6 + posture as u8)
+        Self { presses: Presses::NONE, moves: walk as u8 * 6 + posture as u8 }
+    }
+
+    /// The same with these controls worked.
+    #[must_use]
+    pub const fn pressing(self, presses: Presses) -> Self {
+        Self { presses, ..self }
+    }
+
+    /// Number of actions in a cell with so many controls.
+    #[must_use]
+    pub const fn count(controls: usize) -> usize {
+        Self::COUNT << controls
     }
 
     /// The action with this index, if there is one.
     #[must_use]
     pub fn from_index(index: usize) -> Option<Self> {
-        Self::ALL.get(index).copied()
+        let presses = Presses::from_index(index / Self::COUNT)?;
+        Some(Self::ALL[index % Self::COUNT].pressing(presses))
     }
 
-    /// Index in 0..36.
+    /// The action with an index that a search of a cell with so many controls counted.
+    #[must_use]
+    pub fn counted(index: usize) -> Self {
+        Self::from_index(index).unwrap_or(Self::REST)
+    }
+
+    /// Its index.
     #[must_use]
     pub const fn index(self) -> usize {
-        self.0 as usize
+        self.presses.index() * Self::COUNT + self.moves as usize
     }
 
     /// How far from standing upright it is, to compare sequences of the same length: walking costs 2 and one more for
-    /// each 45 degrees of a turn, a bend forward or sideways 1, both 2.
+    /// each 45 degrees of a turn, a bend forward or sideways 1, both 2, each control that is worked 1.
     #[must_use]
     pub const fn effort(self) -> u32 {
         let walk = match self.walk() {
@@ -206,19 +233,25 @@ impl Action {
             Posture::Forward | Posture::Left | Posture::Right => 1,
             Posture::ForwardLeft | Posture::ForwardRight => 2,
         };
-        walk + bend
+        walk + bend + self.presses.count()
+    }
+
+    /// The controls that are worked.
+    #[must_use]
+    pub const fn presses(self) -> Presses {
+        self.presses
     }
 
     /// What the legs do.
     #[must_use]
     pub const fn walk(self) -> Walk {
-        Walk::ALL[self.index() / Posture::ALL.len()]
+        Walk::ALL[self.moves as usize / Posture::ALL.len()]
     }
 
     /// What the upper body does.
     #[must_use]
     pub const fn posture(self) -> Posture {
-        Posture::ALL[self.index() % Posture::ALL.len()]
+        Posture::ALL[self.moves as usize % Posture::ALL.len()]
     }
 }
 
@@ -230,7 +263,7 @@ impl fmt::Display for Action {
 
 impl From<Action> for String {
     fn from(action: Action) -> Self {
-        format!("{}/{}", action.walk().id(), action.posture().id())
+        format!("{}/{}{}", action.walk().id(), action.posture().id(), action.presses)
     }
 }
 
@@ -238,11 +271,17 @@ impl FromStr for Action {
     type Err = UnknownAction;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let named = text.split_once('/').and_then(|(walk, posture)| {
+        let mut parts = text.split("+press");
+        let moves = parts.next().and_then(|moves| moves.split_once('/')).and_then(|(walk, posture)| {
             let walk = Walk::ALL.into_iter().find(|candidate| candidate.id() == walk)?;
             let posture = Posture::ALL.into_iter().find(|candidate| candidate.id() == posture)?;
             Some(Self::new(walk, posture))
         });
+        let named = parts.try_fold(moves, |so_far, number| {
+            let control = number.parse::<usize>().ok().filter(|n| (1..=Presses::MOST).contains(n))?;
+            Some(so_far.map(|action| action.pressing(action.presses.and(Presses::one(control - 1)))))
+        });
+        let named = named.flatten().filter(|action| String::from(*action) == text);
         named.ok_or_else(|| UnknownAction(text.to_owned()))
     }
 }
@@ -270,7 +309,6 @@ mod tests {
             assert_eq!(action.walk() as usize * 6 + action.posture() as usize, index);
             assert_eq!(Action::new(action.walk(), action.posture()), action);
         }
-        assert_eq!(Action::from_index(36), None);
         assert_eq!(Action::REST, Action::ALL[0]);
     }
 
@@ -282,7 +320,7 @@ mod tests {
         assert_eq!(Action::REST.to_string(), "stop/upright");
         let texts: BTreeSet<_> = Action::ALL.iter().map(ToString::to_string).collect();
         assert_eq!(texts.len(), 36);
-        for action in Action::ALL {
+        for action in (0..).map_while(Action::from_index) {
             assert_eq!(action.to_string().parse(), Ok(action));
             let json = serde_json::to_string(&action).unwrap();
             assert_eq!(json, format!("\"{action}\""));
@@ -292,10 +330,39 @@ mod tests {
 
     #[test]
     fn other_texts_are_refused_by_name() {
-        for text in ["", "stop", "stop/", "/upright", "stop/upright/", "Stop/upright", "left45 /bend-forward", "7"] {
+        for text in [
+            "stop/upright+press0",
+            "stop/upright+press7",
+            "stop/upright+press",
+            "stop/upright+press2+press1",
+            "",
+            "stop/upright+press1+press1",
+            "stop",
+            "stop/",
+            "/upright",
+            "stop/upright/",
+            "Stop/upright",
+            "left45 /bend-forward",
+            "7",
+        ] {
             let error = text.parse::<Action>().unwrap_err();
             assert!(error.to_string().starts_with(&format!("`{text}` is not an action")), "{error}");
             assert!(serde_json::from_str::<Action>(&format!("\"{text}\"")).is_err());
+        }
+    }
+
+    /// Controls go over and above the 36: what there is without them keeps its index.
+    #[test]
+    fn controls_double_the_actions() {
+        assert_eq!((Action::count(0), Action::count(2)), (36, 144));
+        assert_eq!(Action::from_index(Action::count(Presses::MOST)), None);
+        let walk = Action::new(Walk::Left45, Posture::Forward);
+        let pressing = walk.pressing(Presses::one(1));
+        assert_eq!((pressing.walk(), pressing.posture()), (walk.walk(), walk.posture()));
+        assert_eq!((pressing.index(), pressing.effort()), (72 + walk.index(), walk.effort() + 1));
+        assert_eq!(pressing.to_string(), "left45/bend-forward+press2");
+        for index in 0..Action::count(Presses::MOST) {
+            assert_eq!(Action::counted(index).index(), index);
         }
     }
 

@@ -11,6 +11,7 @@ use super::advice::{Outcome, Remedy};
 use super::judged::{Judged, measure_words};
 use super::model::{Hazard, SensorState};
 use super::paragraph::wrapped;
+use super::worked::worked_words;
 use crate::hazard::Class;
 use crate::hazard::cause::{LONG_S, Part};
 use crate::standards::BodyRegion;
@@ -221,8 +222,21 @@ pub fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a
     all
 }
 
-/// What happens in the worst hazard of a cause, and what the safeguards did about it.
+/// What happens in the worst hazard of a cause, which controls are worked on the way, and what the safeguards did about it.
 fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
+    let what = what_happens(hazard, around);
+    match worked_words(&hazard.worked) {
+        words if words.is_empty() => what,
+        words => format!("{}. {what}", capitalised(&words)),
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
     let region = hazard.body_region.words();
     let speed = hazard.speed_m_s;
     let (does, held) = does(hazard);

@@ -11,6 +11,7 @@ use serde::Serialize;
 use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
 use super::paragraph::{wrapped, wrapped_under};
+use super::worked::Working;
 use crate::hazard::criterion::Class;
 use crate::human::{Action, Walk};
 use crate::standards::iso_ts_15066 as limits;
@@ -103,7 +104,7 @@ impl Explanation {
         let ([x, y], heading) = self.start;
         let when = if self.begins_s > 0.0 { format!(" {:.2} s after the FMU,", self.begins_s) } else { String::new() };
         say(&format!("The person starts{when} at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, and then"));
-        for (from, line) in steps(&hazard.actions, self.action_s) {
+        for (from, line) in steps(&hazard.actions, &hazard.worked, self.action_s) {
             say(&format!("{from:5.2} s  {line}"));
         }
         for sensor in &self.sensors {
@@ -257,12 +258,16 @@ impl Reports {
 }
 
 /// Equal actions together, with the time at which they begin.
-fn steps(actions: &[Action], action_s: f64) -> Vec<(f64, String)> {
+fn steps(actions: &[Action], worked: &[Working], action_s: f64) -> Vec<(f64, String)> {
     let mut steps: Vec<(usize, usize, Action)> = Vec::new();
     for (number, action) in actions.iter().enumerate() {
         match steps.last_mut() {
-            // A turn is made once each time.
-            Some((_, times, last)) if last == action && matches!(action.walk(), Walk::Stop | Walk::Forward) => {
+            // A turn is made once each time, and what is worked is told each time.
+            Some((_, times, last))
+                if last == action
+                    && action.presses().is_none()
+                    && matches!(action.walk(), Walk::Stop | Walk::Forward) =>
+            {
                 *times += 1
             }
             _ => steps.push((number, 1, *action)),
@@ -271,7 +276,9 @@ fn steps(actions: &[Action], action_s: f64) -> Vec<(f64, String)> {
     #[expect(clippy::cast_precision_loss, reason = "a few actions")]
     let told = |(first, times, action): (usize, usize, Action)| {
         let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
-        (from, format!("{}, {}, for {lasts:.1} s", walks(action.walk()), action.posture().words()))
+        let meanwhile = worked.iter().filter(|working| (working.at_s - from).abs() < 0.5 * action_s);
+        let meanwhile: String = meanwhile.map(|working| format!("; {}", working.control.words())).collect();
+        (from, format!("{}, {}, for {lasts:.1} s{meanwhile}", walks(action.walk()), action.posture().words()))
     };
     steps.into_iter().map(told).collect()
 }

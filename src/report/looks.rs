@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::criteria::{CriteriaRecord, judges, tells_all};
 use super::model::{Hazard, Settings};
+use super::worked::ControlRecord;
 use crate::hazard::{Class, Criterion};
 
 /// The settings that decide what is told.
@@ -15,6 +16,9 @@ pub struct Looks {
     pub speed_criterion: Criterion,
     /// What counts as unsafe, where that is more or other than the transient force.
     pub criteria: Option<CriteriaRecord>,
+    /// Controls that are worked.
+    #[serde(default)]
+    pub controls: Vec<ControlRecord>,
     /// Actions in a sequence.
     pub actions_per_sequence: u32,
     /// Communication step and contact-check interval, s.
@@ -30,6 +34,7 @@ impl From<&Settings> for Looks {
         Self {
             speed_criterion: settings.speed_criterion,
             criteria: settings.criteria.clone(),
+            controls: settings.controls.clone(),
             actions_per_sequence: settings.actions_per_sequence,
             contact_check_interval_s: settings.contact_check_interval_s,
             reach_tolerance_m: settings.reach_tolerance_m,
@@ -70,6 +75,17 @@ impl Looks {
             }
     }
 
+    /// Whether all controls that are worked on the way to a hazard of `earlier` are worked here too, under the same numbers.
+    #[must_use]
+    pub fn works_as_much_as(&self, earlier: &Self, hazard: &Hazard) -> bool {
+        let sequences = [&hazard.actions, &hazard.shortest.actions];
+        let mut worked = sequences.into_iter().flatten().flat_map(|action| action.presses().numbers());
+        worked.all(|control| {
+            let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control).map(|control| &control.name));
+            mine.is_some() && mine == its
+        })
+    }
+
     /// Whether a scan that accounted for every sequence, and found hazards of these classes, would have told this hazard of an
     /// earlier scan if it were still there.
     #[must_use]
@@ -83,6 +99,7 @@ impl Looks {
         long_enough
             && self.contact_check_interval_s <= earlier.contact_check_interval_s
             && self.reach_tolerance_m <= earlier.reach_tolerance_m
+            && self.works_as_much_as(earlier, hazard)
             && self.judges_as_strictly_as(earlier, hazard.class)
             && tells_all(self.criteria.as_ref(), hazard.class, found)
     }
@@ -110,6 +127,7 @@ mod tests {
                 moving_contact_faster_than_m_s: Some(0.1),
                 separation: Some(separation),
             }),
+            controls: Vec::new(),
             actions_per_sequence: 8,
             contact_check_interval_s: 0.02,
             reach_tolerance_m: 0.02,

@@ -10,6 +10,7 @@
 //! - [`assessment`]: what people decided about hazards
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
 //! - [`page`]: the report that one looks at
+//! - [`worked`]: controls that are worked on the way to a hazard
 //! - [`explanation`]: a hazard in plain words and with all its numbers
 //! - [`advice`]: changes of a cell, and what came of them
 //! - [`inspection`]: what an FMU is, and what of it a scan could use
@@ -66,6 +67,7 @@ pub mod topview;
 pub mod trace;
 pub mod verified;
 pub mod whole;
+pub mod worked;
 
 /// Rows under a header in aligned columns, for a terminal or as Markdown.
 fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {

@@ -9,6 +9,7 @@ use super::criteria::CriteriaRecord;
 use super::immovable;
 use super::judged::Judged;
 use super::speeds::SpeedRecord;
+use super::worked::{ControlRecord, Working, worked_words};
 use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::action::Action;
@@ -234,6 +235,9 @@ pub struct Settings {
     /// What counts as unsafe, where that is more or other than the transient force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub criteria: Option<CriteriaRecord>,
+    /// Controls that the search works.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub controls: Vec<ControlRecord>,
     /// Of a scan from anywhere: how long after the FMU's own start it looked, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
@@ -340,6 +344,9 @@ pub struct Hazard {
     pub through: Vec<Through>,
     /// The sequence of actions; the contact happens in the last.
     pub actions: Vec<Action>,
+    /// Controls that are worked in it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub worked: Vec<Working>,
     /// Iteration in which the hazard was first met, from 1.
     pub first_iteration: u64,
     /// Sequences found that end in this hazard.
@@ -608,6 +615,7 @@ impl Hazard {
                 })
                 .collect(),
             actions: f.actions.clone(),
+            worked: Vec::new(),
             first_iteration: group.first_iteration,
             times_found: group.times_found,
             earliest_time_s: group.earliest_s,
@@ -649,10 +657,14 @@ impl Hazard {
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
         let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));
+        let worked = match worked_words(&self.worked) {
+            words if words.is_empty() => words,
+            words => format!("; {words}"),
+        };
         let meets = if self.class == Class::Separation { "comes too near" } else { "meets" };
         format!(
             "at {:.2} s the robot's {} {meets} the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
-             {:.2}){sensors}{begins}",
+             {:.2}){sensors}{worked}{begins}",
             self.time_s,
             self.robot_link,
             self.body_region.words(),

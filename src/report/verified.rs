@@ -56,7 +56,8 @@ pub enum Outcome {
         /// Time of the contact, s.
         time_s: f64,
     },
-    /// The changed cell does not judge as strictly by the criterion that it breaks, or not at all.
+    /// The changed cell does not judge as strictly by the criterion that it breaks, or not at all; or it does not have a control
+    /// that is worked on the way.
     NotJudged,
     /// The FMU failed.
     NotRun {
@@ -86,8 +87,13 @@ impl Verified {
                 )
             }
             Outcome::NotJudged => format!(
-                "NOT JUDGED   {id}  the changed cell does not count {} as strictly: see [criteria]",
-                self.hazard.class.name().replace('_', " ")
+                "NOT JUDGED   {id}  the changed cell does not count {} as strictly{}",
+                self.hazard.class.name().replace('_', " "),
+                if self.hazard.worked.is_empty() {
+                    ": see [criteria]"
+                } else {
+                    ", or lacks a control that is worked on the way: see [criteria] and [[control]]"
+                }
             ),
             Outcome::NotRun { cause } => format!("NOT RUN      {id}  the FMU failed: {cause}"),
         }

@@ -465,6 +465,12 @@ impl<'a> Looking<'a> {
                     .to_owned(),
             );
         }
+        if !self.prepared.cell.controls.is_empty() {
+            let names: Vec<&str> = self.prepared.cell.controls.iter().map(|control| control.name.as_str()).collect();
+            found
+                .reasons
+                .push(format!("from anywhere controls are not worked: with {} nothing is excluded", names.join(", ")));
+        }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {
             Verdict::HazardsFound

@@ -14,6 +14,7 @@ use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, PlantError, Unlike};
 use crate::report::model::Hazard;
+use crate::report::worked::Working;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 use crate::sim::replay::replay_watched;
@@ -79,6 +80,7 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
+            hazard.worked = Working::all(&hazard.actions, &prepared.cell.controls);
             hazard.name_obstacles(|number| prepared.cell.obstacles[number].0.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;

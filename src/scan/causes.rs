@@ -14,6 +14,7 @@ use crate::hazard::cause::{self, Kind, Member, Part};
 use crate::host::selftest::Rung;
 use crate::report::cause::{Cause, Circumstances};
 use crate::report::model::{Certificate, Hazard};
+use crate::report::worked::Working;
 
 /// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.
 const ALONG_M: f64 = 0.005;
@@ -25,12 +26,20 @@ pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     let link = cell.links.iter().find(|link| link.name == hazard.robot_link);
     let reporting = hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.clone()).collect();
     let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).fold(0.0, f64::max);
+    let mut worked: Vec<String> = Vec::new();
+    for Working { control, .. } in Working::all(&hazard.shortest.actions, &cell.controls) {
+        if !worked.contains(&control.name) {
+            worked.push(control.name);
+        }
+    }
+    worked.sort_unstable();
     let kind = Kind {
         robot: link.map_or_else(String::new, |link| cell.robots[link.robot].name.clone()),
         part: Part::of(hazard.body_region),
         reporting,
         long: since > cause::LONG_S,
         criterion: hazard.class.beside_force(),
+        worked,
     };
     let [x, y, _] = hazard.contact_point_m;
     Member { kind, person_m: hazard.person_xy_m, contact_m: [x, y] }

@@ -170,7 +170,7 @@ fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
 
 /// A finding with the actions before it.
 fn after(prefixes: &Prefixes, finding: Finding) -> Finding {
-    let before = prefixes.calmest.iter().map(|&action| Action::ALL[usize::from(action)]);
+    let before = prefixes.calmest.iter().map(|&action| Action::counted(usize::from(action)));
     Finding { actions: before.chain(finding.actions.iter().copied()).collect(), ..finding }
 }
 
@@ -212,8 +212,9 @@ pub(super) fn census(
         }
         Told::Failed { reason, action, prefixes } => {
             if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {
-                let mut actions: Vec<Action> = prefixes.calmest.iter().map(|&a| Action::ALL[usize::from(a)]).collect();
-                actions.push(Action::ALL[action]);
+                let mut actions: Vec<Action> =
+                    prefixes.calmest.iter().map(|&a| Action::counted(usize::from(a))).collect();
+                actions.push(Action::counted(action));
                 faults.push(FaultRecord { message: reason, actions });
             }
             ControlFlow::Continue(())

@@ -80,7 +80,11 @@ fn candidates(actions: &[Action]) -> Vec<Vec<Action>> {
     for (at, action) in actions.iter().enumerate() {
         for walk in [Walk::Stop, Walk::Forward, action.walk()] {
             for posture in [Posture::Upright, Posture::Forward, Posture::Left, Posture::Right, action.posture()] {
-                all.push(replace(at, Action::new(walk, posture)));
+                let moves = Action::new(walk, posture);
+                all.push(replace(at, moves));
+                if !action.presses().is_none() {
+                    all.push(replace(at, moves.pressing(action.presses())));
+                }
             }
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::anywhere::map;
 use super::film;
-use super::outline::{flat, outline, top, zone};
+use super::outline::{flat, outline, top, zones};
 use super::prepare::Prepared;
 use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
@@ -44,7 +44,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
             }
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
-        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        zones: zones(cell),
         unseen: Vec::new(),
         reachable: Vec::new(),
         robot: robot.map(|links| links.iter().map(part).collect()).collect(),
@@ -83,7 +83,7 @@ pub fn plan(prepared: &Prepared) -> Plan {
             fmus.join(", ")
         ),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c))).collect(),
-        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        zones: zones(cell),
         robots: based.map(|robot| (robot.name.clone(), flat(robot.world_from_base.translation))).collect(),
     }
 }
@@ -112,7 +112,7 @@ pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>)
     Scene {
         title: format!("{}: the cell from above", cell.name),
         obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
-        zones: cell.sensors.iter().filter_map(|s| Some((s.name.clone(), zone(&s.zone)?))).collect(),
+        zones: zones(cell),
         unseen: map::unseen(prepared, &frames),
         reachable: reachable(&all),
         robot,

@@ -248,6 +248,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
         speed_criterion: prepared.cell.search.criterion,
         criteria: criteria(&prepared.cell),
+        controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
     }
 }

@@ -112,7 +112,7 @@ impl Stepping {
         let cell = &prepared.cell;
         let description = Description {
             cell: cell.name.clone(),
-            actions: Action::ALL.iter().map(ToString::to_string).collect(),
+            actions: (0..Action::count(cell.controls.len())).map(|i| Action::counted(i).to_string()).collect(),
             horizon: cell.search.actions,
             action_s: crate::human::action::ACTION_S,
             sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
@@ -143,10 +143,11 @@ impl Stepping {
     /// # Errors
     /// When there is no such action, the episode is over, or the FMU fails.
     pub fn step(&mut self, action: usize) -> Result<Taken, SteppingError> {
-        if action >= Action::COUNT {
+        let actions = self.description.actions.len();
+        if action >= actions {
             return Err(SteppingError::Asked(format!(
                 "there is no action {action}: they go from 0 to {}",
-                Action::COUNT - 1
+                actions - 1
             )));
         }
         if self.is_over {

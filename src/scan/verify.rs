@@ -22,7 +22,11 @@ pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> 
     let Ok(there) = prepared.of_hazard(hazard) else {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NoRoom };
     };
-    if !earlier.is_some_and(|earlier| looks(&there.cell).judges_as_strictly_as(earlier, hazard.class)) {
+    let looks = looks(&there.cell);
+    let judged = earlier.is_some_and(|earlier| {
+        looks.judges_as_strictly_as(earlier, hazard.class) && looks.works_as_much_as(earlier, hazard)
+    });
+    if !judged {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NotJudged };
     }
     let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
@@ -58,6 +62,7 @@ fn looks(cell: &Workcell) -> Looks {
     Looks {
         speed_criterion: cell.search.criterion,
         criteria: criteria(cell),
+        controls: cell.controls.iter().map(Into::into).collect(),
         actions_per_sequence: cell.search.actions,
         contact_check_interval_s: cell.step_s,
         reach_tolerance_m: cell.search.reach_tolerance_m,

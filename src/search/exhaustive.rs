@@ -106,7 +106,7 @@ pub struct Prefixes {
     /// Sum of efforts of the calmest.
     pub effort: u32,
     /// The calmest; of equals the first in the order of actions.
-    pub calmest: Vec<u8>,
+    pub calmest: Vec<u16>,
 }
 
 impl Prefixes {
@@ -333,8 +333,8 @@ pub fn exhaust<E: Expansion>(
     Ok(account)
 }
 
-fn with(actions: &[u8], action: usize) -> Vec<u8> {
-    let last = u8::try_from(action).unwrap_or(u8::MAX);
+fn with(actions: &[u16], action: usize) -> Vec<u16> {
+    let last = u16::try_from(action).unwrap_or(u16::MAX);
     actions.iter().copied().chain([last]).collect()
 }
 

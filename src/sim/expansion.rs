@@ -28,12 +28,12 @@ use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Frames, Sensed, World};
+use super::world::{Frames, Sensed, Worked, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Walk};
+use crate::human::{Action, Place, Presses};
 use crate::search::exhaustive::{Effect, Expanded, Expansion};
 
 /// A state of the cell at the end of an action. Equal states have the same future.
@@ -44,6 +44,8 @@ pub struct State {
     /// The first state of the FMU found that is the same.
     node: NodeId,
     delays: Box<[DelayLine]>,
+    /// Controls that are switched over.
+    switched: Presses,
 }
 
 /// How equal states of the FMU are told.
@@ -89,6 +91,32 @@ struct Pending {
 
 /// Numbers of the next state and of the transition, or why there is none.
 type Reached = Result<(usize, usize), String>;
+
+/// Actions along one walk from a state. Those that the FMU is told the same of share everything but the contacts.
+#[derive(Default)]
+struct Alike {
+    /// By the posture that is seen, and what is worked.
+    by_key: Vec<((usize, Worked), Reached)>,
+    /// By what is told.
+    by_inputs: Vec<(Sensed, Reached)>,
+}
+
+impl Alike {
+    fn by_key(&self, key: &(usize, Worked)) -> Option<Reached> {
+        self.by_key.iter().find(|(known, _)| known == key).map(|(_, to)| to.clone())
+    }
+
+    fn by_inputs(&self, sensed: &Sensed) -> Option<Reached> {
+        self.by_inputs.iter().find(|(known, _)| known.same(sensed)).map(|(_, to)| to.clone())
+    }
+
+    fn keep(&mut self, key: (usize, Worked), sensed: Sensed, to: &Reached) {
+        self.by_key.push((key, to.clone()));
+        if self.by_inputs(&sensed).is_none() {
+            self.by_inputs.push((sensed, to.clone()));
+        }
+    }
+}
 
 impl<P: Plant> Expander<P> {
     /// Starts the plant; contacts are looked for by `workers` threads, which does not change the results.
@@ -206,56 +234,64 @@ impl<P: Plant> Expander<P> {
     ) -> Result<(Expanded<State, Finding>, Vec<Transition>), PlantError> {
         let mut expanded = Expanded { next: Vec::new(), effects: Vec::new(), noted: Vec::new() };
         let mut transitions: Vec<Transition> = Vec::new();
-        let per_action = self.world.cell.steps_per_action;
         let last = depth + 1 == self.horizon();
-        for (w, walk) in Walk::ALL.into_iter().enumerate() {
-            // Postures that the sensors see alike share everything but the contacts.
-            let mut alike: Vec<(Sensed, Reached)> = Vec::new();
-            for (p, posture) in Posture::ALL.into_iter().enumerate() {
-                let action = Action::new(walk, posture);
-                let own = ahead.sights[w].get(p).map(|sights| self.world.sense(&state.delays, sights));
-                let known = match &own {
-                    None => alike.first().map(|(_, to)| to.clone()),
-                    Some(own) => alike.iter().find(|(s, _)| s.same(own)).map(|(_, to)| to.clone()),
-                };
-                let to = match (known, own) {
-                    (Some(to), _) => to,
-                    (None, None) => Err(String::new()),
-                    (None, Some(sensed)) => {
-                        let to = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
-                            Advanced::Fault(fault) => {
-                                self.coverage.episodes_not_evaluated += 1;
-                                Err(fault.message.clone())
-                            }
-                            Advanced::To(node) => {
-                                let place = ahead.walks[w].end();
-                                // Where the sequences end, nothing depends on which state it is.
-                                let representative =
-                                    if last { node } else { self.representative(node, &place, &sensed.delays)? };
-                                let delays = sensed.delays.clone().into_boxed_slice();
-                                expanded.next.push(State { place, node: representative, delays });
-                                let frames = self.robots.frames(node);
-                                self.look(&ahead.walks[w], &sensed, &frames);
-                                transitions.push(Transition { node, frames, sensed: sensed.clone() });
-                                Ok((expanded.next.len() - 1, transitions.len() - 1))
-                            }
-                        };
-                        alike.push((sensed, to.clone()));
-                        to
-                    }
-                };
-                let (next, transition) = match to {
-                    Ok(to) => to,
-                    Err(reason) => {
-                        expanded.effects.push(Effect::NotEvaluated(reason));
-                        continue;
-                    }
-                };
-                expanded.effects.push(Effect::To(next));
-                pending.push(Pending { state: index, walk: w, transition, action });
-            }
+        let mut alike: [Alike; 6] = Default::default();
+        for action in (0..self.actions()).map(Action::counted) {
+            let walk = action.walk() as usize;
+            let (walked, sights) = (&ahead.walks[walk], &ahead.sights[walk]);
+            let seen_as = if sights.len() == 1 { 0 } else { action.posture() as usize };
+            let key = (seen_as, self.world.worked(walked, action));
+            let to = match alike[walk].by_key(&key) {
+                Some(to) => to,
+                None => {
+                    let sensed = self.world.sense(&state.delays, state.switched, &sights[seen_as], &key.1);
+                    let to = match alike[walk].by_inputs(&sensed) {
+                        Some(to) => to,
+                        None => self.reach((state, last), walked, &sensed, &mut expanded, &mut transitions)?,
+                    };
+                    alike[walk].keep(key, sensed, &to);
+                    to
+                }
+            };
+            let (next, transition) = match to {
+                Ok(to) => to,
+                Err(reason) => {
+                    expanded.effects.push(Effect::NotEvaluated(reason));
+                    continue;
+                }
+            };
+            expanded.effects.push(Effect::To(next));
+            pending.push(Pending { state: index, walk, transition, action });
         }
         Ok((expanded, transitions))
+    }
+
+    /// Has the FMU answer to what was sensed along a walk: a new successor and a new transition.
+    fn reach(
+        &mut self,
+        (state, last): (&State, bool),
+        walked: &WalkTrace,
+        sensed: &Sensed,
+        expanded: &mut Expanded<State, Finding>,
+        transitions: &mut Vec<Transition>,
+    ) -> Result<Reached, PlantError> {
+        let per_action = self.world.cell.steps_per_action;
+        let node = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
+            Advanced::Fault(fault) => {
+                self.coverage.episodes_not_evaluated += 1;
+                return Ok(Err(fault.message.clone()));
+            }
+            Advanced::To(node) => node,
+        };
+        let place = walked.end();
+        // Where the sequences end, nothing depends on which state it is.
+        let representative = if last { node } else { self.representative(node, &place, &sensed.delays)? };
+        let (delays, switched) = (sensed.delays.clone().into_boxed_slice(), sensed.switched);
+        expanded.next.push(State { place, node: representative, delays, switched });
+        let frames = self.robots.frames(node);
+        self.look(walked, sensed, &frames);
+        transitions.push(Transition { node, frames, sensed: sensed.clone() });
+        Ok(Ok((expanded.next.len() - 1, transitions.len() - 1)))
     }
 
     fn look(&mut self, walked: &WalkTrace, sensed: &Sensed, frames: &Frames) {
@@ -277,7 +313,7 @@ impl<P: Plant> Expansion for Expander<P> {
     type Error = PlantError;
 
     fn actions(&self) -> usize {
-        Action::COUNT
+        Action::count(self.world.cell.controls.len())
     }
 
     fn horizon(&self) -> usize {
@@ -285,14 +321,14 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn effort(&self, action: usize) -> u32 {
-        Action::ALL[action].effort()
+        Action::counted(action).effort()
     }
 
     fn start(&mut self) -> Result<State, PlantError> {
         let delays = self.world.delays_at_start().into_boxed_slice();
         let place = self.world.start();
         let node = self.representative(NodeId::ROOT, &place, &delays)?;
-        Ok(State { place, node, delays })
+        Ok(State { place, node, delays, switched: Presses::NONE })
     }
 
     fn may_matter(&self, state: &State, remaining: usize) -> bool {

@@ -18,14 +18,14 @@ use super::Coverage;
 use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, HadTold, Hit, Sensed, Window, World};
+use super::world::{Earlier, Frames, HadTold, Hit, Sensed, Window, Worked, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
 use crate::hazard::Class;
 use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture};
+use crate::human::{Action, Place, Posture, Presses};
 use crate::search::Niche;
 
 /// Observed episodes with different states of the FMU that are compared with; later ones are not.
@@ -80,6 +80,9 @@ struct Situation {
     certain: bool,
 }
 
+/// What the sensing in an action follows from: where it begins, what is on its way, switches, walk and posture, what is worked.
+type Before = (Place, Vec<DelayLine>, Presses, usize, Worked);
+
 /// Memory of what was seen in this run, and of what follows from the cell.
 #[derive(Debug)]
 pub(super) struct Imagination {
@@ -94,7 +97,7 @@ pub(super) struct Imagination {
     outputs_of: BTreeMap<NodeId, usize>,
     numbers: BTreeMap<Vec<usize>, usize>,
     walks: BTreeMap<(Place, usize), Arc<WalkTrace>>,
-    sensed: BTreeMap<(Place, Vec<DelayLine>, usize), Arc<Sensed>>,
+    sensed: BTreeMap<Before, Arc<Sensed>>,
     met: BTreeMap<(usize, Place, usize, Vec<DelayLine>), Option<Niche>>,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
@@ -185,13 +188,21 @@ impl Imagination {
         remember(&mut self.walks, key, Arc::new(world.walk(from, action)))
     }
 
-    fn sense(&mut self, world: &World, walked: &WalkTrace, delays: &[DelayLine], action: Action) -> Arc<Sensed> {
+    fn sense(
+        &mut self,
+        world: &World,
+        walked: &WalkTrace,
+        (delays, switched): (&[DelayLine], Presses),
+        action: Action,
+    ) -> Arc<Sensed> {
+        let worked = world.worked(walked, action);
         let posture = if world.posture_is_unseen() { Posture::Upright } else { action.posture() };
-        let key = (walked.start, delays.to_vec(), Action::new(action.walk(), posture).index());
+        let key = (walked.start, delays.to_vec(), switched, Action::new(action.walk(), posture).index(), worked);
         if let Some(known) = self.sensed.get(&key) {
             return Arc::clone(known);
         }
-        remember(&mut self.sensed, key, Arc::new(world.sense(delays, &world.sights(walked, posture))))
+        let sights = world.sights(walked, posture);
+        remember(&mut self.sensed, key, Arc::new(world.sense(delays, switched, &sights, &worked)))
     }
 
     /// The state that the FMU reaches, if this run has seen it do so.

@@ -7,11 +7,11 @@
 
 use crate::cell::binding::SensorBinding;
 use crate::cell::file::format::PoseQuantity;
-use crate::cell::{Binding, Sensor, Zone};
+use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
-use crate::human::PlacedBody;
+use crate::human::{PlacedBody, Presses};
 
 /// What is remembered of a sensor's raw readings: those still on their way to the FMU, and how long ago the sensor first
 /// saw the person. Nothing else of the past matters, so equal lines have equal futures.
@@ -46,6 +46,17 @@ impl DelayLine {
             self.seen += 1;
         }
         (line >> delay_steps) & 1 == 1
+    }
+
+    /// The same where a hand that works a control is in the plane: it is told of like the body, but whose body is there, it does
+    /// not say.
+    pub const fn push_with_arm(&mut self, raw: bool, delay_steps: usize) -> bool {
+        let seen = Self { recent: 0, ..*self };
+        let told = self.push(true, delay_steps);
+        let mut body = seen;
+        body.push(raw, delay_steps);
+        self.seen = body.seen;
+        told
     }
 
     /// Takes in the next raw reading of a sensor that counts only from when it last began to see the person.
@@ -105,24 +116,24 @@ pub(super) fn breaks(body: &PlacedBody, plane: &Cuboid) -> bool {
     body.parts().iter().any(|(_, c)| segment_cuboid(c.a, c.b, plane).distance < c.radius)
 }
 
-/// One row of FMU inputs for the readings in effect: sensors, pose, constants.
+/// One row of FMU inputs: sensors by the readings in effect, pose, controls of which these are on, constants.
 pub fn input_row(
-    sensors: &[Sensor],
-    pose: &[PoseQuantity],
+    cell: &Workcell,
     binding: &Binding,
     readings: &[bool],
     seen: &Seen,
+    pressed: Presses,
     row: &mut Vec<f64>,
 ) {
     let start = row.len();
     // An input is active when any of its sensors is.
     row.resize(start + binding.sensor_inputs, 0.0);
-    for (sensor, bound) in sensors.iter().zip(&binding.sensors) {
+    for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
         let SensorBinding::Input(input) = bound else { continue };
         let any = binding.sensors.iter().zip(readings).any(|(other, &reading)| other == bound && reading);
         row[start + input] = f64::from(u8::from(any == sensor.active));
     }
-    row.extend(pose.iter().map(|quantity| match quantity {
+    row.extend(cell.pose.iter().map(|quantity| match quantity {
         PoseQuantity::X => seen.position.x,
         PoseQuantity::Y => seen.position.y,
         PoseQuantity::Heading => seen.heading_rad,
@@ -131,6 +142,7 @@ pub fn input_row(
         PoseQuantity::RightFootX => seen.feet[1].x,
         PoseQuantity::RightFootY => seen.feet[1].y,
     }));
+    row.extend(binding.controls.iter().enumerate().map(|(control, values)| values[usize::from(pressed.has(control))]));
     row.extend_from_slice(&binding.constants);
 }
 

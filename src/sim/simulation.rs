@@ -22,7 +22,7 @@ use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, PlacedBody, Posture};
+use crate::human::{Action, Place, PlacedBody, Posture, Presses};
 use crate::search::{End, Environment, Step};
 
 /// Settings of a simulation.
@@ -40,6 +40,7 @@ pub struct Snapshot {
     node: NodeId,
     place: Place,
     delays: Vec<DelayLine>,
+    switched: Presses,
     actions: Vec<Action>,
     /// Whether the FMU could finish every run in which a plane tells of an arm, on the way here.
     evaluated: bool,
@@ -98,7 +99,7 @@ pub struct ReachedThrough {
 #[derive(Clone, Debug)]
 struct Outcome {
     /// Where it leads; `None` if the FMU could not finish it.
-    to: Option<(NodeId, Place, Vec<DelayLine>)>,
+    to: Option<(NodeId, Place, Vec<DelayLine>, Presses)>,
     reward: f64,
     end: Option<End>,
     /// States of the FMU that had to be reached to work this out.
@@ -112,7 +113,8 @@ struct Outcome {
     coverage: Coverage,
 }
 
-/// Everything an [`Outcome`] depends on. The number of actions so far follows from the node.
+/// Everything an [`Outcome`] depends on. The number of actions so far follows from the node, and so do controls that are
+/// switched over.
 type Question = (NodeId, Place, Vec<DelayLine>, usize);
 
 /// What the contact check of an action tells.
@@ -155,6 +157,7 @@ impl<P: Plant> Simulation<P> {
             node: NodeId::ROOT,
             place,
             delays: world.delays_at_start(),
+            switched: Presses::NONE,
             actions: Vec::new(),
             evaluated: true,
         };
@@ -253,11 +256,12 @@ impl<P: Plant> Simulation<P> {
     /// When the FMU fails.
     pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<Watched, PlantError> {
         let world = Arc::clone(&self.world);
-        let Snapshot { mut node, mut place, mut delays, .. } = self.root.clone();
+        let Snapshot { mut node, mut place, mut delays, mut switched, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for action in actions {
             let walked = world.walk(place, *action);
-            let mut sensed = world.sense(&delays, &world.sights(&walked, action.posture()));
+            let worked = world.worked(&walked, *action);
+            let mut sensed = world.sense(&delays, switched, &world.sights(&walked, action.posture()), &worked);
             let begun = watched.instants.len() - 1;
             for ReachedThrough { sensor, steps } in through {
                 let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
@@ -278,7 +282,7 @@ impl<P: Plant> Simulation<P> {
             watched.outputs.extend_from_slice(self.robots.recall.outputs(node));
             watched.inputs.extend(sensed.inputs);
             place = walked.end();
-            delays = sensed.delays;
+            (delays, switched) = (sensed.delays, sensed.switched);
         }
         Ok(watched)
     }
@@ -334,10 +338,11 @@ impl<P: Plant> Simulation<P> {
             self.faults.push(Fault { actions: actions.clone(), message });
         }
         let evaluated = self.state.evaluated && outcome.evaluated;
-        if let Some((node, place, delays)) = &outcome.to {
-            self.state = Snapshot { node: *node, place: *place, delays: delays.clone(), actions, evaluated };
+        if let Some((node, place, delays, switched)) = &outcome.to {
+            let (node, place, switched) = (*node, *place, *switched);
+            self.state = Snapshot { node, place, delays: delays.clone(), switched, actions, evaluated };
             if outcome.end.is_some() {
-                self.imagination.observe(&self.world, &self.robots.recall, *node, &self.state.actions);
+                self.imagination.observe(&self.world, &self.robots.recall, node, &self.state.actions);
             }
         }
         let end = match outcome.end {
@@ -373,7 +378,7 @@ impl<P: Plant> Simulation<P> {
         coverage.actions = 1;
         let walked = self.world.walk(self.state.place, action);
         coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
-        let sensed = self.world.sense(&self.state.delays, &self.world.sights(&walked, action.posture()));
+        let sensed = self.sense(&walked, action);
         self.robots.take_reached();
         let node = match self.robots.advance(self.state.node, &sensed.inputs)? {
             Advanced::To(node) => node,
@@ -418,9 +423,16 @@ impl<P: Plant> Simulation<P> {
             let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
             (proximity.reward(), Some(End::Horizon))
         };
-        let to = Some((node, walked.places[last], sensed.delays));
+        let to = Some((node, walked.places[last], sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
         Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
+    }
+
+    /// What an action from the present state has the sensors and controls tell.
+    fn sense(&self, walked: &WalkTrace, action: Action) -> Sensed {
+        let worked = self.world.worked(walked, action);
+        let sights = self.world.sights(walked, action.posture());
+        self.world.sense(&self.state.delays, self.state.switched, &sights, &worked)
     }
 
     /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
@@ -435,11 +447,11 @@ impl<P: Plant> Simulation<P> {
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
         for posture in Posture::ALL.into_iter().filter(|p| *p != action.posture()) {
-            let sibling = Action::new(action.walk(), posture);
-            let found = if self.world.posture_is_unseen() {
+            let sibling = Action::new(action.walk(), posture).pressing(action.presses());
+            let found = if self.world.posture_is_unseen() && action.presses().is_none() {
                 self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
-                let own = self.world.sense(&self.state.delays, &self.world.sights(walked, posture));
+                let own = self.sense(walked, sibling);
                 let advanced = self.robots.advance(self.state.node, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };
                 self.first_unsafe(walked, sibling, &own, node, coverage)?
@@ -518,7 +530,7 @@ impl<P: Plant> Environment for Simulation<P> {
     type Error = PlantError;
 
     fn actions(&self) -> usize {
-        Action::COUNT
+        Action::count(self.world.cell.controls.len())
     }
 
     fn horizon(&self) -> usize {
@@ -532,7 +544,7 @@ impl<P: Plant> Environment for Simulation<P> {
     }
 
     fn step(&mut self, action: usize) -> Result<Step, PlantError> {
-        let step = self.act(Action::ALL[action])?;
+        let step = self.act(Action::counted(action))?;
         // What was looked for may not have been looked for to its end.
         if self.world.stop().is_due() {
             self.findings.clear();

@@ -5,6 +5,7 @@
 
 mod passing;
 mod through_plane;
+mod working;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -25,7 +26,7 @@ use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::walk::{WalkTrace, Walker};
-use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Side, posture, shoulder};
+use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, posture, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop as WorkStop;
 
@@ -34,6 +35,8 @@ const COMPARED_WITHIN_M: f64 = 1.0;
 
 pub use self::through_plane::Asked;
 use self::through_plane::Runs;
+use self::working::Hands;
+pub use self::working::Worked;
 
 /// What there is to see at the start of a step, whatever was seen before.
 #[derive(Clone, Debug)]
@@ -51,6 +54,8 @@ pub struct Sensed {
     pub inputs: Vec<f64>,
     /// The delay lines afterwards.
     pub delays: Vec<DelayLine>,
+    /// Controls that stay switched over afterwards.
+    pub switched: Presses,
     /// Readings in effect at the start of each step.
     pub readings: Vec<Vec<bool>>,
     /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
@@ -63,6 +68,7 @@ impl Sensed {
     pub fn same(&self, other: &Self) -> bool {
         let bits = |s: &Self| s.inputs.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         self.delays == other.delays
+            && self.switched == other.switched
             && self.readings == other.readings
             && self.broken == other.broken
             && bits(self) == bits(other)
@@ -191,6 +197,8 @@ pub struct World {
     body_reach_m: f64,
     /// How far bends get.
     bends: Memo<(Place, Posture), BendFraction>,
+    /// Hands that get to controls.
+    reached: Memo<(Place, Posture, usize), Hands>,
     /// The same with moving contacts as what is looked for, where they count.
     moving: Option<Box<World>>,
     /// What stops the robots, where separation counts.
@@ -250,6 +258,7 @@ impl World {
             neighbours,
             body_reach_m,
             bends: Memo::new(),
+            reached: Memo::new(),
             moving: None,
             stop_command,
         };
@@ -331,7 +340,7 @@ impl World {
         let seen = self.seen(&self.start(), Posture::Upright);
         let readings = self.readings_at_start();
         let mut row = Vec::new();
-        input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, &seen, &mut row);
+        input_row(&self.cell, &self.binding, &readings, &seen, Presses::NONE, &mut row);
         row
     }
 
@@ -382,20 +391,27 @@ impl World {
         std::iter::once(&walked.start).chain(&walked.places).take(steps).map(sight).collect()
     }
 
-    /// Sensor readings at the start of each step, and the FMU inputs that follow.
+    /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
     #[must_use]
-    pub fn sense(&self, delays: &[DelayLine], sights: &[Sight]) -> Sensed {
+    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
         let steps = sights.len();
         let mut sensed = Sensed {
             inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
             delays: delays.to_vec(),
+            switched: self.switched_after(switched, worked),
             readings: Vec::with_capacity(steps),
             broken: Vec::with_capacity(steps),
         };
-        for Sight { seen, raw } in sights {
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw);
-            let readings: Vec<bool> = sensors.map(|((sensor, line), raw)| told(sensor, line, *raw)).collect();
-            input_row(&self.cell.sensors, &self.cell.pose, &self.binding, &readings, seen, &mut sensed.inputs);
+        for (step, Sight { seen, raw }) in sights.iter().enumerate() {
+            let by_arm: Vec<usize> =
+                self.arm_in_planes(step, worked).map(|plane| self.curtains[plane].sensor).collect();
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw).enumerate();
+            let reading = |(number, ((sensor, line), raw)): (usize, ((&Sensor, &mut DelayLine), &bool))| {
+                told(sensor, line, *raw, by_arm.contains(&number))
+            };
+            let readings: Vec<bool> = sensors.map(reading).collect();
+            let on = self.on_in_step(step, switched, worked);
+            input_row(&self.cell, &self.binding, &readings, seen, on, &mut sensed.inputs);
             sensed.readings.push(readings);
             sensed.broken.push(self.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
         }
@@ -714,11 +730,12 @@ impl World {
     }
 }
 
-/// The reading of a sensor that takes effect when it next sees `raw`.
-const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool) -> bool {
+/// The reading of a sensor that takes effect when it next sees `raw` of the body, or an arm on its way to a control.
+const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool, by_arm: bool) -> bool {
     match sensor.zone {
         // Hands that are back on it were never away.
-        Zone::TwoHand { .. } => line.push_anew(raw, sensor.delay_steps),
+        Zone::TwoHand { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
+        _ if by_arm => line.push_with_arm(raw, sensor.delay_steps),
         _ => line.push(raw, sensor.delay_steps),
     }
 }

@@ -8,7 +8,7 @@ use crate::common::guarded::{every_sequence, guarded};
 use crate::common::write;
 use fmi_hazard::geometry::{Capsule, Solid, Vec3};
 use fmi_hazard::host::{Plant as _, Recall};
-use fmi_hazard::human::Start;
+use fmi_hazard::human::{Presses, Start};
 use fmi_hazard::report::anywhere::{Anywhere, Place};
 use fmi_hazard::report::model::Verdict;
 use fmi_hazard::scan::StateChoice;
@@ -131,7 +131,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
     for entered_at in [1, 3, 11, 26] {
         let mut inputs = Vec::new();
         for step in 0..steps * FINE {
-            input_row(&cell.sensors, &[], &fine.binding, &[step >= entered_at * FINE], &nobody, &mut inputs);
+            input_row(cell, &fine.binding, &[step >= entered_at * FINE], &nobody, Presses::NONE, &mut inputs);
         }
         let mut plant = fine.plant(StateChoice::Replay);
         plant.restart().unwrap();
@@ -273,7 +273,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
             let person = Seen { feet: cell.body.feet(position, heading), body: None, position, heading_rad: heading };
             let readings: Vec<bool> = cell.sensors.iter().map(|sensor| sees(sensor, &person)).collect();
             let late = places.len().checked_sub(3).is_some_and(|then: usize| places[then].0[1]);
-            input_row(&cell.sensors, &[], &prepared.binding, &[readings[0], late], &person, &mut inputs);
+            input_row(cell, &prepared.binding, &[readings[0], late], &person, Presses::NONE, &mut inputs);
             if uniform(0.0, 1.0) < 0.2 {
                 heading = uniform(0.0, 6.3);
             }

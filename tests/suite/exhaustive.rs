@@ -10,7 +10,7 @@ use std::path::Path;
 use crate::common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
-use fmi_hazard::human::{Action, Place, Posture};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Walk};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
 use fmi_hazard::search::statistics::wilson;
@@ -92,18 +92,19 @@ impl<'a> Enumeration<'a> {
         let (start, delays) = (world.start(), world.delays_at_start());
         let mut all =
             Self { world, recall, actions, horizon, found: Unsafe::new(), harmless: 0, answers: BTreeMap::new() };
-        all.below(0, NodeId::ROOT, start, &delays);
+        all.below(0, NodeId::ROOT, start, (&delays, Presses::NONE));
         all
     }
 
-    fn below(&mut self, depth: u32, node: NodeId, place: Place, delays: &[DelayLine]) {
+    fn below(&mut self, depth: u32, node: NodeId, place: Place, (delays, switched): (&[DelayLine], Presses)) {
         if depth == self.horizon {
             self.harmless += 1;
             return;
         }
         for &action in self.actions {
             let walked = self.world.walk(place, action);
-            let sensed = self.world.sense(delays, &self.world.sights(&walked, action.posture()));
+            let (sights, worked) = (self.world.sights(&walked, action.posture()), self.world.worked(&walked, action));
+            let sensed = self.world.sense(delays, switched, &sights, &worked);
             let steps = self.world.cell.steps_per_action;
             let Advanced::To(to) = self.recall.advance(node, steps, &sensed.inputs).unwrap() else { panic!("a fault") };
             let rows = self.recall.outputs(to).chunks(self.world.binding.outputs.len());
@@ -124,28 +125,28 @@ impl<'a> Enumeration<'a> {
                     let rest = u128::try_from(self.actions.len()).unwrap().pow(self.horizon - depth - 1);
                     *self.found.entry(key(&finding)).or_default() += rest;
                 }
-                None => self.below(depth + 1, to, walked.end(), &sensed.delays),
+                None => self.below(depth + 1, to, walked.end(), (&sensed.delays, sensed.switched)),
             }
         }
     }
 }
 
-/// A person who walks upright only.
-struct Upright(Expander<Hosted>);
+/// A person who takes some of the actions only.
+struct Few(Expander<Hosted>, Vec<Action>);
 
-impl Expansion for Upright {
+impl Expansion for Few {
     type State = State;
     type Unsafe = Finding;
     type Error = PlantError;
 
     fn actions(&self) -> usize {
-        6
+        self.1.len()
     }
     fn horizon(&self) -> usize {
         self.0.horizon()
     }
     fn effort(&self, action: usize) -> u32 {
-        self.0.effort(action * 6)
+        self.1[action].effort()
     }
     fn start(&mut self) -> Result<State, PlantError> {
         self.0.start()
@@ -161,7 +162,7 @@ impl Expansion for Upright {
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
         for one in &mut all {
-            one.effects = one.effects.iter().step_by(6).cloned().collect();
+            one.effects = self.1.iter().map(|action| one.effects[action.index()].clone()).collect();
         }
         Ok(Some(all))
     }
@@ -205,7 +206,7 @@ fn five_of_six_walks_as_in_plain_enumeration() {
     for (name, start, parameters) in &NEAR[1..] {
         let search = format!("actions = 5\nreach_tolerance_m = 0.05\n{parameters}");
         let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
-        let mut upright = Upright(expander(&prepared, Merge::Auto));
+        let mut upright = Few(expander(&prepared, Merge::Auto), walks.clone());
         let (account, found) = exhausted(&mut upright, BUDGET);
         let plain = Enumeration::of(&prepared, &walks, 5);
         assert!(!plain.found.is_empty(), "{name}: nothing to compare");
@@ -215,6 +216,36 @@ fn five_of_six_walks_as_in_plain_enumeration() {
         if *name == "two-scanners" {
             assert!(upright.0.recall().merges().tried_out > 0, "states told by their bytes are merged");
         }
+    }
+}
+
+/// A button that the person reaches, one that anyone presses at any time, and a switch that stays as it was put.
+#[test]
+fn presses_as_in_plain_enumeration() {
+    let dir = examples();
+    let moves = [(Walk::Stop, Posture::Upright), (Walk::Forward, Posture::Upright), (Walk::Right45, Posture::Forward)];
+    let moves = moves.map(|(walk, posture)| Action::new(walk, posture));
+    let few: Vec<Action> =
+        Presses::all(1).flat_map(|presses| moves.iter().map(move |action| action.pressing(presses))).collect();
+    for (name, kind) in [("reset-inside", "momentary\"\nfor_ms = 60"), ("reset-outside", "toggled\"")] {
+        let file = dir.path().join(name).join("cell.toml");
+        let text = std::fs::read_to_string(&file).unwrap();
+        let control = "variable = \"plc.reset\"\n";
+        assert!(text.contains(control));
+        std::fs::write(&file, text.replace(control, &format!("{control}kind = \"{kind}\n"))).unwrap();
+        let start = "{ xy_m = [-0.6, -1.15], heading_deg = 90 }";
+        let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, "actions = 6\nreach_tolerance_m = 0.05");
+        let mut expansion = Few(expander(&prepared, Merge::Auto), few.clone());
+        let (account, found) = exhausted(&mut expansion, BUDGET);
+        let plain = Enumeration::of(&prepared, &few, 6);
+        assert!(
+            plain.found.len() > 5 && plain.found.keys().any(|key| key.contains("Force")),
+            "{name}: little to compare"
+        );
+        assert_eq!(found, plain.found, "{name}");
+        let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
+        assert_eq!(harmless, plain.harmless, "{name}");
+        assert!(account.states() > 100, "{name}: {} states", account.states());
     }
 }
 

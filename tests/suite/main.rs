@@ -20,6 +20,7 @@ mod campaign_engines;
 mod campaigns;
 mod causes;
 mod clamping;
+mod controls;
 mod criteria;
 mod criteria_cells;
 mod distance;

@@ -57,8 +57,8 @@ export function makeStrips(seek) {
         strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports the person` })), events),
       );
       parts = runs(next.actions).map(({ name, from, to }) => {
-        const [walk, posture = ""] = action(name).split(", ");
-        const block = h("div", { class: "action", style: place(from, to), title: action(name) }, h("span", {}, walk), h("span", {}, posture));
+        const [walk, ...rest] = action(name).split(", ");
+        const block = h("div", { class: "action", style: place(from, to), title: action(name) }, h("span", {}, walk), h("span", {}, rest.join(", ")));
         return { from, to, block };
       });
       element.replaceChildren(...sensors, strip("the person", "actions", parts.map(({ block }) => block), events));

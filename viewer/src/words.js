@@ -77,10 +77,28 @@ export function share(value, to = Math.round) {
   return `${shown.toFixed(digits).replace(/(\.\d*?[1-9])0+$/, "$1")} %`;
 }
 
-/** An action in words: "walks straight ahead, bent forward". */
+const WORKS = { momentary: "presses", held: "holds", toggled: "switches" };
+
+/** The controls of the cell, in the order in which actions number them. */
+let controls = [];
+
+/** Actions are told with the names of these controls from now on. */
+export function nameControls(all) {
+  controls = all;
+}
+
+/** What is worked in an action: "presses reset", "a colleague presses reset". */
+function press(text) {
+  const control = controls[Number(text) - 1];
+  const who = control?.by === "anyone" ? "a colleague " : "";
+  return control ? `${who}${WORKS[control.kind]} ${control.name}` : `works control ${text}`;
+}
+
+/** An action in words: "walks straight ahead, bent forward, presses reset". */
 export function action(name) {
-  const [walk, posture] = name.split("/");
-  return posture === undefined ? name : `${WALKS[walk] ?? walk}, ${POSTURES[posture] ?? posture}`;
+  const [moves, ...presses] = name.split("+press");
+  const [walk, posture] = moves.split("/");
+  return posture === undefined ? name : [WALKS[walk] ?? walk, POSTURES[posture] ?? posture, ...presses.map(press)].join(", ");
 }
 
 /** Actions in words, equal ones in a row as one: "3 x walks straight ahead, upright, 0.6 s"; `each` is how long one takes. */

@@ -15,6 +15,8 @@ pub mod heavy_workpiece;
 pub mod hostile;
 pub mod liar;
 pub mod light_curtain;
+pub mod reset_inside;
+pub mod reset_outside;
 pub mod robots;
 pub mod safety_fence;
 pub mod sensor_mat;
@@ -30,8 +32,8 @@ use variables::{Interface, Variant};
 use workcell::Spec;
 
 /// The workcells: the six of the paper, in the order of its table, and one for each criterion that the paper does not have (two
-/// for clamping).
-pub const WORKCELLS: [&Spec; 10] = [
+/// for clamping), and two whose flaw is a reset button.
+pub const WORKCELLS: [&Spec; 12] = [
     &safety_fence::SPEC,
     &sensor_mat::SPEC,
     &head_collision::SPEC,
@@ -42,6 +44,8 @@ pub const WORKCELLS: [&Spec; 10] = [
     &wall_behind::SPEC,
     &sharp_workpiece::SPEC,
     &short_zone::SPEC,
+    &reset_inside::SPEC,
+    &reset_outside::SPEC,
 ];
 
 /// Builds the interfaces of all models in the library and their variants, in a fixed order. FMI 3.0 has `types3` as

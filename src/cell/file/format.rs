@@ -27,7 +27,9 @@ pub use robot::{
     CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, PayloadPlaceTable, RobotTable, UpAxis,
     VariableTable,
 };
-pub use surroundings::{ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ZoneTable};
+pub use surroundings::{
+    ControlKind, ControlTable, ControlledBy, ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ZoneTable,
+};
 
 /// The whole file.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -72,6 +74,9 @@ pub struct CellFile {
     /// Sensors evaluated on the human's body and written to FMU inputs.
     #[serde(default, rename = "sensor")]
     pub sensors: Vec<SensorTable>,
+    /// What people work: buttons, switches, acknowledgements.
+    #[serde(default, rename = "control")]
+    pub controls: Vec<ControlTable>,
     /// FMU parameters set before initialisation, by variable name.
     #[serde(default)]
     #[schemars(with = "BTreeMap<String, Literal>")]

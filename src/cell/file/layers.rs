@@ -30,7 +30,7 @@ impl From<toml::de::Error> for Slip {
 }
 
 /// Lists whose entries are laid over each other by name.
-const NAMED: [&str; 6] = ["unit", "robot", "obstacle", "sensor", "robot.joint", "robot.frame"];
+const NAMED: [&str; 7] = ["unit", "robot", "obstacle", "sensor", "control", "robot.joint", "robot.frame"];
 
 /// The list in which several entries may share a name: all of a name take the place of all of that name.
 const SHARED: &str = "robot.link";

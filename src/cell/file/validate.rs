@@ -64,6 +64,7 @@ impl Checker<'_> {
         self.link_contacts(&file, &mut links);
         let chosen = self.criteria(&file);
         let (sensors, placings) = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
+        let controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
         let (obstacles, obstacle_tables) = self.obstacles(&file);
         let body = self.problems.keep(self.body(&file));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
@@ -92,6 +93,7 @@ impl Checker<'_> {
             obstacle_tables,
             sensors,
             placings,
+            controls,
             pose: file.pose.keys().copied().collect(),
             start: beginnings.first()?.start,
             beginnings,

@@ -6,6 +6,7 @@
 
 use crate::cell::{Binding, Workcell};
 use crate::host::{Plant, PlantError};
+use crate::human::Presses;
 use crate::search::Rng;
 use crate::sim::anywhere::told::{Stance, seen};
 use crate::sim::robot::moves_alike;
@@ -120,7 +121,7 @@ impl<P: Plant> Trial<'_, P> {
         for (kind, person) in readings.iter().zip(people) {
             let own = cell.sensors.iter().zip(&mut lines).zip(&self.kinds[*kind].readings);
             let told: Vec<bool> = own.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
-            input_row(&cell.sensors, &cell.pose, binding, &told, &seen(cell, *person), &mut inputs);
+            input_row(cell, binding, &told, &seen(cell, *person), Presses::NONE, &mut inputs);
         }
         self.plant.restart()?;
         self.taken += readings.len() as u64;

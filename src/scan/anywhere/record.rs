@@ -136,6 +136,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         reach_tolerance_m: search.reach_tolerance_m,
         speed_criterion: search.criterion,
         criteria: None,
+        controls: Vec::new(),
         until_s: Some(found.until_s),
     }
 }

@@ -10,6 +10,7 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Workcell, Zone};
 use crate::geometry::Vec3;
 use crate::host::{Plant, PlantError};
+use crate::human::Presses;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 use crate::sim::World;
@@ -95,7 +96,7 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Re
     let row = |position: &Vec3| {
         let seen = Seen { feet: cell.body.feet(*position, heading_rad), body: None, position: *position, heading_rad };
         let mut row = Vec::new();
-        input_row(&cell.sensors, &cell.pose, binding, &vec![false; cell.sensors.len()], &seen, &mut row);
+        input_row(cell, binding, &vec![false; cell.sensors.len()], &seen, Presses::NONE, &mut row);
         row
     };
     let inputs: Vec<Vec<f64>> = places.iter().map(row).collect();

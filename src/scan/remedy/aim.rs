@@ -86,6 +86,7 @@ pub(super) fn member_of(cell: &Workcell, finding: &Finding) -> Member {
             reporting: reports.map(|(sensor, _)| sensor.name.clone()).collect(),
             long: false,
             criterion: finding.class.beside_force(),
+            worked: Vec::new(),
         },
         person_m: [person.x, person.y],
         contact_m: [contact.x, contact.y],
@@ -99,7 +100,7 @@ mod tests {
     fn at(part: Part, reporting: &[&str], x: f64) -> Member {
         let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
         Member {
-            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None },
+            kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None, worked: Vec::new() },
             person_m: [x, 0.0],
             contact_m: [x, 1.0],
         }

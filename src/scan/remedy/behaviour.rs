@@ -78,9 +78,9 @@ const POINTS_M: f64 = 0.02;
 const ELSEWHERE_M: f64 = 1e-3;
 
 /// Walks that show how a cell answers: those of the known sequences, and random ones.
-pub(super) fn probes(known: &[Vec<Action>], actions: usize, seed: u64) -> Vec<Vec<Action>> {
+pub(super) fn probes(known: &[Vec<Action>], actions: usize, controls: usize, seed: u64) -> Vec<Vec<Action>> {
     let mut rng = Rng::new(seed);
-    let mut random = || (0..actions).map(|_| Action::ALL[rng.below(Action::COUNT)]).collect();
+    let mut random = || (0..actions).map(|_| Action::counted(rng.below(Action::count(controls)))).collect();
     let mut all: Vec<Vec<Action>> = known.to_vec();
     all.extend((0..RANDOM_WALKS).map(|_| random()));
     all

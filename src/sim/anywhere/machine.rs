@@ -12,6 +12,7 @@ use super::zones::{Way, Zones};
 use super::{History, Seen};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
+use crate::human::Presses;
 use crate::search::tracks::{Lasting, Taken, Watch};
 use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
@@ -260,7 +261,7 @@ impl<P: Plant> Watch for Machine<'_, P> {
         lines.iter_mut().for_each(|line| *line = line.on_its_way());
         let person = &self.people[self.zones.ways[way].to];
         let mut inputs = Vec::new();
-        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &told, person, &mut inputs);
+        input_row(self.cell, self.binding, &told, person, Presses::NONE, &mut inputs);
         match self.recall.advance(*node, 1, &inputs)? {
             Advanced::To(next) => {
                 self.last = (*node, next);

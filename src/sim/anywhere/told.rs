@@ -14,7 +14,7 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Workcell};
 use crate::geometry::Vec3;
 use crate::host::{Plant, PlantError};
-use crate::human::Floor;
+use crate::human::{Floor, Presses};
 use crate::sim::sensors::{Seen, input_row};
 
 /// Arcs of headings.
@@ -87,7 +87,7 @@ impl<'a, P: Plant> Asking<'a, P> {
         let mut inputs = Vec::new();
         let nobody = vec![false; self.cell.sensors.len()];
         let seen = seen(self.cell, at);
-        input_row(&self.cell.sensors, &self.cell.pose, self.binding, &nobody, &seen, &mut inputs);
+        input_row(self.cell, self.binding, &nobody, &seen, Presses::NONE, &mut inputs);
         let rows = self.plant.advance(self.steps, &inputs.repeat(self.steps))?;
         let told = |row: &[f64]| -> Vec<bool> {
             let sensors = self.cell.sensors.iter().zip(&self.binding.sensors);

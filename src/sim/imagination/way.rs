@@ -9,7 +9,7 @@ use super::super::world::{Sensed, World};
 use super::{Difference, Imagination};
 use crate::geometry::Vec3;
 use crate::host::{NodeId, Plant};
-use crate::human::{Action, Place, Posture};
+use crate::human::{Action, Place, Posture, Presses};
 use crate::search::plan::{Imagine, Imagined, Vision};
 
 /// The FMU's state after an action, and whether that is certain; nothing if it cannot be told.
@@ -19,6 +19,8 @@ type Foreseen = Option<(NodeId, bool)>;
 pub(super) struct Imaginary {
     pub(super) place: Place,
     pub(super) delays: Vec<DelayLine>,
+    /// Controls that are switched over.
+    pub(super) switched: Presses,
     /// The FMU's state, as long as it is known.
     at: Option<NodeId>,
     taken: Vec<usize>,
@@ -76,6 +78,7 @@ impl<P: Plant> Imagine for Simulation<P> {
         let mut person = Imaginary {
             place: world.start(),
             delays: world.delays_at_start(),
+            switched: Presses::NONE,
             at: Some(NodeId::ROOT),
             taken: Vec::with_capacity(actions.len()),
             way: Vec::with_capacity(actions.len()),
@@ -83,20 +86,21 @@ impl<P: Plant> Imagine for Simulation<P> {
             compared: 0,
         };
         for &action in actions {
-            let action = Action::ALL[action];
+            let action = Action::counted(action);
             let walked = imagination.walk(world, person.place, action);
             let end = world.position(&walked.end());
             // The wanted posture first, then the others: the first that is safe goes on. Where a light curtain sees the
             // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
             let others = Posture::ALL.into_iter().filter(|p| *p != action.posture() && world.posture_is_unseen());
+            let unseen = world.posture_is_unseen() && action.presses().is_none();
             let mut goes_on = None;
             let mut foreseen: Option<(Arc<Sensed>, Foreseen)> = None;
             for posture in std::iter::once(action.posture()).chain(others) {
-                let tried = Action::new(action.walk(), posture);
+                let tried = Action::new(action.walk(), posture).pressing(action.presses());
                 let (sensed, robot) = match foreseen.take() {
-                    Some(same) if world.posture_is_unseen() => same,
+                    Some(same) if unseen => same,
                     _ => {
-                        let sensed = imagination.sense(world, &walked, &person.delays, tried);
+                        let sensed = imagination.sense(world, &walked, (&person.delays, person.switched), tried);
                         let robot = person.foresee(imagination, world, robots, &sensed, end);
                         (sensed, robot)
                     }
@@ -119,6 +123,7 @@ impl<P: Plant> Imagine for Simulation<P> {
             };
             person.place = walked.end();
             person.delays.clone_from(&sensed.delays);
+            person.switched = sensed.switched;
             person.at = at;
             person.taken.push(tried.index());
             person.way.push((sensed, end));

@@ -7,7 +7,7 @@ use super::guarded::guarded;
 use super::write;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::host::Plant as _;
-use fmi_hazard::human::Field;
+use fmi_hazard::human::{Field, Presses};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::Rng;
@@ -45,7 +45,7 @@ impl Instant {
         let nobody = seen(&prepared, [9.0, 9.0], 0.0);
         let mut inputs = Vec::new();
         for _ in 0..steps {
-            input_row(&cell.sensors, &cell.pose, binding, &vec![false; cell.sensors.len()], &nobody, &mut inputs);
+            input_row(cell, binding, &vec![false; cell.sensors.len()], &nobody, Presses::NONE, &mut inputs);
         }
         let mut plant = prepared.plant(StateChoice::Replay);
         plant.restart().unwrap();

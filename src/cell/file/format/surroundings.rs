@@ -1,11 +1,11 @@
 //! What is around the robots in the cell file: obstacles and sensors.
 
 use schemars::{JsonSchema, Schema};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::json;
 use toml::Spanned;
 
-use super::{PoseTable, UpAxis};
+use super::{Literal, PoseTable, UpAxis};
 
 /// What stands still: a box, or the parts of a mesh file, taken as boxes that lie inside them.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -124,6 +124,73 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
     pub supplement_mm: Option<Spanned<f64>>,
+}
+
+/// Who can work a control.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ControlledBy {
+    /// The person in the cell, when a hand gets there from where the person stands as the action begins.
+    #[default]
+    Person,
+    /// Anyone, at any time: a colleague outside who does not see the person.
+    Anyone,
+}
+
+/// How a control is worked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ControlKind {
+    /// A push button: pressed for a time, then released.
+    #[default]
+    Momentary,
+    /// Held for as long as somebody's hand is on it: whole actions.
+    Held,
+    /// A switch, a key, a bolt: it stays as it was put until it is worked again.
+    Toggled,
+}
+
+/// Something that people work: a button, a switch, an acknowledgement. The search works it in any action, if whoever may does
+/// reach it.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControlTable {
+    /// Name used in results.
+    pub name: String,
+    /// FMU input that it drives.
+    #[schemars(with = "String")]
+    pub variable: Spanned<String>,
+    /// Who works it.
+    #[serde(default)]
+    pub by: ControlledBy,
+    /// How it is worked.
+    #[serde(default)]
+    pub kind: ControlKind,
+    /// Where it is, m; needed for one that the person works.
+    #[serde(default)]
+    #[schemars(with = "Option<[f64; 3]>")]
+    pub at_m: Option<Spanned<[f64; 3]>>,
+    /// Where it ends, m, if it is a bar or a rope; `at_m` is where it begins.
+    #[serde(default)]
+    #[schemars(with = "Option<[f64; 3]>")]
+    pub to_m: Option<Spanned<[f64; 3]>>,
+    /// A hand that comes this near works it, m; 0.03 unless told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub within_m: Option<Spanned<f64>>,
+    /// Momentary: how long it is pressed, ms, rounded up to whole steps; one action of 200 ms unless told otherwise. Pressed for
+    /// the whole of two actions in a row it is not released between them.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub for_ms: Option<Spanned<f64>>,
+    /// Value while nobody works it, and at the start; `false` or 0 unless told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<Literal>")]
+    pub released: Option<Spanned<Literal>>,
+    /// Value while it is pressed, held, or switched over; `true` or 1 unless told otherwise.
+    #[serde(default)]
+    #[schemars(with = "Option<Literal>")]
+    pub pressed: Option<Spanned<Literal>>,
 }
 
 /// Where a sensor sees.

@@ -1,0 +1,170 @@
+//! Controls: buttons that the person reaches or that anyone presses. The examples whose flaw is a reset, what their results tell,
+//! where a hand gets to, and what a wrong cell file is told.
+
+use std::path::Path;
+
+use fmi_hazard::cell::binding::SensorBinding;
+use fmi_hazard::geometry::segment_cuboid::segment_hits_cuboid;
+use fmi_hazard::geometry::{Cuboid, Vec3};
+use fmi_hazard::human::arm::{ABDUCTION, ArmModel, ELBOW, flexion_range, rotation_range};
+use fmi_hazard::human::{Action, Posture, Presses, Side, Walk, shoulder};
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::search::Rng;
+use fmi_hazard::sim::World;
+use fmi_hazard::sim::world::Stance;
+use serde_json::Value;
+
+use crate::common::{examples, fmi_hazard, scan_json};
+
+/// What a command prints, and how it ends.
+fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let output = fmi_hazard(dir).args(arguments).output().unwrap();
+    let text = [output.stdout, output.stderr].concat();
+    let text = String::from_utf8_lossy(&text).replace(['│', '\n'], " ");
+    assert!(!text.contains("panicked"), "{text}");
+    (output.status.code(), text.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// A variant of an example file.
+fn variant(dir: &Path, example: &str, base: &str, more: &str) -> String {
+    let file = format!("{example}/variant.toml");
+    std::fs::write(dir.join(&file), format!("extends = \"{base}\"\nname = \"variant\"\n{more}\n")).unwrap();
+    file
+}
+
+/// The person begins on the mat, so that six actions are enough.
+const ON_THE_MAT: &str = "[human]\nstart = { xy_m = [-0.55, -1.2], heading_deg = 90 }\n[search]\nactions = 6\n";
+
+#[test]
+fn a_reset_with_somebody_inside_is_found_told_and_mended() {
+    let dir = examples();
+    let dir = dir.path();
+    for (example, who) in [("reset-inside", "The person presses reset"), ("reset-outside", "A colleague presses reset")]
+    {
+        let cell = variant(dir, example, "cell.toml", ON_THE_MAT);
+        let (code, told) = ran(dir, &["scan", "--no-advice", &cell, "--strategy", "exhaustive", "--out", "flawed"]);
+        assert_eq!(code, Some(1), "{told}");
+        let scan = scan_json(&dir.join("flawed"));
+        let certificate = &scan["certificate"];
+        assert!(certificate["complete"] == true && certificate["actions"] == 72, "{certificate}");
+        assert_eq!(certificate["sequences"], 72_u64.pow(6).to_string());
+        for cause in scan["causes"].as_array().unwrap() {
+            let sentence = cause["sentence"].as_str().unwrap();
+            assert!(sentence.starts_with(who) && sentence.contains("No sensor reports the person"), "{sentence}");
+        }
+        assert!(told.contains(who), "{told}");
+        // Nobody is hit without the press: it is in every sequence, and told by name.
+        let hazards = scan["hazards"].as_array().unwrap();
+        assert!(hazards.len() > 10);
+        for hazard in hazards {
+            let worked = hazard["worked"].as_array().unwrap();
+            assert!(!worked.is_empty() && worked.iter().all(|working| working["name"] == "reset"), "{hazard}");
+            assert!(hazard["confirmed"] == true && hazard["shortest"]["confirmed"] == true, "{hazard}");
+            let actions = hazard["shortest"]["actions"].as_array().unwrap();
+            let presses = actions.iter().filter(|action| action.as_str().unwrap().ends_with("+press1"));
+            assert_eq!(presses.count(), 1, "the calmest way presses once: {actions:?}");
+        }
+        let id = hazards[0]["id"].as_str().unwrap();
+        let (code, told) = ran(dir, &["explain", "flawed", id, "--no-changes"]);
+        let does = who.replace("The person", "the person").replace("A colleague", "a colleague");
+        assert!(code == Some(1) || code == Some(0), "{told}");
+        assert!(told.contains(&does), "{told}");
+        // The repaired twin, and what became of the hazards.
+        let fixed = variant(dir, example, "fixed.toml", ON_THE_MAT);
+        let (code, told) = ran(dir, &["scan", "--no-advice", &fixed, "--strategy", "exhaustive", "--out", "fixed"]);
+        assert_eq!(code, Some(0), "{told}");
+        assert_eq!(scan_json(&dir.join("fixed"))["certificate"]["complete"], true);
+        let (code, told) = ran(dir, &["compare", "flawed", "fixed"]);
+        assert!(code == Some(0) && told.contains(&format!(" {} fixed.", hazards.len())), "{told}");
+        let (code, told) = ran(dir, &["verify", "flawed", &fixed]);
+        assert_eq!(code, Some(0), "{told}");
+        // Without the control nothing is found, and nothing is fixed by that.
+        let held = format!("{ON_THE_MAT}\n[remove]\ncontrol = [\"reset\"]\n[inputs]\n\"plc.reset\" = false");
+        let held = variant(dir, example, "cell.toml", &held);
+        let (code, _) = ran(dir, &["scan", "--no-advice", &held, "--strategy", "exhaustive", "--out", "held"]);
+        assert_eq!(code, Some(0));
+        let (_, told) = ran(dir, &["compare", "flawed", "held"]);
+        assert!(told.contains(&format!(" {} not found again.", hazards.len())), "{told}");
+        let (code, told) = ran(dir, &["verify", "flawed", &held]);
+        assert!(code == Some(4) && told.contains("lacks a control that is worked on the way"), "{told}");
+        // From anywhere controls are not worked yet: nothing is excluded.
+        let fixed = variant(dir, example, "fixed.toml", ON_THE_MAT);
+        let (_, told) =
+            ran(dir, &["scan", "--no-advice", &fixed, "--from", "anywhere", "--until", "1s", "--out", "any"]);
+        assert!(told.contains("controls are not worked"), "{told}");
+        assert_ne!(scan_json(&dir.join("any"))["certificate"]["complete"], Value::Bool(true));
+    }
+}
+
+/// Arms drawn at random, by their own forward kinematics: one that touches the button is one that the world knows of.
+#[test]
+fn a_hand_that_gets_there_is_not_missed() {
+    let dir = examples();
+    let prepared = prepare(&dir.path().join("reset-inside/cell.toml"), None).unwrap();
+    let world = World::new(prepared.cell.clone(), prepared.binding.clone());
+    assert!(matches!(prepared.binding.sensors[0], SensorBinding::Input(0)));
+    let obstacles: Vec<Cuboid> = prepared.cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+    let button = prepared.cell.controls[0].place.unwrap();
+    let (arm, mut rng) = (ArmModel::default(), Rng::new(5));
+    let mut uniform = |(low, high): (f64, f64)| low + (high - low) * rng.below(1 << 30) as f64 / f64::from(1 << 30);
+    let (mut reached, mut out_of_reach) = (0, 0);
+    let mut place = world.start();
+    for step in 0..40 {
+        let walks = [Walk::Forward, Walk::Left45, Walk::Stop, Walk::Right45, Walk::Forward];
+        let posture = Posture::ALL[step % 6];
+        let walked = world.walk(place, Action::new(walks[step % 5], posture));
+        let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
+        let known = !world.worked(&walked, action).presses.is_none();
+        let stance = Stance { place: walked.start, posture, walked: false, broken: Vec::new() };
+        let body = world.body_of(&stance);
+        let mut touched = false;
+        for side in Side::BOTH.into_iter().filter(|side| shoulder::is_available(&body, *side, &obstacles)) {
+            let frame = body.shoulder(side);
+            for _ in 0..4000 {
+                let abduction = uniform(ABDUCTION);
+                let flexion = uniform(flexion_range(abduction));
+                let config = [abduction, flexion, uniform(rotation_range(abduction, flexion)), uniform(ELBOW)];
+                let (elbow, wrist) = arm.forward(side, config);
+                let [elbow, wrist] = [elbow, wrist].map(|point| frame.translation + frame.rotation * point);
+                let free = |a: Vec3, b: Vec3| !obstacles.iter().any(|obstacle| segment_hits_cuboid(a, b, obstacle));
+                let near = (wrist - button.a).length() <= button.radius + arm.hand_radius_m - 0.05;
+                touched |= near && free(frame.translation, elbow) && free(elbow, wrist);
+            }
+        }
+        assert!(known || !touched, "step {step}: a hand gets there and is not known");
+        let far = Side::BOTH.map(|side| (body.shoulder(side).translation - button.a).length());
+        if far.into_iter().fold(f64::INFINITY, f64::min) > arm.reach() + button.radius + 0.03 {
+            assert!(!known, "step {step}: nobody reaches so far");
+            out_of_reach += 1;
+        }
+        reached += usize::from(touched);
+        place = walked.end();
+    }
+    assert!(reached > 3 && out_of_reach > 3, "{reached} reached, {out_of_reach} out of reach");
+}
+
+#[test]
+fn what_is_wrong_with_a_control_is_told() {
+    let dir = examples();
+    let control = |lines: &str| format!("[[control]]\nname = \"other\"\n{lines}\n");
+    for (lines, problem) in [
+        ("variable = \"plc.reset\"\nby = \"anyone\"", "`plc.reset` is driven by two things at once"),
+        ("variable = \"plc.rest\"\nby = \"anyone\"", "did you mean `plc.reset`"),
+        ("variable = \"plc.mat_clear\"", "control `other` does not say where it is"),
+        ("variable = \"plc.mat_clear\"\nby = \"anyone\"\nwithin_m = 0.1", "has within_m and no at_m"),
+        ("variable = \"plc.mat_clear\"\nat_m = [0, 0, 1]\nwithin_m = 7", "within_m of control `other` is 7"),
+        ("variable = \"plc.mat_clear\"\nby = \"anyone\"\nfor_ms = 500", "for_ms of control `other` is 500"),
+        (
+            "variable = \"plc.mat_clear\"\nby = \"anyone\"\nkind = \"held\"\nfor_ms = 50",
+            "has for_ms, which is for momentary ones",
+        ),
+    ] {
+        let file = variant(dir.path(), "reset-inside", "cell.toml", &control(lines));
+        let (code, told) = ran(dir.path(), &["check", &file]);
+        assert!(code == Some(2) && told.contains(problem), "{lines}: {told}");
+    }
+    let same = "[remove]\ncontrol = [\"reset\"]\n[[control]]\nname = \"r\"\nby = \"anyone\"\nvariable = \"plc.reset\"\npressed = false";
+    let file = variant(dir.path(), "reset-inside", "cell.toml", same);
+    let (code, told) = ran(dir.path(), &["check", &file]);
+    assert!(code == Some(2) && told.contains("has one value, pressed or not"), "{told}");
+}
