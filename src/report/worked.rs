@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::cell::Control;
 use crate::cell::file::format::{ControlKind, ControlledBy};
-use crate::human::Action;
+use crate::human::Presses;
 use crate::human::action::ACTION_S;
 
 /// A control of a cell.
@@ -53,14 +53,14 @@ impl ControlRecord {
 }
 
 impl Working {
-    /// What is worked in a sequence, in order.
+    /// What is worked in a sequence, in order, of which this is worked in each action.
     #[must_use]
-    pub fn all(actions: &[Action], controls: &[Control]) -> Vec<Self> {
+    pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control]) -> Vec<Self> {
         let mut all = Vec::new();
-        for (number, action) in actions.iter().enumerate() {
+        for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]
             let at_s = number as f64 * ACTION_S;
-            let worked = action.presses().numbers().filter_map(|control| controls.get(control));
+            let worked = presses.numbers().filter_map(|control| controls.get(control));
             all.extend(worked.map(|control| Self { control: control.into(), at_s }));
         }
         all
@@ -79,7 +79,11 @@ pub fn worked_words(worked: &[Working]) -> String {
             None => told.push((control, vec![time])),
         }
     }
-    let words = told.iter().map(|(control, times)| format!("{} at {}", control.words(), times.join(" and ")));
+    let times = |times: &[String]| match times {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        one => one.concat(),
+    };
+    let words = told.iter().map(|(control, at)| format!("{} at {}", control.words(), times(at)));
     words.collect::<Vec<_>>().join(", ")
 }
 
@@ -96,11 +100,10 @@ mod tests {
             control("mode", ControlledBy::Anyone, ControlKind::Toggled),
         ];
         let [reset, mode] = [0, 1].map(Presses::one);
-        let actions = [Action::REST, Action::REST.pressing(reset.and(mode)), Action::REST, Action::REST.pressing(mode)];
-        let worked = Working::all(&actions, &controls);
+        let worked = Working::all([Presses::NONE, reset.and(mode), Presses::NONE, mode, mode], &controls);
         assert_eq!(
             worked_words(&worked),
-            "the person presses reset at 0.20 s, a colleague switches mode at 0.20 s and 0.60 s"
+            "the person presses reset at 0.20 s, a colleague switches mode at 0.20 s, 0.60 s and 0.80 s"
         );
         assert_eq!(worked_words(&[]), "");
     }

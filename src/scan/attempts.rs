@@ -13,8 +13,10 @@ use crate::hazard::{Finding, Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, PlantError, Unlike};
+use crate::human::Action;
 use crate::report::model::Hazard;
 use crate::report::worked::Working;
+use crate::sim::World;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 use crate::sim::replay::replay_watched;
@@ -80,7 +82,7 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors);
-            hazard.worked = Working::all(&hazard.actions, &prepared.cell.controls);
+            hazard.worked = worked(prepared, &hazard.actions);
             hazard.name_obstacles(|number| prepared.cell.obstacles[number].0.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;
@@ -229,6 +231,21 @@ fn once(
             })
         }
     }
+}
+
+/// What is really worked in a sequence: not where a hand presses into the air.
+pub(super) fn worked(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
+    if actions.iter().all(|action| action.presses().is_none()) {
+        return Vec::new();
+    }
+    let world = World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+    let mut place = world.start();
+    let presses = actions.iter().map(|action| {
+        let walked = world.walk(place, *action);
+        place = walked.end();
+        world.worked(&walked, *action).presses
+    });
+    Working::all(presses, &prepared.cell.controls)
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit, and for how long each sensor had

@@ -2,6 +2,7 @@
 
 use num_bigint::BigUint;
 
+use super::attempts::worked as worked_in;
 use super::explain::outside;
 use super::film;
 use super::hosting::StateChoice;
@@ -27,7 +28,7 @@ pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     let reporting = hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.clone()).collect();
     let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).fold(0.0, f64::max);
     let mut worked: Vec<String> = Vec::new();
-    for Working { control, .. } in Working::all(&hazard.shortest.actions, &cell.controls) {
+    for Working { control, .. } in worked_in(prepared, &hazard.shortest.actions) {
         if !worked.contains(&control.name) {
             worked.push(control.name);
         }

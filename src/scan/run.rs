@@ -8,11 +8,15 @@ use super::footing::not_repeatable;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
-use crate::cell::Workcell;
+use crate::cell::file::format::ControlledBy;
+use crate::cell::{Control, Workcell};
+use crate::geometry::Cuboid;
+use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
+use crate::human::arm::ArmModel;
 use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
 use crate::report::model::{
     FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
@@ -182,15 +186,35 @@ fn used(cell: &Workcell) -> Vec<Table> {
 
 /// What no search can know, and so passes nobody.
 fn unknown(prepared: &Prepared) -> Vec<String> {
+    let mut unknown = Vec::new();
     let links = prepared.cell.links_of_unknown_pressure();
-    if links.is_empty() {
-        return Vec::new();
+    if !links.is_empty() {
+        let (says, it) = if links.len() == 1 { ("does not say", "it") } else { ("do not say", "them") };
+        unknown.push(format!(
+            "pressure: {} {says} how small the surface is that touches (contact in the cell file), so no pressure by {it} is excluded",
+            links.join(", ")
+        ));
     }
-    let (says, it) = if links.len() == 1 { ("does not say", "it") } else { ("do not say", "them") };
-    vec![format!(
-        "pressure: {} {says} how small the surface is that touches (contact in the cell file), so no pressure by {it} is excluded",
-        links.join(", ")
-    )]
+    let between = controls_between_planes(&prepared.cell);
+    if !between.is_empty() {
+        unknown.push(format!(
+            "a hand may get to {} through more than one light curtain, door or line of buttons: one of these ways was looked at",
+            between.join(", ")
+        ));
+    }
+    unknown
+}
+
+/// Names of the controls that a hand may get to through more than one plane that tells of it.
+fn controls_between_planes(cell: &Workcell) -> Vec<&str> {
+    let reach = ArmModel::default().reach();
+    let planes = || cell.sensors.iter().filter_map(|sensor| sensor.zone.plane());
+    let several = |control: &&Control| {
+        let Some(place) = control.place.filter(|_| control.by == ControlledBy::Person) else { return false };
+        let near = |(plane, _): &(&Cuboid, _)| segment_cuboid(place.a, place.b, plane).distance <= reach + place.radius;
+        planes().filter(near).count() > 1
+    };
+    cell.controls.iter().filter(several).map(|control| control.name.as_str()).collect()
 }
 
 /// What was tried out, and not shown, for a criterion.

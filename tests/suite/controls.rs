@@ -32,8 +32,8 @@ fn variant(dir: &Path, example: &str, base: &str, more: &str) -> String {
     file
 }
 
-/// The person begins on the mat, so that six actions are enough.
-const ON_THE_MAT: &str = "[human]\nstart = { xy_m = [-0.55, -1.2], heading_deg = 90 }\n[search]\nactions = 6\n";
+/// The person begins on the mat, so that five actions are enough.
+const ON_THE_MAT: &str = "[human]\nstart = { xy_m = [-0.55, -1.2], heading_deg = 90 }\n[search]\nactions = 5\n";
 
 #[test]
 fn a_reset_with_somebody_inside_is_found_told_and_mended() {
@@ -47,7 +47,7 @@ fn a_reset_with_somebody_inside_is_found_told_and_mended() {
         let scan = scan_json(&dir.join("flawed"));
         let certificate = &scan["certificate"];
         assert!(certificate["complete"] == true && certificate["actions"] == 72, "{certificate}");
-        assert_eq!(certificate["sequences"], 72_u64.pow(6).to_string());
+        assert_eq!(certificate["sequences"], 72_u64.pow(5).to_string());
         for cause in scan["causes"].as_array().unwrap() {
             let sentence = cause["sentence"].as_str().unwrap();
             assert!(sentence.starts_with(who) && sentence.contains("No sensor reports the person"), "{sentence}");
@@ -55,7 +55,7 @@ fn a_reset_with_somebody_inside_is_found_told_and_mended() {
         assert!(told.contains(who), "{told}");
         // Nobody is hit without the press: it is in every sequence, and told by name.
         let hazards = scan["hazards"].as_array().unwrap();
-        assert!(hazards.len() > 10);
+        assert!(hazards.len() > 1);
         for hazard in hazards {
             let worked = hazard["worked"].as_array().unwrap();
             assert!(!worked.is_empty() && worked.iter().all(|working| working["name"] == "reset"), "{hazard}");
@@ -167,4 +167,36 @@ fn what_is_wrong_with_a_control_is_told() {
     let file = variant(dir.path(), "reset-inside", "cell.toml", same);
     let (code, told) = ran(dir.path(), &["check", &file]);
     assert!(code == Some(2) && told.contains("has one value, pressed or not"), "{told}");
+}
+
+/// Through a light curtain a hand gets to a button, and the curtain tells of it: the stop is there for as long as it is pressed. A
+/// button between two planes is not called complete.
+#[test]
+fn a_press_through_a_curtain_is_seen_by_it() {
+    let dir = examples();
+    let dir = dir.path();
+    // Behind the entrance, seen from before it; the person stands so near that nothing but the arm is in the plane.
+    let behind = "[remove]\ninputs = [\"plc.reset\"]\n[[control]]\nname = \"reset\"\nvariable = \"plc.reset\"\nat_m = [0.3, 0.25, 1.2]\n\
+                  [human]\nstart = { xy_m = [0.3, -0.35], heading_deg = 90 }\n[search]\nactions = 2\n";
+    let prepared = prepare(&dir.join(variant(dir, "light-curtain", "cell.toml", behind)), None).unwrap();
+    let world = World::new(prepared.cell.clone(), prepared.binding.clone());
+    let press = Action::new(Walk::Stop, Posture::Upright).pressing(Presses::one(0));
+    let walked = world.walk(world.start(), press);
+    let worked = world.worked(&walked, press);
+    assert!(!worked.presses.is_none(), "a hand gets there");
+    let sights = world.sights(&walked, press.posture());
+    let sensed = world.sense(&world.delays_at_start(), Presses::NONE, &sights, &worked);
+    let without = world.sense(&world.delays_at_start(), Presses::NONE, &sights, &Default::default());
+    assert!(sensed.readings.iter().all(|readings| readings[0]), "the curtain tells of the arm");
+    assert!(without.readings.iter().all(|readings| !readings[0]), "and of nothing else");
+    // Whose body was in the plane, it does not say: arms are as far behind it as without the press.
+    assert_eq!(sensed.broken, without.broken);
+    let two = format!(
+        "{behind}\n[[sensor]]\nname = \"second\"\nkind = \"light_curtain\"\nactive = false\nvariable = \"plc.curtain_clear\"\n\
+         zone = {{ line_m = [[-0.5, 0.6], [0.5, 0.6]], heights_m = [0, 1.8] }}\n"
+    );
+    let file = variant(dir, "light-curtain", "fixed.toml", &two);
+    let (_, told) = ran(dir, &["scan", "--no-advice", &file, "--strategy", "exhaustive", "--out", "two"]);
+    assert!(told.contains("a hand may get to reset through more than one light curtain"), "{told}");
+    assert_ne!(scan_json(&dir.join("two"))["certificate"]["complete"], Value::Bool(true));
 }
