@@ -75,13 +75,33 @@ impl Explanation {
     /// For people: what came of changes.
     #[must_use]
     pub fn render_changes(&self) -> String {
-        let told = advice::render(&self.remedies);
+        let told = self.look_at_controls() + &advice::render(&self.remedies);
         if self.hazard.begins.is_none() || self.remedies.is_empty() {
             return told;
         }
         let only = "Changes were held against walks from where this hazard begins, and against what is known of the scan's other \
                     hazards: look at the changed cell from anywhere again.";
         told + &wrapped(only, "   ")
+    }
+
+    /// What to look at first where a control is worked on the way: no change of a safeguard or of a parameter stands for it.
+    fn look_at_controls(&self) -> String {
+        let mut names: Vec<&str> = Vec::new();
+        for working in &self.hazard.worked {
+            if !names.contains(&working.control.name.as_str()) {
+                names.push(&working.control.name);
+            }
+        }
+        if names.is_empty() {
+            return String::new();
+        }
+        let text = format!(
+            "This way leads over {}. Look there first: out of reach from inside, in view of all of the cell, or without effect while \
+             somebody is inside. Changes below were held against the times of this scan only: a robot that starts more slowly may \
+             merely come later.",
+            names.join(" and ")
+        );
+        format!("\n Controls\n{}", wrapped(&text, "   "))
     }
 
     /// For people: all but the changes.
