@@ -275,7 +275,7 @@ How a control is worked.
 """
 
 
-ControlledBy: TypeAlias = Literal['person', 'anyone']
+ControlledBy: TypeAlias = Literal['person', 'anyone', 'nobody']
 """
 Who can work a control.
 """
@@ -2097,6 +2097,10 @@ class Settings(TypedDict):
     """
     All postures checked per walk.
     """
+    presses: NotRequired[int | None]
+    """
+    Of such a scan: how often controls were worked at most, if the cell has any that are.
+    """
     reach_tolerance_m: float
     """
     Depth of contact that the arm check may miss, m.
@@ -2207,6 +2211,10 @@ class Anywhere(TypedDict):
     open_m: list[list[float]]
     """
     Where of the first ten thousand of those something is open, floor plan, m.
+    """
+    presses: NotRequired[int | None]
+    """
+    How often controls were worked at most, all together, if the cell has any that are.
     """
     reasons: list[str]
     """

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 use self::parameter::{Parameter, Quantity, Setting, parameters};
 use self::room::Room;
 use super::{Zone, binding::BoundUnit};
-use crate::cell::file::format::ParameterLimits;
+use crate::cell::file::format::{ControlledBy, ParameterLimits};
 use crate::cell::workcell::Workcell;
 use crate::fmi;
 use crate::geometry::Vec3;
@@ -38,6 +38,8 @@ enum Turn {
     Lower { obstacle: usize },
     /// A robot away from the person.
     FartherRobot { robot: usize, direction: [f64; 2] },
+    /// A control to where it is not worked while the person is in the cell.
+    Unworked { control: usize, by: ControlledBy },
 }
 
 /// Something to turn, and how far.
@@ -132,6 +134,10 @@ impl Knobs {
                 }
                 Setting::Number { .. } => {}
             }
+        }
+        for (number, control) in cell.controls.iter().enumerate().filter(|(_, c)| c.by != ControlledBy::Nobody) {
+            let turn = Turn::Unworked { control: number, by: control.by };
+            knobs.add(turn, &control.name, Room { steps: 1, ..Room::default() });
         }
         knobs.sensors(cell, encounter);
         for Parameter { name, unit, setting } in &parameters {
@@ -331,6 +337,9 @@ impl Knob {
                 table.insert("centre_m".to_owned(), list(centre));
                 table.insert("size_m".to_owned(), list(size));
             }
+            Turn::Unworked { control, .. } => {
+                item(&mut text, "control", *control)?.insert("by".to_owned(), "nobody".into());
+            }
             Turn::FartherRobot { robot, direction } => {
                 let table = item(&mut text, "robot", *robot)?;
                 let base = table.entry("base").or_insert_with(|| Value::Table(Table::new())).as_table_mut()?;
@@ -370,6 +379,10 @@ impl Knob {
             Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
             Turn::Higher { .. } => format!("{name} {amount:.2} m higher"),
             Turn::Lower { .. } => format!("{name} {amount:.2} m farther down"),
+            Turn::Unworked { by: ControlledBy::Anyone, .. } => {
+                format!("{name} has no effect while the person is in the cell")
+            }
+            Turn::Unworked { .. } => format!("{name} out of reach of whoever is in the cell"),
             Turn::FartherRobot { direction, .. } => {
                 format!("{name} {amount:.2} m farther away, towards {}", axis(*direction))
             }
@@ -448,6 +461,9 @@ mod tests {
         zone = { polygon_m = [[-1, -1.2], [1, -1.2], [1, 2], [-1, 2]] }
         [[sensor]]
         zone = { line_m = [[-1, 0], [1, 0]], heights_m = [0.3, 1.5] }
+        [[control]]
+        [[control]]
+        by = "anyone"
         [parameters]
         "plc:mode" = true
     "#;
@@ -506,6 +522,13 @@ mod tests {
         let (cell, words) = turned(Turn::FartherRobot { robot: 1, direction: [1.0, 0.0] }, 35);
         assert_eq!(at(&cell, "robot", 1, &["base", "xyz_m"]), [1.35, 0.9, 0.6]);
         assert_eq!(words, "it 0.35 m farther away, towards +x");
+        for (by, says) in [
+            (ControlledBy::Person, "it out of reach of whoever is in the cell"),
+            (ControlledBy::Anyone, "it has no effect while the person is in the cell"),
+        ] {
+            let (cell, words) = turned(Turn::Unworked { control: 1, by }, 1);
+            assert_eq!((cell["control"][1]["by"].as_str(), words.as_str()), (Some("nobody"), says));
+        }
         let (cell, _) = turned(Turn::FartherRobot { robot: 0, direction: [0.0, 1.0] }, 1);
         assert_eq!(at(&cell, "robot", 0, &["base", "xyz_m"]), [0.0, 0.01, 0.0]);
     }

@@ -48,7 +48,7 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>)
     output::event(&Event::Results { folder: out.display().to_string() });
     let mut ledger = Ledger::default();
     if command.is_some() {
-        ledger = resume::ledger(&out, prepared, &arguments.until_words(), goes_on, &arguments.parts)?;
+        ledger = resume::ledger(&out, prepared, &arguments.extent(), goes_on, &arguments.parts)?;
     }
     let ledger = ledger.only(arguments.partition);
     let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, arguments.time()), (&ledger, false))?;
@@ -94,7 +94,7 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool)
     let arguments = run.arguments;
     let mut ledger = Ledger::default();
     if keeps {
-        ledger = resume::ledger(&own, prepared, &arguments.until_words(), run.goes_on, &[])?;
+        ledger = resume::ledger(&own, prepared, &arguments.extent(), run.goes_on, &[])?;
     }
     let looked = look(run, prepared, None, (&own, arguments.time().map(|time| time / 2)), (&ledger, true));
     if !matches!(looked, Ok(Ended { code: exit::INTERRUPTED, .. })) {
@@ -187,6 +187,7 @@ fn look(
         until: arguments.until(),
         workers: arguments.workers(),
         most_states: arguments.most_states(),
+        presses: arguments.presses,
         state: arguments.state,
         ledger,
     };

@@ -216,6 +216,7 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
         let who = match control.by {
             ControlledBy::Person => "the person, where a hand gets to it",
             ControlledBy::Anyone => "a colleague, at any moment",
+            ControlledBy::Nobody => "nobody, while the person is there",
         };
         lines.push(format!("  control   {}: {who}", control.name));
     }

@@ -49,9 +49,10 @@ const FROM: &str = "FMI_HAZARD_FROM";
 const MOST_STATES: usize = 300_000;
 
 /// What a scan that is resumed was told already.
-const OTHERS: [&str; 28] = [
+const OTHERS: [&str; 29] = [
     "from",
     "until",
+    "presses",
     "partition",
     "parts",
     "path",
@@ -105,6 +106,9 @@ pub(super) struct Arguments {
     /// [default: 4s]
     #[arg(long, value_name = "TIME", value_parser = until)]
     pub(super) until: Option<Until>,
+    /// From anywhere: how often controls of the cell are worked at most, all together
+    #[arg(long, value_name = "N", default_value_t = PRESSES)]
+    pub(super) presses: u32,
     /// From anywhere: only this part of the floor, for instance 2/4, the second of four; others may be looked at elsewhere
     #[arg(long, value_name = "PART")]
     pub(super) partition: Option<Share>,
@@ -252,7 +256,7 @@ impl Arguments {
         let known = self.baseline.is_some() || self.write_baseline || cell.baseline.is_some();
         let alone = known || cell.beginnings.len() > 1 || self.of_starts().is_some() || self.format == Format::Json;
         // From anywhere the transient force alone is looked at.
-        let alone = alone || !cell.judges_by_force_alone() || !cell.controls.is_empty();
+        let alone = alone || !cell.judges_by_force_alone();
         let usual = || Ok(if alone { From::Start } else { From::Both });
         self.from.or(said).map_or_else(|| from_environment()?.map_or_else(usual, Ok), Ok)
     }
@@ -272,7 +276,11 @@ impl Arguments {
 
     /// An option that only a scan from anywhere has.
     pub(super) fn of_anywhere(&self) -> Option<&'static str> {
-        let given = [("--partition", self.partition.is_some()), ("--parts", !self.parts.is_empty())];
+        let given = [
+            ("--presses", self.presses != PRESSES),
+            ("--partition", self.partition.is_some()),
+            ("--parts", !self.parts.is_empty()),
+        ];
         given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
     }
 
@@ -282,8 +290,16 @@ impl Arguments {
     }
 
     /// The same as an argument.
-    pub(super) fn until_words(&self) -> String {
+    fn until_words(&self) -> String {
         until_words(self.until())
+    }
+
+    /// How far a scan from anywhere looks, in words.
+    pub(super) fn extent(&self) -> String {
+        match self.presses {
+            PRESSES => self.until_words(),
+            presses => format!("{} with {presses} presses", self.until_words()),
+        }
     }
 
     /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
@@ -336,6 +352,9 @@ impl Arguments {
         } else {
             add("--from", Some("anywhere".to_owned()));
             add("--until", Some(self.until_words()));
+            if self.presses != PRESSES {
+                add("--presses", Some(self.presses.to_string()));
+            }
             if let Some(share) = self.partition {
                 add("--partition", Some(share.to_string()));
             }
@@ -369,6 +388,7 @@ impl Arguments {
         Self {
             from: None,
             until: None,
+            presses: PRESSES,
             partition: None,
             parts: Vec::new(),
             path: Some(path),
@@ -392,6 +412,9 @@ impl Arguments {
         }
     }
 }
+
+/// How often controls are worked from anywhere, unless told otherwise.
+const PRESSES: u32 = 1;
 
 /// How long after the start of the FMU is looked, unless told otherwise.
 const UNTIL: Until = Until::Seconds(4.0);

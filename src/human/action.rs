@@ -206,10 +206,15 @@ impl Action {
         Some(Self::ALL[index % Self::COUNT].pressing(presses))
     }
 
-    /// The action with an index that a search of a cell with so many controls counted.
+    /// The action with an index that was counted up to [`Action::count`].
+    ///
+    /// # Panics
+    /// For an index that no cell has: another action in its place would be looked at twice, and its own never.
     #[must_use]
     pub fn counted(index: usize) -> Self {
-        Self::from_index(index).unwrap_or(Self::REST)
+        let action = Self::from_index(index);
+        assert!(action.is_some(), "there is no action {index}");
+        action.unwrap_or(Self::REST)
     }
 
     /// Its index.

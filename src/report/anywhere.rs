@@ -39,6 +39,9 @@ pub struct Anywhere {
     pub body_tolerance_m: f64,
     /// The same of contacts of arms, and those with less room for the arm, m.
     pub arm_tolerance_m: f64,
+    /// How often controls were worked at most, all together, if the cell has any that are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub presses: Option<u32>,
     /// How often what sensors report changed at most, if that was limited: coming in is one change, going out another.
     pub changes: Option<usize>,
     /// What the robots did while sensors reported what they report of somebody unseen.
@@ -203,6 +206,15 @@ pub struct Spent {
     pub run_again: u64,
 }
 
+/// How often controls are worked, in words.
+pub(super) fn presses_words(presses: u32) -> String {
+    match presses {
+        0 => "No control is worked then.".to_owned(),
+        1 => "Controls are worked at most once, at any moment.".to_owned(),
+        more => format!("Controls are worked at most {more} times, at any moment."),
+    }
+}
+
 impl Anywhere {
     /// How long that is, measured by what the robots repeat.
     fn cycles(&self) -> String {
@@ -228,6 +240,8 @@ impl Anywhere {
                 if changes == 1 { "once".to_owned() } else { format!("{changes} times") }
             )
         });
+        let changes =
+            changes + &self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
         let first = match self.verdict {
             Verdict::HazardsFound => format!(
                 "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start. \

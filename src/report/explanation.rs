@@ -97,8 +97,8 @@ impl Explanation {
         }
         let text = format!(
             "This way leads over {}. Look there first: out of reach from inside, in view of all of the cell, or without effect while \
-             somebody is inside. Changes below were held against the times of this scan only: a robot that starts more slowly may \
-             merely come later.",
+             somebody is inside. Other changes below were held against the times of this scan only: a robot that starts more slowly \
+             may merely come later.",
             names.join(" and ")
         );
         format!("\n Controls\n{}", wrapped(&text, "   "))

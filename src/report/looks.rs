@@ -6,6 +6,7 @@ use serde::Deserialize;
 use super::criteria::{CriteriaRecord, judges, tells_all};
 use super::model::{Hazard, Settings};
 use super::worked::ControlRecord;
+use crate::cell::file::format::ControlledBy;
 use crate::hazard::{Class, Criterion};
 
 /// The settings that decide what is told.
@@ -27,6 +28,8 @@ pub struct Looks {
     pub reach_tolerance_m: f64,
     /// Of a scan from anywhere: until when, s.
     pub until_s: Option<f64>,
+    /// And how often controls are worked at most.
+    pub presses: Option<u32>,
 }
 
 impl From<&Settings> for Looks {
@@ -39,6 +42,7 @@ impl From<&Settings> for Looks {
             contact_check_interval_s: settings.contact_check_interval_s,
             reach_tolerance_m: settings.reach_tolerance_m,
             until_s: settings.until_s,
+            presses: settings.presses,
         }
     }
 }
@@ -75,14 +79,22 @@ impl Looks {
             }
     }
 
-    /// Whether all controls that are worked on the way to a hazard of `earlier` are worked here too, under the same numbers.
+    /// Whether all controls that are worked on the way to a hazard of `earlier` are worked here too, under the same numbers, in the
+    /// same way, and at least as often: what anyone works at any moment, the person does too.
     #[must_use]
     pub fn works_as_much_as(&self, earlier: &Self, hazard: &Hazard) -> bool {
         let sequences = [&hazard.actions, &hazard.shortest.actions];
-        let mut worked = sequences.into_iter().flatten().flat_map(|action| action.presses().numbers());
-        worked.all(|control| {
-            let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control).map(|control| &control.name));
-            mine.is_some() && mine == its
+        let mut worked = sequences.into_iter().flatten().flat_map(|action| action.presses().numbers()).peekable();
+        // From one beginning there is no limit; from anywhere there is.
+        let as_often = worked.peek().is_none() || self.until_s.is_none() || self.presses >= earlier.presses;
+        as_often && worked.all(|control| self.works(earlier, control))
+    }
+
+    fn works(&self, earlier: &Self, control: usize) -> bool {
+        let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control));
+        mine.zip(its).is_some_and(|(mine, its)| {
+            let as_often = mine.by == its.by || mine.by == ControlledBy::Anyone;
+            (&mine.name, mine.kind) == (&its.name, its.kind) && as_often
         })
     }
 
@@ -109,6 +121,7 @@ impl Looks {
 mod tests {
     use super::super::criteria::SeparationTerms;
     use super::*;
+    use crate::cell::file::format::ControlKind;
 
     fn looks() -> Looks {
         let separation = SeparationTerms {
@@ -132,7 +145,32 @@ mod tests {
             contact_check_interval_s: 0.02,
             reach_tolerance_m: 0.02,
             until_s: None,
+            presses: None,
         }
+    }
+
+    /// A control counts as worked if it is the same, and whoever worked it before may still.
+    #[test]
+    fn what_is_worked_less_is_not_told() {
+        use ControlledBy::{Anyone, Nobody, Person};
+        let with = |name: &str, by, kind| Looks {
+            controls: vec![ControlRecord { name: name.to_owned(), by, kind }],
+            ..looks()
+        };
+        let momentary = |by| with("reset", by, ControlKind::Momentary);
+        for (before, after, works) in [
+            (Person, Person, true),
+            (Person, Anyone, true),
+            (Anyone, Anyone, true),
+            (Anyone, Person, false),
+            (Person, Nobody, false),
+            (Anyone, Nobody, false),
+        ] {
+            assert_eq!(momentary(after).works(&momentary(before), 0), works, "{before:?} {after:?}");
+        }
+        assert!(!with("mode", Person, ControlKind::Momentary).works(&momentary(Person), 0));
+        assert!(!with("reset", Person, ControlKind::Held).works(&momentary(Person), 0));
+        assert!(!looks().works(&momentary(Person), 0) && !momentary(Person).works(&momentary(Person), 1));
     }
 
     /// Each criterion, loosened by itself, says nothing of its own hazards any more and as much as before of the others.

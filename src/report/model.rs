@@ -241,6 +241,9 @@ pub struct Settings {
     /// Of a scan from anywhere: how long after the FMU's own start it looked, s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
+    /// Of such a scan: how often controls were worked at most, if the cell has any that are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub presses: Option<u32>,
 }
 
 /// What the search cost.

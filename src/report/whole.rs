@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::anywhere::{Anywhere, Cell, Ground, Place};
+use super::anywhere::{Anywhere, Cell, Ground, Place, presses_words};
 
 /// What a picture of the floor shows.
 #[derive(Clone, Debug, Serialize)]
@@ -13,6 +13,9 @@ pub struct Whole<'a> {
     pub said: String,
     /// How long after the start of the FMU is looked at, s.
     pub until_s: f64,
+    /// How often controls are worked at most, if there are any.
+    #[serde(skip)]
+    pub presses: Option<u32>,
     /// Edge of a square, m.
     pub cell_m: f64,
     /// Length of the spans of time of `floor`, s.
@@ -42,6 +45,7 @@ impl<'a> From<&'a Anywhere> for Whole<'a> {
         let mut this = Self {
             said: String::new(),
             until_s: found.until_s,
+            presses: found.presses,
             cell_m: edge,
             span_s: found.span_s,
             followed: found.followed,
@@ -98,6 +102,7 @@ impl Whole<'_> {
         said.extend(
             shown.map(|worst| format!("The worst that a run of its own shows is {:.2} times the limit.", worst.ratio)),
         );
+        said.extend(self.presses.map(presses_words));
         if !self.open_m.is_empty() {
             said.push(format!("Of {} it is not known.", self.area(self.open_m.len())));
         }
@@ -131,6 +136,7 @@ pub(super) mod tests {
         let mut whole = Whole {
             said: String::new(),
             until_s: 2.0,
+            presses: None,
             cell_m: 0.1,
             span_s: 0.1,
             followed: true,

@@ -42,6 +42,7 @@ impl ControlRecord {
         let who = match self.by {
             ControlledBy::Person => "the person",
             ControlledBy::Anyone => "a colleague",
+            ControlledBy::Nobody => "nobody",
         };
         let does = match self.kind {
             ControlKind::Momentary => "presses",

@@ -6,6 +6,7 @@ mod ask;
 mod cycle;
 pub(super) mod map;
 mod parts;
+mod pressing;
 mod record;
 mod show;
 mod walk_in;
@@ -19,7 +20,8 @@ use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
-use crate::cell::Zone;
+use crate::cell::file::format::ControlledBy;
+use crate::cell::{Workcell, Zone};
 use crate::hazard::Criterion;
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
@@ -83,6 +85,11 @@ fn two_hand(prepared: &Prepared) -> Vec<usize> {
     sensors.filter(|(_, sensor)| matches!(sensor.zone, Zone::TwoHand { .. })).map(|(n, _)| n).collect()
 }
 
+/// Whether anybody works a control.
+fn works(cell: &Workcell) -> bool {
+    cell.controls.iter().any(|control| control.by != ControlledBy::Nobody)
+}
+
 /// Everything that sensors may report of somebody who is seen by none: hands on the buttons of two-hand controls, or not.
 fn unseen(prepared: &Prepared) -> Vec<Vec<bool>> {
     let controls = two_hand(prepared);
@@ -114,6 +121,8 @@ pub struct Effort<'a> {
     pub workers: usize,
     /// Most states of the FMU.
     pub most_states: usize,
+    /// Most presses of controls.
+    pub presses: u32,
     /// How the FMU's states are brought back.
     pub state: StateChoice,
     /// What is known from before, and what is kept for later.
@@ -165,6 +174,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         cell_m: 2.0 * CELL_M,
         body_tolerance_m: BODY_TOLERANCE_M,
         arm_tolerance_m: 2.0 * cell.search.reach_tolerance_m,
+        presses: works(cell).then_some(effort.presses),
         changes: None,
         histories: Vec::new(),
         hazards: Vec::new(),
@@ -259,11 +269,12 @@ impl<'a> Looking<'a> {
         tell: &mut Tell<'_>,
     ) -> Result<bool, PlantError> {
         let (prepared, cell) = (self.prepared, &there.cell);
+        let presses = self.found.presses.unwrap_or(0);
         let Some(Kind { readings: first, .. }) = kinds.first() else {
             self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
             return Ok(true);
         };
-        let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()));
+        let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()), presses);
         if zones.ways.is_empty() {
             self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
             return Ok(true);
@@ -284,7 +295,7 @@ impl<'a> Looking<'a> {
         if footing.merge == Merge::Auto {
             recall.merge_equal_states()?;
         }
-        let mut machine = Machine::new(recall, (cell, &there.binding), (&zones, people), part);
+        let mut machine = Machine::new(recall, (cell, &there.binding), (&zones, people), (part, presses));
         if !self.explore(&mut machine, tell)? || !self.run_again(there, footing, &machine, tell)? {
             return Ok(false);
         }
@@ -303,7 +314,7 @@ impl<'a> Looking<'a> {
             let outcome = search.search([history, between], span, means, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
-                unseen: way.from.is_none(),
+                unseen: way.unchanged,
                 instants: history.seen.len(),
             });
             self.found.spent.boxes += outcome.boxes;
@@ -315,9 +326,9 @@ impl<'a> Looking<'a> {
             // What was found is looked at once more, even where the time is up.
             prepared.stop().finishing();
             let harms = outcome.harms.iter().map(|harm| harm.at(history));
-            self.met.extend(harms.chain(outcome.moments).map(|moment| (moment, way.from.is_none())));
+            self.met.extend(harms.chain(outcome.moments).map(|moment| (moment, way.unchanged)));
             self.found.followed &= outcome.followed;
-            self.show(search, first, history, way.from.is_none(), outcome.harms);
+            self.show(search, first, (history, way), outcome.harms);
             if outcome.stopped {
                 return Ok(false);
             }
@@ -339,6 +350,8 @@ impl<'a> Looking<'a> {
         let (steps, most) = (self.steps(), self.effort.most_states);
         let mut known: Option<usize> = None;
         let (mut changes, mut told, mut is_last) = (1, 0, false);
+        // Coming in is one and going out another; where controls are worked there are too many states to look at both at once.
+        let more = if self.found.presses.is_some_and(|presses| presses > 0) { 1 } else { 2 };
         loop {
             machine.begin();
             let mut asked = false;
@@ -370,7 +383,7 @@ impl<'a> Looking<'a> {
                 self.found.changes = [self.found.changes, limit].into_iter().flatten().min();
                 break;
             }
-            (known, changes) = (Some(changes), changes + 2);
+            (known, changes) = (Some(changes), changes + more);
         }
         self.found.spent.fmu_steps += machine.recall().steps();
         self.rest.states += machine.recall().states();
@@ -465,11 +478,20 @@ impl<'a> Looking<'a> {
                     .to_owned(),
             );
         }
-        if !self.prepared.cell.controls.is_empty() {
-            let names: Vec<&str> = self.prepared.cell.controls.iter().map(|control| control.name.as_str()).collect();
-            found
-                .reasons
-                .push(format!("from anywhere controls are not worked: with {} nothing is excluded", names.join(", ")));
+        if found.presses.is_some_and(|presses| presses > 0) && found.changes.is_some_and(|changes| changes < 2) {
+            let most = self.effort.most_states;
+            found.reasons.push(format!(
+                "where sensors see somebody come and go again, and a control is worked, the FMU has more than {most} states within this \
+                 time: a restart behind them was not looked at. Ask for less with --until, or more with --max-states"
+            ));
+        }
+        if found.presses == Some(0) {
+            found.reasons.push("no control was worked: --presses says how often".to_owned());
+        } else if found.presses.is_some() && !self.prepared.cell.pose.is_empty() {
+            found.reasons.push(
+                "sensors inside the FMU may report something else while a control is worked: that was not asked"
+                    .to_owned(),
+            );
         }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {

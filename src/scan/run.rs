@@ -274,5 +274,6 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         criteria: criteria(&prepared.cell),
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
+        presses: None,
     }
 }

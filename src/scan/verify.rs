@@ -67,5 +67,6 @@ fn looks(cell: &Workcell) -> Looks {
         contact_check_interval_s: cell.step_s,
         reach_tolerance_m: cell.search.reach_tolerance_m,
         until_s: None,
+        presses: None,
     }
 }

@@ -35,6 +35,26 @@ pub trait Watch {
     /// Other readings that may follow one that was come to in this way: the way there, and for how many steps the present one
     /// has lasted at least, where 0 is for its first instant.
     fn next(&self, way: usize) -> &[(usize, usize)];
+
+    /// Whether the reading changes on a way; else something is done where it stays the same.
+    fn changes(&self, _way: usize) -> bool {
+        true
+    }
+
+    /// Ways that may be come to at the very sample at which this one was, and on which the reading does not change.
+    fn at_once(&self, _way: usize) -> &[usize] {
+        &[]
+    }
+
+    /// The state with which a way is come to before a step of this number; `None` if that cannot be.
+    fn enters(&mut self, state: &Self::State, _way: usize, _step: usize) -> Option<Self::State> {
+        Some(state.clone())
+    }
+
+    /// What else the state before a step of this number may be, by what others do then than whatever moves.
+    fn others(&mut self, _state: &Self::State, _step: usize) -> Vec<Self::State> {
+        Vec::new()
+    }
 }
 
 /// What is known of a track besides its state and its way.
@@ -87,18 +107,14 @@ pub fn explore<W: Watch>(
 ) -> Result<Outcome, W::Error> {
     let mut outcome = Outcome::default();
     let start = watch.start()?;
-    let first = Lasting { steps: 0, changes: 0, since_first: 0 };
-    let mut layer: BTreeMap<(W::State, usize), Lasting> =
-        watch.begins().into_iter().map(|way| ((start.clone(), way), first)).collect();
+    let mut layer = Layer::default();
+    for way in watch.begins() {
+        let first = Lasting { steps: 0, changes: 0, since_first: 0 };
+        layer.arrive(watch, (&start, way), first, 1);
+    }
     for step in 1..=steps {
-        let mut next: BTreeMap<(W::State, usize), Lasting> = BTreeMap::new();
-        let mut keep = |state: &W::State, way: usize, lasting: Lasting| {
-            let known = next.entry((state.clone(), way)).or_insert(lasting);
-            known.steps = known.steps.max(lasting.steps);
-            known.changes = known.changes.min(lasting.changes);
-            known.since_first = known.since_first.max(lasting.since_first);
-        };
-        for ((state, way), lasting) in layer {
+        let mut next = Layer::default();
+        for ((state, way), lasting) in layer.with_others(watch, step) {
             outcome.taken += 1;
             let Some(state) = watch.step(&state, way)? else {
                 outcome.unfinished += 1;
@@ -109,21 +125,62 @@ pub fn explore<W: Watch>(
                 return Ok(outcome);
             }
             let since_first = if lasting.changes == 0 { 0 } else { lasting.since_first + 1 };
-            keep(&state, way, Lasting { steps: lasting.steps + 1, since_first, ..lasting });
-            for (other, least) in watch.next(way) {
-                if *least > lasting.steps {
-                    continue;
-                }
-                if lasting.changes == changes {
+            next.keep((state.clone(), way), Lasting { steps: lasting.steps + 1, since_first, ..lasting });
+            let follow: Vec<usize> =
+                watch.next(way).iter().filter(|(_, least)| *least <= lasting.steps).map(|(other, _)| *other).collect();
+            for other in follow {
+                let changed = usize::from(watch.changes(other));
+                if lasting.changes + changed > changes {
                     outcome.left_out += 1;
                     continue;
                 }
-                keep(&state, *other, Lasting { steps: 0, changes: lasting.changes + 1, since_first });
+                let lasting = Lasting { steps: 0, changes: lasting.changes + changed, since_first };
+                next.arrive(watch, (&state, other), lasting, step + 1);
             }
         }
         layer = next;
     }
     Ok(outcome)
+}
+
+/// Tracks before a step.
+struct Layer<S>(BTreeMap<(S, usize), Lasting>);
+
+impl<S> Default for Layer<S> {
+    fn default() -> Self {
+        Self(BTreeMap::new())
+    }
+}
+
+impl<S: Clone + Ord> Layer<S> {
+    /// A track; of two that are one, what holds for both.
+    fn keep(&mut self, track: (S, usize), lasting: Lasting) {
+        let known = self.0.entry(track).or_insert(lasting);
+        known.steps = known.steps.max(lasting.steps);
+        known.changes = known.changes.min(lasting.changes);
+        known.since_first = known.since_first.max(lasting.since_first);
+    }
+
+    /// A track that comes to a way at the sample before a step, if it may, and to what may be done there at once.
+    fn arrive<W: Watch<State = S>>(&mut self, watch: &mut W, (state, way): (&S, usize), lasting: Lasting, step: usize) {
+        let Some(state) = watch.enters(state, way, step) else { return };
+        for other in watch.at_once(way).to_vec() {
+            self.arrive(watch, (&state, other), lasting, step);
+        }
+        self.keep((state, way), lasting);
+    }
+
+    /// All of them, with what others may do before the step.
+    fn with_others<W: Watch<State = S>>(self, watch: &mut W, step: usize) -> BTreeMap<(S, usize), Lasting> {
+        let mut all = Self::default();
+        for ((state, way), lasting) in self.0 {
+            for other in watch.others(&state, step) {
+                all.keep((other, way), lasting);
+            }
+            all.keep((state, way), lasting);
+        }
+        all.0
+    }
 }
 
 #[cfg(test)]

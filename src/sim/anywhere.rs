@@ -16,6 +16,7 @@
 //! speed of what is touched may all be others then.
 
 mod behind;
+mod controls;
 pub mod ledger;
 pub mod machine;
 mod readings;
@@ -43,13 +44,14 @@ use super::curtain::Curtain;
 use super::encounter::{Encounter, Judge};
 use super::robot::RobotFrame;
 use super::sensors::{self, sees};
+use crate::cell::file::format::ControlledBy;
 use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
 use crate::human::arm::ArmModel;
 use crate::human::posture::{cut_back, may_be_cut_back};
-use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, is_without_room};
+use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
@@ -84,6 +86,17 @@ pub struct Seen {
     pub within_m: [f64; 2],
     /// An arm is no deeper than this behind planes that report it, m.
     pub depth_m: f64,
+    /// One way in which it came to that, where controls are worked.
+    pub story: Arc<Story>,
+}
+
+/// How it came to a state of the FMU.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Story {
+    /// The communication step that was the first to begin with other readings than at the start.
+    pub changed: Option<usize>,
+    /// Controls that were worked, and the step that began with that.
+    pub pressed: Vec<(usize, Presses)>,
 }
 
 /// What the robots do while the sensors report the same.
@@ -273,6 +286,10 @@ impl<'a> Anywhere<'a> {
             if let Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } = &sensor.zone {
                 polygon.iter().for_each(|corner| hold(*corner, AROUND_M));
             }
+        }
+        let in_hand = cell.controls.iter().filter(|control| control.by == ControlledBy::Person);
+        for place in in_hand.filter_map(|control| control.place) {
+            [place.a, place.b].iter().for_each(|at| hold([at.x, at.y], place.radius + reach_m + AROUND_M));
         }
         let starts = starts(cell);
         if cell.floor.is_some() {

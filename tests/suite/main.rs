@@ -9,6 +9,7 @@ mod advice;
 mod anywhere;
 mod anywhere_arms;
 mod anywhere_instants;
+mod anywhere_presses;
 mod anywhere_sets;
 mod bad_archives;
 mod bad_descriptions;

@@ -34,6 +34,8 @@ pub(super) struct Trial<'a, P: Plant> {
     pub kinds: &'a [Kind],
     pub steps: usize,
     pub rng: Rng,
+    /// Whether controls are worked at random as well.
+    pub presses: bool,
     /// Steps that were taken.
     pub taken: u64,
 }
@@ -53,7 +55,8 @@ impl<P: Plant> Trial<'_, P> {
                 let other = if stays { others[step - 1] } else { people[self.rng.below(people.len().max(1))] };
                 others.push(other);
             }
-            let (a, b) = (self.run(&readings, &same)?, self.run(&readings, &others)?);
+            let pressed = self.pressed(run);
+            let (a, b) = (self.run(&readings, &same, &pressed)?, self.run(&readings, &others, &pressed)?);
             if a.iter().zip(&b).any(|(a, b)| a.to_bits() != b.to_bits()) {
                 return Ok(false);
             }
@@ -86,7 +89,8 @@ impl<P: Plant> Trial<'_, P> {
                     kinds.iter().map(|kind| self.kinds[*kind].people.first().copied().unwrap_or_default()).collect()
                 };
                 let (of_one, of_other) = (people(&one), people(&other));
-                let (a, b) = (self.run(&one, &of_one)?, self.run(&other, &of_other)?);
+                let pressed = self.pressed(run);
+                let (a, b) = (self.run(&one, &of_one, &pressed)?, self.run(&other, &of_other, &pressed)?);
                 let (a, b) = (self.rows(&a), self.rows(&b));
                 for (robot, heeds) in heeded.iter_mut().enumerate() {
                     let (of, bound) = (&self.cell.robots[robot], &self.binding.robots[robot]);
@@ -111,17 +115,31 @@ impl<P: Plant> Trial<'_, P> {
         kinds
     }
 
+    /// Which controls are on at each step, at random, each for a while.
+    fn pressed(&mut self, run: u32) -> Vec<Presses> {
+        let lasting = LASTING[run as usize % LASTING.len()];
+        let mut pressed = vec![Presses::NONE; self.steps];
+        if self.presses {
+            for step in 1..self.steps {
+                let some = Presses::all(self.cell.controls.len()).nth(self.rng.below(1 << self.cell.controls.len()));
+                let changes = self.rng.below(lasting) == 0;
+                pressed[step] = some.filter(|_| changes).unwrap_or(pressed[step - 1]);
+            }
+        }
+        pressed
+    }
+
     /// The outputs after each step.
-    fn run(&mut self, readings: &[usize], people: &[Stance]) -> Result<Vec<f64>, PlantError> {
+    fn run(&mut self, readings: &[usize], people: &[Stance], pressed: &[Presses]) -> Result<Vec<f64>, PlantError> {
         let (cell, binding) = (self.cell, self.binding);
         let first = self.kinds.first().map_or(&[][..], |kind| kind.readings.as_slice());
         let mut lines: Vec<DelayLine> =
             cell.sensors.iter().zip(first).map(|(sensor, raw)| DelayLine::settled(*raw, sensor.delay_steps)).collect();
         let mut inputs = Vec::new();
-        for (kind, person) in readings.iter().zip(people) {
+        for ((kind, person), on) in readings.iter().zip(people).zip(pressed) {
             let own = cell.sensors.iter().zip(&mut lines).zip(&self.kinds[*kind].readings);
             let told: Vec<bool> = own.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
-            input_row(cell, binding, &told, &seen(cell, *person), Presses::NONE, &mut inputs);
+            input_row(cell, binding, &told, &seen(cell, *person), *on, &mut inputs);
         }
         self.plant.restart()?;
         self.taken += readings.len() as u64;

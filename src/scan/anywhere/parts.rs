@@ -29,6 +29,7 @@ impl Looking<'_> {
             kinds,
             steps: self.steps(),
             rng: Rng::new(SEED),
+            presses: self.found.presses.is_some_and(|presses| presses > 0),
             taken: 0,
         };
         if !cell.pose.is_empty() {

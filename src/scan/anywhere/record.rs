@@ -13,7 +13,7 @@ use crate::report::model::{
     Begin, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Shortest, Spent, Subject, Verdict,
 };
 use crate::report::speeds::SpeedRecord;
-use crate::scan::attempts::confirm;
+use crate::scan::attempts::{confirm, worked};
 use crate::scan::causes::causes;
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
@@ -136,8 +136,9 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         reach_tolerance_m: search.reach_tolerance_m,
         speed_criterion: search.criterion,
         criteria: None,
-        controls: Vec::new(),
+        controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
+        presses: found.presses,
     }
 }
 
@@ -188,6 +189,7 @@ fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Wa
     let mut plain = footing.plain(&there);
     let (confirmed, since) = confirm(&there, &mut plain, &group.worst, &mut None);
     hazard.confirmed = confirmed;
+    hazard.worked = worked(&there, &hazard.actions);
     for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
         sensor.since_s = since_s;
     }

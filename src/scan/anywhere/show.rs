@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Looking;
 use super::walk_in::WalkIn;
+use super::{Looking, pressing};
 use crate::cell::Zone;
 use crate::hazard::{Finding, Identity};
 use crate::human::Walk;
@@ -12,6 +12,7 @@ use crate::report::model::SensorState;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 use crate::search::Environment as _;
+use crate::sim::anywhere::zones::Way;
 use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
 
 /// Places of one region and link of which a run of their own is tried, at most.
@@ -27,18 +28,22 @@ impl Looking<'_> {
         &mut self,
         search: &Search<'_>,
         first: &[bool],
-        history: &History,
-        is_unseen: bool,
+        (history, way): (&History, &Way),
         harms: Vec<Harm>,
     ) {
         let (prepared, cell) = (self.prepared, &*self.prepared.cell);
+        let is_unseen = way.unchanged && way.pressed.is_none();
         let as_told = sensors(prepared, &history.readings);
         for alike in alike(harms) {
             let ways = |harm: &Harm| {
                 let step = history.seen[harm.instant].step;
-                if is_unseen {
-                    // Standing there for a whole action before; where that is hit otherwise first, for the last step of it.
-                    [cell.steps_per_action, 1].map(|before| WalkIn::standing(harm, step, before)).to_vec()
+                // Standing there for a whole action before; where that is hit otherwise first, for the last step of it.
+                let standing =
+                    || [cell.steps_per_action, 1].map(|before| WalkIn::standing(harm, step, before)).to_vec();
+                if !history.seen[harm.instant].story.pressed.is_empty() {
+                    pressing::all(prepared, search, first, (history, harm), standing)
+                } else if is_unseen {
+                    standing()
                 } else {
                     WalkIn::all(search, cell, first, history, harm)
                 }

@@ -51,6 +51,8 @@ struct Answer {
     reports: Vec<Option<usize>>,
     /// A robot moves otherwise than if the person had stood still.
     reacts: Option<usize>,
+    /// Each robot stands still, of those that did not when it came to that.
+    stands: Vec<Option<usize>>,
 }
 
 /// What is said against a change.
@@ -168,7 +170,9 @@ impl Answers {
     pub fn observe(simulation: &mut Simulation<Hosted>, probes: &[Vec<Action>]) -> Result<Self, PlantError> {
         let longest = probes.iter().map(Vec::len).max().unwrap_or(0);
         let rest = simulation.watch(&vec![Action::REST; longest], &[])?.instants;
-        let sensors = simulation.world().cell.sensors.len();
+        let cell = &simulation.world().cell;
+        let (sensors, robots) = (cell.sensors.len(), cell.robots.len());
+        let robot_of: Vec<usize> = cell.links.iter().map(|link| link.robot).collect();
         let first = |instants: &[Instant], is: &dyn Fn(usize, &Instant) -> bool| {
             instants.iter().enumerate().position(|(i, instant)| is(i, instant))
         };
@@ -178,7 +182,16 @@ impl Answers {
             let reports = (0..sensors).map(|sensor| first(&instants, &|_, instant| instant.readings[sensor])).collect();
             let bits = |instant: &Instant| instant.frame.speed_bounds.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
             let reacts = first(&instants, &|i, instant| bits(instant) != bits(&rest[i]));
-            walks.push(Answer { reports, reacts });
+            let stands = |robot: usize| {
+                let fast = |instant: &Instant| {
+                    let own = robot_of.iter().zip(&instant.frame.speed_bounds).filter(|(of, _)| **of == robot);
+                    own.map(|(_, speed)| *speed).fold(0.0, f64::max)
+                };
+                let reacts = reacts.filter(|reacts| fast(&instants[*reacts]) > STANDSTILL_M_S)?;
+                first(&instants, &|i, instant| i > reacts && fast(instant) <= STANDSTILL_M_S)
+            };
+            let stands = (0..robots).map(stands).collect();
+            walks.push(Answer { reports, reacts, stands });
         }
         Ok(Self(walks))
     }
@@ -201,6 +214,9 @@ impl Answers {
                         .to_owned(),
                 );
             }
+            if before.stands.iter().zip(&now.stands).any(later) {
+                return smaller("it makes a safeguard slower: the robot then stops later or not at all".to_owned());
+            }
         }
         None
     }
@@ -211,7 +227,11 @@ mod tests {
     use super::*;
 
     fn answers(reports: Option<usize>, reacts: Option<usize>) -> Answers {
-        Answers(vec![Answer { reports: vec![reports], reacts }])
+        stopping(reports, reacts, None)
+    }
+
+    fn stopping(reports: Option<usize>, reacts: Option<usize>, stands: Option<usize>) -> Answers {
+        Answers(vec![Answer { reports: vec![reports], reacts, stands: vec![stands] }])
     }
 
     #[test]
@@ -223,6 +243,13 @@ mod tests {
             [answers(Some(6), Some(9)), answers(None, Some(9)), answers(Some(5), Some(10)), answers(Some(5), None)]
         {
             assert!(matches!(smaller(&before, &after), Some(Objection::Smaller(_))), "{after:?}");
+        }
+        // It reacts as soon, and takes longer to stand still.
+        let before = stopping(Some(5), Some(9), Some(20));
+        assert_eq!(smaller(&before, &stopping(Some(5), Some(9), Some(19))), None);
+        for stands in [Some(21), None] {
+            let said = smaller(&before, &stopping(Some(5), Some(9), stands));
+            assert!(matches!(said, Some(Objection::Smaller(_))), "{stands:?}");
         }
         // Nobody was reported before.
         assert_eq!(smaller(&answers(None, None), &answers(Some(3), Some(7))), None);

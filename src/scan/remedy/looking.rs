@@ -291,7 +291,8 @@ impl<'a> Changed<'a> {
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
         let nothing = || "nothing moved in it, or no sensor could report anybody".to_owned();
-        let says_nothing = (report.verdict == Verdict::Inconclusive).then(nothing);
+        let has_reasons = report.certificate.as_ref().is_some_and(|certificate| !certificate.reasons.is_empty());
+        let says_nothing = (report.verdict == Verdict::Inconclusive && !has_reasons).then(nothing);
         match report.certificate {
             None => Err(Why::NotTried(failed())),
             Some(certificate) => Ok(Ok(Complete {

@@ -8,19 +8,19 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::controls::Controls;
 use super::zones::{Way, Zones};
-use super::{History, Seen};
+use super::{History, Seen, Story};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
-use crate::human::Presses;
 use crate::search::tracks::{Lasting, Taken, Watch};
 use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{self, DelayLine, input_row};
 use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
 
-/// A state of the FMU, and what is on its way to it.
-pub type State = (NodeId, Box<[DelayLine]>);
+/// A state of the FMU, what is on its way to it, and what is worked.
+pub type State = (NodeId, Box<[DelayLine]>, Controls);
 
 /// Robots that are looked at together, with the sensors that they heed.
 #[derive(Clone, Debug)]
@@ -43,6 +43,10 @@ pub struct Machine<'a, P: Plant> {
     part: &'a Part,
     /// The last transition: before it and after.
     last: (NodeId, NodeId),
+    /// Presses that there may be.
+    presses: u32,
+    /// Where controls are worked, how it came to states the first time.
+    stories: BTreeMap<State, Arc<Story>>,
     /// Why the FMU first could not finish a step.
     fault: Option<String>,
     /// What was seen on each way, by the bits of the outputs.
@@ -93,10 +97,12 @@ impl<'a, P: Plant> Machine<'a, P> {
         recall: Recall<P>,
         (cell, binding): (&'a Workcell, &'a Binding),
         (zones, people): (&'a Zones, Vec<sensors::Seen>),
-        part: &'a Part,
+        (part, presses): (&'a Part, u32),
     ) -> Self {
         Self {
             recall,
+            presses,
+            stories: BTreeMap::new(),
             cell,
             binding,
             zones,
@@ -133,6 +139,17 @@ impl<'a, P: Plant> Machine<'a, P> {
     pub fn begin(&mut self) {
         self.seen.iter_mut().for_each(BTreeMap::clear);
         self.swept.iter_mut().for_each(BTreeMap::clear);
+        self.stories.clear();
+    }
+
+    /// A state comes of another, where the story goes on so.
+    fn comes_of(&mut self, before: &State, state: &State, goes_on: impl FnOnce(&mut Story)) {
+        if self.presses == 0 || self.stories.contains_key(state) {
+            return;
+        }
+        let mut story = self.stories.get(before).cloned().unwrap_or_default();
+        goes_on(Arc::make_mut(&mut story));
+        self.stories.insert(state.clone(), story);
     }
 
     /// Takes in the robots after a step, and during it.
@@ -187,15 +204,22 @@ impl<'a, P: Plant> Machine<'a, P> {
 
     /// Who may be there so much of a step into it.
     fn seen_at(&self, taken: &Taken<'_, State>, frame: &Arc<RobotFrame>, part: f64) -> Seen {
-        let is_first = self.zones.ways[taken.way].from.is_none();
+        let way = &self.zones.ways[taken.way];
         let far = Far::after(taken.lasting, part, self.cell.step_s);
+        // Nobody has to come from anywhere to be where nothing was seen; who works a control there is no farther from it.
+        let within_m = match (way.from, way.unchanged) {
+            (None, _) => [f64::MAX; 2],
+            (Some(_), true) => [far.within_m[0], f64::MAX],
+            (Some(_), false) => far.within_m,
+        };
         Seen {
             step: taken.step,
             lasting: taken.lasting.steps,
             frame: Arc::clone(frame),
-            within_m: if is_first { [f64::MAX; 2] } else { far.within_m },
+            within_m,
             // Who comes back to a plane may have told it of an arm before.
-            depth_m: if is_first { f64::INFINITY } else { far.depth_m },
+            depth_m: if way.unchanged { f64::INFINITY } else { far.depth_m },
+            story: self.stories.get(taken.state).cloned().unwrap_or_default(),
         }
     }
 
@@ -234,6 +258,7 @@ fn take_in(known: &mut Seen, seen: &Seen) {
     known.depth_m = known.depth_m.max(seen.depth_m);
     if seen.lasting > known.lasting {
         (known.lasting, known.step) = (seen.lasting, seen.step);
+        known.story.clone_from(&seen.story);
     }
 }
 
@@ -250,10 +275,11 @@ impl<P: Plant> Watch for Machine<'_, P> {
         let sensors = self.cell.sensors.iter().zip(first);
         let settled =
             |(sensor, raw): (&crate::cell::Sensor, &bool)| DelayLine::settled(*raw, sensor.delay_steps).on_its_way();
-        Ok((NodeId::ROOT, sensors.map(settled).collect()))
+        Ok((NodeId::ROOT, sensors.map(settled).collect(), Controls::new(self.presses)))
     }
 
-    fn step(&mut self, (node, lines): &State, way: usize) -> Result<Option<State>, PlantError> {
+    fn step(&mut self, state: &State, way: usize) -> Result<Option<State>, PlantError> {
+        let (node, lines, controls) = state;
         let reading = &self.zones.readings[self.zones.ways[way].to];
         let mut lines = lines.clone();
         let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(reading);
@@ -261,11 +287,15 @@ impl<P: Plant> Watch for Machine<'_, P> {
         lines.iter_mut().for_each(|line| *line = line.on_its_way());
         let person = &self.people[self.zones.ways[way].to];
         let mut inputs = Vec::new();
-        input_row(self.cell, self.binding, &told, person, Presses::NONE, &mut inputs);
+        input_row(self.cell, self.binding, &told, person, controls.on(), &mut inputs);
         match self.recall.advance(*node, 1, &inputs)? {
             Advanced::To(next) => {
                 self.last = (*node, next);
-                Ok(Some((self.recall.same(next), lines)))
+                let after = (self.recall.same(next), lines, controls.clone().after_a_step());
+                let step = self.recall.depth(*node) + 1;
+                let changed = (!self.zones.ways[way].unchanged).then_some(step);
+                self.comes_of(state, &after, |story| story.changed = story.changed.or(changed));
+                Ok(Some(after))
             }
             Advanced::Fault(fault) => {
                 self.fault.get_or_insert_with(|| fault.message.clone());
@@ -276,6 +306,37 @@ impl<P: Plant> Watch for Machine<'_, P> {
 
     fn next(&self, way: usize) -> &[(usize, usize)] {
         self.zones.next(way)
+    }
+
+    fn changes(&self, way: usize) -> bool {
+        self.zones.ways[way].pressed.is_none()
+    }
+
+    fn at_once(&self, way: usize) -> &[usize] {
+        self.zones.at_once(way)
+    }
+
+    fn enters(&mut self, state: &State, way: usize, step: usize) -> Option<State> {
+        let pressed = self.zones.ways[way].pressed;
+        if pressed.is_none() {
+            return Some(state.clone());
+        }
+        let (node, lines, controls) = state;
+        let after = (*node, lines.clone(), controls.press(pressed, &self.cell.controls)?);
+        self.comes_of(state, &after, |story| story.pressed.push((step, pressed)));
+        Some(after)
+    }
+
+    fn others(&mut self, state: &State, step: usize) -> Vec<State> {
+        let (node, lines, controls) = state;
+        let mut all = Vec::new();
+        for (pressed, controls) in controls.others(self.cell) {
+            let after = (*node, lines.clone(), controls);
+            let pressed = (!pressed.is_none()).then_some((step, pressed));
+            self.comes_of(state, &after, |story| story.pressed.extend(pressed));
+            all.push(after);
+        }
+        all
     }
 }
 

@@ -5,6 +5,9 @@
 //! has come since is a [`Field`] made once for each pair of readings, and the set of places at any instant is where that is no
 //! more than the way walked in the time.
 //!
+//! A control that the person works is a way of its own, on which the readings stay the same: it begins where a hand gets to the
+//! control (`hands`), and who has worked it is no farther from there than the way walked since.
+//!
 //! Every rounding is outwards: a cell belongs to a reading when any pose in it may report it; cells are grown by a step where
 //! somebody may have been elsewhere between two samples.
 
@@ -15,7 +18,7 @@ use super::readings::{may_report, may_stay_clear};
 use super::{Anywhere, headings, told};
 use crate::cell::{Sensor, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
-use crate::human::{BendFraction, Field, Floor, PoseBox, Posture};
+use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
 
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
@@ -32,6 +35,10 @@ pub struct Way {
     pub to: usize,
     /// Whether the readings before are those of the very start, never left.
     pub is_first: bool,
+    /// Whether the readings themselves are, and were never left.
+    pub unchanged: bool,
+    /// Controls that the person begins to work there; the readings stay the same then.
+    pub pressed: Presses,
     /// How far somebody has to go at least, from the first sample with these readings on, to be there at the step after a sample
     /// that reports them.
     pub field: Arc<Field>,
@@ -46,6 +53,8 @@ pub struct Zones {
     pub ways: Vec<Way>,
     /// Of each way, those that may follow, after so many steps at least.
     next: Vec<Vec<(usize, usize)>>,
+    /// Of each way, those on which controls are worked at the very sample at which it was come to.
+    at_once: Vec<Vec<usize>>,
     /// How far it is at least from where somebody is at the start.
     origin: Arc<Field>,
 }
@@ -53,8 +62,15 @@ pub struct Zones {
 impl Zones {
     /// For people of whom the sensors report `first` at the start, who are on `unseen` floor then, and walk as far as `step_m` in
     /// each of so many communication steps. What sensors report that do not `matter` is left at what it is then.
+    /// At most so many `presses` by the person are told apart.
     #[must_use]
-    pub fn new(of: &Anywhere<'_>, first: &[bool], matter: &[bool], (step_m, steps): (f64, usize)) -> Self {
+    pub fn new(
+        of: &Anywhere<'_>,
+        first: &[bool],
+        matter: &[bool],
+        (step_m, steps): (f64, usize),
+        presses: u32,
+    ) -> Self {
         let ground = &of.ground;
         let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
         // Nobody gets farther, with the step before the first sample and the one after the last.
@@ -83,7 +99,8 @@ impl Zones {
         // What is reported of people beyond the floor may change there.
         let entrances = of.entrances();
         let nowhere = Arc::new(Field::at_once(ground, &vec![false; ground.cells()]));
-        let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), origin: nowhere };
+        let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), at_once: Vec::new(), origin: nowhere };
+        let in_hand = of.in_hand(presses);
         if this.readings.first().is_none_or(|reading| reading != first) {
             return this;
         }
@@ -96,26 +113,65 @@ impl Zones {
             this.ways.push(way);
             this.ways.len() - 1
         };
-        add(&mut this, Way { from: None, to: 0, is_first: true, field: Arc::new(Field::at_once(ground, &around)) });
+        let first = Way {
+            from: None,
+            to: 0,
+            is_first: true,
+            unchanged: true,
+            pressed: Presses::NONE,
+            field: Arc::new(Field::at_once(ground, &around)),
+        };
+        add(&mut this, first);
+        let known = |this: &Self, wanted: &Way| {
+            let key = |way: &Way| (way.from, way.to, way.is_first, way.unchanged, way.pressed);
+            this.ways.iter().position(|way| key(way) == key(wanted))
+        };
         let mut number = 0;
         while number < this.ways.len() {
-            let Way { from, to, field, .. } = this.ways[number].clone();
-            let mut follow = Vec::new();
+            let Way { to, field, unchanged, .. } = this.ways[number].clone();
+            let (mut follow, mut at_once) = (Vec::new(), Vec::new());
+            let leaves = if unchanged { &at_first } else { &zones[to] };
             for (other, zone) in zones.iter().enumerate().filter(|(other, _)| *other != to) {
-                let leaves = if from.is_none() { &at_first } else { &zones[to] };
                 let strip = both(zone, &either(&ground.grown(leaves, step_m), &entrances));
                 let over = [least_at(&field, leaves, &beside[other]), least_at(&field, leaves, &entrances)];
                 let least = over.into_iter().flatten().reduce(f64::min).filter(|least| *least < most_m);
                 let Some(least) = least else { continue };
-                let is_first = from.is_none();
-                let same = |way: &Way| (way.from, way.to, way.is_first) == (Some(to), other, is_first);
-                let known = this.ways.iter().position(same).unwrap_or_else(|| {
+                let way = Way {
+                    from: Some(to),
+                    to: other,
+                    is_first: unchanged,
+                    unchanged: false,
+                    pressed: Presses::NONE,
+                    field: Arc::clone(&this.origin),
+                };
+                let known = known(&this, &way).unwrap_or_else(|| {
                     let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m));
-                    add(&mut this, Way { from: Some(to), to: other, is_first, field })
+                    add(&mut this, Way { field, ..way })
                 });
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand steps")]
-                follow.push((known, (least / step_m - ROUNDING).ceil().max(0.0) as usize));
+                follow.push((known, steps_for(least, step_m)));
             }
+            for (pressed, hand) in &in_hand {
+                let Some(least) = least_at(&field, leaves, hand).filter(|least| *least < most_m) else { continue };
+                let way = Way {
+                    from: Some(to),
+                    to,
+                    is_first: unchanged,
+                    unchanged,
+                    pressed: *pressed,
+                    field: Arc::clone(&this.origin),
+                };
+                let known = known(&this, &way).unwrap_or_else(|| {
+                    let field = Arc::new(Field::from(ground, &both(leaves, hand), &beside[to], most_m));
+                    add(&mut this, Way { field, ..way })
+                });
+                // Worked at a sample, and not on the way from one to the next.
+                let steps = steps_for(least, step_m);
+                follow.push((known, steps.saturating_sub(1)));
+                if steps == 0 {
+                    at_once.push(known);
+                }
+            }
+            this.at_once.push(at_once);
             this.next.push(follow);
             number += 1;
         }
@@ -133,6 +189,18 @@ impl Zones {
     pub fn next(&self, way: usize) -> &[(usize, usize)] {
         &self.next[way]
     }
+
+    /// What may be worked at the sample at which a way was come to.
+    #[must_use]
+    pub fn at_once(&self, way: usize) -> &[usize] {
+        &self.at_once[way]
+    }
+}
+
+/// Steps that it takes at least to walk so far.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand steps")]
+fn steps_for(least_m: f64, step_m: f64) -> usize {
+    (least_m / step_m - ROUNDING).ceil().max(0.0) as usize
 }
 
 /// The least that is told of cells that are both.

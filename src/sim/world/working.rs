@@ -60,7 +60,11 @@ impl World {
         // Ways to share out what is worked so far among the hands: which are busy, and what is worked through which planes.
         let mut ways = vec![([false; 2], Worked::default())];
         for control in action.presses().numbers().take_while(|control| *control < self.cell.controls.len()) {
-            if self.cell.controls[control].by == ControlledBy::Person {
+            let by = self.cell.controls[control].by;
+            if by == ControlledBy::Nobody {
+                continue;
+            }
+            if by == ControlledBy::Person {
                 let hands = self.hands(&walked.start, action.posture(), control);
                 let mut after = Vec::new();
                 for (busy, worked) in &ways {

@@ -61,6 +61,6 @@ pub fn look_at(path: &Path, until_s: f64, workers: usize) -> Anywhere {
 /// The same with what is known and kept, and who may end it.
 pub fn look_with((path, until_s, workers): (&Path, f64, usize), ledger: &Ledger, tell: &mut Tell<'_>) -> Looked {
     let until = Until::Seconds(until_s);
-    let effort = Effort { until, workers, most_states: 100_000, state: StateChoice::Auto, ledger };
+    let effort = Effort { until, workers, most_states: 100_000, presses: 1, state: StateChoice::Auto, ledger };
     anywhere(&prepare(path, None).unwrap(), effort, tell).unwrap()
 }

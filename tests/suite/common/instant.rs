@@ -71,7 +71,14 @@ impl Instant {
             readings: vec![reading; self.prepared.cell.sensors.len()],
             links: vec![true].into(),
             fields: [Field::from(floor, &sources, &open, f64::INFINITY), Field::at_once(floor, &open)].map(Arc::new),
-            seen: vec![AnInstant { step: 1, lasting: 0, frame, within_m, depth_m: f64::INFINITY }],
+            seen: vec![AnInstant {
+                step: 1,
+                lasting: 0,
+                frame,
+                within_m,
+                depth_m: f64::INFINITY,
+                story: Arc::default(),
+            }],
         }
     }
 }

@@ -135,6 +135,8 @@ pub enum ControlledBy {
     Person,
     /// Anyone, at any time: a colleague outside who does not see the person.
     Anyone,
+    /// Nobody, while the person is in the cell: as if it were out of reach, or had no effect then.
+    Nobody,
 }
 
 /// How a control is worked.

@@ -1,0 +1,282 @@
+//! Walks on which controls are worked: when others work them, and where the person goes to do it. Whether they do lead to harm, a run
+//! of its own says.
+//!
+//! What others work is worked at the beginning of an action, as near as may be to when it was. For what the person works, ways are
+//! looked for backwards, action by action: from where somebody is harmed to a place from which a hand gets to the control, and on from
+//! there to one where people begin.
+
+use std::collections::BTreeSet;
+use std::f64::consts::{FRAC_PI_4, TAU};
+
+use super::walk_in::WalkIn;
+use crate::cell::Workcell;
+use crate::cell::file::format::ControlledBy;
+use crate::human::action::ACTION_S;
+use crate::human::{Action, Posture, Presses, Start, Walk};
+use crate::scan::prepare::Prepared;
+use crate::sim::World;
+use crate::sim::anywhere::{Anywhere, Harm, History, Story, known};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+/// So much longer than it was harm is waited for, in actions: what is worked a little later comes a little later.
+const LONGER: usize = 3;
+/// Most actions from the control to where somebody is harmed, and on the way to the control.
+const MOST_AFTER: usize = 5;
+const MOST_BEFORE: usize = 10;
+/// Most stances of which it is tried whether a hand gets there.
+const MOST_TRIED: usize = 300;
+/// Ways to a control that are kept.
+const MOST_WAYS: usize = 4;
+/// Starts of walks that are tried, and how far they are apart, m.
+const MOST_STARTS: usize = 3;
+const APART_M: f64 = 0.15;
+/// Stances that are no farther from each other than this, m, count as one.
+const ALIKE_M: f64 = 0.08;
+/// Steps of an action at which there has to be room.
+const LOOKED_AT: u32 = 4;
+
+/// Controls that the person works among others.
+fn own(pressed: &[(usize, Presses)], cell: &Workcell) -> Option<(usize, Presses)> {
+    let is_own = |control: &usize| cell.controls[*control].by == ControlledBy::Person;
+    let own =
+        |presses: Presses| presses.numbers().filter(is_own).fold(Presses::NONE, |all, c| all.and(Presses::one(c)));
+    pressed.iter().map(|(step, presses)| (*step, own(*presses))).rfind(|(_, own)| !own.is_none())
+}
+
+/// Walks to a harm, of which `standing` are those of people who are there all the time.
+pub(super) fn all(
+    prepared: &Prepared,
+    of: &Anywhere<'_>,
+    first: &[bool],
+    (history, harm): (&History, &Harm),
+    standing: impl FnOnce() -> Vec<WalkIn>,
+) -> Vec<WalkIn> {
+    let seen = &history.seen[harm.instant];
+    let Story { changed, pressed } = &*seen.story;
+    let ways = Backwards { prepared, of, first, harm };
+    let mut others = pressed.clone();
+    let walks = match (own(pressed, &prepared.cell), changed) {
+        (None, None) => standing(),
+        (None, Some(changed)) => ways.unworked(*changed),
+        (Some((step, presses)), changed) => {
+            for (_, worked) in others.iter_mut().filter(|(at, _)| *at == step) {
+                *worked = worked.either(presses);
+            }
+            others.retain(|(_, worked)| !worked.is_none());
+            ways.working(presses, step - 1, *changed)
+        }
+    };
+    walks.iter().filter_map(|walk| worked_by_others(walk, &others, seen.step, &prepared.cell)).collect()
+}
+
+/// The same walk with controls worked as others do, at the beginning of the next action, and until after an instant; nothing if it
+/// would have to begin before the FMU.
+fn worked_by_others(walk: &WalkIn, pressed: &[(usize, Presses)], last: usize, cell: &Workcell) -> Option<WalkIn> {
+    let steps = cell.steps_per_action;
+    let mut walk = walk.clone();
+    let first = pressed.iter().map(|(step, _)| step - 1).min().unwrap_or(walk.lead_in);
+    let earlier = walk.lead_in.saturating_sub(first).div_ceil(steps);
+    walk.lead_in = walk.lead_in.checked_sub(earlier * steps)?;
+    walk.actions.splice(0..0, vec![Action::REST; earlier]);
+    let posture = walk.actions.last()?.posture();
+    let count = (last.saturating_sub(walk.lead_in).div_ceil(steps) + LONGER).max(walk.actions.len());
+    walk.actions.resize(count, Action::new(Walk::Stop, posture));
+    for (step, presses) in pressed {
+        let action = walk.actions.get_mut((step - 1 - walk.lead_in).div_ceil(steps))?;
+        *action = action.pressing(action.presses().and(*presses));
+    }
+    Some(walk)
+}
+
+/// Where somebody stands, and looks.
+#[derive(Clone, Copy, Debug)]
+struct Stance {
+    xy_m: [f64; 2],
+    heading_rad: f64,
+}
+
+impl Stance {
+    /// Stances that count as one.
+    #[expect(clippy::cast_possible_truncation, reason = "some thousand cells to a side")]
+    fn cell(&self) -> [i64; 3] {
+        let turned = (self.heading_rad.rem_euclid(TAU) / FRAC_PI_4).round() as i64 % 8;
+        let [x, y] = self.xy_m.map(|at| (at / ALIKE_M).round() as i64);
+        [x, y, turned]
+    }
+
+    /// A place so far ahead, m.
+    fn ahead(&self, far_m: f64) -> [f64; 2] {
+        let (sin, cos) = libm::sincos(self.heading_rad);
+        [self.xy_m[0] + far_m * cos, self.xy_m[1] + far_m * sin]
+    }
+
+    /// Where an action began that ends here: the same place, or one an action's walk back, looking elsewhere.
+    fn before(&self, walk: Walk) -> Self {
+        let far_m = if walk == Walk::Stop { 0.0 } else { WALKING_SPEED_M_S * ACTION_S };
+        Self { xy_m: self.ahead(-far_m), heading_rad: self.heading_rad - f64::from(walk.turn_eighths()) * FRAC_PI_4 }
+    }
+}
+
+/// How far two places are apart, m.
+fn apart_m(a: [f64; 2], b: [f64; 2]) -> f64 {
+    libm::hypot(a[0] - b[0], a[1] - b[1])
+}
+
+fn walk(start: Stance, actions: Vec<Action>, lead_in: usize) -> WalkIn {
+    WalkIn { xy_m: start.xy_m, heading_deg: start.heading_rad.rem_euclid(TAU).to_degrees(), lead_in, actions }
+}
+
+/// A stance, and what leads on from it, the last action first.
+#[derive(Clone, Debug)]
+struct Reached {
+    at: Stance,
+    then: Vec<Action>,
+}
+
+/// See the top of this file.
+struct Backwards<'a, 'b> {
+    prepared: &'a Prepared,
+    of: &'a Anywhere<'b>,
+    first: &'a [bool],
+    harm: &'a Harm,
+}
+
+impl Backwards<'_, '_> {
+    /// Walks on which sensors report something else from a communication step on.
+    fn unworked(&self, changed: usize) -> Vec<WalkIn> {
+        let Harm { xy_m, heading_rad, posture, .. } = *self.harm;
+        let ways = self.starts(&Stance { xy_m, heading_rad }, posture);
+        ways.into_iter().filter_map(|(start, actions)| self.aligned(start, actions, changed)).collect()
+    }
+
+    /// The same on which the person works controls, `pressed` steps after the start of the FMU or as soon as may be after that:
+    /// as much later comes what follows.
+    fn working(&self, presses: Presses, pressed: usize, changed: Option<usize>) -> Vec<WalkIn> {
+        let steps = self.prepared.cell.steps_per_action;
+        let mut all = Vec::new();
+        for (after, press) in self.presses_from(presses) {
+            for (start, before) in self.starts(&press, Posture::Upright) {
+                let walk = match changed {
+                    Some(changed) => self.aligned(start, before, changed),
+                    None => pressed.checked_sub(steps * before.len()).map(|lead_in| walk(start, before, lead_in)),
+                };
+                let Some(mut walk) = walk else { continue };
+                let there = walk.lead_in + steps * walk.actions.len();
+                let waits = pressed.saturating_sub(there).div_ceil(steps);
+                walk.actions.extend(vec![Action::REST; waits]);
+                walk.actions.extend(&after);
+                all.push(walk);
+            }
+        }
+        all
+    }
+
+    /// A walk that begins so that sensors report something else from that step on.
+    fn aligned(&self, start: Stance, actions: Vec<Action>, changed: usize) -> Option<WalkIn> {
+        let cell = &self.prepared.cell;
+        let mut at = start;
+        let mut entered = None;
+        for (number, action) in actions.iter().enumerate() {
+            at.heading_rad += f64::from(action.walk().turn_eighths()) * FRAC_PI_4;
+            for step in 0..cell.steps_per_action {
+                if !self.of.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(self.first)) {
+                    entered = entered.or(Some(number * cell.steps_per_action + step));
+                }
+                if action.walk() != Walk::Stop {
+                    at.xy_m = at.ahead(WALKING_SPEED_M_S * cell.step_s);
+                }
+            }
+        }
+        let lead_in = (changed - 1).checked_sub(entered.unwrap_or(actions.len() * cell.steps_per_action))?;
+        Some(walk(start, actions, lead_in))
+    }
+
+    /// Actions from working the controls to the harm, the calmest first, and from where.
+    fn presses_from(&self, presses: Presses) -> Vec<(Vec<Action>, Stance)> {
+        let harm = Stance { xy_m: self.harm.xy_m, heading_rad: self.harm.heading_rad };
+        let (mut tried, mut ways) = (0, Vec::new());
+        self.back_from(harm, self.harm.posture, MOST_AFTER, &mut |reached| {
+            let Some(walk) = reached.then.last().map(|action| action.walk()) else { return true };
+            if !self.of.may_work(presses, reached.at.xy_m) {
+                return true;
+            }
+            tried += 1;
+            if let Some(posture) = self.hand(presses, &reached.at, walk) {
+                let mut after = reached.then.clone();
+                after.pop();
+                after.push(Action::new(walk, posture).pressing(presses));
+                after.reverse();
+                ways.push((after, reached.at));
+            }
+            tried < MOST_TRIED && ways.len() < MOST_WAYS
+        });
+        ways
+    }
+
+    /// How somebody bends there who gets their hands to the controls.
+    fn hand(&self, presses: Presses, at: &Stance, walk: Walk) -> Option<Posture> {
+        let [x, y] = at.xy_m;
+        let there = self.prepared.standing(Start::new(x, y, at.heading_rad.to_degrees()), 0, 1).ok()?;
+        let world = World::new(there.cell.clone(), there.binding.clone());
+        Posture::ALL.into_iter().find(|posture| {
+            let action = Action::new(walk, *posture).pressing(presses);
+            world.worked(&world.walk(world.start(), action), action).presses == presses
+        })
+    }
+
+    /// Walks to a stance from where people begin, the last action bent so.
+    fn starts(&self, to: &Stance, posture: Posture) -> Vec<(Stance, Vec<Action>)> {
+        let mut found: Vec<(Stance, Vec<Action>)> = Vec::new();
+        self.back_from(*to, posture, MOST_BEFORE, &mut |reached| {
+            let Stance { xy_m, heading_rad } = reached.at;
+            let is_other = |(start, _): &(Stance, Vec<Action>)| apart_m(start.xy_m, xy_m) > APART_M;
+            if found.iter().all(is_other) && self.of.may_begin(xy_m, heading_rad, &known(self.first)) {
+                found.push((reached.at, reached.then.iter().rev().copied().collect()));
+            }
+            found.len() < MOST_STARTS
+        });
+        found
+    }
+
+    /// Stances from which actions lead to one, those first from which the fewest do; `visit` says whether to go on.
+    fn back_from(&self, to: Stance, posture: Posture, most: usize, visit: &mut dyn FnMut(&Reached) -> bool) {
+        let mut known = BTreeSet::from([to.cell()]);
+        let mut layer = vec![Reached { at: to, then: Vec::new() }];
+        if !visit(&layer[0]) {
+            return;
+        }
+        for number in 0..most {
+            let mut next = Vec::new();
+            for reached in layer {
+                for walk in Walk::ALL {
+                    // Who waits does so at the end.
+                    if walk == Walk::Stop && number > 0 {
+                        continue;
+                    }
+                    let at = reached.at.before(walk);
+                    if !self.has_room(&at, &reached.at) || (walk != Walk::Stop && !known.insert(at.cell())) {
+                        continue;
+                    }
+                    // The last one ends bent as somebody is harmed.
+                    let bent = if number == 0 { posture } else { Posture::Upright };
+                    let then = reached.then.iter().copied().chain([Action::new(walk, bent)]).collect();
+                    let before = Reached { at, then };
+                    if !visit(&before) {
+                        return;
+                    }
+                    if walk != Walk::Stop {
+                        next.push(before);
+                    }
+                }
+            }
+            layer = next;
+        }
+    }
+
+    fn has_room(&self, from: &Stance, to: &Stance) -> bool {
+        (0..=LOOKED_AT).all(|part| {
+            let share = f64::from(part) / f64::from(LOOKED_AT);
+            self.of.has_room([0, 1].map(|axis| from.xy_m[axis] + share * (to.xy_m[axis] - from.xy_m[axis])))
+        })
+    }
+}

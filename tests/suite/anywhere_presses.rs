@@ -1,0 +1,131 @@
+//! Controls in the search from anywhere: whoever walks and presses is where it says that somebody may be, and the examples whose flaw
+//! is a reset.
+
+use fmi_hazard::cell::file::format::ControlledBy;
+use fmi_hazard::geometry::Vec3;
+use fmi_hazard::host::Recall;
+use fmi_hazard::human::{Action, Posture, Presses, Start, Walk};
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::prepare::{Prepared, prepare};
+use fmi_hazard::search::Rng;
+use fmi_hazard::search::tracks::explore;
+use fmi_hazard::sim::anywhere::machine::{Machine, Part};
+use fmi_hazard::sim::anywhere::zones::Zones;
+use fmi_hazard::sim::anywhere::{Anywhere as Search, History};
+use fmi_hazard::sim::robot::RobotFrame;
+use fmi_hazard::sim::sensors::Seen;
+use serde_json::Value;
+
+use crate::common::{examples, fmi_hazard};
+
+/// Communication steps: over the mat, a press, and what the robot then begins to do.
+const STEPS: usize = 50;
+
+/// What the robot does along all histories, with so many presses.
+fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
+    let cell = &*prepared.cell;
+    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+    let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
+    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses);
+    let nobody = Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let people = vec![nobody; zones.readings.len()];
+    let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
+    let mut machine = Machine::new(recall, (cell, &prepared.binding), (&zones, people), (&part, presses));
+    explore(&mut machine, STEPS, 2, &mut |machine, taken| {
+        machine.look(taken);
+        true
+    })
+    .unwrap();
+    machine.histories()
+}
+
+/// Whether somebody may be there while the robot is so and a sensor reports that.
+fn is_in(of: &[History], frame: &RobotFrame, readings: &[bool], at: Vec3) -> bool {
+    let places = |frame: &RobotFrame| frame.links.iter().map(|link| link.bounding_sphere()).collect::<Vec<_>>();
+    let wanted = places(frame);
+    of.iter().filter(|history| history.readings == [Some(readings[0])]).any(|history| {
+        let near: [f64; 2] = [0, 1].map(|n| history.fields[n].least([at.x, at.y], 0.0));
+        let is_near = |within_m: [f64; 2]| (0..2).all(|n| near[n] <= within_m[n] + 1e-9);
+        history.seen.iter().any(|seen| is_near(seen.within_m) && places(&seen.frame) == wanted)
+    })
+}
+
+/// Random walks over the mat, each on a fresh FMU, with one press at random by whoever may: at every step the person is where some
+/// history says that they may be while the robot is as it is. Without presses that is not so: the robot starts again.
+#[test]
+fn whoever_walks_and_presses_is_in_the_sets() {
+    let dir = examples();
+    for (example, by) in [("reset-inside", ControlledBy::Person), ("reset-outside", ControlledBy::Anyone)] {
+        let prepared = prepare(&dir.path().join(example).join("cell.toml"), None).unwrap();
+        assert_eq!(prepared.cell.controls[0].by, by);
+        let [without, with] = [0, 1].map(|presses| histories(&prepared, presses));
+        let mut rng = Rng::new(31);
+        let mut uniform = |low: f64, high: f64| {
+            low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
+        };
+        let (mut looked_at, mut restarted) = (0, 0);
+        for _ in 0..120 {
+            let start = Start::new(uniform(-0.9, 0.6), uniform(-1.95, -1.88), uniform(70.0, 110.0));
+            let Ok(there) = prepared.standing(start, 0, 5) else { continue };
+            let pressed = 3 + usize::from(uniform(0.0, 1.0) > 0.7);
+            let actions: Vec<Action> = (0..5)
+                .map(|number| {
+                    let turns = [Walk::Forward, Walk::Left45, Walk::Right45, Walk::Stop];
+                    let turn = if number < 3 { 0.0 } else { uniform(0.0, 3.99) };
+                    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "one of four")]
+                    let walk = turns[turn as usize];
+                    let action = Action::new(walk, if number < 3 { Posture::Upright } else { Posture::Left });
+                    action.pressing(if number == pressed { Presses::one(0) } else { Presses::NONE })
+                })
+                .collect();
+            let mut simulation = there.simulation(StateChoice::Auto, false).unwrap();
+            let instants = simulation.watch(&actions, &[]).unwrap().instants;
+            // More often than looked at nobody is to come and go.
+            if instants.windows(2).filter(|pair| pair[0].readings != pair[1].readings).count() > 2 {
+                continue;
+            }
+            // What is reported there is what the step before it began with.
+            for instant in instants[1..].iter().filter(|instant| instant.frame.may_harm) {
+                let (readings, frame, at) = (&instant.readings, &instant.frame, instant.position);
+                assert!(is_in(&with, frame, readings, at), "{example}: {at:?} after {start:?} {actions:?}");
+                looked_at += 1;
+                restarted += usize::from(!is_in(&without, frame, readings, at));
+            }
+        }
+        assert!(looked_at > 1000 && restarted > 30, "{example}: {looked_at} {restarted}");
+    }
+}
+
+/// Over a strip of mat that is 0.3 m deep, so that a second is enough: who comes from anywhere and presses once is hit in the flawed cell,
+/// as a run of its own shows, and nobody is in that second in a repaired one.
+#[test]
+fn a_reset_with_somebody_inside_is_found_from_anywhere() {
+    let dir = examples();
+    let dir = dir.path();
+    let thin = "extends = \"cell.toml\"\nname = \"thin\"\n[remove]\nsensor = [\"mat\"]\n[[sensor]]\nname = \"mat\"\nkind = \"mat\"\n\
+                variable = \"plc.mat_clear\"\nactive = false\nzone = { polygon_m = [[-1, -1.3], [1, -1.3], [1, -1], [-1, -1]] }\n";
+    std::fs::write(dir.join("reset-inside/thin.toml"), thin).unwrap();
+    let scan = |file: &str| -> Value {
+        let options = ["--from", "anywhere", "--until", "1s", "--no-advice", "--out", "out"];
+        let limits = ["--max-states", "60000"];
+        let output = fmi_hazard(dir).args(["scan", file]).args(options).args(limits).output().unwrap();
+        let read = |file: &str| -> Value {
+            let text = std::fs::read_to_string(dir.join("out").join(file)).unwrap();
+            serde_json::from_str(&text).unwrap()
+        };
+        let (found, scan) = (read("anywhere.json"), read("scan.json"));
+        let codes = [("hazards_found", 1), ("none_found", 0), ("inconclusive", 4)];
+        let code = codes.iter().find(|(verdict, _)| found["verdict"] == *verdict).unwrap().1;
+        assert_eq!(output.status.code(), Some(code), "{found} {}", String::from_utf8_lossy(&output.stderr));
+        assert!(found["presses"] == 1 && scan["settings"]["presses"] == 1, "{found}");
+        for hazard in scan["hazards"].as_array().unwrap() {
+            assert!(hazard["confirmed"] == true && hazard["worked"][0]["name"] == "reset", "{hazard}");
+        }
+        found
+    };
+    let flawed = scan("reset-inside/thin.toml");
+    let shown = flawed["hazards"].as_array().unwrap().iter().filter(|hazard| hazard["confirmed"] == true);
+    assert!(flawed["verdict"] == "hazards_found" && shown.count() > 3, "{flawed}");
+    let fixed = scan("reset-outside/fixed.toml");
+    assert_eq!((fixed["verdict"].as_str(), &fixed["reasons"]), (Some("none_found"), &Value::Array(Vec::new())));
+}
