@@ -99,6 +99,7 @@ fn branch_and_bound(scene: &Scene, side: Side) -> bool {
         carried_m: 0.0,
         hangs_from: None,
         known: None,
+        wrist_within: None,
         links: &scene.links,
         obstacles: &scene.obstacles,
         score: &Any,

@@ -2077,6 +2077,10 @@ class Settings(TypedDict):
     """
     Actions in a sequence.
     """
+    arm_speed_m_s: NotRequired[float | None]
+    """
+    How fast hands move, m/s, if arms take their time.
+    """
     contact_check_interval_s: float
     """
     Communication step and contact-check interval, s.

@@ -11,6 +11,7 @@ use crate::geometry::{Capsule, Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
+use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
 use crate::human::{Body, Start};
 use crate::standards::iso_13855::{Detection, Opening};
@@ -67,6 +68,8 @@ pub struct Workcell {
     pub start: Start,
     /// The person's body.
     pub body: Body,
+    /// How fast hands move, m/s, where arms take their time.
+    pub arm_speed_m_s: Option<f64>,
     /// What of contacts counts as unsafe.
     pub criteria: Criteria,
     /// How far robots go on after a contact.
@@ -317,6 +320,14 @@ impl Zone {
 }
 
 impl Workcell {
+    /// Communication steps after which arms are anywhere, where they take their time.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred steps at most")]
+    pub fn raising_steps(&self) -> Option<usize> {
+        let farthest_m = ArmModel::default().farthest_from_hanging_m();
+        self.arm_speed_m_s.map(|speed| (farthest_m / (speed * self.step_s)).ceil() as usize)
+    }
+
     /// Whether nothing but the transient force counts as unsafe.
     #[must_use]
     pub fn judges_by_force_alone(&self) -> bool {

@@ -79,6 +79,12 @@ impl ArmModel {
         self.upper_arm_m + self.forearm_m + self.hand_radius_m
     }
 
+    /// No wrist is farther from where it hangs, m.
+    #[must_use]
+    pub fn farthest_from_hanging_m(&self) -> f64 {
+        2.0 * (self.upper_arm_m + self.forearm_m)
+    }
+
     /// Elbow and wrist of a left arm in the shoulder frame, from sine and cosine of each joint angle.
     #[must_use]
     pub fn at(&self, [abduction, flexion, rotation, elbow]: &[(f64, f64); 4]) -> [Vec3; 2] {

@@ -82,6 +82,8 @@ pub struct ReachQuery<'a, S: ContactScore> {
     /// Where joints of an arm may be that touches any of the links, between the obstacles or some of them; it settles most of what is
     /// out of reach behind these sooner. Nothing if that is not known.
     pub known: Option<&'a ArmCells>,
+    /// Where the wrist is no farther from than this, m: a point in the world. Nothing if it may be anywhere.
+    pub wrist_within: Option<(Vec3, f64)>,
     /// Robot links, world; those of several instants one after the other, to settle them in one search.
     pub links: &'a [Solid],
     /// Obstacles, world.
@@ -356,7 +358,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 return None;
             }
         }
-        if self.certainly_blocked(placed, &movement) {
+        if self.is_too_far(placed, movement.wrist) || self.certainly_blocked(placed, &movement) {
             return None;
         }
         let config = clamped(b.middle);
@@ -513,6 +515,11 @@ impl<'a, S: ContactScore> Search<'a, S> {
         })
     }
 
+    /// Whether the wrist is farther than it may be, moved by no more than this.
+    fn is_too_far(&self, placed: &Placed, moves_m: f64) -> bool {
+        self.query.wrist_within.is_some_and(|(from, far_m)| (placed.wrist - from).length() - moves_m > far_m)
+    }
+
     /// Where along the upper arm its thickness begins to count.
     fn clear_of_shoulder(&self, placed: &Placed) -> Vec3 {
         let skipped = self.query.arm.upper_arm_radius_m + SHOULDER_CLEARANCE_M;
@@ -549,7 +556,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
             }
         });
         let Some(contact) = worst else { return };
-        if contact.score > self.best.map_or(self.query.threshold, |b| b.score) && self.free(placed) {
+        let is_better = contact.score > self.best.map_or(self.query.threshold, |b| b.score);
+        if is_better && !self.is_too_far(placed, 0.0) && self.free(placed) {
             self.best = Some(contact);
         }
     }

@@ -46,6 +46,7 @@ impl Scene {
             carried_m: 0.0,
             hangs_from: None,
             known: None,
+            wrist_within: None,
             links: &self.links,
             obstacles: &self.obstacles,
             score: &self.score,
@@ -243,6 +244,41 @@ fn finds_whatever_a_grid_finds_in_random_scenes() {
     assert!((10..60).contains(&hits), "{hits} of 60 scenes with contacts: too easy or too hard to mean much");
 }
 
+/// With the wrist kept near where it hangs: what is found is there, and no worse contact there is missed that random arms have.
+#[test]
+fn a_wrist_that_is_kept_near_is_looked_for_there() {
+    let (arm, mut rng) = (ArmModel::default(), Rng::new(77));
+    let (mut kept, mut lost, mut met) = (0, 0, 0);
+    for number in 0..60 {
+        let (scene, side) = (random_scene(&mut rng, number % 4), Side::BOTH[number % 2]);
+        let (_, hangs) = arm.forward(side, [0.0; 4]);
+        let (from, far_m) = (scene.world_from_shoulder.transform_point(hangs), uniform(&mut rng, 0.1, 0.9));
+        let free = reach(&scene.query(&arm, side));
+        let near = reach(&ReachQuery { wrist_within: Some((from, far_m)), ..scene.query(&arm, side) });
+        if let Some(found) = &near.best {
+            verify(&scene, &arm, side, found);
+            assert!((found.wrist - from).length() <= far_m && free.best.is_some());
+        }
+        kept += usize::from(near.best.is_some());
+        lost += usize::from(free.best.is_some() && near.best.is_none());
+        let known = near.best.map_or(0.0, |best| best.score);
+        for _ in 0..1500 {
+            let abduction = uniform(&mut rng, ABDUCTION.0, ABDUCTION.1);
+            let [flexion, elbow] = [flexion_range(abduction), ELBOW].map(|(low, high)| uniform(&mut rng, low, high));
+            let (low, high) = rotation_range(abduction, flexion);
+            let config = [abduction, flexion, uniform(&mut rng, low, high), elbow];
+            let wrist = scene.world_from_shoulder.transform_point(arm.forward(side, config).1);
+            if (wrist - from).length() > far_m - TOLERANCE {
+                continue;
+            }
+            let score = grid_score(&scene, &arm, side, config);
+            met += usize::from(score > 0.0);
+            assert!(!near.complete || known * SLACK >= score - 1e-12, "{number}: found {known}, and there is {score}");
+        }
+    }
+    assert!(kept > 10 && lost > 5 && met > 500, "{kept} {lost} {met}");
+}
+
 #[test]
 fn finds_whatever_a_grid_finds_at_a_fence() {
     let mut rng = Rng::new(5);
@@ -428,6 +464,7 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
             carried_m: if i % 2 == 0 { 0.0 } else { uniform(&mut rng, 0.0, 0.12) },
             hangs_from: None,
             known: None,
+            wrist_within: None,
             links: &scene.links,
             obstacles: &scene.obstacles,
             score: &score,

@@ -17,6 +17,8 @@ pub struct Looks {
     pub speed_criterion: Criterion,
     /// What counts as unsafe, where that is more or other than the transient force.
     pub criteria: Option<CriteriaRecord>,
+    /// How fast hands move, m/s, if arms take their time.
+    pub arm_speed_m_s: Option<f64>,
     /// Controls that are worked.
     #[serde(default)]
     pub controls: Vec<ControlRecord>,
@@ -37,6 +39,7 @@ impl From<&Settings> for Looks {
         Self {
             speed_criterion: settings.speed_criterion,
             criteria: settings.criteria.clone(),
+            arm_speed_m_s: settings.arm_speed_m_s,
             controls: settings.controls.clone(),
             actions_per_sequence: settings.actions_per_sequence,
             contact_check_interval_s: settings.contact_check_interval_s,
@@ -90,6 +93,12 @@ impl Looks {
         as_often && worked.all(|control| self.works(earlier, control))
     }
 
+    /// Whether arms are as fast here, or anywhere at once.
+    #[must_use]
+    pub fn reaches_as_fast_as(&self, earlier: &Self) -> bool {
+        self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
+    }
+
     fn works(&self, earlier: &Self, control: usize) -> bool {
         let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control));
         mine.zip(its).is_some_and(|(mine, its)| {
@@ -111,6 +120,7 @@ impl Looks {
         long_enough
             && self.contact_check_interval_s <= earlier.contact_check_interval_s
             && self.reach_tolerance_m <= earlier.reach_tolerance_m
+            && self.reaches_as_fast_as(earlier)
             && self.works_as_much_as(earlier, hazard)
             && self.judges_as_strictly_as(earlier, hazard.class)
             && tells_all(self.criteria.as_ref(), hazard.class, found)
@@ -140,12 +150,28 @@ mod tests {
                 moving_contact_faster_than_m_s: Some(0.1),
                 separation: Some(separation),
             }),
+            arm_speed_m_s: Some(2.0),
             controls: Vec::new(),
             actions_per_sequence: 8,
             contact_check_interval_s: 0.02,
             reach_tolerance_m: 0.02,
             until_s: None,
             presses: None,
+        }
+    }
+
+    #[test]
+    fn slower_arms_reach_less() {
+        let with = |arm_speed_m_s| Looks { arm_speed_m_s, ..looks() };
+        for (after, before, as_fast) in [
+            (None, None, true),
+            (None, Some(2.0), true),
+            (Some(2.0), Some(2.0), true),
+            (Some(3.0), Some(2.0), true),
+            (Some(1.6), Some(2.0), false),
+            (Some(2.0), None, false),
+        ] {
+            assert_eq!(with(after).reaches_as_fast_as(&with(before)), as_fast, "{after:?} {before:?}");
         }
     }
 

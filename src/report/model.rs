@@ -235,6 +235,9 @@ pub struct Settings {
     /// What counts as unsafe, where that is more or other than the transient force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub criteria: Option<CriteriaRecord>,
+    /// How fast hands move, m/s, if arms take their time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arm_speed_m_s: Option<f64>,
     /// Controls that the search works.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub controls: Vec<ControlRecord>,

@@ -272,6 +272,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
         speed_criterion: prepared.cell.search.criterion,
         criteria: criteria(&prepared.cell),
+        arm_speed_m_s: prepared.cell.arm_speed_m_s,
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
         presses: None,

@@ -24,7 +24,9 @@ pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> 
     };
     let looks = looks(&there.cell);
     let judged = earlier.is_some_and(|earlier| {
-        looks.judges_as_strictly_as(earlier, hazard.class) && looks.works_as_much_as(earlier, hazard)
+        looks.judges_as_strictly_as(earlier, hazard.class)
+            && looks.reaches_as_fast_as(earlier)
+            && looks.works_as_much_as(earlier, hazard)
     });
     if !judged {
         return Verified { hazard: hazard.clone(), outcome: Outcome::NotJudged };
@@ -62,6 +64,7 @@ fn looks(cell: &Workcell) -> Looks {
     Looks {
         speed_criterion: cell.search.criterion,
         criteria: criteria(cell),
+        arm_speed_m_s: cell.arm_speed_m_s,
         controls: cell.controls.iter().map(Into::into).collect(),
         actions_per_sequence: cell.search.actions,
         contact_check_interval_s: cell.step_s,

@@ -61,6 +61,8 @@ pub struct Person {
     pub arms: Vec<Side>,
     /// Walking velocity, m/s.
     pub velocity: Vec3,
+    /// How far wrists are at most from where they are when the arms hang, m; nothing if they may be anywhere.
+    pub wrists_m: Option<f64>,
 }
 
 /// What stays the same over a scan.
@@ -208,6 +210,7 @@ impl Encounter {
                 carried_m: 0.0,
                 hangs_from: None,
                 known: None,
+                wrist_within: self.wrist_within(person, side),
                 links: &links,
                 obstacles: &obstacles,
                 score: &targets,
@@ -247,6 +250,7 @@ impl Encounter {
             // Planes are in the way of arms only: the person may stand in them as far as their sensor allows.
             hangs_from: (carried_m > 0.0).then(|| (body.middle_of_shoulders(), self.obstacles.as_slice())),
             known: Some(known),
+            wrist_within: None,
             links: &solids,
             obstacles: &obstacles,
             score: &targets,
@@ -368,6 +372,7 @@ impl Encounter {
                 carried_m: 0.0,
                 hangs_from: None,
                 known: None,
+                wrist_within: self.wrist_within(person, side),
                 links: &links,
                 obstacles,
                 score: &targets,
@@ -392,6 +397,14 @@ impl Encounter {
             }
         }
         worst
+    }
+
+    /// Where the wrist hangs, and no farther from there than this it is.
+    fn wrist_within(&self, person: &Person, side: Side) -> Option<(Vec3, f64)> {
+        let far_m = person.wrists_m?;
+        let (_, hangs) = self.arm.forward(side, [0.0; 4]);
+        let shoulder = person.body.shoulder(side);
+        Some((shoulder.translation + shoulder.rotation * hangs, far_m))
     }
 
     /// The walking velocity stands for the arm's own: how fast the arm gets where it is, the method leaves open.

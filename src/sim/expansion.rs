@@ -355,7 +355,7 @@ impl<P: Plant> Expansion for Expander<P> {
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
-            let (questions, places) = self.to_ask(i, asked, &pending, &transitions, &walked);
+            let (questions, places) = self.to_ask((depth, i), asked, &pending, &transitions, &walked);
             let Some(answers) = self.answer(&questions, &situations.all, go_on) else { return Ok(None) };
             let mut places = places.iter();
             pending.retain(|p| {

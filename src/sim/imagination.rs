@@ -37,6 +37,9 @@ const REMEMBERED: usize = 500_000;
 /// First step, counted from the start of an action, from which on a light curtain may have been broken.
 const EARLIEST: isize = -(DelayLine::LONGEST as isize);
 
+/// What is imagined is imagined for arms that may be anywhere: so many actions are long enough for that.
+const LONG_AFTER: usize = 1_000_000;
+
 /// An observed episode.
 #[derive(Clone, Debug)]
 struct Observed {
@@ -329,7 +332,7 @@ impl Imagination {
         }
         let mut met = None;
         for i in 0..frames.len() {
-            let stance = world.stance(&walked, i, action.posture(), sensed);
+            let stance = world.stance(&walked, (LONG_AFTER, i), action.posture(), sensed);
             let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
             let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
             if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some_and(Class::ends)) {

@@ -258,7 +258,7 @@ impl<P: Plant> Simulation<P> {
         let world = Arc::clone(&self.world);
         let Snapshot { mut node, mut place, mut delays, mut switched, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
-        for action in actions {
+        for (number, action) in actions.iter().enumerate() {
             let walked = world.walk(place, *action);
             let worked = world.worked(&walked, *action);
             let mut sensed = world.sense(&delays, switched, &world.sights(&walked, action.posture()), &worked);
@@ -274,7 +274,7 @@ impl<P: Plant> Simulation<P> {
             for (i, frame) in self.robots.frames(node).iter().enumerate() {
                 watched.instants.push(Instant {
                     position: world.position(&walked.places[i]),
-                    body: world.body_of(&world.stance(&walked, i, action.posture(), &sensed)),
+                    body: world.body_of(&world.stance(&walked, (number, i), action.posture(), &sensed)),
                     readings: world.readings(&sensed.readings[i], frame),
                     frame: RobotFrame::clone(frame),
                 });
@@ -309,7 +309,7 @@ impl<P: Plant> Simulation<P> {
         let row = world.binding.rows(self.robots.recall.outputs(NodeId::ROOT), None, world.cell.step_s);
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
         let place = world.start();
-        let stance = Stance { place, posture: Posture::Upright, walked: false, broken: Vec::new() };
+        let stance = Stance { place, posture: Posture::Upright, walked: false, broken: Vec::new(), raised: None };
         Instant {
             position: world.position(&place),
             body: world.body_of(&stance),
@@ -417,7 +417,8 @@ impl<P: Plant> Simulation<P> {
         } else if self.state.actions.len() + 1 < self.horizon() {
             (0.0, None)
         } else {
-            let person = self.world.person(&self.world.stance(&walked, last, action.posture(), &sensed));
+            let when = (self.state.actions.len(), last);
+            let person = self.world.person(&self.world.stance(&walked, when, action.posture(), &sensed));
             let walls = self.world.unbroken();
             let space = ArmSpace { walls: &walls, links: None };
             let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
@@ -507,7 +508,7 @@ impl<P: Plant> Simulation<P> {
         // What does not end the action is told unless something does.
         let mut noted: Option<Finding> = None;
         for i in 0..frames.len() {
-            let stance = self.world.stance(walked, i, action.posture(), sensed);
+            let stance = self.world.stance(walked, (self.state.actions.len(), i), action.posture(), sensed);
             let told = self.world.any_reports(&sensed.readings[i], &frames[i]);
             let mut earlier = Instead::new(&mut self.robots, node, i, told);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };

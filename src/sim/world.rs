@@ -86,6 +86,16 @@ pub struct Stance {
     pub walked: bool,
     /// For each light curtain, how many samples ago it was first broken; 0 for not at all.
     pub broken: Vec<usize>,
+    /// Where arms take their time: for so many steps they have not hung any more. Nothing once they may be anywhere.
+    pub raised: Option<usize>,
+}
+
+impl Stance {
+    /// Whether body and arms are the same in both.
+    #[must_use]
+    pub fn poses_as(&self, other: &Self) -> bool {
+        (self.place, self.posture, self.raised) == (other.place, other.posture, other.raised)
+    }
 }
 
 /// An unsafe contact at one instant.
@@ -454,11 +464,24 @@ impl World {
         self.person(stance).body
     }
 
-    /// The person after step `i` of an action.
+    /// The person after step `i` of an action that so many actions come before.
     #[must_use]
-    pub fn stance(&self, walked: &WalkTrace, i: usize, posture: Posture, sensed: &Sensed) -> Stance {
+    pub fn stance(&self, walked: &WalkTrace, (before, i): (usize, usize), posture: Posture, sensed: &Sensed) -> Stance {
         let (place, broken) = (walked.places[i], sensed.broken[i].clone());
-        Stance { place, posture, walked: Self::has_walked(walked, i), broken }
+        let raised = self.raised(before * self.cell.steps_per_action + i + 1);
+        Stance { place, posture, walked: Self::has_walked(walked, i), broken, raised }
+    }
+
+    /// So many steps, as long as arms cannot be anywhere after them.
+    fn raised(&self, steps: usize) -> Option<usize> {
+        let farthest_m = self.encounter.arm.farthest_from_hanging_m();
+        self.wrists_m(steps).filter(|far_m| *far_m < farthest_m).map(|_| steps)
+    }
+
+    /// How far wrists get in so many steps, m, where arms take their time.
+    #[expect(clippy::cast_precision_loss, reason = "some hundred steps")]
+    fn wrists_m(&self, steps: usize) -> Option<f64> {
+        Some(self.cell.arm_speed_m_s? * steps as f64 * self.cell.step_s)
     }
 
     /// Whether the person walked during step `i` of an action.
@@ -714,7 +737,8 @@ impl World {
         let (at, heading) = (self.position(place), place.heading_rad(&self.cell.start));
         let body = self.body().placed(at, heading, *posture, self.bend(place, *posture));
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
-        Person { body, arms, velocity: self.velocity(stance) }
+        let wrists_m = stance.raised.and_then(|steps| self.wrists_m(steps));
+        Person { body, arms, velocity: self.velocity(stance), wrists_m }
     }
 
     /// How the person walks, m/s.

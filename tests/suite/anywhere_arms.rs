@@ -127,7 +127,7 @@ impl One<'_> {
         let mut is_met = |at: [f64; 2], heading: f64| {
             let body = self.body(at, heading, posture);
             let limit = self.depths(at, body.shoulder(Side::Left).translation, told_m).body_m;
-            let person = Person { body, arms: Vec::new(), velocity: Vec3::ZERO };
+            let person = Person { body, arms: Vec::new(), velocity: Vec3::ZERO, wrists_m: None };
             let counts = |contact: &fmi_hazard::hazard::Contact| {
                 limit.is_none_or(|limit| self.curtain.is_none_or(|c| c.depth(contact.on_robot) <= limit - SPARE_M))
             };
@@ -164,6 +164,7 @@ impl One<'_> {
                 carried_m: 0.0,
                 hangs_from: None,
                 known: None,
+                wrist_within: None,
                 links: &frame.links,
                 obstacles: &obstacles,
                 score: &Force(frame),

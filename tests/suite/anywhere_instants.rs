@@ -91,7 +91,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
             cell.body.placed(Vec3::new(at[0] + dx, at[1] + dy, 0.0), heading + turned, posture, bend)
         };
         let mut is_hit = |dx: f64, dy: f64, turned: f64| {
-            let person = Person { body: body(dx, dy, turned), arms: Vec::new(), velocity: Vec3::ZERO };
+            let person = Person { body: body(dx, dy, turned), arms: Vec::new(), velocity: Vec3::ZERO, wrists_m: None };
             encounter.unsafe_body_contact(&person, frame, |_| true, &mut coverage).is_some()
         };
         let by = BODY_TOLERANCE_M;
@@ -102,7 +102,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
         if asked.arms && !told.contains(&told_in(at)) {
             let person = body(0.0, 0.0, 0.0);
             let arms = Side::BOTH.into_iter().filter(|side| is_available(&person, *side, &obstacles)).collect();
-            let person = Person { body: person, arms, velocity: Vec3::ZERO };
+            let person = Person { body: person, arms, velocity: Vec3::ZERO, wrists_m: None };
             let space = ArmSpace { walls: &[], links: None };
             let contact = encounter.unsafe_arm_contact(&person, frame, &space, &mut coverage);
             is_harmed |= contact.is_some_and(|(contact, _)| contact.distance_m < -2.0 * cell.search.reach_tolerance_m);

@@ -11,6 +11,7 @@ mod anywhere_arms;
 mod anywhere_instants;
 mod anywhere_presses;
 mod anywhere_sets;
+mod arm_speed;
 mod bad_archives;
 mod bad_descriptions;
 mod bad_input;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::checker::Checker;
-use super::format::{CellFile, FailOnTable, SearchTable, Sex};
+use super::format::{CellFile, FailOnTable, HumanTable, SearchTable, Sex};
 use super::reading::read;
 use super::starts::Starts;
 use crate::cell::CellError;
@@ -67,6 +67,7 @@ impl Checker<'_> {
         let controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
         let (obstacles, obstacle_tables) = self.obstacles(&file);
         let body = self.problems.keep(self.body(&file));
+        let arm_speed = self.problems.keep(self.arm_speed(&file.human));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
         let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
         let floor = self.problems.keep(self.floor_polygon(file.human.floor_m.as_ref(), "human.floor_m"));
@@ -104,6 +105,7 @@ impl Checker<'_> {
             from: file.human.from,
             start_region: region?,
             body: body?,
+            arm_speed_m_s: arm_speed?,
             criteria: chosen.criteria,
             clamping: chosen.clamping,
             separation: chosen.separation,
@@ -185,6 +187,15 @@ impl Checker<'_> {
         let only = file.fmu.iter().map(|path| UnitFile { name: String::new(), path: path.clone() });
         let units = file.units.iter().map(|u| u.get_ref());
         Ok(only.chain(units.map(|u| UnitFile { name: u.name.clone(), path: u.fmu.clone() })).collect())
+    }
+
+    fn arm_speed(&self, human: &HumanTable) -> Result<Option<f64>, Box<CellError>> {
+        let Some(speed) = &human.arm_speed_m_s else { return Ok(None) };
+        self.that((0.1..=10.0).contains(speed.get_ref()), speed.span(), || {
+            let help = "use 0.1 to 10 m/s; safety distances are made with 2.0".to_owned();
+            (format!("arm_speed_m_s is {}", number(*speed.get_ref())), help)
+        })?;
+        Ok(Some(*speed.get_ref()))
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {

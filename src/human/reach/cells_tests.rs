@@ -96,6 +96,7 @@ fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
                     carried_m: 0.0,
                     hangs_from: None,
                     known,
+                    wrist_within: None,
                     links: &links,
                     obstacles: &obstacles,
                     score: &Counts(counts),

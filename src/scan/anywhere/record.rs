@@ -136,6 +136,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         reach_tolerance_m: search.reach_tolerance_m,
         speed_criterion: search.criterion,
         criteria: None,
+        arm_speed_m_s: prepared.cell.arm_speed_m_s,
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
         presses: found.presses,

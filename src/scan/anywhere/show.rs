@@ -37,9 +37,11 @@ impl Looking<'_> {
         for alike in alike(harms) {
             let ways = |harm: &Harm| {
                 let step = history.seen[harm.instant].step;
-                // Standing there for a whole action before; where that is hit otherwise first, for the last step of it.
-                let standing =
-                    || [cell.steps_per_action, 1].map(|before| WalkIn::standing(harm, step, before)).to_vec();
+                // Standing there until arms are anywhere, for a whole action before, or where that is hit otherwise first for the last step.
+                let standing = || {
+                    let before = cell.raising_steps().into_iter().chain([cell.steps_per_action, 1]);
+                    before.map(|before| WalkIn::standing(harm, step, before, cell.steps_per_action)).collect()
+                };
                 if !history.seen[harm.instant].story.pressed.is_empty() {
                     pressing::all(prepared, search, first, (history, harm), standing)
                 } else if is_unseen {
@@ -63,7 +65,7 @@ impl Looking<'_> {
                 Some((harm, way, finding)) => (harm, way, Some(finding)),
                 None => {
                     let step = history.seen[alike[0].instant].step;
-                    (alike[0], WalkIn::standing(&alike[0], step, cell.steps_per_action), None)
+                    (alike[0], WalkIn::standing(&alike[0], step, cell.steps_per_action, cell.steps_per_action), None)
                 }
             };
             if let Some(finding) = &finding {

@@ -37,13 +37,13 @@ impl WalkIn {
         self.lead_in as f64 * step_s
     }
 
-    /// Whoever stands there, from so many steps before the instant on.
-    pub fn standing(harm: &Harm, step: usize, before: usize) -> Self {
+    /// Whoever stands there, from so many steps before the instant on; an action has so many.
+    pub fn standing(harm: &Harm, step: usize, before: usize, steps_per_action: usize) -> Self {
         Self {
             xy_m: harm.xy_m,
             heading_deg: harm.heading_rad.to_degrees(),
             lead_in: step.saturating_sub(before),
-            actions: vec![Action::new(Walk::Stop, harm.posture)],
+            actions: vec![Action::new(Walk::Stop, harm.posture); before.div_ceil(steps_per_action)],
         }
     }
 

@@ -489,7 +489,7 @@ impl<'a> Within<'a> {
         coverage: &mut Coverage,
     ) -> Option<Harm> {
         let seen = &self.history.seen[pair.n];
-        let person = Person { body: *body, arms: Vec::new(), velocity: Vec3::ZERO };
+        let person = Person { body: *body, arms: Vec::new(), velocity: Vec3::ZERO, wrists_m: None };
         let counts = |contact: &Contact| {
             self.history.links[contact.link] && {
                 let link = &seen.frame.links[contact.link];
@@ -511,7 +511,7 @@ impl<'a> Within<'a> {
     ) -> Option<Harm> {
         let (encounter, frame) = (&self.of.encounter, &self.history.seen[pair.n].frame);
         let available = Side::BOTH.into_iter().filter(|&side| is_available(body, side, &encounter.obstacles));
-        let person = Person { body: *body, arms: available.collect(), velocity: Vec3::ZERO };
+        let person = Person { body: *body, arms: available.collect(), velocity: Vec3::ZERO, wrists_m: None };
         let links: Vec<bool> = (0..frame.links.len()).map(|link| link == pair.link).collect();
         let space = ArmSpace { walls, links: Some(&links) };
         let (contact, _) = encounter.unsafe_arm_contact(&person, frame, &space, coverage)?;

@@ -24,7 +24,7 @@ impl<P: Plant> Expander<P> {
     /// about. And for each pending action where its answer will be: the number of the stance, and of the situation among those of it.
     pub(super) fn to_ask<'a>(
         &self,
-        i: usize,
+        (depth, i): (usize, usize),
         asked: Vec<Option<usize>>,
         pending: &[Pending],
         transitions: &[Vec<Transition>],
@@ -45,8 +45,12 @@ impl<P: Plant> Expander<P> {
         let mut places = vec![None; pending.len()];
         for alike in all.chunk_by(|a, b| a.0 == b.0) {
             let p = &pending[alike[0].2];
-            let stance =
-                self.world.stance(walked(p), i, p.action.posture(), &transitions[p.state][p.transition].sensed);
+            let stance = self.world.stance(
+                walked(p),
+                (depth, i),
+                p.action.posture(),
+                &transitions[p.state][p.transition].sensed,
+            );
             let mut situations: Vec<usize> = Vec::new();
             for (_, situation, number) in alike {
                 if situations.last() != Some(situation) {
@@ -123,8 +127,7 @@ impl<P: Plant> Expander<P> {
             let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
             let mut last: Option<(&Stance, Option<Person>)> = None;
             for (stance, asked) in &questions[numbers] {
-                let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
-                let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
+                let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let mut instants = instants_of(asked, situations);
                 let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
                 last = Some((stance, posed));

@@ -104,8 +104,7 @@ impl<P: Plant> Expander<P> {
             let mut last: Option<(&Stance, Option<Person>)> = None;
             for &question in &here[numbers] {
                 let (stance, asked) = &questions[question];
-                let same = |known: &Stance| known.place == stance.place && known.posture == stance.posture;
-                let mut posed = last.take().filter(|(known, _)| same(known)).and_then(|(_, posed)| posed);
+                let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let (mut instants, mut coverage) = (instants_of(asked, situations), Coverage::new(sensors));
                 let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
                 last = Some((stance, posed));

@@ -133,6 +133,7 @@ impl World {
             carried_m: 0.0,
             hangs_from: None,
             known: None,
+            wrist_within: None,
             links: &[target],
             obstacles: &obstacles,
             score: &OnControl,

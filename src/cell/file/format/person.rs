@@ -54,6 +54,11 @@ pub struct HumanTable {
     /// Angle of a sideways bend, degrees.
     #[serde(default = "thirty")]
     pub bend_lateral_deg: f64,
+    /// How fast hands move, m/s: at a contact, the wrist is no farther from where it is when the arm hangs than it gets at this speed
+    /// since the sequence began. Without it arms are anywhere at once. Safety distances are made with 2.0 (ISO 13855).
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub arm_speed_m_s: Option<Spanned<f64>>,
     /// Radii of body parts that are not those of a person of this stature.
     #[serde(default)]
     #[schemars(with = "Option<Radii>")]

@@ -136,8 +136,13 @@ impl Asked {
         }
         let world = World::new(cell, binding);
         let world = if any { world.content_with_any() } else { world };
-        let stance =
-            Stance { place: Place::START, posture: POSTURES[case.posture], walked: case.walks, broken: Vec::new() };
+        let stance = Stance {
+            place: Place::START,
+            posture: POSTURES[case.posture],
+            walked: case.walks,
+            broken: Vec::new(),
+            raised: None,
+        };
         let placed = world.body_of(&stance);
         let turned = placed.world_from_trunk().rotation;
         let columns = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| (turned * axis).to_array());
