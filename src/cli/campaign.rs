@@ -204,7 +204,8 @@ fn merge_it(own: &Merge) -> Result<u8, Failure> {
         Format::Table => output::result(&survey.render()),
     }
     if merged.worked_out > 0 {
-        output::note(&format!(" {} tasks had no result and were worked out here", merged.worked_out));
+        let were = if merged.worked_out == 1 { "task had no result and was" } else { "tasks had no result and were" };
+        output::note(&format!(" {} {were} worked out here", merged.worked_out));
     }
     if merged.looked_up + merged.unanswered > 0 {
         output::note(&format!(

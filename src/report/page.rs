@@ -77,12 +77,12 @@ pub struct Obstacle {
     pub quaternion: [f64; 4],
 }
 
-/// Where a sensor sees.
+/// Where a sensor sees, or where a control is.
 #[derive(Clone, Debug, Serialize)]
 pub struct ZoneOutline {
-    /// The sensor's name.
+    /// The name of the sensor or of the control.
     pub name: String,
-    /// `mat`, `field` or `curtain`.
+    /// `mat`, `field`, `curtain`, `door`, `post` or `button`.
     pub kind: &'static str,
     /// Its outline on the floor plan.
     pub polygon_m: Vec<[f64; 2]>,

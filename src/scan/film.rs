@@ -6,7 +6,7 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
-use crate::cell::{Zone, looks};
+use crate::cell::{Control, Zone, looks};
 use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -37,7 +37,10 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
         step_s: cell.step_s,
         obstacles: cell.obstacles.iter().map(|(name, cuboid)| obstacle(name, cuboid)).collect(),
         sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
-        zones: cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone)).collect(),
+        zones: {
+            let sensors = cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone));
+            sensors.chain(cell.controls.iter().filter_map(button)).collect()
+        },
         links: cell
             .links
             .iter()
@@ -127,6 +130,14 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
         Zone::Reported => return None,
     };
     Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: outline::zone(zone)?, z_m })
+}
+
+/// A control as something upright that is as large as what a hand has to get to, or a little larger.
+fn button(control: &Control) -> Option<ZoneOutline> {
+    let place = control.place?;
+    let half = place.radius.max(outline::BUTTON_M);
+    let z_m = [place.a.z.min(place.b.z) - half, place.a.z.max(place.b.z) + half];
+    Some(ZoneOutline { name: control.name.clone(), kind: "button", polygon_m: outline::button(control)?, z_m })
 }
 
 /// Runs the sequence of `hazard` and keeps everything that there is to see. Where it takes an arm through a light curtain,

@@ -20,18 +20,21 @@ pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
 /// Where sensors see and where controls are, from above, with their names.
 pub(super) fn zones(cell: &Workcell) -> Vec<(String, Vec<Point>)> {
     let sensors = cell.sensors.iter().filter_map(|sensor| Some((sensor.name.clone(), zone(&sensor.zone)?)));
-    let button = |control: &Control| {
-        let place = control.place?;
-        let (a, b, half) = (flat(place.a), flat(place.b), place.radius.max(BUTTON_M));
-        let [low, high] = [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| [of(a[0], b[0]), of(a[1], b[1])]);
-        let (low, high) = (low.map(|at| at - half), high.map(|at| at + half));
-        Some((control.name.clone(), vec![low, [high[0], low[1]], high, [low[0], high[1]]]))
-    };
-    sensors.chain(cell.controls.iter().filter_map(button)).collect()
+    let buttons = cell.controls.iter().filter_map(|control| Some((control.name.clone(), button(control)?)));
+    sensors.chain(buttons).collect()
+}
+
+/// A control, as the rectangle around what a hand has to get to.
+pub(super) fn button(control: &Control) -> Option<Vec<Point>> {
+    let place = control.place?;
+    let (a, b, half) = (flat(place.a), flat(place.b), place.radius.max(BUTTON_M));
+    let [low, high] = [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| [of(a[0], b[0]), of(a[1], b[1])]);
+    let (low, high) = (low.map(|at| at - half), high.map(|at| at + half));
+    Some(vec![low, [high[0], low[1]], high, [low[0], high[1]]])
 }
 
 /// Half the edge of the square that a button is drawn as, m.
-const BUTTON_M: f64 = 0.05;
+pub(super) const BUTTON_M: f64 = 0.05;
 
 /// Footprint: the lower face, exact for boxes that stand upright.
 pub(super) fn outline(c: &Cuboid) -> Vec<Point> {

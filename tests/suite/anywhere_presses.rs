@@ -96,6 +96,30 @@ fn whoever_walks_and_presses_is_in_the_sets() {
     }
 }
 
+/// From where a hand gets to the button one is soon in front of the robot in the flawed cell; in the repaired one not without the mat
+/// between.
+#[test]
+fn whoever_has_pressed_is_near_the_button() {
+    let dir = examples();
+    for (file, is_inside) in [("cell.toml", true), ("fixed.toml", false)] {
+        let prepared = prepare(&dir.path().join("reset-inside").join(file), None).unwrap();
+        let cell = &*prepared.cell;
+        let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+        let stride_m = 1.6 * cell.step_s;
+        let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1);
+        let pressed: Vec<_> = zones.ways.iter().filter(|way| way.pressed == Presses::one(0)).collect();
+        assert!(pressed.len() > 2, "{file}: {} ways", pressed.len());
+        let unseen = pressed.iter().filter(|way| !zones.readings[way.to][0]);
+        let nearest = unseen.map(|way| way.field.least([0.0, 0.5], 0.0)).fold(f64::INFINITY, f64::min);
+        assert_eq!(nearest < 1.5, is_inside, "{file}: {nearest}");
+        assert!(search.may_work(Presses::one(0), cell.start.xy_m()) || is_inside);
+        assert!(!search.may_work(Presses::one(0), [0.9, 1.9]));
+        // Nobody works it whom the cell file does not let.
+        let none = Zones::new(&search, &[false], &[true], (stride_m, 100), 0);
+        assert!(none.ways.iter().all(|way| way.pressed.is_none()) && none.ways.len() < zones.ways.len());
+    }
+}
+
 /// Over a strip of mat that is 0.3 m deep, so that a second is enough: who comes from anywhere and presses once is hit in the flawed cell,
 /// as a run of its own shows, and nobody is in that second in a repaired one.
 #[test]

@@ -107,7 +107,7 @@ fn shards_in_any_order_stopped_killed_and_done_twice_give_what_one_process_gives
     // What is missing is worked out when that is asked for.
     std::fs::remove_file(dir.join("four/tasks").join(names[4])).unwrap();
     let (code, told) = campaign(dir, &["merge", "four", "--work-out-missing"]);
-    assert!(code == Some(1) && told.contains("1 tasks had no result"), "{told}");
+    assert!(code == Some(1) && told.contains("1 task had no result and was worked out here"), "{told}");
     assert!(merged(&dir.join("four")) == whole);
 }
 

@@ -68,6 +68,9 @@ fn a_reset_with_somebody_inside_is_found_told_and_mended() {
         let does = who.replace("The person", "the person").replace("A colleague", "a colleague");
         assert!(code == Some(1) || code == Some(0), "{told}");
         assert!(told.contains(&does), "{told}");
+        // The page shows the button.
+        let page = std::fs::read_to_string(dir.join("flawed/report.html")).unwrap();
+        assert!(page.contains("\"name\":\"reset\",\"kind\":\"button\""), "{example}");
         // The repaired twin, and what became of the hazards.
         let fixed = variant(dir, example, "fixed.toml", ON_THE_MAT);
         let (code, told) = ran(dir, &["scan", "--no-advice", &fixed, "--strategy", "exhaustive", "--out", "fixed"]);

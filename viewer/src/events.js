@@ -1,4 +1,7 @@
-// What happens in a replay, in order: sensors begin to report, contact, the link comes to rest. Marked on every time axis.
+// What happens in a replay, in order: controls are worked, sensors begin to report, contact, the link comes to rest. Marked on every
+// time axis.
+
+import { worked } from "./words.js";
 
 /** Below this speed a link counts as standing still, m/s. */
 const RESTS_BELOW = 0.01;
@@ -9,14 +12,16 @@ function restFrame(speeds, from) {
   return falls.find((frame) => frame >= from) ?? falls[0] ?? -1;
 }
 
-/** The events of a replay: frame, kind (`sensor`, `contact`, `rest`) and what it is in words. */
+/** The events of a replay: frame, kind (`press`, `sensor`, `contact`, `rest`) and what it is in words. */
 export function eventsOf(replay, hazard) {
   const reports = replay.sensors
     .map(({ name, detected }) => ({ frame: detected.indexOf("1"), kind: "sensor", text: `${name} reports` }))
     .filter(({ frame }) => frame >= 0);
   const from = reports.length > 0 ? Math.min(...reports.map(({ frame }) => frame)) : 0;
   const rest = restFrame(replay.speed_m_s, from);
+  const presses = (hazard.worked ?? []).map((control) => ({ frame: Math.round(control.at_s / replay.step), kind: "press", text: worked(control) }));
   return [
+    ...presses,
     ...reports,
     { frame: replay.contact_frame, kind: "contact", text: hazard.class === "separation" ? "too near" : "contact" },
     ...(rest >= 0 ? [{ frame: rest, kind: "rest", text: `${hazard.robot_link} stands still` }] : []),

@@ -39,6 +39,7 @@ export const COLOURS = {
   curtain: "#16a34a",
   door: "#0d9488",
   post: "#9333ea",
+  button: "#db2777",
   obstacle: "#8b93a0",
 };
 

@@ -102,10 +102,10 @@ function loop(polygon, z, material) {
 }
 
 /** How opaque a zone is: clear, and lit while its sensor reports the person. */
-const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.1, door: 0.1, post: 0.07 };
-const LIT = { mat: 0.55, field: 0.3, curtain: 0.26, door: 0.26, post: 0.3 };
+const CLEAR = { mat: 0.16, field: 0.07, curtain: 0.1, door: 0.1, post: 0.07, button: 0.6 };
+const LIT = { mat: 0.55, field: 0.3, curtain: 0.26, door: 0.26, post: 0.3, button: 1 };
 
-/** A sensor zone: flat on the floor or at its height; a curtain and a door stand upright. */
+/** A sensor zone: flat on the floor or at its height; a curtain and a door stand upright. So does a button, at its own height. */
 export class Zone extends Group {
   constructor({ kind, polygon_m: polygon, z_m: [low, high] }, colour) {
     super();
@@ -114,7 +114,7 @@ export class Zone extends Group {
     this.edge = new LineBasicMaterial({ color: colour });
     // A mat lies just above the floor's grid; equal heights would flicker.
     const floor = Math.max(low, 0.006);
-    if (kind === "curtain" || kind === "door") {
+    if (kind === "curtain" || kind === "door" || kind === "button") {
       this.add(new Mesh(walls(polygon, low, high), this.fill), loop(polygon, floor, this.edge), loop(polygon, high, this.edge));
     } else {
       const height = kind === "field" ? Math.max(high, floor) : floor;

@@ -87,6 +87,11 @@ export function nameControls(all) {
   controls = all;
 }
 
+/** Who works a control, and how: "the person presses reset". */
+export function worked({ name, by, kind }) {
+  return `${by === "anyone" ? "a colleague" : "the person"} ${WORKS[kind]} ${name}`;
+}
+
 /** What is worked in an action: "presses reset", "a colleague presses reset". */
 function press(text) {
   const control = controls[Number(text) - 1];

@@ -52,14 +52,18 @@ impl Explanation {
         } else {
             String::new()
         };
+        let bears = if region.permits_no_contact() {
+            "What cannot recoil bears no more here than what can, and"
+        } else {
+            "A part that cannot recoil bears half of the transient limit, and"
+        };
         let k = spring_constant_n_m(region) / 1000.0;
         let safe = clamping.closing_m_s * clamping.limit_n / clamping.force_n;
         let _ = writeln!(out, "\n Clamping, after {STANDARD_EDITION} and ISO 13854");
         let mut say = |text: &str| *out += &wrapped(text, "   ");
         say(&format!(
             "The {} is between the robot's {link} and {}, which does not give way: {:.0} mm of room at ({:.2}, {:.2}, {:.2}) m, and it \
-             closes at {:.2} m/s. ISO 13854 asks for {least:.0} mm{on}. A part that cannot recoil bears half of the transient limit, and the \
-             whole mass of the robot is behind the stroke.",
+             closes at {:.2} m/s. ISO 13854 asks for {least:.0} mm{on}. {bears} the whole mass of the robot is behind the stroke.",
             region.words(),
             clamping.against,
             1000.0 * clamping.gap_m,
