@@ -33,6 +33,8 @@ pub struct Way {
     pub from: Option<usize>,
     /// The readings.
     pub to: usize,
+    /// In which part of where these are reported somebody then is, where parts are told apart.
+    pub area: usize,
     /// Whether the readings before are those of the very start, never left.
     pub is_first: bool,
     /// Whether the readings themselves are, and were never left.
@@ -104,7 +106,15 @@ impl Zones {
         if this.readings.first().is_none_or(|reading| reading != first) {
             return this;
         }
-        let beside: Vec<Vec<bool>> = zones.iter().map(|zone| both(&ground.grown(zone, step_m), &free)).collect();
+        // Who presses outside of a field is not inside of it: parts that nobody gets from one to another of unreported are told apart.
+        let areas: Vec<(usize, Vec<bool>)> = (0..)
+            .zip(&zones)
+            .flat_map(|(reading, zone)| {
+                let parts = if in_hand.is_empty() { vec![zone.clone()] } else { parts(ground, zone, step_m) };
+                parts.into_iter().map(move |part| (reading, part))
+            })
+            .collect();
+        let beside: Vec<Vec<bool>> = areas.iter().map(|(_, area)| both(&ground.grown(area, step_m), &free)).collect();
         // Sensors that do not matter may see them later: wherever they get to with those that do still reporting the same.
         let at_first = ground.spread(&both(&zones[0], &either(&unseen, &entrances)), &zones[0]);
         let around = both(&ground.grown(&at_first, step_m), &free);
@@ -116,6 +126,7 @@ impl Zones {
         let first = Way {
             from: None,
             to: 0,
+            area: 0,
             is_first: true,
             unchanged: true,
             pressed: Presses::NONE,
@@ -123,52 +134,61 @@ impl Zones {
         };
         add(&mut this, first);
         let known = |this: &Self, wanted: &Way| {
-            let key = |way: &Way| (way.from, way.to, way.is_first, way.unchanged, way.pressed);
+            let key = |way: &Way| (way.from, way.area, way.is_first, way.unchanged, way.pressed);
             this.ways.iter().position(|way| key(way) == key(wanted))
         };
         let mut number = 0;
         while number < this.ways.len() {
-            let Way { to, field, unchanged, .. } = this.ways[number].clone();
+            let Way { to, area, field, unchanged, .. } = this.ways[number].clone();
             let (mut follow, mut at_once) = (Vec::new(), Vec::new());
-            let leaves = if unchanged { &at_first } else { &zones[to] };
-            for (other, zone) in zones.iter().enumerate().filter(|(other, _)| *other != to) {
-                let strip = both(zone, &either(&ground.grown(leaves, step_m), &entrances));
+            let leaves = if unchanged { &at_first } else { &areas[area].1 };
+            let near = either(&ground.grown(leaves, step_m), &entrances);
+            for (other, (reading, cells)) in areas.iter().enumerate().filter(|(_, (reading, _))| *reading != to) {
                 let over = [least_at(&field, leaves, &beside[other]), least_at(&field, leaves, &entrances)];
                 let least = over.into_iter().flatten().reduce(f64::min).filter(|least| *least < most_m);
                 let Some(least) = least else { continue };
                 let way = Way {
                     from: Some(to),
-                    to: other,
+                    to: *reading,
+                    area: other,
                     is_first: unchanged,
                     unchanged: false,
                     pressed: Presses::NONE,
                     field: Arc::clone(&this.origin),
                 };
                 let known = known(&this, &way).unwrap_or_else(|| {
-                    let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m));
+                    let field = Arc::new(Field::from(ground, &both(cells, &near), &beside[other], most_m));
                     add(&mut this, Way { field, ..way })
                 });
                 follow.push((known, steps_for(least, step_m)));
             }
             for (pressed, hand) in &in_hand {
-                let Some(least) = least_at(&field, leaves, hand).filter(|least| *least < most_m) else { continue };
-                let way = Way {
-                    from: Some(to),
-                    to,
-                    is_first: unchanged,
-                    unchanged,
-                    pressed: *pressed,
-                    field: Arc::clone(&this.origin),
-                };
-                let known = known(&this, &way).unwrap_or_else(|| {
-                    let field = Arc::new(Field::from(ground, &both(leaves, hand), &beside[to], most_m));
-                    add(&mut this, Way { field, ..way })
-                });
-                // Worked at a sample, and not on the way from one to the next.
-                let steps = steps_for(least, step_m);
-                follow.push((known, steps.saturating_sub(1)));
-                if steps == 0 {
-                    at_once.push(known);
+                // Where it is not known in which part somebody is, they may be in any.
+                let here = |other: &usize| areas[*other].0 == to && (unchanged || *other == area);
+                for other in (0..areas.len()).filter(here) {
+                    let strip = both(&both(leaves, hand), &areas[other].1);
+                    let Some(least) = least_at(&field, leaves, &strip).filter(|least| *least < most_m) else {
+                        continue;
+                    };
+                    let way = Way {
+                        from: Some(to),
+                        to,
+                        area: other,
+                        is_first: unchanged,
+                        unchanged,
+                        pressed: *pressed,
+                        field: Arc::clone(&this.origin),
+                    };
+                    let known = known(&this, &way).unwrap_or_else(|| {
+                        let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m));
+                        add(&mut this, Way { field, ..way })
+                    });
+                    // Worked at a sample, and not on the way from one to the next.
+                    let steps = steps_for(least, step_m);
+                    follow.push((known, steps.saturating_sub(1)));
+                    if steps == 0 {
+                        at_once.push(known);
+                    }
                 }
             }
             this.at_once.push(at_once);
@@ -195,6 +215,27 @@ impl Zones {
     pub fn at_once(&self, way: usize) -> &[usize] {
         &self.at_once[way]
     }
+}
+
+/// The parts of some cells between which there is more than a step.
+fn parts(floor: &Floor, cells: &[bool], step_m: f64) -> Vec<Vec<bool>> {
+    let mut left = cells.to_vec();
+    let mut parts = Vec::new();
+    while let Some(seed) = left.iter().position(|is| *is) {
+        let mut part = vec![false; cells.len()];
+        part[seed] = true;
+        loop {
+            part = floor.spread(&part, cells);
+            let more: Vec<bool> = floor.grown(&part, step_m).iter().zip(cells).map(|(near, is)| *near && *is).collect();
+            if more == part {
+                break;
+            }
+            part = more;
+        }
+        left.iter_mut().zip(&part).for_each(|(left, own)| *left &= !own);
+        parts.push(part);
+    }
+    parts
 }
 
 /// Steps that it takes at least to walk so far.
