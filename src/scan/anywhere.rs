@@ -485,6 +485,12 @@ impl<'a> Looking<'a> {
                  time: a restart behind them was not looked at. Ask for less with --until, or more with --max-states"
             ));
         }
+        if found.presses.is_some() && !two_hand(self.prepared).is_empty() {
+            found.reasons.push(
+                "who works a control may let go of a two-hand control for that: from anywhere that is not looked at"
+                    .to_owned(),
+            );
+        }
         if found.presses == Some(0) {
             found.reasons.push("no control was worked: --presses says how often".to_owned());
         } else if found.presses.is_some() && !self.prepared.cell.pose.is_empty() {

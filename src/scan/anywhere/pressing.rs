@@ -59,7 +59,8 @@ pub(super) fn all(
         (None, None) => standing(),
         (None, Some(changed)) => ways.unworked(*changed),
         (Some((step, presses)), changed) => {
-            for (_, worked) in others.iter_mut().filter(|(at, _)| *at == step) {
+            let has = |worked: &Presses| presses.numbers().all(|control| worked.has(control));
+            for (_, worked) in others.iter_mut().filter(|(at, worked)| *at == step && has(worked)) {
                 *worked = worked.either(presses);
             }
             others.retain(|(_, worked)| !worked.is_none());

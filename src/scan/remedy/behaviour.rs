@@ -51,7 +51,8 @@ struct Answer {
     reports: Vec<Option<usize>>,
     /// A robot moves otherwise than if the person had stood still.
     reacts: Option<usize>,
-    /// Each robot stands still, of those that did not when it came to that.
+    /// Each robot stands still from then on to the end of the walk, where it would not have if the person had stood still; nothing
+    /// if it would have, [`NEVER`] if it moves at the end.
     stands: Vec<Option<usize>>,
 }
 
@@ -63,6 +64,9 @@ pub(super) enum Objection {
     /// It would help for a reason that does not count.
     Other(String),
 }
+
+/// The end of a walk does not see a robot stand.
+const NEVER: usize = usize::MAX;
 
 /// Random walks beside those that are known to lead to hazards.
 const RANDOM_WALKS: usize = 60;
@@ -187,8 +191,13 @@ impl Answers {
                     let own = robot_of.iter().zip(&instant.frame.speed_bounds).filter(|(of, _)| **of == robot);
                     own.map(|(_, speed)| *speed).fold(0.0, f64::max)
                 };
-                let reacts = reacts.filter(|reacts| fast(&instants[*reacts]) > STANDSTILL_M_S)?;
-                first(&instants, &|i, instant| i > reacts && fast(instant) <= STANDSTILL_M_S)
+                let moves = |instant: &Instant| fast(instant) > STANDSTILL_M_S;
+                let stands = reacts?.max(instants.iter().rposition(moves).map_or(0, |last| last + 1));
+                if stands == instants.len() {
+                    return Some(NEVER);
+                }
+                // It is no pause of the programme if the robot would move later had nobody come.
+                rest[stands..instants.len()].iter().any(moves).then_some(stands)
             };
             let stands = (0..robots).map(stands).collect();
             walks.push(Answer { reports, reacts, stands });
@@ -214,7 +223,9 @@ impl Answers {
                         .to_owned(),
                 );
             }
-            if before.stands.iter().zip(&now.stands).any(later) {
+            let stops_later =
+                |(before, now): (&Option<usize>, &Option<usize>)| before.zip(*now).is_some_and(|(b, n)| n > b);
+            if before.stands.iter().zip(&now.stands).any(stops_later) {
                 return smaller("it makes a safeguard slower: the robot then stops later or not at all".to_owned());
             }
         }
@@ -247,7 +258,8 @@ mod tests {
         // It reacts as soon, and takes longer to stand still.
         let before = stopping(Some(5), Some(9), Some(20));
         assert_eq!(smaller(&before, &stopping(Some(5), Some(9), Some(19))), None);
-        for stands in [Some(21), None] {
+        assert_eq!(smaller(&before, &stopping(Some(5), Some(9), None)), None);
+        for stands in [Some(21), Some(NEVER)] {
             let said = smaller(&before, &stopping(Some(5), Some(9), stands));
             assert!(matches!(said, Some(Objection::Smaller(_))), "{stands:?}");
         }

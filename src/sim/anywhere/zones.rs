@@ -35,6 +35,8 @@ pub struct Way {
     pub to: usize,
     /// In which part of where these are reported somebody then is, where parts are told apart.
     pub area: usize,
+    /// In which part of where those before are reported they were; none if that may have been anywhere they were never seen.
+    pub left: Option<usize>,
     /// Whether the readings before are those of the very start, never left.
     pub is_first: bool,
     /// Whether the readings themselves are, and were never left.
@@ -127,6 +129,7 @@ impl Zones {
             from: None,
             to: 0,
             area: 0,
+            left: None,
             is_first: true,
             unchanged: true,
             pressed: Presses::NONE,
@@ -134,14 +137,15 @@ impl Zones {
         };
         add(&mut this, first);
         let known = |this: &Self, wanted: &Way| {
-            let key = |way: &Way| (way.from, way.area, way.is_first, way.unchanged, way.pressed);
+            let key = |way: &Way| (way.from, way.left, way.area, way.is_first, way.unchanged, way.pressed);
             this.ways.iter().position(|way| key(way) == key(wanted))
         };
         let mut number = 0;
         while number < this.ways.len() {
-            let Way { to, area, field, unchanged, .. } = this.ways[number].clone();
+            let Way { to, area, field, unchanged, pressed: worked, .. } = this.ways[number].clone();
             let (mut follow, mut at_once) = (Vec::new(), Vec::new());
             let leaves = if unchanged { &at_first } else { &areas[area].1 };
+            let left = (!unchanged).then_some(area);
             let near = either(&ground.grown(leaves, step_m), &entrances);
             for (other, (reading, cells)) in areas.iter().enumerate().filter(|(_, (reading, _))| *reading != to) {
                 let over = [least_at(&field, leaves, &beside[other]), least_at(&field, leaves, &entrances)];
@@ -151,6 +155,7 @@ impl Zones {
                     from: Some(to),
                     to: *reading,
                     area: other,
+                    left,
                     is_first: unchanged,
                     unchanged: false,
                     pressed: Presses::NONE,
@@ -174,6 +179,7 @@ impl Zones {
                         from: Some(to),
                         to,
                         area: other,
+                        left,
                         is_first: unchanged,
                         unchanged,
                         pressed: *pressed,
@@ -186,7 +192,8 @@ impl Zones {
                     // Worked at a sample, and not on the way from one to the next.
                     let steps = steps_for(least, step_m);
                     follow.push((known, steps.saturating_sub(1)));
-                    if steps == 0 {
+                    // What two hands do at one sample is one way.
+                    if steps == 0 && worked.is_none() {
                         at_once.push(known);
                     }
                 }
