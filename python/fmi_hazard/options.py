@@ -23,6 +23,7 @@ class ScanOptions(Hosting, total=False):
     cell: File
     begin: int
     until: str
+    presses: int
     strategy: Literal[
         "auto", "exhaustive", "mcts-dpw", "mcts-dpw-lee", "mcts-dpw-literal", "random", "plan", "hybrid"
     ]
