@@ -1456,6 +1456,10 @@ class Working(TypedDict):
     """
     Its name.
     """
+    pressed_steps: NotRequired[int | None]
+    """
+    Of a momentary one: for how many communication steps it is pressed.
+    """
 
 
 class AgreementDiffers(TypedDict):
@@ -1700,6 +1704,10 @@ class ControlRecord(TypedDict):
     name: str
     """
     Its name.
+    """
+    pressed_steps: NotRequired[int | None]
+    """
+    Of a momentary one: for how many communication steps it is pressed.
     """
 
 

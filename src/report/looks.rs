@@ -6,7 +6,7 @@ use serde::Deserialize;
 use super::criteria::{CriteriaRecord, judges, tells_all};
 use super::model::{Hazard, Settings};
 use super::worked::ControlRecord;
-use crate::cell::file::format::ControlledBy;
+use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::hazard::{Class, Criterion};
 
 /// The settings that decide what is told.
@@ -103,7 +103,17 @@ impl Looks {
         let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control));
         mine.zip(its).is_some_and(|(mine, its)| {
             let as_often = mine.by == its.by || mine.by == ControlledBy::Anyone;
-            (&mine.name, mine.kind) == (&its.name, its.kind) && as_often
+            // An input that waits for an edge, or for it to last, tells a shorter press from a longer one.
+            #[expect(clippy::cast_precision_loss, reason = "at most 200")]
+            let lasts = |looks: &Self, control: &ControlRecord| {
+                control.pressed_steps.map(|steps| steps as f64 * looks.contact_check_interval_s)
+            };
+            let as_long = match (lasts(self, mine), lasts(earlier, its)) {
+                (Some(mine), Some(its)) => (mine - its).abs() < 1e-6,
+                (None, None) => mine.kind != ControlKind::Momentary,
+                _ => false,
+            };
+            (&mine.name, mine.kind) == (&its.name, its.kind) && as_often && as_long
         })
     }
 
@@ -131,7 +141,6 @@ impl Looks {
 mod tests {
     use super::super::criteria::SeparationTerms;
     use super::*;
-    use crate::cell::file::format::ControlKind;
 
     fn looks() -> Looks {
         let separation = SeparationTerms {
@@ -180,7 +189,12 @@ mod tests {
     fn what_is_worked_less_is_not_told() {
         use ControlledBy::{Anyone, Nobody, Person};
         let with = |name: &str, by, kind| Looks {
-            controls: vec![ControlRecord { name: name.to_owned(), by, kind }],
+            controls: vec![ControlRecord {
+                name: name.to_owned(),
+                by,
+                kind,
+                pressed_steps: (kind == ControlKind::Momentary).then_some(10),
+            }],
             ..looks()
         };
         let momentary = |by| with("reset", by, ControlKind::Momentary);
@@ -196,6 +210,15 @@ mod tests {
         }
         assert!(!with("mode", Person, ControlKind::Momentary).works(&momentary(Person), 0));
         assert!(!with("reset", Person, ControlKind::Held).works(&momentary(Person), 0));
+        // The same time in half as long steps is the same; a shorter one is not, nor one of which nothing is said.
+        for (pressed_steps, step_s, works) in
+            [(Some(10), 0.02, true), (Some(20), 0.01, true), (Some(10), 0.01, false), (None, 0.02, false)]
+        {
+            let mut after = Looks { contact_check_interval_s: step_s, ..momentary(Person) };
+            after.controls[0].pressed_steps = pressed_steps;
+            assert_eq!(after.works(&momentary(Person), 0), works, "{pressed_steps:?} {step_s}");
+        }
+        assert!(with("mode", Person, ControlKind::Held).works(&with("mode", Person, ControlKind::Held), 0));
         assert!(!looks().works(&momentary(Person), 0) && !momentary(Person).works(&momentary(Person), 1));
     }
 

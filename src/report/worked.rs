@@ -17,6 +17,9 @@ pub struct ControlRecord {
     pub by: ControlledBy,
     /// How it is worked.
     pub kind: ControlKind,
+    /// Of a momentary one: for how many communication steps it is pressed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressed_steps: Option<usize>,
 }
 
 /// A control that is worked in an action.
@@ -31,7 +34,8 @@ pub struct Working {
 
 impl From<&Control> for ControlRecord {
     fn from(control: &Control) -> Self {
-        Self { name: control.name.clone(), by: control.by, kind: control.kind }
+        let pressed_steps = (control.kind == ControlKind::Momentary).then_some(control.steps);
+        Self { name: control.name.clone(), by: control.by, kind: control.kind, pressed_steps }
     }
 }
 

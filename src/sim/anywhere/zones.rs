@@ -6,7 +6,7 @@
 //! more than the way walked in the time.
 //!
 //! A control that the person works is a way of its own, on which the readings stay the same: it begins where a hand gets to the
-//! control (`hands`), and who has worked it is no farther from there than the way walked since.
+//! control (`controls`), and who has worked it is no farther from there than the way walked since.
 //!
 //! Every rounding is outwards: a cell belongs to a reading when any pose in it may report it; cells are grown by a step where
 //! somebody may have been elsewhere between two samples.
