@@ -94,7 +94,7 @@ fn e_remembered_action(bencher: Bencher) {
     let mut simulation = CELL.simulation(StateChoice::Auto, false).expect("a simulation");
     bencher.bench_local(|| {
         simulation.reset().expect("the start");
-        black_box(simulation.step(Action::REST.index()).expect("an action"));
+        black_box(simulation.take(Action::REST).expect("an action"));
     });
 }
 

@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from typing import Literal, NotRequired, TypeAlias, TypedDict
 
+Ability: TypeAlias = Literal['kneel', 'crouch', 'crawl', 'step_back', 'run']
+"""
+Something that a person does only where the cell file says so: each makes the search larger, and no standard counts on it.
+"""
+
+
 Action: TypeAlias = str
 """
 A walk and a posture, for 200 ms, and the controls that are worked meanwhile, by their numbers in the cell file.
@@ -2085,6 +2091,10 @@ class Settings(TypedDict):
     """
     Actions in a sequence.
     """
+    also: NotRequired[list[Ability]]
+    """
+    What the person does besides walking, bending and reaching.
+    """
     arm_speed_m_s: NotRequired[float | None]
     """
     How fast hands move, m/s, if arms take their time.
@@ -2116,6 +2126,10 @@ class Settings(TypedDict):
     reach_tolerance_m: float
     """
     Depth of contact that the arm check may miss, m.
+    """
+    run_m_s: NotRequired[float | None]
+    """
+    How fast who runs does so, m/s.
     """
     seed: int
     """

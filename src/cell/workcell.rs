@@ -13,7 +13,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
-use crate::human::{Body, Start};
+use crate::human::{Body, Repertoire, Start};
 use crate::standards::iso_13855::{Detection, Opening};
 
 /// A validated cell in SI units and radians.
@@ -70,6 +70,8 @@ pub struct Workcell {
     pub body: Body,
     /// How fast hands move, m/s, where arms take their time.
     pub arm_speed_m_s: Option<f64>,
+    /// What the person does.
+    pub repertoire: Repertoire,
     /// What of contacts counts as unsafe.
     pub criteria: Criteria,
     /// How far robots go on after a contact.

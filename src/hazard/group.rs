@@ -84,8 +84,8 @@ pub struct Group {
 
 /// Order of sequences: fewer actions, then less effort, then the order of actions.
 #[must_use]
-pub fn calmness(actions: &[Action]) -> (usize, u32, Vec<usize>) {
-    (actions.len(), actions.iter().map(|a| a.effort()).sum(), actions.iter().map(|a| a.index()).collect())
+pub fn calmness(actions: &[Action]) -> (usize, u32, Vec<Action>) {
+    (actions.len(), actions.iter().map(|a| a.effort()).sum(), actions.to_vec())
 }
 
 /// All hazards of a scan.

@@ -1,5 +1,5 @@
-//! The actions of the virtual human: six ways to walk, each with six postures (Huck et al., ICRA 2021), and beside them the
-//! controls of the cell that somebody works meanwhile.
+//! The actions of the virtual human: six ways to walk, each with six postures (Huck et al., ICRA 2021), more of both where
+//! the cell file asks for them, and beside them the controls of the cell that somebody works meanwhile.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -15,6 +15,8 @@ use super::Presses;
 pub const ACTION_S: f64 = 0.2;
 
 /// What the legs do during one action. A turn changes the heading at once, then the way leads straight ahead.
+///
+/// The first six are those of the paper; which of the others there are, a [`Repertoire`](super::Repertoire) says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Walk {
     /// Stand still, heading kept.
@@ -29,11 +31,18 @@ pub enum Walk {
     Right45,
     /// Turn right by 90 degrees, then straight ahead.
     Right90,
+    /// Straight back, heading kept.
+    Back,
+    /// Straight ahead, faster than anybody walks.
+    Run,
 }
 
 impl Walk {
-    /// Every walk once, in the order of the action index.
-    pub const ALL: [Self; 6] = [Self::Stop, Self::Forward, Self::Left45, Self::Left90, Self::Right45, Self::Right90];
+    /// Those that everybody does, in the order of the action index.
+    pub const USUAL: [Self; 6] = [Self::Stop, Self::Forward, Self::Left45, Self::Left90, Self::Right45, Self::Right90];
+    /// Every walk once.
+    pub const ALL: [Self; 8] =
+        [Self::Stop, Self::Forward, Self::Left45, Self::Left90, Self::Right45, Self::Right90, Self::Back, Self::Run];
 
     /// The name used in texts.
     #[must_use]
@@ -45,6 +54,8 @@ impl Walk {
             Self::Left90 => "left90",
             Self::Right45 => "right45",
             Self::Right90 => "right90",
+            Self::Back => "back",
+            Self::Run => "run",
         }
     }
 
@@ -52,7 +63,7 @@ impl Walk {
     #[must_use]
     pub const fn turn_eighths(self) -> i8 {
         match self {
-            Self::Stop | Self::Forward => 0,
+            Self::Stop | Self::Forward | Self::Back | Self::Run => 0,
             Self::Left45 => 1,
             Self::Left90 => 2,
             Self::Right45 => -1,
@@ -61,8 +72,10 @@ impl Walk {
     }
 }
 
-/// What the upper body does during one action: a bend about the hip. Diagonal postures bend forward and sideways, each
-/// by its full angle.
+/// What the body does during one action: a bend about the hip, or one of the low postures in which the legs are bent too.
+/// Diagonal postures bend forward and sideways, each by its full angle.
+///
+/// The first six are those of the paper; which of the low ones there are, a [`Repertoire`](super::Repertoire) says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Posture {
     /// No bend.
@@ -77,12 +90,38 @@ pub enum Posture {
     ForwardLeft,
     /// Bent forward and to the right.
     ForwardRight,
+    /// Both knees on the floor, trunk upright.
+    Kneeling,
+    /// On the feet, knees bent as far as they go, the trunk over them.
+    Crouching,
+    /// On hands and knees.
+    Crawling,
 }
 
 impl Posture {
-    /// Every posture once, in the order of the action index; `ALL[p as usize] == p`.
-    pub const ALL: [Self; 6] =
+    /// Those of who stands, in the order of the action index; `USUAL[p as usize] == p`.
+    pub const USUAL: [Self; 6] =
         [Self::Upright, Self::Forward, Self::Left, Self::Right, Self::ForwardLeft, Self::ForwardRight];
+    /// The others, from the highest to the lowest.
+    pub const LOW: [Self; 3] = [Self::Kneeling, Self::Crouching, Self::Crawling];
+    /// Every posture once; `ALL[p as usize] == p`.
+    pub const ALL: [Self; 9] = [
+        Self::Upright,
+        Self::Forward,
+        Self::Left,
+        Self::Right,
+        Self::ForwardLeft,
+        Self::ForwardRight,
+        Self::Kneeling,
+        Self::Crouching,
+        Self::Crawling,
+    ];
+
+    /// Whether the legs are bent too.
+    #[must_use]
+    pub const fn is_low(self) -> bool {
+        matches!(self, Self::Kneeling | Self::Crouching | Self::Crawling)
+    }
 
     /// For people.
     #[must_use]
@@ -94,6 +133,9 @@ impl Posture {
             Self::Right => "bent to the right",
             Self::ForwardLeft => "bent forward and to the left",
             Self::ForwardRight => "bent forward and to the right",
+            Self::Kneeling => "kneeling",
+            Self::Crouching => "crouching",
+            Self::Crawling => "crawling",
         }
     }
 
@@ -107,15 +149,18 @@ impl Posture {
             Self::Right => "bend-right",
             Self::ForwardLeft => "bend-forward-left",
             Self::ForwardRight => "bend-forward-right",
+            Self::Kneeling => "kneel",
+            Self::Crouching => "crouch",
+            Self::Crawling => "crawl",
         }
     }
 
-    /// Share of the forward angle: 0 or 1.
+    /// Share of the forward angle: 0 or 1. Low postures have angles of their own.
     #[must_use]
     pub const fn forward_share(self) -> f64 {
         match self {
-            Self::Upright | Self::Left | Self::Right => 0.0,
             Self::Forward | Self::ForwardLeft | Self::ForwardRight => 1.0,
+            _ => 0.0,
         }
     }
 
@@ -123,21 +168,22 @@ impl Posture {
     #[must_use]
     pub const fn left_share(self) -> f64 {
         match self {
-            Self::Upright | Self::Forward => 0.0,
             Self::Left | Self::ForwardLeft => 1.0,
             Self::Right | Self::ForwardRight => -1.0,
+            _ => 0.0,
         }
     }
 }
 
-/// One action: a walk, a posture, and which controls are worked. Its index is `36 * set of controls + 6 * walk + posture`, so
-/// without controls it is in 0..36. Its text form (`Display`, `FromStr`, serde) is like `left45/bend-forward`, with
-/// `+press1` behind it where the first control of the cell file is worked.
+/// One action: a walk, a posture, and which controls are worked. Its text form (`Display`, `FromStr`, serde) is like
+/// `left45/bend-forward`, with `+press1` behind it where the first control of the cell file is worked. How actions are
+/// counted, a [`Repertoire`](super::Repertoire) says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Action {
     presses: Presses,
-    moves: u8,
+    walk: Walk,
+    posture: Posture,
 }
 
 impl JsonSchema for Action {
@@ -162,29 +208,13 @@ impl JsonSchema for Action {
 pub struct UnknownAction(pub String);
 
 impl Action {
-    /// Number of actions without a control.
-    pub const COUNT: usize = Walk::ALL.len() * Posture::ALL.len();
-
-    /// Every action without a control once; `ALL[i].index() == i`.
-    pub const ALL: [Self; Self::COUNT] = {
-        let mut all = [Self::REST; Self::COUNT];
-        let mut index = 0;
-        let mut moves = 0;
-        while index < Self::COUNT {
-            all[index] = Self { presses: Presses::NONE, moves };
-            index += 1;
-            moves += 1;
-        }
-        all
-    };
-
-    /// Stand upright and do nothing: the calmest action.
+    /// Stand upright and do nothing: the calmest action, and the first of every repertoire.
     pub const REST: Self = Self::new(Walk::Stop, Posture::Upright);
 
     /// The action that joins a walk and a posture.
     #[must_use]
     pub const fn new(walk: Walk, posture: Posture) -> Self {
-        Self { presses: Presses::NONE, moves: walk as u8 * 6 + posture as u8 }
+        Self { presses: Presses::NONE, walk, posture }
     }
 
     /// The same with these controls worked.
@@ -193,50 +223,28 @@ impl Action {
         Self { presses, ..self }
     }
 
-    /// Number of actions in a cell with so many controls.
+    /// The same in another posture.
     #[must_use]
-    pub const fn count(controls: usize) -> usize {
-        Self::COUNT << controls
-    }
-
-    /// The action with this index, if there is one.
-    #[must_use]
-    pub fn from_index(index: usize) -> Option<Self> {
-        let presses = Presses::from_index(index / Self::COUNT)?;
-        Some(Self::ALL[index % Self::COUNT].pressing(presses))
-    }
-
-    /// The action with an index that was counted up to [`Action::count`].
-    ///
-    /// # Panics
-    /// For an index that no cell has: another action in its place would be looked at twice, and its own never.
-    #[must_use]
-    pub fn counted(index: usize) -> Self {
-        let action = Self::from_index(index);
-        assert!(action.is_some(), "there is no action {index}");
-        action.unwrap_or(Self::REST)
-    }
-
-    /// Its index.
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.presses.index() * Self::COUNT + self.moves as usize
+    pub const fn in_posture(self, posture: Posture) -> Self {
+        Self { posture, ..self }
     }
 
     /// How far from standing upright it is, to compare sequences of the same length: walking costs 2 and one more for
-    /// each 45 degrees of a turn, a bend forward or sideways 1, both 2, each control that is worked 1.
+    /// each 45 degrees of a turn, backwards or when running, a bend forward or sideways 1, both 2, a low posture 3, each control
+    /// that is worked 1.
     #[must_use]
     pub const fn effort(self) -> u32 {
         let walk = match self.walk() {
             Walk::Stop => 0,
             Walk::Forward => 2,
-            Walk::Left45 | Walk::Right45 => 3,
+            Walk::Left45 | Walk::Right45 | Walk::Back | Walk::Run => 3,
             Walk::Left90 | Walk::Right90 => 4,
         };
         let bend = match self.posture() {
             Posture::Upright => 0,
             Posture::Forward | Posture::Left | Posture::Right => 1,
             Posture::ForwardLeft | Posture::ForwardRight => 2,
+            Posture::Kneeling | Posture::Crouching | Posture::Crawling => 3,
         };
         walk + bend + self.presses.count()
     }
@@ -250,13 +258,13 @@ impl Action {
     /// What the legs do.
     #[must_use]
     pub const fn walk(self) -> Walk {
-        Walk::ALL[self.moves as usize / Posture::ALL.len()]
+        self.walk
     }
 
     /// What the upper body does.
     #[must_use]
     pub const fn posture(self) -> Posture {
-        Posture::ALL[self.moves as usize % Posture::ALL.len()]
+        self.posture
     }
 }
 
@@ -306,26 +314,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn index_walk_and_posture_name_the_same_action() {
-        assert_eq!(Action::COUNT, 36);
-        for (index, action) in Action::ALL.into_iter().enumerate() {
-            assert_eq!(action.index(), index);
-            assert_eq!(Action::from_index(index), Some(action));
-            assert_eq!(action.walk() as usize * 6 + action.posture() as usize, index);
-            assert_eq!(Action::new(action.walk(), action.posture()), action);
-        }
-        assert_eq!(Action::REST, Action::ALL[0]);
-    }
-
-    #[test]
     fn text_is_stable_and_read_back() {
         let action = Action::new(Walk::Left45, Posture::Forward);
         assert_eq!(action.to_string(), "left45/bend-forward");
         assert_eq!(Action::new(Walk::Right90, Posture::ForwardRight).to_string(), "right90/bend-forward-right");
         assert_eq!(Action::REST.to_string(), "stop/upright");
-        let texts: BTreeSet<_> = Action::ALL.iter().map(ToString::to_string).collect();
-        assert_eq!(texts.len(), 36);
-        for action in (0..).map_while(Action::from_index) {
+        assert_eq!(
+            Action::new(Walk::Back, Posture::Crawling).pressing(Presses::one(1)).to_string(),
+            "back/crawl+press2"
+        );
+        let moves = || Walk::ALL.into_iter().flat_map(|walk| Posture::ALL.map(|posture| Action::new(walk, posture)));
+        let all = || Presses::all(Presses::MOST).flat_map(|set| moves().map(move |action| action.pressing(set)));
+        let texts: BTreeSet<_> = all().map(|action| action.to_string()).collect();
+        assert_eq!(texts.len(), 8 * 9 * 64);
+        for action in all() {
             assert_eq!(action.to_string().parse(), Ok(action));
             let json = serde_json::to_string(&action).unwrap();
             assert_eq!(json, format!("\"{action}\""));
@@ -353,21 +355,6 @@ mod tests {
             let error = text.parse::<Action>().unwrap_err();
             assert!(error.to_string().starts_with(&format!("`{text}` is not an action")), "{error}");
             assert!(serde_json::from_str::<Action>(&format!("\"{text}\"")).is_err());
-        }
-    }
-
-    /// Controls go over and above the 36: what there is without them keeps its index.
-    #[test]
-    fn controls_double_the_actions() {
-        assert_eq!((Action::count(0), Action::count(2)), (36, 144));
-        assert_eq!(Action::from_index(Action::count(Presses::MOST)), None);
-        let walk = Action::new(Walk::Left45, Posture::Forward);
-        let pressing = walk.pressing(Presses::one(1));
-        assert_eq!((pressing.walk(), pressing.posture()), (walk.walk(), walk.posture()));
-        assert_eq!((pressing.index(), pressing.effort()), (72 + walk.index(), walk.effort() + 1));
-        assert_eq!(pressing.to_string(), "left45/bend-forward+press2");
-        for index in 0..Action::count(Presses::MOST) {
-            assert_eq!(Action::counted(index).index(), index);
         }
     }
 

@@ -1,7 +1,8 @@
 //! The body of the virtual human as ten capsules, scaled by stature, and where they are in a given pose.
 //!
 //! Everything above the hip pivot (abdomen, chest, neck, head, shoulders) is one rigid trunk that bends about it;
-//! pelvis and legs stay upright. Arms are not part of it: they are searched for, from [`PlacedBody::shoulder`].
+//! pelvis and legs stay upright, but in the low postures ([`super::low`]). Arms are not part of it: they are searched for,
+//! from [`PlacedBody::shoulder`].
 //! Body frames: x forward, y left, z up. The measures are those of a median man (ANSUR II, shaped as capsules; a
 //! modelling choice), and all of them scale with stature.
 
@@ -9,6 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::low::{Legs, OnFloor};
 use super::part::{BodyPart, Side};
 use super::placed::{SHOULDER_OUT, SHOULDER_UP, moved, shoulder_line};
 use super::{BendFraction, PlacedBody, Posture};
@@ -18,7 +20,7 @@ use crate::standards::anthropometry::{Percentile, Sex, measures};
 /// Stature of the median man for whom the measures below are given, m.
 const REFERENCE_STATURE_M: f64 = 1.755;
 /// Height of the hip pivot.
-const HIP_PIVOT: f64 = 0.92;
+pub(super) const HIP_PIVOT: f64 = 0.92;
 /// Centre of the head above the hip pivot.
 const HEAD_UP: f64 = 0.72;
 const HEAD_RADIUS: f64 = 0.105;
@@ -153,6 +155,8 @@ pub struct Body {
     capsules: [Capsule; BodyPart::ALL.len()],
     /// Rotation of the trunk against the feet, by posture and sixteenths of its bend.
     bends: [[Rotation; BendFraction::STEPS]; Posture::ALL.len()],
+    /// Where the legs are in the low postures, by sixteenths.
+    legs: [[Legs; BendFraction::STEPS]; Posture::LOW.len()],
 }
 
 impl Body {
@@ -187,8 +191,12 @@ impl Body {
                 capsule.a.z = metres.min(capsule.b.z);
             }
         }
+        let legs = Posture::LOW.map(|posture| BendFraction::ALL.map(|fraction| Legs::new(posture, fraction, scale)));
         let bends = Posture::ALL.map(|posture| {
             BendFraction::ALL.map(|fraction| {
+                if posture.is_low() {
+                    return rotation_about(Vec3::Y, Legs::lean_rad(posture, fraction));
+                }
                 let forward = posture.forward_share() * fraction.share() * bend_forward_deg.to_radians();
                 let left = posture.left_share() * fraction.share() * bend_lateral_deg.to_radians();
                 // Forward first, then sideways about the pelvis' own forward axis: the diagonal reaches as far forward
@@ -196,7 +204,7 @@ impl Body {
                 rotation_about(Vec3::X, -left) * rotation_about(Vec3::Y, forward)
             })
         });
-        Ok(Self { stature_m, scale, capsules, bends })
+        Ok(Self { stature_m, scale, capsules, bends, legs })
     }
 
     /// Stature, m.
@@ -212,16 +220,26 @@ impl Body {
     }
 
     /// The shape that stops the walk: an upright capsule around the middle of the body, from just above the floor to
-    /// the top of the head. It is the same for every heading and posture, so whether a walk is blocked does not depend
-    /// on them. `position` on the floor, world frame.
+    /// the top of the head. It is the same for every heading, and for every posture of who stands, so whether a walk is blocked
+    /// does not depend on them; in low postures it is as high as the body is then. `position` on the floor, world frame.
     #[must_use]
-    pub fn blocking_capsule(&self, position: Vec3) -> Capsule {
+    pub fn blocking_capsule(&self, position: Vec3, posture: Posture) -> Capsule {
         let radius = self.scale * BLOCKING_RADIUS;
         Capsule {
             a: position + Vec3::new(0.0, 0.0, BLOCKING_FROM + radius),
-            b: position + Vec3::new(0.0, 0.0, self.stature_m - radius),
+            b: position + Vec3::new(0.0, 0.0, self.height_m(posture) - radius),
             radius,
         }
+    }
+
+    /// How high the body is in a posture, m: the stature for every posture of who stands.
+    #[must_use]
+    pub fn height_m(&self, posture: Posture) -> f64 {
+        if !posture.is_low() {
+            return self.stature_m;
+        }
+        let placed = self.placed(Vec3::ZERO, 0.0, posture, BendFraction::FULL);
+        placed.parts().iter().map(|(_, c)| c.a.z.max(c.b.z) + c.radius).fold(0.0, f64::max)
     }
 
     /// Where the feet stand: the floor points below both legs, left first, world frame.
@@ -234,13 +252,36 @@ impl Body {
         })
     }
 
-    /// Radius of a sphere around the point 1 m above the feet that holds the body and every arm `arm_reach_m` long, in
-    /// every posture.
+    /// What touches the floor, `position` on it, world frame: the feet of who stands or crouches, and knees and hands of who
+    /// kneels or crawls.
     #[must_use]
-    pub fn reach_from_one_metre(&self, arm_reach_m: f64) -> f64 {
+    pub fn on_floor(&self, position: Vec3, heading_rad: f64, posture: Posture, fraction: BendFraction) -> OnFloor {
+        let standing = self.feet(position, heading_rad);
+        match self.legs_in(posture, fraction) {
+            Some(legs) => legs.on_floor(&world_from_feet(position, heading_rad), posture, fraction),
+            None => OnFloor { feet: standing, besides: None },
+        }
+    }
+
+    /// Radius of a sphere around the point 1 m above the feet that holds the body and every arm `arm_reach_m` long, in
+    /// every posture of who stands and in those low ones.
+    #[must_use]
+    pub fn reach_from_one_metre(&self, arm_reach_m: f64, low: &[Posture]) -> f64 {
         let (hip, reach) = self.reach_from_hip(arm_reach_m);
         let trunk = (hip - 1.0).abs() + self.trunk_radius().max(reach);
-        trunk.max(self.farthest(Vec3::Z, |part| !part.is_trunk()))
+        let standing = trunk.max(self.farthest(Vec3::Z, |part| !part.is_trunk()));
+        let farthest = |posture: Posture| {
+            let far = |legs: &Legs| (legs.hip() - Vec3::Z).length() + self.trunk_radius().max(reach);
+            let trunk = self.legs[low_number(posture)].iter().map(far).fold(0.0, f64::max);
+            let body = BendFraction::ALL.map(|fraction| {
+                let placed = self.placed(Vec3::ZERO, 0.0, posture, fraction);
+                let ends =
+                    placed.parts().iter().flat_map(|(_, c)| [c.a, c.b].map(|end| (end - Vec3::Z).length() + c.radius));
+                ends.fold(0.0, f64::max)
+            });
+            body.into_iter().fold(trunk, f64::max)
+        };
+        low.iter().map(|posture| farthest(*posture)).fold(standing, f64::max)
     }
 
     /// The height of the hip pivot above the feet, and how long the way from there to the end of an arm `arm_reach_m` long is at
@@ -263,10 +304,21 @@ impl Body {
         far.fold(0.0, f64::max)
     }
 
-    /// A sphere around the hip pivot that holds the trunk in every posture.
-    pub(super) fn trunk_reach(&self, position: Vec3) -> Capsule {
-        let hip = position + Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
-        Capsule { a: hip, b: hip, radius: self.trunk_radius() }
+    /// A sphere around the hip pivot of who stands that holds the trunk on its whole way into a posture.
+    pub(super) fn trunk_reach(&self, position: Vec3, posture: Posture) -> Capsule {
+        let upright = Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
+        let farther = if posture.is_low() {
+            self.legs[low_number(posture)].iter().map(|legs| (legs.hip() - upright).length()).fold(0.0, f64::max)
+        } else {
+            0.0
+        };
+        let hip = position + upright;
+        Capsule { a: hip, b: hip, radius: self.trunk_radius() + farther }
+    }
+
+    /// Where the legs are, in a low posture.
+    fn legs_in(&self, posture: Posture, fraction: BendFraction) -> Option<&Legs> {
+        posture.is_low().then(|| &self.legs[low_number(posture)][usize::from(fraction.sixteenths())])
     }
 
     /// What a bend must not push into an obstacle, in the trunk frame: head, neck, chest, and the lines of the shoulders
@@ -284,20 +336,28 @@ impl Body {
     pub fn placed(&self, position: Vec3, heading_rad: f64, posture: Posture, fraction: BendFraction) -> PlacedBody {
         let world_from_feet = world_from_feet(position, heading_rad);
         let world_from_trunk = self.world_from_trunk(&world_from_feet, posture, fraction);
+        let legs = self.legs_in(posture, fraction);
         let parts = std::array::from_fn(|index| {
             let part = BodyPart::ALL[index];
-            let world_from_part = if part.is_trunk() { &world_from_trunk } else { &world_from_feet };
-            (part, moved(world_from_part, &self.capsules[index]))
+            let bent = legs.filter(|_| !part.is_trunk()).map(|legs| world_from_feet * *legs.pose_of(part));
+            let upright = if part.is_trunk() { &world_from_trunk } else { &world_from_feet };
+            (part, moved(bent.as_ref().unwrap_or(upright), &self.capsules[index]))
         });
         PlacedBody::new(parts, world_from_trunk, self.scale)
     }
 
     /// Origin at the hip pivot, axes of the trunk.
     pub(super) fn world_from_trunk(&self, world_from_feet: &Pose, posture: Posture, fraction: BendFraction) -> Pose {
-        let hip = Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
+        let upright = Vec3::new(0.0, 0.0, self.scale * HIP_PIVOT);
+        let hip = self.legs_in(posture, fraction).map_or(upright, Legs::hip);
         let bend = self.bends[posture as usize][usize::from(fraction.sixteenths())];
         *world_from_feet * Pose::from_parts(hip, bend)
     }
+}
+
+/// The place of a low posture in the list of those.
+const fn low_number(posture: Posture) -> usize {
+    posture as usize - Posture::USUAL.len()
 }
 
 /// Origin on the floor between the feet, x along the heading, z up.

@@ -176,11 +176,11 @@ fn radii_may_be_those_of_somebody_else() {
     let huge = Radii { upper_chest: Some(0.4), pelvis: Some(0.4), head: Some(0.4), ..Radii::default() };
     for radii_m in [radii_m, huge] {
         let body = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap();
-        for posture in Posture::ALL {
+        for posture in Posture::USUAL {
             let placed = body.placed(Vec3::ZERO, 0.3, posture, Fraction::FULL);
             let far =
                 placed.parts().iter().map(|(_, c)| (c.a - Vec3::Z).length().max((c.b - Vec3::Z).length()) + c.radius);
-            assert!(far.fold(0.0, f64::max) <= body.reach_from_one_metre(0.0) + 1e-12, "{posture:?}");
+            assert!(far.fold(0.0, f64::max) <= body.reach_from_one_metre(0.0, &[]) + 1e-12, "{posture:?}");
         }
     }
     for metres in [0.0, 0.5, f64::NAN] {
@@ -188,4 +188,80 @@ fn radii_may_be_those_of_somebody_else() {
         let error = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap_err();
         assert!(error.to_string().contains("`neck`"), "{error}");
     }
+}
+
+/// Heights and lengths of the low postures of the median man, by hand: thigh 0.43 m and shank 0.435 m, head 0.72 m up the trunk and
+/// 0.105 m thick. Limbs keep their lengths, nothing is below the floor, and no part comes apart on the way down.
+#[test]
+fn low_postures_are_as_low_as_they_say() {
+    let median = body(Sex::Male, Percentile::P50);
+    let cos = |degrees: f64| libm::cos(degrees.to_radians());
+    let crouching = 0.055 + 0.435 * cos(35.0) + 0.43 * cos(95.0);
+    for (posture, height_m) in [
+        (Posture::Kneeling, 0.055 + 0.43 + 0.72 + 0.105),
+        (Posture::Crouching, crouching + 0.72 * cos(60.0) + 0.105),
+        // The pelvis and the head are as high, nearly: 0.055 + 0.43 + 0.03 + 0.14 and 0.055 + 0.43 + 0.72 cos 85 + 0.105.
+        (Posture::Crawling, 0.055 + 0.43 + 0.40 * cos(85.0) + 0.13),
+    ] {
+        let height = median.height_m(posture);
+        assert!((height - height_m).abs() < 0.006, "{posture:?}: {height} m, by hand {height_m} m");
+        for (sex, percentile) in anthropometry::ALL {
+            let body = body(sex, percentile);
+            assert!((body.height_m(posture) / body.stature_m() - height / median.stature_m()).abs() < 1e-12);
+            let reach = body.reach_from_one_metre(0.85, &Posture::LOW);
+            for fraction in Fraction::ALL {
+                let placed = body.placed(Vec3::new(0.3, -2.0, 0.0), 1.0, posture, fraction);
+                let upright = upright(&body);
+                for ((part, now), (_, before)) in placed.parts().iter().zip(upright.parts()) {
+                    assert!(((now.a - now.b).length() - (before.a - before.b).length()).abs() < 1e-12, "{part:?}");
+                    // A thigh is 25 mm thicker at the knee than the shank on which it kneels.
+                    assert!(bottom(now) > -0.0251 * body.scale(), "{posture:?} {part:?} {fraction:?}");
+                    let far = |end: Vec3| (end - Vec3::new(0.3, -2.0, 1.0)).length() + now.radius;
+                    assert!(far(now.a).max(far(now.b)) <= reach + 1e-12);
+                }
+                let shoulder = placed.shoulder(Side::Left).translation;
+                assert!((shoulder - Vec3::new(0.3, -2.0, 1.0)).length() + 0.85 <= reach + 1e-12);
+                for (thigh, shank) in
+                    [(BodyPart::LeftThigh, BodyPart::LeftShank), (BodyPart::RightThigh, BodyPart::RightShank)]
+                {
+                    let (thigh, shank) = (placed.capsule(thigh), placed.capsule(shank));
+                    assert!((thigh.a - shank.b).length() < 1e-12, "{posture:?} {fraction:?}: the knee");
+                    // From the upper end of the thigh to the middle of the pelvis, as upright.
+                    let pelvis = |placed: &PlacedBody, thigh: &Capsule| {
+                        let pelvis = placed.capsule(BodyPart::Pelvis);
+                        ((pelvis.a + pelvis.b) * 0.5 - thigh.b).length()
+                    };
+                    assert!(
+                        pelvis(&placed, thigh)
+                            < pelvis(&upright, upright.capsule(BodyPart::LeftThigh)) + 0.05 * body.scale()
+                    );
+                }
+            }
+        }
+        // As high upright as ever.
+        assert_eq!(
+            median.placed(Vec3::ZERO, 0.0, posture, Fraction::UPRIGHT).world_from_trunk(),
+            upright(&median).world_from_trunk()
+        );
+    }
+}
+
+/// Who kneels is on the floor with knees and toes, who crawls with the hands too, who crouches with the feet; half way down, with the feet.
+#[test]
+fn what_touches_the_floor() {
+    let median = body(Sex::Male, Percentile::P50);
+    let on =
+        |posture, fraction| median.on_floor(Vec3::new(1.0, 2.0, 0.0), std::f64::consts::FRAC_PI_2, posture, fraction);
+    let at = |points: &[Vec3]| points.iter().map(|p| [p.x, p.y, p.z].map(|v| (v * 1e3).round())).collect::<Vec<_>>();
+    let standing = on(Posture::Forward, Fraction::FULL);
+    assert_eq!((at(&standing.feet), standing.besides), (vec![[910.0, 2000.0, 0.0], [1090.0, 2000.0, 0.0]], None));
+    assert_eq!(at(&on(Posture::Crouching, Fraction::FULL).feet), at(&standing.feet));
+    let kneeling = on(Posture::Kneeling, Fraction::FULL);
+    assert_eq!(at(&kneeling.feet), at(&standing.feet));
+    let toes = [[910.0, 1565.0, 0.0], [1090.0, 1565.0, 0.0]];
+    assert_eq!(at(&kneeling.besides.unwrap()), [toes, toes].concat());
+    let crawling = on(Posture::Crawling, Fraction::FULL);
+    assert_eq!(at(&crawling.feet), [[910.0, 1750.0, 0.0], [1090.0, 1750.0, 0.0]]);
+    assert_eq!(at(&crawling.besides.unwrap())[2..], [[810.0, 2228.0, 0.0], [1190.0, 2228.0, 0.0]]);
+    assert_eq!(on(Posture::Crawling, Fraction::new(8).unwrap()).besides, None);
 }

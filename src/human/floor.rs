@@ -6,7 +6,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Body, PoseBox};
+use super::{Body, PoseBox, Posture};
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
@@ -31,7 +31,7 @@ pub struct Floor {
 /// Whether nobody has room to stand anywhere in a box.
 #[must_use]
 pub fn is_without_room(body: &Body, obstacles: &[Cuboid], at: &PoseBox) -> bool {
-    let capsule = body.blocking_capsule(at.position());
+    let capsule = body.blocking_capsule(at.position(), Posture::Upright);
     let apart = |o: &Cuboid| segment_cuboid(capsule.a, capsule.b, o).distance;
     obstacles.iter().any(|o| apart(o) + at.place_moves_m() < capsule.radius)
 }
@@ -46,7 +46,7 @@ impl Floor {
             Self { low_m, cell_m, columns: count(0), rows: count(1), open: Vec::new(), bounded: false, entry: None };
         let moves = 0.5 * SQRT_2 * cell_m;
         let open = |[x, y]: [f64; 2]| {
-            let capsule = body.blocking_capsule(Vec3::new(x, y, 0.0));
+            let capsule = body.blocking_capsule(Vec3::new(x, y, 0.0), Posture::Upright);
             obstacles.iter().all(|o| {
                 let middle = o.centre - (capsule.a + capsule.b) * 0.5;
                 let far = o.half.length() + 0.5 * (capsule.b - capsule.a).length() + capsule.radius;
@@ -377,9 +377,10 @@ mod tests {
                     || 5.0 * (f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)) - 2.5;
                 let xy = [at(), at()];
                 let start = Start::new(xy[0], xy[1], 0.0);
-                let walker = Walker { body: &body, start: &start, sub_step_len_m: 0.032, obstacles: &obstacles };
+                let walker =
+                    Walker { body: &body, start: &start, sub_step_len_m: 0.032, obstacles: &obstacles, strides: 1 };
                 let open = floor.any_open(xy, 0.0);
-                assert!(open || !walker.is_free(Place::START), "{xy:?} with {cell_m} m");
+                assert!(open || !walker.is_free(Place::START, Posture::Upright), "{xy:?} with {cell_m} m");
                 shut += usize::from(!open);
             }
         }

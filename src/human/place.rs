@@ -88,6 +88,14 @@ impl Place {
         self.turned(4).stepped().turned(4)
     }
 
+    /// How many sub-steps along its heading lead here from `before`, a place with the same heading; backwards less than none.
+    #[must_use]
+    pub const fn ahead_of(&self, before: &Self) -> i32 {
+        let axis = (self.heading % 4) as usize;
+        let steps = self.steps[axis] - before.steps[axis];
+        if self.heading < 4 { steps } else { -steps }
+    }
+
     /// Position on the floor in the world frame (z = 0), for sub-steps of `sub_step_len_m`. Equal places give equal
     /// bits.
     #[must_use]

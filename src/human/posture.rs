@@ -98,7 +98,7 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
     if posture == Posture::Upright {
         return BendFraction::FULL;
     }
-    let reach = body.trunk_reach(position);
+    let reach = body.trunk_reach(position, posture);
     let mut near = obstacles.iter().filter(|obstacle| capsule_hits(&reach, obstacle)).peekable();
     if near.peek().is_none() {
         return BendFraction::FULL;
@@ -128,7 +128,7 @@ pub fn may_be_cut_back(
     posture: Posture,
     obstacles: &[Cuboid],
 ) -> (BendFraction, BendFraction) {
-    let reach = body.trunk_reach(at.position());
+    let reach = body.trunk_reach(at.position(), posture);
     let wider = Capsule { radius: reach.radius + at.place_moves_m() + TOUCHING_M, ..reach };
     let near: Vec<&Cuboid> = obstacles.iter().filter(|obstacle| capsule_hits(&wider, obstacle)).collect();
     if posture == Posture::Upright || near.is_empty() {

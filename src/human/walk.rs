@@ -1,7 +1,7 @@
 //! The walking of one action: sub-step after sub-step from place to place, stopped by obstacles.
 
 use super::obstacles::capsule_hits;
-use super::{Body, Place, Start, Walk};
+use super::{Action, Body, Place, Posture, Start, Walk};
 use crate::geometry::Cuboid;
 
 /// Walks one body in one cell.
@@ -15,6 +15,8 @@ pub struct Walker<'a> {
     pub sub_step_len_m: f64,
     /// What the human cannot walk through, world frame.
     pub obstacles: &'a [Cuboid],
+    /// How many sub-steps at once who runs gets ahead.
+    pub strides: u8,
 }
 
 /// Where one action leads.
@@ -37,30 +39,35 @@ impl WalkTrace {
 }
 
 impl Walker<'_> {
-    /// Whether the body stands clear of every obstacle at this place, or merely touches. To be asked of the start,
+    /// Whether the body is clear of every obstacle at this place in a posture, or merely touches. To be asked of the start,
     /// before anything else: who starts inside an obstacle can never walk.
     #[must_use]
-    pub fn is_free(&self, place: Place) -> bool {
-        let capsule = self.body.blocking_capsule(place.position(self.start, self.sub_step_len_m));
+    pub fn is_free(&self, place: Place, posture: Posture) -> bool {
+        let capsule = self.body.blocking_capsule(place.position(self.start, self.sub_step_len_m), posture);
         !self.obstacles.iter().any(|obstacle| capsule_hits(&capsule, obstacle))
     }
 
-    /// Walks one action of `sub_steps` sub-steps. The human stops at the last free place before an obstacle and stays there until the action
-    /// ends; it does not slide along. It may still turn.
+    /// Walks one action of `sub_steps` sub-steps, as fast in every posture. The human stops at the last free place before an obstacle and
+    /// stays there until the action ends; it does not slide along. It may still turn.
     #[must_use]
-    pub fn walk(&self, from: Place, walk: Walk, sub_steps: usize) -> WalkTrace {
+    pub fn walk(&self, from: Place, action: Action, sub_steps: usize) -> WalkTrace {
+        let walk = action.walk();
         let mut place = from.turned(walk.turn_eighths());
         let mut stopped = false;
         let mut trace = WalkTrace { start: place, places: vec![place; sub_steps], blocked: vec![false; sub_steps] };
-        if walk == Walk::Stop {
-            return trace;
-        }
+        let at_once = match walk {
+            Walk::Stop => return trace,
+            Walk::Run => self.strides,
+            _ => 1,
+        };
         for (reached, blocked) in trace.places.iter_mut().zip(&mut trace.blocked) {
-            let next = place.stepped();
-            if !stopped && self.is_free(next) {
-                place = next;
-            } else {
-                stopped = true;
+            for _ in 0..at_once {
+                let next = if walk == Walk::Back { place.stepped_back() } else { place.stepped() };
+                if !stopped && self.is_free(next, action.posture()) {
+                    place = next;
+                } else {
+                    stopped = true;
+                }
             }
             (*reached, *blocked) = (place, stopped);
         }
@@ -80,12 +87,12 @@ mod tests {
 
     fn walked(start: &Start, obstacles: &[Cuboid], walks: &[Walk]) -> Vec<WalkTrace> {
         let body = Body::new(&Anthropometry::default()).unwrap();
-        let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles };
-        assert!(walker.is_free(Place::START));
+        let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles, strides: 2 };
+        assert!(walker.is_free(Place::START, Posture::Upright));
         let mut place = Place::START;
         let mut traces = Vec::new();
         for walk in walks {
-            let trace = walker.walk(place, *walk, SUB_STEPS);
+            let trace = walker.walk(place, Action::new(*walk, Posture::Upright), SUB_STEPS);
             place = trace.end();
             traces.push(trace);
         }
@@ -169,6 +176,42 @@ mod tests {
         assert!(walked(&start, &[low_lintel], &[Walk::Forward; 4])[3].blocked[9]);
     }
 
+    /// Back is the way one came; who runs gets twice as far, and no farther than up to a wall.
+    #[test]
+    fn back_and_fast() {
+        let start = Start::new(0.0, -1.0, 90.0);
+        let y = |trace: &WalkTrace| trace.end().position(&start, LEN).y;
+        let traces = walked(
+            &start,
+            &[panel(2.0, Rotation::IDENTITY)],
+            &[Walk::Run, Walk::Back, Walk::Back, Walk::Run, Walk::Run],
+        );
+        let ends: Vec<f64> = traces.iter().map(y).collect();
+        for (end, expected) in ends.iter().zip([-0.36, -0.68, -1.0, -0.36, -0.168]) {
+            assert!((end - expected).abs() < 1e-12, "{ends:?}");
+        }
+        // -0.36 and six sub-steps: three steps of two.
+        assert_eq!(traces[4].blocked.iter().position(|blocked| *blocked), Some(3));
+        let ahead: Vec<i32> = traces[4].places.windows(2).map(|pair| pair[1].ahead_of(&pair[0])).collect();
+        assert_eq!(ahead, [2, 2, 0, 0, 0, 0, 0, 0, 0]);
+        assert_eq!(traces[1].places[0].ahead_of(&traces[1].start), -1);
+        assert_eq!(traces[1].end(), traces[0].places[4]);
+    }
+
+    /// Below a beam at 1 m only who is lower gets through.
+    #[test]
+    fn who_is_low_gets_below_a_beam() {
+        let start = Start::new(0.0, -0.5, 90.0);
+        let beam = Cuboid { centre: Vec3::new(0.0, 0.0, 1.2), ..panel(0.4, Rotation::IDENTITY) };
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let walker = Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &[beam], strides: 1 };
+        for posture in Posture::ALL {
+            let through = matches!(posture, Posture::Crouching | Posture::Crawling);
+            let trace = walker.walk(Place::START, Action::new(Walk::Forward, posture), 30);
+            assert_eq!(trace.blocked.contains(&true), !through, "{posture:?}");
+        }
+    }
+
     /// A panel turned by 45 degrees about z: the distance from the face decides, not the axes.
     #[test]
     fn turned_panels_block_too() {
@@ -186,9 +229,9 @@ mod tests {
         let body = Body::new(&Anthropometry::default()).unwrap();
         for (y, free) in [(0.0, false), (-0.1, false), (-0.149, false), (-0.151, true), (0.2, true)] {
             let walls = [panel(2.0, Rotation::IDENTITY)];
-            let walker =
-                Walker { body: &body, start: &Start::new(0.3, y, 90.0), sub_step_len_m: LEN, obstacles: &walls };
-            assert_eq!(walker.is_free(Place::START), free, "y = {y}");
+            let start = Start::new(0.3, y, 90.0);
+            let walker = Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &walls, strides: 1 };
+            assert_eq!(walker.is_free(Place::START, Posture::Upright), free, "y = {y}");
         }
     }
 }

@@ -284,9 +284,7 @@ fn steps(actions: &[Action], worked: &[Working], action_s: f64) -> Vec<(f64, Str
         match steps.last_mut() {
             // A turn is made once each time, and what is worked is told each time.
             Some((_, times, last))
-                if last == action
-                    && action.presses().is_none()
-                    && matches!(action.walk(), Walk::Stop | Walk::Forward) =>
+                if last == action && action.presses().is_none() && action.walk().turn_eighths() == 0 =>
             {
                 *times += 1
             }
@@ -311,5 +309,7 @@ const fn walks(walk: Walk) -> &'static str {
         Walk::Left90 => "turns left by 90 degrees and walks on",
         Walk::Right45 => "turns right by 45 degrees and walks on",
         Walk::Right90 => "turns right by 90 degrees and walks on",
+        Walk::Back => "steps back",
+        Walk::Run => "runs straight ahead",
     }
 }

@@ -8,6 +8,7 @@ use super::model::{Hazard, Settings};
 use super::worked::ControlRecord;
 use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::hazard::{Class, Criterion};
+use crate::human::Ability;
 
 /// The settings that decide what is told.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -19,6 +20,11 @@ pub struct Looks {
     pub criteria: Option<CriteriaRecord>,
     /// How fast hands move, m/s, if arms take their time.
     pub arm_speed_m_s: Option<f64>,
+    /// What the person does besides walking, bending and reaching.
+    #[serde(default)]
+    pub also: Vec<Ability>,
+    /// How fast who runs does so, m/s.
+    pub run_m_s: Option<f64>,
     /// Controls that are worked.
     #[serde(default)]
     pub controls: Vec<ControlRecord>,
@@ -40,6 +46,8 @@ impl From<&Settings> for Looks {
             speed_criterion: settings.speed_criterion,
             criteria: settings.criteria.clone(),
             arm_speed_m_s: settings.arm_speed_m_s,
+            also: settings.also.clone(),
+            run_m_s: settings.run_m_s,
             controls: settings.controls.clone(),
             actions_per_sequence: settings.actions_per_sequence,
             contact_check_interval_s: settings.contact_check_interval_s,
@@ -99,6 +107,17 @@ impl Looks {
         self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
     }
 
+    /// Whether the person here does everything that leads to a hazard of `earlier`, and runs as fast.
+    #[must_use]
+    pub fn does_as_much_as(&self, earlier: &Self, hazard: &Hazard) -> bool {
+        let actions = [&hazard.actions, &hazard.shortest.actions].into_iter().flatten();
+        let mut needed = actions.flat_map(|action| Ability::of(*action));
+        needed.all(|ability| {
+            let as_fast = ability != Ability::Run || self.run_m_s == earlier.run_m_s;
+            self.also.contains(&ability) && as_fast
+        })
+    }
+
     fn works(&self, earlier: &Self, control: usize) -> bool {
         let [mine, its] = [self, earlier].map(|looks| looks.controls.get(control));
         mine.zip(its).is_some_and(|(mine, its)| {
@@ -131,6 +150,7 @@ impl Looks {
             && self.contact_check_interval_s <= earlier.contact_check_interval_s
             && self.reach_tolerance_m <= earlier.reach_tolerance_m
             && self.reaches_as_fast_as(earlier)
+            && self.does_as_much_as(earlier, hazard)
             && self.works_as_much_as(earlier, hazard)
             && self.judges_as_strictly_as(earlier, hazard.class)
             && tells_all(self.criteria.as_ref(), hazard.class, found)
@@ -160,6 +180,8 @@ mod tests {
                 separation: Some(separation),
             }),
             arm_speed_m_s: Some(2.0),
+            also: Vec::new(),
+            run_m_s: None,
             controls: Vec::new(),
             actions_per_sequence: 8,
             contact_check_interval_s: 0.02,

@@ -12,6 +12,7 @@ use super::speeds::SpeedRecord;
 use super::worked::{ControlRecord, Working, worked_words};
 use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
+use crate::human::Ability;
 use crate::human::action::Action;
 use crate::search::residual::Figures;
 use crate::sim::Coverage;
@@ -238,6 +239,12 @@ pub struct Settings {
     /// How fast hands move, m/s, if arms take their time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arm_speed_m_s: Option<f64>,
+    /// What the person does besides walking, bending and reaching.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub also: Vec<Ability>,
+    /// How fast who runs does so, m/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run_m_s: Option<f64>,
     /// Controls that the search works.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub controls: Vec<ControlRecord>,

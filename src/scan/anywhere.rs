@@ -499,6 +499,10 @@ impl<'a> Looking<'a> {
                     .to_owned(),
             );
         }
+        let also: Vec<&str> = self.prepared.cell.repertoire.abilities().iter().map(|ability| ability.words()).collect();
+        if !also.is_empty() {
+            found.reasons.push(format!("from anywhere people walk, bend and reach only: no {}", also.join(", no ")));
+        }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {
             Verdict::HazardsFound

@@ -13,7 +13,7 @@ use super::prepare::Prepared;
 use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
-use crate::human::Action;
+use crate::human::{Action, Repertoire};
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
 use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
@@ -169,8 +169,8 @@ fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
 }
 
 /// A finding with the actions before it.
-fn after(prefixes: &Prefixes, finding: Finding) -> Finding {
-    let before = prefixes.calmest.iter().map(|&action| Action::counted(usize::from(action)));
+fn after(repertoire: &Repertoire, prefixes: &Prefixes, finding: Finding) -> Finding {
+    let before = prefixes.calmest.iter().map(|&action| repertoire.action(usize::from(action)));
     Finding { actions: before.chain(finding.actions.iter().copied()).collect(), ..finding }
 }
 
@@ -186,6 +186,7 @@ pub(super) fn census(
 ) -> Result<Census, ScanError> {
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
+    let repertoire = &prepared.cell.repertoire;
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
     let expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
@@ -194,7 +195,7 @@ pub(super) fn census(
     let mut faults = Vec::new();
     let outcome = exhaust(&mut watched, options.budget, &mut |told| match told {
         Told::Met(met) => {
-            let finding = after(met.prefixes, met.unsafe_state);
+            let finding = after(repertoire, met.prefixes, met.unsafe_state);
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
                 return ControlFlow::Continue(());
             };
@@ -203,7 +204,7 @@ pub(super) fn census(
                 .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
         }
         Told::Noted { unsafe_state, prefixes } => {
-            let Some(id) = groups.add(after(prefixes, unsafe_state), 0, links) else {
+            let Some(id) = groups.add(after(repertoire, prefixes, unsafe_state), 0, links) else {
                 return ControlFlow::Continue(());
             };
             groups
@@ -213,8 +214,8 @@ pub(super) fn census(
         Told::Failed { reason, action, prefixes } => {
             if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {
                 let mut actions: Vec<Action> =
-                    prefixes.calmest.iter().map(|&a| Action::counted(usize::from(a))).collect();
-                actions.push(Action::counted(action));
+                    prefixes.calmest.iter().map(|&a| repertoire.action(usize::from(a))).collect();
+                actions.push(repertoire.action(action));
                 faults.push(FaultRecord { message: reason, actions });
             }
             ControlFlow::Continue(())

@@ -54,7 +54,7 @@ fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<V
     simulation.reset()?;
     let _ = simulation.take_findings();
     for action in actions {
-        if simulation.step(action.index())?.end.is_some() {
+        if simulation.take(*action)?.end.is_some() {
             break;
         }
     }
@@ -94,10 +94,11 @@ fn candidates(actions: &[Action]) -> Vec<Vec<Action>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::human::Repertoire;
 
     #[test]
     fn candidates_leave_out_neighbours_and_calm_every_action() {
-        let [a, b, c] = [7, 19, 35].map(|i| Action::ALL[i]);
+        let [a, b, c] = [7, 19, 35].map(|i| Repertoire::usual(0).action(i));
         let all = candidates(&[a, b, c]);
         for shorter in [vec![a], vec![c], vec![a, b], vec![a, c], vec![b, c]] {
             assert!(all.contains(&shorter), "{shorter:?}");

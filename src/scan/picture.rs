@@ -11,8 +11,7 @@ use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Class;
-use crate::human::action::Walk;
-use crate::human::{Action, Place, Posture};
+use crate::human::Place;
 use crate::report::floorplan::Plan;
 use crate::report::model::Hazard;
 use crate::report::topview::{Part, Point, Scene};
@@ -149,7 +148,8 @@ fn places(world: &World) -> Vec<Point> {
     let mut last = known.clone();
     for _ in 0..world.cell.search.actions {
         let next = last.iter().flat_map(|place| {
-            Walk::ALL.into_iter().map(|walk| world.walk(*place, Action::new(walk, Posture::Upright)).end())
+            let moves = world.cell.repertoire.all().take(world.cell.repertoire.moves());
+            moves.map(|action| world.walk(*place, world.taken(place, action)).end())
         });
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();

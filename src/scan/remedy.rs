@@ -201,7 +201,7 @@ impl<'a> Bench<'a> {
         let elsewhere = all.iter().filter(|known| known.standpoint != standpoint).take(ELSEWHERE);
         let first: Vec<Known> = here.chain(elsewhere).cloned().collect();
         let actions = cell.search.actions as usize;
-        let probes = probes(&sequences, actions, cell.controls.len(), cell.search.seed);
+        let probes = probes(&sequences, actions, &cell.repertoire, cell.search.seed);
         let rest = actions + 4;
         let mut simulation = prepared.simulation(StateChoice::Auto, false)?;
         let before = Behaviour::observe(&mut simulation, rest)?;

@@ -273,6 +273,8 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         speed_criterion: prepared.cell.search.criterion,
         criteria: criteria(&prepared.cell),
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
+        also: prepared.cell.repertoire.abilities().to_vec(),
+        run_m_s: prepared.cell.repertoire.run_m_s(),
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
         presses: None,

@@ -112,7 +112,7 @@ impl Stepping {
         let cell = &prepared.cell;
         let description = Description {
             cell: cell.name.clone(),
-            actions: (0..Action::count(cell.controls.len())).map(|i| Action::counted(i).to_string()).collect(),
+            actions: cell.repertoire.all().map(|action| action.to_string()).collect(),
             horizon: cell.search.actions,
             action_s: crate::human::action::ACTION_S,
             sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),

@@ -26,6 +26,7 @@ pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> 
     let judged = earlier.is_some_and(|earlier| {
         looks.judges_as_strictly_as(earlier, hazard.class)
             && looks.reaches_as_fast_as(earlier)
+            && looks.does_as_much_as(earlier, hazard)
             && looks.works_as_much_as(earlier, hazard)
     });
     if !judged {
@@ -65,6 +66,8 @@ fn looks(cell: &Workcell) -> Looks {
         speed_criterion: cell.search.criterion,
         criteria: criteria(cell),
         arm_speed_m_s: cell.arm_speed_m_s,
+        also: cell.repertoire.abilities().to_vec(),
+        run_m_s: cell.repertoire.run_m_s(),
         controls: cell.controls.iter().map(Into::into).collect(),
         actions_per_sequence: cell.search.actions,
         contact_check_interval_s: cell.step_s,

@@ -265,7 +265,7 @@ impl<'a> Anywhere<'a> {
         let obstacles = merged(&cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = ArmModel::default();
-        let reach_m = cell.body.reach_from_one_metre(arm.reach());
+        let reach_m = cell.body.reach_from_one_metre(arm.reach(), &[]);
         let mut bounds: ([f64; 2], [f64; 2]) = ([-1.0; 2], [1.0; 2]);
         let mut hold = |at: [f64; 2], far: f64| {
             for (axis, at) in at.into_iter().enumerate() {
@@ -317,7 +317,7 @@ impl<'a> Anywhere<'a> {
             told_of: Vec::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
             reach_m,
-            body_m: cell.body.reach_from_one_metre(0.0),
+            body_m: cell.body.reach_from_one_metre(0.0, &[]),
             ground,
             told: None,
         };
@@ -439,7 +439,13 @@ impl<'a> Anywhere<'a> {
         let reads = |posture: Posture| {
             let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
             let body = Some(self.placed(&at, posture, bend));
-            let seen = sensors::Seen { feet: self.cell.body.feet(position, heading_rad), body, position, heading_rad };
+            let seen = sensors::Seen {
+                feet: self.cell.body.feet(position, heading_rad),
+                besides: None,
+                body,
+                position,
+                heading_rad,
+            };
             // What a plane reports may be an arm.
             let told = |(sensor, reading): (&Sensor, &Option<bool>)| {
                 let is = |reading| (reading && is_plane(sensor)) || sees(sensor, &seen) == reading;

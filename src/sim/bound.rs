@@ -1,7 +1,7 @@
 //! How far robots and person can come at all: from lengths alone, never from what was observed.
 //!
 //! Revolute joints cannot bring a point farther from the first of them than the lengths of the segments between add up
-//! to; the person walks at 1.6 m/s and is within a sphere around the middle of the body. So a state may be dropped when
+//! to; the person walks at 1.6 m/s, or runs as fast as the cell file says, and is within a sphere around the middle of the body. So a state may be dropped when
 //! the two cannot meet in the time that is left. Where parts slide, or the FMU itself
 //! gives their poses, nothing bounds them, and nothing is dropped.
 
@@ -20,21 +20,24 @@ const ROUNDING_M: f64 = 1e-6;
 pub struct RobotBounds {
     /// Centre, world, and radius, m; nothing if some robot is not bounded.
     balls: Option<Vec<(Vec3, f64)>>,
+    /// How fast the person gets on, m/s.
+    person_m_s: f64,
 }
 
 impl RobotBounds {
     /// The bounds that follow from a cell.
     #[must_use]
     pub fn new(cell: &Workcell) -> Self {
+        let person_m_s = f64::from(cell.repertoire.strides()) * WALKING_SPEED_M_S;
         // How far a robot has to stay away is known from its stops only.
         if cell.separation.is_some() {
-            return Self { balls: None };
+            return Self { balls: None, person_m_s };
         }
         let ball = |(index, robot): (usize, &Robot)| {
             let links: Vec<&Link> = cell.links.iter().filter(|l| l.robot == index).collect();
             bound(robot, &links)
         };
-        Self { balls: cell.robots.iter().enumerate().map(ball).collect() }
+        Self { balls: cell.robots.iter().enumerate().map(ball).collect(), person_m_s }
     }
 
     /// Whether a person at `position` (floor plan), no part of which is farther than `reach_m` from the point 1 m above,
@@ -42,7 +45,7 @@ impl RobotBounds {
     #[must_use]
     pub fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
         #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
-        let walk = WALKING_SPEED_M_S * ACTION_S * actions as f64;
+        let walk = self.person_m_s * ACTION_S * actions as f64;
         let Some(balls) = &self.balls else { return true };
         balls.iter().any(|(centre, radius)| {
             let to = *centre - (position + Vec3::Z);
@@ -121,12 +124,12 @@ mod tests {
 
     #[test]
     fn distance_speed_and_reach_by_hand() {
-        let bounds = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 1.0), 1.0)]) };
+        let bounds = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 1.0), 1.0)]), person_m_s: 1.6 };
         // 1 m of robot, 1.2 m of person, 0.32 m of walking an action.
         assert!(bounds.may_meet(Vec3::new(3.15, 0.0, 0.0), 1.2, 3));
         assert!(!bounds.may_meet(Vec3::new(3.17, 0.0, 0.0), 1.2, 3));
         assert!(bounds.may_meet(Vec3::new(0.0, -3.47, 0.0), 1.2, 4));
-        let high = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 3.3), 1.0)]) };
+        let high = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 3.3), 1.0)]), person_m_s: 1.6 };
         assert!(!high.may_meet(Vec3::ZERO, 1.2, 5) && high.may_meet(Vec3::ZERO, 1.4, 0));
     }
 }

@@ -33,13 +33,20 @@ pub struct Curtain {
     pub hands_only: bool,
     /// What it closes with the guarding beside it.
     pub closed: Closed,
+    /// Whether somebody in a low posture has room below: that it tells of the body then says nothing of how long it has been there.
+    pub lets_below: bool,
 }
 
 impl Curtain {
     /// All those of a cell, whose person begins at `start`.
     #[must_use]
     pub fn all(cell: &Workcell, start: Vec3, obstacles: &[Cuboid]) -> Vec<Self> {
-        let curtain = |(number, Sensor { zone, .. }): (usize, &Sensor)| Self::new(number, zone, start, obstacles);
+        let lowest_m = cell.repertoire.low().iter().map(|low| cell.body.height_m(*low)).fold(f64::INFINITY, f64::min);
+        let curtain = |(number, Sensor { zone, .. }): (usize, &Sensor)| {
+            let curtain = Self::new(number, zone, start, obstacles)?;
+            let lets_below = !curtain.hands_only && curtain.closed.low.is_some_and(|low_m| low_m >= lowest_m);
+            Some(Self { lets_below, ..curtain })
+        };
         cell.sensors.iter().enumerate().filter_map(curtain).collect()
     }
 
@@ -53,6 +60,7 @@ impl Curtain {
             from: post.map_or(start, |post| Vec3::new(post[0][0], post[0][1], 0.0)),
             hands_only: post.is_some(),
             closed: Closed::new(plane, obstacles),
+            lets_below: false,
         })
     }
 
@@ -138,12 +146,12 @@ fn depth(plane: &Cuboid, from: Vec3, point: Vec3) -> f64 {
     if side(plane, from) > 0.0 { -side(plane, point) } else { side(plane, point) }
 }
 
-/// How deep a hand can be after `steps` whole steps of `step_s`, m.
+/// How deep a hand can be after `steps` whole steps of `step_s`, m; faster than at a hand's own speed only where the body is.
 #[must_use]
-pub fn depth_m(steps: usize, step_s: f64) -> f64 {
+pub fn depth_m(steps: usize, step_s: f64, body_m_s: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
     let time = steps as f64 * step_s;
-    HAND_SPEED_M_S * time
+    HAND_SPEED_M_S.max(body_m_s) * time
 }
 
 /// A rectangle in a light curtain's plane that no arm passes unseen: the curtain and the guarding that adjoins it.
@@ -242,7 +250,8 @@ mod tests {
     #[test]
     fn half_a_metre_takes_a_quarter_of_a_second() {
         // 13 samples of 20 ms have passed for the 12th: 2.0 m/s * 0.26 s.
-        assert!((depth_m(13, 0.02) - 0.52).abs() < 1e-12);
+        assert!((depth_m(13, 0.02, 1.6) - 0.52).abs() < 1e-12);
+        assert!((depth_m(13, 0.02, 3.2) - 0.832).abs() < 1e-12);
     }
 
     #[test]

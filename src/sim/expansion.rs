@@ -20,7 +20,7 @@ mod situations;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use self::ahead::Ahead;
+use self::ahead::{Ahead, Move, Way};
 use self::situations::Situations;
 use super::Coverage;
 use super::bound::RobotBounds;
@@ -82,10 +82,12 @@ struct Transition {
 
 /// What is not known yet of an action from a state.
 struct Pending {
-    /// Index of the state, of the walk, of the transition among those of the state.
+    /// Index of the state, of the way from it, of the transition among those of the state.
     state: usize,
-    walk: usize,
+    way: usize,
     transition: usize,
+    /// Index of the action, and the action as it is taken there.
+    index: usize,
     action: Action,
 }
 
@@ -226,7 +228,7 @@ impl<P: Plant> Expander<P> {
     /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
     fn advance(
         &mut self,
-        index: usize,
+        number: usize,
         depth: usize,
         state: &State,
         ahead: &Ahead,
@@ -235,21 +237,22 @@ impl<P: Plant> Expander<P> {
         let mut expanded = Expanded { next: Vec::new(), effects: Vec::new(), noted: Vec::new() };
         let mut transitions: Vec<Transition> = Vec::new();
         let last = depth + 1 == self.horizon();
-        let mut alike: [Alike; 6] = Default::default();
-        for action in (0..self.actions()).map(Action::counted) {
-            let walk = action.walk() as usize;
-            let (walked, sights) = (&ahead.walks[walk], &ahead.sights[walk]);
-            let seen_as = if sights.len() == 1 { 0 } else { action.posture() as usize };
-            let key = (seen_as, self.world.worked(walked, action));
-            let to = match alike[walk].by_key(&key) {
+        let mut alike: Vec<Alike> = ahead.ways.iter().map(|_| Alike::default()).collect();
+        for index in 0..self.actions() {
+            let Move { taken, way, sight } = ahead.moves[index % ahead.moves.len()];
+            let presses = self.world.cell.repertoire.action(index).presses();
+            let (action, alike) = (taken.pressing(presses), &mut alike[way]);
+            let Way { walked, sights } = &ahead.ways[way];
+            let key = (sight, self.world.worked(walked, action));
+            let to = match alike.by_key(&key) {
                 Some(to) => to,
                 None => {
-                    let sensed = self.world.sense(&state.delays, state.switched, &sights[seen_as], &key.1);
-                    let to = match alike[walk].by_inputs(&sensed) {
+                    let sensed = self.world.sense(&state.delays, state.switched, &sights[sight], &key.1);
+                    let to = match alike.by_inputs(&sensed) {
                         Some(to) => to,
                         None => self.reach((state, last), walked, &sensed, &mut expanded, &mut transitions)?,
                     };
-                    alike[walk].keep(key, sensed, &to);
+                    alike.keep(key, sensed, &to);
                     to
                 }
             };
@@ -261,7 +264,7 @@ impl<P: Plant> Expander<P> {
                 }
             };
             expanded.effects.push(Effect::To(next));
-            pending.push(Pending { state: index, walk, transition, action });
+            pending.push(Pending { state: number, way, transition, index, action });
         }
         Ok((expanded, transitions))
     }
@@ -313,7 +316,7 @@ impl<P: Plant> Expansion for Expander<P> {
     type Error = PlantError;
 
     fn actions(&self) -> usize {
-        Action::count(self.world.cell.controls.len())
+        self.world.cell.repertoire.count()
     }
 
     fn horizon(&self) -> usize {
@@ -321,7 +324,7 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn effort(&self, action: usize) -> u32 {
-        Action::counted(action).effort()
+        self.world.cell.repertoire.action(action).effort()
     }
 
     fn start(&mut self) -> Result<State, PlantError> {
@@ -351,7 +354,7 @@ impl<P: Plant> Expansion for Expander<P> {
             expanded.push(one);
             transitions.push(own);
         }
-        let walked = |p: &Pending| &ahead[&states[p.state].place].walks[p.walk];
+        let walked = |p: &Pending| &ahead[&states[p.state].place].ways[p.way].walked;
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
@@ -368,16 +371,16 @@ impl<P: Plant> Expansion for Expander<P> {
                 let Some(finding) = finding else { return true };
                 let finding = Finding { actions: vec![p.action], ..finding };
                 let noted = &mut expanded[p.state].noted;
-                let known = noted.iter().position(|(action, _)| *action == p.action.index());
+                let known = noted.iter().position(|(action, _)| *action == p.index);
                 if finding.class.ends() {
                     known.map(|known| noted.remove(known));
-                    expanded[p.state].effects[p.action.index()] = Effect::Unsafe(finding);
+                    expanded[p.state].effects[p.index] = Effect::Unsafe(finding);
                     return false;
                 }
                 match known {
                     Some(known) if noted[known].1.outweighs(&finding) => {}
                     Some(known) => noted[known].1 = finding,
-                    None => noted.push((p.action.index(), finding)),
+                    None => noted.push((p.index, finding)),
                 }
                 true
             });

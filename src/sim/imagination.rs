@@ -25,7 +25,7 @@ use crate::hazard::Class;
 use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Presses};
+use crate::human::{Action, Place, Posture, Presses, Walk};
 use crate::search::Niche;
 
 /// Observed episodes with different states of the FMU that are compared with; later ones are not.
@@ -84,7 +84,7 @@ struct Situation {
 }
 
 /// What the sensing in an action follows from: where it begins, what is on its way, switches, walk and posture, what is worked.
-type Before = (Place, Vec<DelayLine>, Presses, usize, Worked);
+type Before = (Place, Vec<DelayLine>, Presses, Action, Worked);
 
 /// Memory of what was seen in this run, and of what follows from the cell.
 #[derive(Debug)]
@@ -99,9 +99,9 @@ pub(super) struct Imagination {
     outputs: BTreeMap<Vec<u64>, usize>,
     outputs_of: BTreeMap<NodeId, usize>,
     numbers: BTreeMap<Vec<usize>, usize>,
-    walks: BTreeMap<(Place, usize), Arc<WalkTrace>>,
+    walks: BTreeMap<(Place, Walk, Posture), Arc<WalkTrace>>,
     sensed: BTreeMap<Before, Arc<Sensed>>,
-    met: BTreeMap<(usize, Place, usize, Vec<DelayLine>), Option<Niche>>,
+    met: BTreeMap<(usize, Place, Action, Vec<DelayLine>), Option<Niche>>,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
     world: Arc<World>,
@@ -176,7 +176,7 @@ impl Imagination {
         let inputs = nodes.iter().map(|n| recall.inputs(*n)).collect();
         let mut place = world.start();
         let mut end = |action: &Action| {
-            place = self.walk(world, place, *action).end();
+            place = self.walk(world, place, world.taken(&place, *action)).end();
             world.position(&place)
         };
         let ends = actions.iter().map(&mut end).collect();
@@ -184,7 +184,7 @@ impl Imagination {
     }
 
     fn walk(&mut self, world: &World, from: Place, action: Action) -> Arc<WalkTrace> {
-        let key = (from, action.walk() as usize);
+        let key = (from, action.walk(), if action.posture().is_low() { action.posture() } else { Posture::Upright });
         if let Some(known) = self.walks.get(&key) {
             return Arc::clone(known);
         }
@@ -199,8 +199,9 @@ impl Imagination {
         action: Action,
     ) -> Arc<Sensed> {
         let worked = world.worked(walked, action);
-        let posture = if world.posture_is_unseen() { Posture::Upright } else { action.posture() };
-        let key = (walked.start, delays.to_vec(), switched, Action::new(action.walk(), posture).index(), worked);
+        let stands = world.posture_is_unseen() && !action.posture().is_low();
+        let posture = if stands { Posture::Upright } else { action.posture() };
+        let key = (walked.start, delays.to_vec(), switched, Action::new(action.walk(), posture), worked);
         if let Some(known) = self.sensed.get(&key) {
             return Arc::clone(known);
         }
@@ -313,7 +314,7 @@ impl Imagination {
         let situation = self.situation(world, robots, node);
         // Without light curtains, contacts do not depend on what was sensed.
         let delays = if world.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
-        let key = (situation.number, person.place, action.index(), delays);
+        let key = (situation.number, person.place, action, delays);
         if let Some(known) = self.met.get(&key) {
             return (*known, situation);
         }

@@ -40,7 +40,7 @@ pub fn replay_watched<P: Plant>(
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
     simulation.reset()?;
     for action in actions {
-        match simulation.step(action.index())?.end {
+        match simulation.take(*action)?.end {
             Some(End::NotEvaluated) => return Err(simulation.not_evaluated()),
             Some(_) => break,
             None => {}

@@ -84,8 +84,10 @@ impl DelayLine {
 /// The person as sensors see it.
 #[derive(Clone, Debug)]
 pub struct Seen {
-    /// Floor points below the ankles, left and right, m.
+    /// Floor points below the ankles, left and right, m; below the knees of who kneels or crawls.
     pub feet: [Vec3; 2],
+    /// What else touches the floor.
+    pub besides: Option<[Vec3; 4]>,
     /// The body, if the cell has a light curtain.
     pub body: Option<PlacedBody>,
     /// Middle between the feet on the floor, m.
@@ -97,13 +99,17 @@ pub struct Seen {
 /// Whether `sensor` sees the person. One inside the FMU is not asked here.
 ///
 /// A mat fires when the middle of a foot's support is on it, a scanner field when the axis of a leg is in it: half of
-/// the leg, about 55 mm, is then inside, near the 70 mm that person-detecting scanners resolve. A light curtain fires
+/// the leg, about 55 mm, is then inside, near the 70 mm that person-detecting scanners resolve. Knees, toes and hands on the
+/// floor count as feet there. A light curtain fires
 /// when any part of head, trunk or legs passes through its plane, and so does a door; a two-hand control, when a foot
 /// leaves the operator's post. Arms are a matter of the contact check.
 #[must_use]
 pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
     match &sensor.zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) => seen.feet.iter().any(|f| contains(polygon, [f.x, f.y])),
+        Zone::Mat(polygon) | Zone::Field(polygon) => {
+            let besides = seen.besides.iter().flatten();
+            seen.feet.iter().chain(besides).any(|f| contains(polygon, [f.x, f.y]))
+        }
         Zone::Curtain(plane) | Zone::Door(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
         // Both feet: who has one outside leans away, and the hands may be anywhere.
         Zone::TwoHand { post, .. } => !seen.feet.iter().all(|f| contains(post, [f.x, f.y])),

@@ -115,7 +115,7 @@ struct Outcome {
 
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node, and so do controls that are
 /// switched over.
-type Question = (NodeId, Place, Vec<DelayLine>, usize);
+type Question = (NodeId, Place, Vec<DelayLine>, Action);
 
 /// What the contact check of an action tells.
 #[derive(Clone, Debug)]
@@ -259,8 +259,9 @@ impl<P: Plant> Simulation<P> {
         let Snapshot { mut node, mut place, mut delays, mut switched, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for (number, action) in actions.iter().enumerate() {
-            let walked = world.walk(place, *action);
-            let worked = world.worked(&walked, *action);
+            let action = world.taken(&place, *action);
+            let walked = world.walk(place, action);
+            let worked = world.worked(&walked, action);
             let mut sensed = world.sense(&delays, switched, &world.sights(&walked, action.posture()), &worked);
             let begun = watched.instants.len() - 1;
             for ReachedThrough { sensor, steps } in through {
@@ -309,7 +310,7 @@ impl<P: Plant> Simulation<P> {
         let row = world.binding.rows(self.robots.recall.outputs(NodeId::ROOT), None, world.cell.step_s);
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
         let place = world.start();
-        let stance = Stance { place, posture: Posture::Upright, walked: false, broken: Vec::new(), raised: None };
+        let stance = Stance { place, posture: Posture::Upright, moved: 0, broken: Vec::new(), raised: None };
         Instant {
             position: world.position(&place),
             body: world.body_of(&stance),
@@ -318,8 +319,22 @@ impl<P: Plant> Simulation<P> {
         }
     }
 
-    /// Takes an action from the present state.
+    /// Takes an action from the present state, whether or not it is one of those that the cell's person does.
+    ///
+    /// # Errors
+    /// When the FMU fails, or the search has to end.
+    pub fn take(&mut self, action: Action) -> Result<Step, PlantError> {
+        let step = self.act(action)?;
+        // What was looked for may not have been looked for to its end.
+        if self.world.stop().is_due() {
+            self.findings.clear();
+            return Err(PlantError::stopped());
+        }
+        Ok(step)
+    }
+
     fn act(&mut self, action: Action) -> Result<Step, PlantError> {
+        let action = self.world.taken(&self.state.place, action);
         let outcome = self.outcome(action)?;
         self.coverage.merge(&outcome.coverage);
         self.imagination.add_reached(&outcome.reached);
@@ -360,7 +375,7 @@ impl<P: Plant> Simulation<P> {
         if self.options.policy == Policy::Replay {
             return Ok(Arc::new(self.work_out(action)?));
         }
-        let question = (self.state.node, self.state.place, self.state.delays.clone(), action.index());
+        let question = (self.state.node, self.state.place, self.state.delays.clone(), action);
         if let Some(known) = self.outcomes.get(&question) {
             return Ok(Arc::clone(known));
         }
@@ -447,9 +462,14 @@ impl<P: Plant> Simulation<P> {
         findings: &mut Vec<Finding>,
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
-        for posture in Posture::ALL.into_iter().filter(|p| *p != action.posture()) {
-            let sibling = Action::new(action.walk(), posture).pressing(action.presses());
-            let found = if self.world.posture_is_unseen() && action.presses().is_none() {
+        let world = Arc::clone(&self.world);
+        for posture in world.cell.repertoire.postures().iter().copied().filter(|p| *p != action.posture()) {
+            let sibling = action.in_posture(posture);
+            // Low ones lead other ways and are seen otherwise: they are actions for themselves.
+            if posture.is_low() || action.posture().is_low() {
+                continue;
+            }
+            let found = if world.posture_is_unseen() && action.presses().is_none() {
                 self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
                 let own = self.sense(walked, sibling);
@@ -475,7 +495,7 @@ impl<P: Plant> Simulation<P> {
             return self.look(walked, action, sensed, node, coverage);
         }
         // With the state that it leads to, what was sensed follows from what was on its way before.
-        let question = (node, walked.start, self.state.delays.clone(), action.index());
+        let question = (node, walked.start, self.state.delays.clone(), action);
         let known = self.looks.get(&question).map(Arc::clone);
         let look = if let Some(known) = known {
             known
@@ -531,7 +551,7 @@ impl<P: Plant> Environment for Simulation<P> {
     type Error = PlantError;
 
     fn actions(&self) -> usize {
-        Action::count(self.world.cell.controls.len())
+        self.world.cell.repertoire.count()
     }
 
     fn horizon(&self) -> usize {
@@ -545,13 +565,7 @@ impl<P: Plant> Environment for Simulation<P> {
     }
 
     fn step(&mut self, action: usize) -> Result<Step, PlantError> {
-        let step = self.act(Action::counted(action))?;
-        // What was looked for may not have been looked for to its end.
-        if self.world.stop().is_due() {
-            self.findings.clear();
-            return Err(PlantError::stopped());
-        }
-        Ok(step)
+        self.take(self.world.cell.repertoire.action(action))
     }
 
     fn save(&self) -> Snapshot {

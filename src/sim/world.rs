@@ -25,6 +25,7 @@ use crate::hazard::criterion::separation::{Separation, Stop, Stopping};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
+use crate::human::low::OnFloor;
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, posture, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
@@ -82,8 +83,8 @@ pub struct Stance {
     pub place: Place,
     /// The bend that is tried.
     pub posture: Posture,
-    /// Whether the person walked during the step.
-    pub walked: bool,
+    /// How many sub-steps the person got ahead during the step; backwards less than none.
+    pub moved: i8,
     /// For each light curtain, how many samples ago it was first broken; 0 for not at all.
     pub broken: Vec<usize>,
     /// Where arms take their time: for so many steps they have not hung any more. Nothing once they may be anywhere.
@@ -205,8 +206,12 @@ pub struct World {
     pub(super) neighbours: Vec<(usize, usize)>,
     /// No part of the body but the arms is farther from the point 1 m above the place where it stands, m.
     body_reach_m: f64,
+    /// The same of the arms too.
+    reach_m: f64,
     /// How far bends get.
     bends: Memo<(Place, Posture), BendFraction>,
+    /// Whether there is room for a posture.
+    fits: Memo<(Place, Posture), bool>,
     /// Hands that get to controls.
     reached: Memo<(Place, Posture, usize), Hands>,
     /// The same with moving contacts as what is looked for, where they count.
@@ -249,7 +254,8 @@ impl World {
                 .then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
             stop: WorkStop::default(),
         };
-        let body_reach_m = cell.body.reach_from_one_metre(0.0);
+        let [body_reach_m, reach_m] =
+            [0.0, encounter.arm.reach()].map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
         let stop_command = match &cell.separation {
             Some(Separation { stop: Stop::Measured(name), .. }) => {
                 let sensor = cell.sensors.iter().find(|sensor| sensor.name == *name);
@@ -267,7 +273,9 @@ impl World {
             curtains,
             neighbours,
             body_reach_m,
+            reach_m,
             bends: Memo::new(),
+            fits: Memo::new(),
             reached: Memo::new(),
             moving: None,
             stop_command,
@@ -326,7 +334,7 @@ impl World {
     /// Whether the person's start is free of obstacles.
     #[must_use]
     pub fn start_is_free(&self) -> bool {
-        self.walker().is_free(self.start())
+        self.walker().is_free(self.start(), Posture::Upright)
     }
 
     /// Sensors that have been reading for long what they read at the start.
@@ -354,7 +362,7 @@ impl World {
         row
     }
 
-    /// Whether inputs and contacts of an action depend on the walk only, and not on the posture.
+    /// Whether inputs and contacts of an action depend on the walk only, and not on the posture of who stands.
     #[must_use]
     pub fn posture_is_unseen(&self) -> bool {
         self.curtains.is_empty()
@@ -373,10 +381,27 @@ impl World {
         self.curtains.iter().any(near)
     }
 
-    /// Where an action leads.
+    /// Where an action leads that is taken as it is.
     #[must_use]
     pub fn walk(&self, from: Place, action: Action) -> WalkTrace {
-        self.walker().walk(from, action.walk(), self.cell.steps_per_action)
+        self.walker().walk(from, action, self.cell.steps_per_action)
+    }
+
+    /// The action as the person takes it from a place: who has got below something stays as low as there is room for.
+    #[must_use]
+    pub fn taken(&self, from: &Place, action: Action) -> Action {
+        let low = self.cell.repertoire.low();
+        if low.is_empty() || self.boxes.is_empty() || self.fits(from, action.posture()) {
+            return action;
+        }
+        let lower = low.iter().find(|low| **low > action.posture() && self.fits(from, **low));
+        lower.map_or(action, |low| action.in_posture(*low))
+    }
+
+    /// Whether there is room for a posture at a place; as much for every one of who stands.
+    fn fits(&self, place: &Place, posture: Posture) -> bool {
+        let posture = if posture.is_low() { posture } else { Posture::Upright };
+        self.fits.of((*place, posture), || self.walker().is_free(*place, posture))
     }
 
     /// The person at `place` as sensors see it.
@@ -386,7 +411,11 @@ impl World {
         let body = self
             .may_be_in_a_plane(place)
             .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
-        Seen { feet: self.body().feet(position, heading_rad), body, position, heading_rad }
+        if !bent.is_low() {
+            return Seen { feet: self.body().feet(position, heading_rad), besides: None, body, position, heading_rad };
+        }
+        let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, self.bend(place, bent));
+        Seen { feet, besides, body, position, heading_rad }
     }
 
     /// What there is for the sensors to see at the start of each step.
@@ -469,7 +498,7 @@ impl World {
     pub fn stance(&self, walked: &WalkTrace, (before, i): (usize, usize), posture: Posture, sensed: &Sensed) -> Stance {
         let (place, broken) = (walked.places[i], sensed.broken[i].clone());
         let raised = self.raised(before * self.cell.steps_per_action + i + 1);
-        Stance { place, posture, walked: Self::has_walked(walked, i), broken, raised }
+        Stance { place, posture, moved: Self::moved(walked, i), broken, raised }
     }
 
     /// So many steps, as long as arms cannot be anywhere after them.
@@ -484,11 +513,17 @@ impl World {
         Some(self.cell.arm_speed_m_s? * steps as f64 * self.cell.step_s)
     }
 
-    /// Whether the person walked during step `i` of an action.
+    /// How many sub-steps the person got ahead during step `i` of an action.
     #[must_use]
-    pub fn has_walked(walked: &WalkTrace, i: usize) -> bool {
+    #[expect(clippy::cast_possible_truncation, reason = "a few")]
+    pub fn moved(walked: &WalkTrace, i: usize) -> i8 {
         let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
-        *before != walked.places[i]
+        walked.places[i].ahead_of(before) as i8
+    }
+
+    /// How fast anybody gets on, m/s.
+    pub(super) fn fastest_m_s(&self) -> f64 {
+        f64::from(self.cell.repertoire.strides()) * WALKING_SPEED_M_S
     }
 
     /// The unsafe contact of a person with the robots after step `i` of an action, if there is one.
@@ -713,8 +748,8 @@ impl World {
     }
 
     /// No part of the person is farther from the point 1 m above the place where it stands, m.
-    pub(super) fn reach_m(&self) -> f64 {
-        self.body().reach_from_one_metre(self.encounter.arm.reach())
+    pub(super) const fn reach_m(&self) -> f64 {
+        self.reach_m
     }
 
     pub(super) fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
@@ -728,7 +763,13 @@ impl World {
     }
 
     fn walker(&self) -> Walker<'_> {
-        Walker { body: self.body(), start: &self.cell.start, sub_step_len_m: self.sub_step_m(), obstacles: &self.boxes }
+        Walker {
+            body: self.body(),
+            start: &self.cell.start,
+            sub_step_len_m: self.sub_step_m(),
+            obstacles: &self.boxes,
+            strides: self.cell.repertoire.strides(),
+        }
     }
 
     /// The body and its arms.
@@ -744,7 +785,8 @@ impl World {
     /// How the person walks, m/s.
     fn velocity(&self, stance: &Stance) -> Vec3 {
         let place = &stance.place;
-        let before = if stance.walked { place.stepped_back() } else { *place };
+        let back = |place: Place, _| if stance.moved > 0 { place.stepped_back() } else { place.stepped() };
+        let before = (0..stance.moved.unsigned_abs()).fold(*place, back);
         (self.position(place) - self.position(&before)) / self.cell.step_s
     }
 

@@ -228,7 +228,7 @@ fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
             heading_rad: uniform(&mut rng, 0.0, TAU),
             half_rad: if is_small { size(&mut rng, 0.002, 0.008) } else { size(&mut rng, 0.05, PI) },
         };
-        let posture = Posture::ALL[rng.below(6)];
+        let posture = Posture::USUAL[rng.below(6)];
         let body = one.body(at.xy_m, at.heading_rad, posture);
         let gap = (body.shoulder(Side::BOTH[rng.below(2)]).translation - tip).length() - 0.05 - arm.reach();
         if !is_small || (-0.01..0.015).contains(&gap) {

@@ -63,7 +63,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     let (mut harmed, mut elsewhere) = (0, 0);
     for _ in 0..asked.poses {
         let at = [uniform(&mut rng, -1.3, 1.3), uniform(&mut rng, -1.3, 1.3)];
-        let (heading, posture) = (uniform(&mut rng, 0.0, TAU), Posture::ALL[rng.below(6)]);
+        let (heading, posture) = (uniform(&mut rng, 0.0, TAU), Posture::USUAL[rng.below(6)]);
         // What was read of them a step ago, where they were then.
         let (far, towards) = (uniform(&mut rng, 0.0, 1.6 * cell.step_s), uniform(&mut rng, 0.0, TAU));
         let before = [at[0] + far * libm::cos(towards), at[1] + far * libm::sin(towards)];

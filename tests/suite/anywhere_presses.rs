@@ -27,7 +27,7 @@ fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
     let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
     let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses);
-    let nobody = Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody; zones.readings.len()];
     let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
     let mut machine = Machine::new(recall, (cell, &prepared.binding), (&zones, people), (&part, presses));

@@ -113,7 +113,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
     let part = Part { sensors: vec![true], links: vec![true].into() };
     let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0);
     let entered = zones.ways.iter().position(|way| way.from.is_some() && way.is_first).expect("a way onto the mat");
-    let nobody = Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody.clone(); zones.readings.len()];
     let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
     let mut machine = Machine::new(recall, (cell, binding), (&zones, people), (&part, 0));
@@ -172,7 +172,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     let reported = |[x, y]: [f64; 2], heading_rad: f64| -> Vec<bool> {
         let position = Vec3::new(x, y, 0.0);
         let feet = prepared.cell.body.feet(position, heading_rad);
-        let seen = Seen { feet, body: None, position, heading_rad };
+        let seen = Seen { feet, besides: None, body: None, position, heading_rad };
         prepared.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     };
     let (mut walked, mut changed) = (0, 0);
@@ -225,7 +225,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     let cell = &*prepared.cell;
     let stride_m = 1.6 * cell.step_s;
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
-    let nobody = Seen { feet: [Vec3::ZERO; 2], body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let histories = |sensors: [bool; 2], links: [bool; 2]| {
         let part = Part { sensors: sensors.to_vec(), links: links.to_vec().into() };
         let zones = Zones::new(&search, &[false; 2], &part.sensors, (stride_m, STEPS), 0);
@@ -270,7 +270,13 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
             ([uniform(-0.6, 0.6), uniform(-2.6, 2.6)], uniform(0.0, 6.3), Vec::new(), Vec::<(Vec<bool>, _)>::new());
         for _ in 0..STEPS {
             let position = Vec3::new(at[0], at[1], 0.0);
-            let person = Seen { feet: cell.body.feet(position, heading), body: None, position, heading_rad: heading };
+            let person = Seen {
+                feet: cell.body.feet(position, heading),
+                besides: None,
+                body: None,
+                position,
+                heading_rad: heading,
+            };
             let readings: Vec<bool> = cell.sensors.iter().map(|sensor| sees(sensor, &person)).collect();
             let late = places.len().checked_sub(3).is_some_and(|then: usize| places[then].0[1]);
             input_row(cell, &prepared.binding, &[readings[0], late], &person, Presses::NONE, &mut inputs);

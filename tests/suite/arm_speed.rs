@@ -42,7 +42,7 @@ fn a_hand_that_cannot_be_there_yet_is_not_hit() {
             before = now;
             for hazard in &report.hazards {
                 free.reset().unwrap();
-                let ends = hazard.actions.iter().map(|action| free.step(action.index()).unwrap().end);
+                let ends = hazard.actions.iter().map(|action| free.take(*action).unwrap().end);
                 let ends: Vec<Option<End>> = ends.take_while(|end| *end != Some(End::Unsafe)).collect();
                 assert!(ends.len() < hazard.actions.len(), "{hazard:?}");
                 let sooner = free.take_findings().into_iter().map(|found| found.time_s).fold(f64::INFINITY, f64::min);

@@ -114,11 +114,11 @@ fn a_hand_that_gets_there_is_not_missed() {
     let mut place = world.start();
     for step in 0..40 {
         let walks = [Walk::Forward, Walk::Left45, Walk::Stop, Walk::Right45, Walk::Forward];
-        let posture = Posture::ALL[step % 6];
+        let posture = Posture::USUAL[step % 6];
         let walked = world.walk(place, Action::new(walks[step % 5], posture));
         let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
         let known = !world.worked(&walked, action).presses.is_none();
-        let stance = Stance { place: walked.start, posture, walked: false, broken: Vec::new(), raised: None };
+        let stance = Stance { place: walked.start, posture, moved: 0, broken: Vec::new(), raised: None };
         let body = world.body_of(&stance);
         let mut touched = false;
         for side in Side::BOTH.into_iter().filter(|side| shoulder::is_available(&body, *side, &obstacles)) {

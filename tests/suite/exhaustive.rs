@@ -10,7 +10,7 @@ use std::path::Path;
 use crate::common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
-use fmi_hazard::human::{Action, Place, Posture, Presses, Walk};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
 use fmi_hazard::search::statistics::wilson;
@@ -102,6 +102,7 @@ impl<'a> Enumeration<'a> {
             return;
         }
         for &action in self.actions {
+            let action = self.world.taken(&place, action);
             let walked = self.world.walk(place, action);
             let (sights, worked) = (self.world.sights(&walked, action.posture()), self.world.worked(&walked, action));
             let sensed = self.world.sense(delays, switched, &sights, &worked);
@@ -132,7 +133,13 @@ impl<'a> Enumeration<'a> {
 }
 
 /// A person who takes some of the actions only.
-struct Few(Expander<Hosted>, Vec<Action>);
+struct Few(Expander<Hosted>, Vec<Action>, Repertoire);
+
+impl Few {
+    fn of(prepared: &Prepared, actions: &[Action]) -> Self {
+        Self(expander(prepared, Merge::Auto), actions.to_vec(), prepared.cell.repertoire.clone())
+    }
+}
 
 impl Expansion for Few {
     type State = State;
@@ -162,7 +169,7 @@ impl Expansion for Few {
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
         for one in &mut all {
-            one.effects = self.1.iter().map(|action| one.effects[action.index()].clone()).collect();
+            one.effects = self.1.iter().map(|action| one.effects[self.2.index(*action).unwrap()].clone()).collect();
         }
         Ok(Some(all))
     }
@@ -189,7 +196,8 @@ fn three_of_36_actions_as_in_plain_enumeration() {
         let search = format!("actions = 3\nreach_tolerance_m = 0.05\n{parameters}");
         let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
         let (account, found) = exhausted(&mut expander(&prepared, Merge::Auto), BUDGET);
-        let plain = Enumeration::of(&prepared, &Action::ALL, 3);
+        let all: Vec<Action> = Repertoire::usual(0).all().collect();
+        let plain = Enumeration::of(&prepared, &all, 3);
         assert!(plain.found.len() > 10, "{name}: little to compare");
         assert_eq!(found, plain.found, "{name}");
         assert_eq!(u128::try_from(account.total.clone()).unwrap(), 36_u128.pow(3));
@@ -202,11 +210,11 @@ fn three_of_36_actions_as_in_plain_enumeration() {
 #[test]
 fn five_of_six_walks_as_in_plain_enumeration() {
     let dir = examples();
-    let walks: Vec<Action> = Action::ALL.into_iter().filter(|a| a.posture() == Posture::Upright).collect();
+    let walks: Vec<Action> = Repertoire::usual(0).all().filter(|a| a.posture() == Posture::Upright).collect();
     for (name, start, parameters) in &NEAR[1..] {
         let search = format!("actions = 5\nreach_tolerance_m = 0.05\n{parameters}");
         let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, &search);
-        let mut upright = Few(expander(&prepared, Merge::Auto), walks.clone());
+        let mut upright = Few::of(&prepared, &walks);
         let (account, found) = exhausted(&mut upright, BUDGET);
         let plain = Enumeration::of(&prepared, &walks, 5);
         assert!(!plain.found.is_empty(), "{name}: nothing to compare");
@@ -237,7 +245,7 @@ fn presses_as_in_plain_enumeration() {
         let speed = if name == "reset-outside" { "\narm_speed_m_s = 1" } else { "" };
         let start = &format!("{{ xy_m = [-0.6, -1.15], heading_deg = 90 }}{speed}");
         let prepared = cell(dir.path(), &format!("{name}/cell.toml"), start, "actions = 6\nreach_tolerance_m = 0.05");
-        let mut expansion = Few(expander(&prepared, Merge::Auto), few.clone());
+        let mut expansion = Few::of(&prepared, &few);
         let (account, found) = exhausted(&mut expansion, BUDGET);
         let plain = Enumeration::of(&prepared, &few, 6);
         assert!(
@@ -249,6 +257,43 @@ fn presses_as_in_plain_enumeration() {
         assert_eq!(harmless, plain.harmless, "{name}");
         assert!(account.states() > 100, "{name}: {} states", account.states());
     }
+}
+
+/// Kneeling, crouching, crawling, steps back and running, beside a beam that only some postures get below: where there is no room to
+/// stand up, nobody does.
+#[test]
+fn what_else_people_do_as_in_plain_enumeration() {
+    let dir = examples();
+    let beam = "[[obstacle]]\nname = \"beam\"\ncentre_m = [1.0, -0.85, 1.1]\nsize_m = [0.1, 2, 0.5]\n";
+    let file = dir.path().join("heavy-workpiece/cell.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, format!("{text}\n{beam}")).unwrap();
+    let all = "also = [\"kneel\", \"crouch\", \"crawl\", \"step_back\", \"run\"]\nrun_m_s = 4.8";
+    let start = format!("{{ xy_m = [1.4, -0.85], heading_deg = 180 }}\n{all}");
+    let prepared = cell(dir.path(), "heavy-workpiece/cell.toml", &start, "actions = 4\nreach_tolerance_m = 0.05");
+    let moves = [
+        (Walk::Forward, Posture::Upright),
+        (Walk::Stop, Posture::Forward),
+        (Walk::Forward, Posture::Crawling),
+        (Walk::Run, Posture::Crouching),
+        (Walk::Back, Posture::Kneeling),
+        (Walk::Run, Posture::Left),
+    ];
+    let moves = moves.map(|(walk, posture)| Action::new(walk, posture));
+    let (account, found) = exhausted(&mut Few::of(&prepared, &moves), BUDGET);
+    let plain = Enumeration::of(&prepared, &moves, 4);
+    let low = |key: &&String| ["Crawling", "Crouching"].iter().any(|low| key.contains(low));
+    assert!(plain.found.len() > 10 && plain.found.keys().any(|key| low(&key)), "little to compare: {:?}", plain.found);
+    assert_eq!(found, plain.found);
+    let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
+    assert_eq!(harmless, plain.harmless);
+    // Below the beam an upright action is taken low, and the walk goes on.
+    let world = World::new(prepared.cell.clone(), prepared.binding.clone());
+    let below = world.walk(world.start(), Action::new(Walk::Run, Posture::Crouching)).places[3];
+    let upright = Action::new(Walk::Forward, Posture::ForwardLeft);
+    assert_eq!(world.taken(&below, upright), Action::new(Walk::Forward, Posture::Crouching));
+    assert_eq!(world.taken(&world.start(), upright), upright);
+    assert!(world.walk(world.start(), Action::new(Walk::Forward, Posture::Upright)).blocked.contains(&true));
 }
 
 #[test]
@@ -316,7 +361,7 @@ fn as_often_as_counted(dir: &Path, name: &str, hazardous: u64) {
     for _ in 0..episodes {
         simulation.reset().unwrap();
         let end = loop {
-            if let Some(end) = simulation.step(rng.below(Action::COUNT)).unwrap().end {
+            if let Some(end) = simulation.step(rng.below(36)).unwrap().end {
                 break end;
             }
         };

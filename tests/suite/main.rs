@@ -5,6 +5,7 @@
 
 mod common;
 
+mod abilities;
 mod advice;
 mod anywhere;
 mod anywhere_arms;

@@ -13,6 +13,8 @@ const WALKS = {
   left90: "turns left by 90° and walks",
   right45: "turns right by 45° and walks",
   right90: "turns right by 90° and walks",
+  back: "steps back",
+  run: "runs straight ahead",
 };
 
 const POSTURES = {
@@ -22,6 +24,9 @@ const POSTURES = {
   "bend-right": "bent to the right",
   "bend-forward-left": "bent forward and to the left",
   "bend-forward-right": "bent forward and to the right",
+  kneel: "kneeling",
+  crouch: "crouching",
+  crawl: "crawling",
 };
 
 /** A body region in words. */

@@ -13,7 +13,7 @@ use crate::fmi::number;
 use crate::geometry::Cuboid;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::walk::Walker;
-use crate::human::{Body, Place, Start};
+use crate::human::{Body, Place, Posture, Start};
 
 /// Latest that a person may begin, s.
 const LATEST_S: f64 = 3600.0;
@@ -128,8 +128,8 @@ impl Checker<'_> {
                     continue;
                 }
                 let start = Start::new(place[0], place[1], 0.0);
-                let walker = Walker { body, start: &start, sub_step_len_m: 0.0, obstacles };
-                if walker.is_free(Place::START) { free.push(place) } else { left_out += 1 }
+                let walker = Walker { body, start: &start, sub_step_len_m: 0.0, obstacles, strides: 1 };
+                if walker.is_free(Place::START, Posture::Upright) { free.push(place) } else { left_out += 1 }
             }
         }
         self.that(!free.is_empty(), span, || {

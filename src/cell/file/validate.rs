@@ -12,8 +12,9 @@ use crate::cell::workcell::{UnitFile, Workcell};
 use crate::fmi::number;
 use crate::human::action::ACTION_S;
 use crate::human::body::BodyError;
-use crate::human::{Anthropometry, Body, Radii};
+use crate::human::{Ability, Anthropometry, Body, Radii, Repertoire};
 use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most communication steps of an action: contacts are checked at each of them.
 const MOST_STEPS: f64 = 1000.0;
@@ -68,6 +69,7 @@ impl Checker<'_> {
         let (obstacles, obstacle_tables) = self.obstacles(&file);
         let body = self.problems.keep(self.body(&file));
         let arm_speed = self.problems.keep(self.arm_speed(&file.human));
+        let repertoire = self.problems.keep(self.repertoire(&file.human, controls.len()));
         let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
         let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
         let floor = self.problems.keep(self.floor_polygon(file.human.floor_m.as_ref(), "human.floor_m"));
@@ -106,6 +108,7 @@ impl Checker<'_> {
             start_region: region?,
             body: body?,
             arm_speed_m_s: arm_speed?,
+            repertoire: repertoire?,
             criteria: chosen.criteria,
             clamping: chosen.clamping,
             separation: chosen.separation,
@@ -196,6 +199,29 @@ impl Checker<'_> {
             (format!("arm_speed_m_s is {}", number(*speed.get_ref())), help)
         })?;
         Ok(Some(*speed.get_ref()))
+    }
+
+    /// What the person does in a cell with so many controls.
+    fn repertoire(&self, human: &HumanTable, controls: usize) -> Result<Repertoire, Box<CellError>> {
+        let also = human.also.get_ref();
+        let twice = also.iter().enumerate().find(|(i, ability)| also[..*i].contains(ability));
+        self.that(twice.is_none(), human.also.span(), || {
+            ("`also` names something twice".to_owned(), "name each once".to_owned())
+        })?;
+        let Some(speed) = &human.run_m_s else {
+            return Ok(Repertoire::new(also, 2, controls));
+        };
+        self.that(also.contains(&Ability::Run), speed.span(), || {
+            let help = "write `also = [\"run\"]` beside it, or leave it out".to_owned();
+            ("`run_m_s` says how fast nobody runs".to_owned(), help)
+        })?;
+        let strides =
+            (2..=Repertoire::FASTEST).find(|n| (f64::from(*n) * WALKING_SPEED_M_S - speed.get_ref()).abs() < 1e-9);
+        self.that(strides.is_some(), speed.span(), || {
+            let help = "use 3.2, 4.8 or 6.4 m/s: a whole multiple of the walking speed, 1.6 m/s".to_owned();
+            (format!("run_m_s is {}", number(*speed.get_ref())), help)
+        })?;
+        Ok(Repertoire::new(also, strides.unwrap_or(2), controls))
     }
 
     fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {

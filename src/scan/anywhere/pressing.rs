@@ -219,7 +219,7 @@ impl Backwards<'_, '_> {
         let [x, y] = at.xy_m;
         let there = self.prepared.standing(Start::new(x, y, at.heading_rad.to_degrees()), 0, 1).ok()?;
         let world = World::new(there.cell.clone(), there.binding.clone());
-        Posture::ALL.into_iter().find(|posture| {
+        Posture::USUAL.into_iter().find(|posture| {
             let action = Action::new(walk, *posture).pressing(presses);
             world.worked(&world.walk(world.start(), action), action).presses == presses
         })
@@ -249,7 +249,7 @@ impl Backwards<'_, '_> {
         for number in 0..most {
             let mut next = Vec::new();
             for reached in layer {
-                for walk in Walk::ALL {
+                for walk in Walk::USUAL {
                     // Who waits does so at the end.
                     if walk == Walk::Stop && number > 0 {
                         continue;

@@ -137,6 +137,8 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         speed_criterion: search.criterion,
         criteria: None,
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
+        also: prepared.cell.repertoire.abilities().to_vec(),
+        run_m_s: prepared.cell.repertoire.run_m_s(),
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
         presses: found.presses,

@@ -155,7 +155,7 @@ fn shown(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option
     simulation.reset().ok()?;
     let mut findings = Vec::new();
     for action in &way.actions {
-        let step = simulation.step(action.index()).ok()?;
+        let step = simulation.take(*action).ok()?;
         findings.extend(simulation.take_findings());
         if step.end.is_some() {
             break;

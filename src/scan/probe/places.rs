@@ -94,7 +94,13 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Re
     places.push(Vec3::new(to_x + BEYOND_M + FAR_M, to_y + BEYOND_M + FAR_M, 0.0));
     let heading_rad = cell.start.heading_deg().to_radians();
     let row = |position: &Vec3| {
-        let seen = Seen { feet: cell.body.feet(*position, heading_rad), body: None, position: *position, heading_rad };
+        let seen = Seen {
+            feet: cell.body.feet(*position, heading_rad),
+            besides: None,
+            body: None,
+            position: *position,
+            heading_rad,
+        };
         let mut row = Vec::new();
         input_row(cell, binding, &vec![false; cell.sensors.len()], &seen, Presses::NONE, &mut row);
         row

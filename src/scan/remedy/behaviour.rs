@@ -9,7 +9,7 @@ use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::host::{Hosted, PlantError};
-use crate::human::Action;
+use crate::human::{Action, Repertoire};
 use crate::search::Rng;
 use crate::sim::Simulation;
 use crate::sim::simulation::Instant;
@@ -84,9 +84,9 @@ const POINTS_M: f64 = 0.02;
 const ELSEWHERE_M: f64 = 1e-3;
 
 /// Walks that show how a cell answers: those of the known sequences, and random ones.
-pub(super) fn probes(known: &[Vec<Action>], actions: usize, controls: usize, seed: u64) -> Vec<Vec<Action>> {
+pub(super) fn probes(known: &[Vec<Action>], actions: usize, repertoire: &Repertoire, seed: u64) -> Vec<Vec<Action>> {
     let mut rng = Rng::new(seed);
-    let mut random = || (0..actions).map(|_| Action::counted(rng.below(Action::count(controls)))).collect();
+    let mut random = || (0..actions).map(|_| repertoire.action(rng.below(repertoire.count()))).collect();
     let mut all: Vec<Vec<Action>> = known.to_vec();
     all.extend((0..RANDOM_WALKS).map(|_| random()));
     all

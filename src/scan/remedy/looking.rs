@@ -187,7 +187,7 @@ impl<'a> Changed<'a> {
             let before = simulation.cost();
             simulation.reset().map_err(|e| Why::NotTried(e.message))?;
             for action in actions.iter().take(simulation.horizon()) {
-                match simulation.step(action.index()).map_err(|e| Why::NotTried(e.message))?.end {
+                match simulation.take(*action).map_err(|e| Why::NotTried(e.message))?.end {
                     Some(End::NotEvaluated) => return Err(Why::NotTried(simulation.not_evaluated().message)),
                     Some(_) => break,
                     None => {}
@@ -405,11 +405,12 @@ pub(super) fn shifted(known: &[Known], actions: usize, more: usize) -> Vec<Vec<A
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::human::Repertoire;
 
     #[test]
     fn sequences_begin_later_and_end_with_standing_still() {
         let standpoint = Standpoint { beginning: 0, beside: [0.0; 3], more: 0, elsewhere: None };
-        let walk = Action::ALL[7];
+        let walk = Repertoire::usual(0).action(7);
         let known =
             [Known { standpoint, actions: vec![walk; 2] }, Known { standpoint: standpoint.longer(1), actions: vec![] }];
         let (rest, on) = (Action::REST, Action::new(Walk::Forward, Posture::Upright));

@@ -13,6 +13,7 @@ use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::reach::cells::{ArmCells, Target};
 use crate::human::{BendFraction, Floor, PoseBox, Posture, Side};
 use crate::sim::curtain::{Curtain, depth_m};
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Steps in which somebody may have leaned through a plane that was clear before.
 const SINCE_CLEAR: usize = 1;
@@ -102,7 +103,7 @@ impl Anywhere<'_> {
     /// Whether anybody in a cell of the floor may touch what `arms` are about.
     fn may_reach(&self, arms: &ArmCells, cell: usize) -> bool {
         let at = everybody_in(&self.ground, cell);
-        Posture::ALL.into_iter().any(|posture| {
+        Posture::USUAL.into_iter().any(|posture| {
             BendFraction::ALL
                 .into_iter()
                 .any(|bend| Side::BOTH.into_iter().any(|side| !self.is_out_of_reach(arms, &at, (posture, bend, side))))
@@ -148,7 +149,7 @@ impl Anywhere<'_> {
     fn depth_m(&self, limit: Limit, told_m: f64) -> f64 {
         match limit {
             Limit::Told(_) => told_m,
-            Limit::Clear(_) => depth_m(SINCE_CLEAR, self.cell.step_s),
+            Limit::Clear(_) => depth_m(SINCE_CLEAR, self.cell.step_s, WALKING_SPEED_M_S),
         }
     }
 

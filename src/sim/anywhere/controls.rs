@@ -142,7 +142,7 @@ impl Anywhere<'_> {
     /// The circles on which shoulders are of somebody who turns in place, however they bend: radius and height, m.
     fn shoulder_circles(&self) -> Vec<[f64; 2]> {
         let mut all: Vec<[f64; 2]> = Vec::new();
-        for posture in Posture::ALL {
+        for posture in Posture::USUAL {
             for bend in BendFraction::ALL {
                 let body = self.cell.body.placed(Vec3::ZERO, 0.0, posture, bend);
                 for at in Side::BOTH.map(|side| body.shoulder(side).translation) {

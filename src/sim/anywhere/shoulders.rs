@@ -86,7 +86,7 @@ mod tests {
                 heading_rad: uniform(0.0, 6.0),
                 half_rad: uniform(0.0, 4.0),
             };
-            let (posture, side) = (Posture::ALL[number % 6], Side::BOTH[number % 2]);
+            let (posture, side) = (Posture::USUAL[number % 6], Side::BOTH[number % 2]);
             let edge = |sign: f64| sign.clamp(-1.0, 1.0);
             let xy = [0, 1].map(|axis| at.xy_m[axis] + at.half_m * edge(uniform(-2.0, 2.0)));
             let turned = at.half_rad * edge(uniform(-1.2, 1.2));

@@ -151,7 +151,7 @@ impl<'a, P: Plant> Asking<'a, P> {
 #[must_use]
 pub fn seen(cell: &Workcell, (xy_m, heading_rad): Stance) -> Seen {
     let position = Vec3::new(xy_m[0], xy_m[1], 0.0);
-    Seen { feet: cell.body.feet(position, heading_rad), body: None, position, heading_rad }
+    Seen { feet: cell.body.feet(position, heading_rad), besides: None, body: None, position, heading_rad }
 }
 
 impl Told {

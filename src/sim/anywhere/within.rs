@@ -187,7 +187,7 @@ impl<'a> Within<'a> {
     pub(super) fn first(&self, first: PoseBox, coverage: &mut Coverage) -> (Outcome, Vec<Undecided>) {
         let (mut outcome, mut undecided) = (Outcome::default(), Vec::new());
         let all: Rc<Vec<usize>> = Rc::new((0..self.pairs.len()).collect());
-        let mut pending = vec![(first, Posture::ALL.to_vec(), all)];
+        let mut pending = vec![(first, Posture::USUAL.to_vec(), all)];
         while let Some((at, mut postures, pairs)) = pending.pop() {
             let near = Rc::new(self.near(&at, pairs.iter().copied()));
             if near.is_empty() {

@@ -38,7 +38,7 @@ impl<P: Plant> Expander<P> {
             let next = numbers.len();
             let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
             let (walked, posture) = (walked(p), p.action.posture());
-            all.push(((walked.places[i], posture, World::has_walked(walked, i), broken), situation, number));
+            all.push(((walked.places[i], posture, World::moved(walked, i), broken), situation, number));
         }
         all.sort_unstable();
         let mut questions: Vec<Question> = Vec::new();

@@ -9,7 +9,7 @@ use super::super::world::{Sensed, World};
 use super::{Difference, Imagination};
 use crate::geometry::Vec3;
 use crate::host::{NodeId, Plant};
-use crate::human::{Action, Place, Posture, Presses};
+use crate::human::{Place, Posture, Presses};
 use crate::search::plan::{Imagine, Imagined, Vision};
 
 /// The FMU's state after an action, and whether that is certain; nothing if it cannot be told.
@@ -68,7 +68,8 @@ impl Imaginary {
 
 impl<P: Plant> Imagine for Simulation<P> {
     fn calm(&self) -> usize {
-        Action::REST.index()
+        // That of standing still, in every repertoire.
+        0
     }
 
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
@@ -86,17 +87,20 @@ impl<P: Plant> Imagine for Simulation<P> {
             compared: 0,
         };
         for &action in actions {
-            let action = Action::counted(action);
+            let action = world.taken(&person.place, world.cell.repertoire.action(action));
             let walked = imagination.walk(world, person.place, action);
             let end = world.position(&walked.end());
             // The wanted posture first, then the others: the first that is safe goes on. Where a light curtain sees the
             // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
-            let others = Posture::ALL.into_iter().filter(|p| *p != action.posture() && world.posture_is_unseen());
-            let unseen = world.posture_is_unseen() && action.presses().is_none();
+            // Low ones lead elsewhere and are seen otherwise.
+            let stands = world.posture_is_unseen() && !action.posture().is_low();
+            let others = Posture::USUAL.into_iter().filter(|p| *p != action.posture() && stands);
+            let unseen = stands && action.presses().is_none();
             let mut goes_on = None;
             let mut foreseen: Option<(Arc<Sensed>, Foreseen)> = None;
             for posture in std::iter::once(action.posture()).chain(others) {
-                let tried = Action::new(action.walk(), posture).pressing(action.presses());
+                let tried = action.in_posture(posture);
+                let Some(index) = world.cell.repertoire.index(tried) else { continue };
                 let (sensed, robot) = match foreseen.take() {
                     Some(same) if unseen => same,
                     _ => {
@@ -110,13 +114,13 @@ impl<P: Plant> Imagine for Simulation<P> {
                 let (met, situation) = imagination.meets(world, robots, &person, tried, &sensed, node);
                 imagined.exact &= known && situation.certain;
                 if let Some(niche) = met {
-                    let actions = person.taken.iter().copied().chain([tried.index()]).collect();
+                    let actions = person.taken.iter().copied().chain([index]).collect();
                     imagined.visions.push(Vision { actions, niche });
                 } else if goes_on.is_none() {
-                    goes_on = Some((tried, sensed, known.then_some(node)));
+                    goes_on = Some((index, sensed, known.then_some(node)));
                 }
             }
-            let Some((tried, sensed, at)) = goes_on else {
+            let Some((index, sensed, at)) = goes_on else {
                 // Every posture tried is unsafe, or no episode was so long.
                 imagined.exact &= !imagined.visions.is_empty();
                 return imagined;
@@ -125,7 +129,7 @@ impl<P: Plant> Imagine for Simulation<P> {
             person.delays.clone_from(&sensed.delays);
             person.switched = sensed.switched;
             person.at = at;
-            person.taken.push(tried.index());
+            person.taken.push(index);
             person.way.push((sensed, end));
         }
         imagined

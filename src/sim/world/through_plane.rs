@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use super::super::curtain::{Curtain, depth_m};
+use super::super::curtain::{self, Curtain};
 use super::super::encounter::{ArmSpace, Encountered, Person};
 use super::super::robot::RobotFrame;
 use super::super::sensors::{DelayLine, breaks};
@@ -349,19 +349,25 @@ impl World {
         }
     }
 
+    /// How deep behind a plane a hand can be after so many steps, m.
+    fn depth_m(&self, steps: usize) -> f64 {
+        curtain::depth_m(steps, self.cell.step_s, self.fastest_m_s())
+    }
+
     /// The ways of an arm on this side of plane `c`.
     fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &Stance) -> Ways {
-        let (curtain, step_s, since) = (&self.curtains[c], self.cell.step_s, stance.broken[c]);
+        let (curtain, since) = (&self.curtains[c], stance.broken[c]);
         let reach = self.encounter.arm.reach();
         let depths = person.arms.iter().map(|&arm| curtain.depth(person.body.shoulder(arm).translation));
         let (nearest, deepest) = depths.fold((f64::MAX, f64::MIN), |(n, d), depth| (n.min(depth), d.max(depth)));
         let (deepest, most_before) = (deepest + reach, reach - nearest);
         // Whoever came another way, or long ago, is held back by nothing.
-        let free = since == LONG_AGO || (side == ArmSide::Behind && since == 0);
+        let another_way = curtain.lets_below || (side == ArmSide::Behind && since == 0);
+        let free = since == LONG_AGO || another_way;
         let untold_limit_m = match side {
             ArmSide::Front | ArmSide::LeansOver => 0.0,
             ArmSide::In | ArmSide::Behind if free => f64::INFINITY,
-            ArmSide::In | ArmSide::Behind => depth_m(since + 1, step_s),
+            ArmSide::In | ArmSide::Behind => self.depth_m(since + 1),
         };
         let mut untold = Vec::new();
         if matches!(side, ArmSide::Front | ArmSide::Behind) {
@@ -372,16 +378,16 @@ impl World {
         }
         let told = |from: usize, until: usize, back: bool| Way {
             window: Window { curtain: c, from, until },
-            limit_m: depth_m(from + 1, step_s),
+            limit_m: self.depth_m(from + 1),
             back,
             closed: side == ArmSide::Behind && !back,
         };
         let through = |most: f64, back: bool| {
-            let in_time = move |&s: &usize| s == 0 || depth_m(s, step_s) < most;
+            let in_time = move |&s: &usize| s == 0 || self.depth_m(s) < most;
             (0..).take_while(in_time).map(move |s| told(s, 0, back)).filter(move |_| most > 0.0)
         };
         let ahead = || {
-            let needed = move |j: &usize| depth_m(since + j, step_s) < deepest;
+            let needed = move |j: &usize| self.depth_m(since + j) < deepest;
             (1..).take_while(needed).take_while(|_| !free).map(move |j| told(since + j, since, false))
         };
         let told: Vec<Way> = match side {
@@ -400,7 +406,7 @@ impl World {
         let of = |(curtain, &since): (&Curtain, &usize)| {
             let depth = curtain.depth(at);
             let deepest = depth + self.reach_m();
-            let samples = |most: f64| (0..).take_while(|&s| depth_m(s, self.cell.step_s) < most).count();
+            let samples = |most: f64| (0..).take_while(|&s| self.depth_m(s) < most).count();
             // Nobody so far in front reaches the plane, and nobody so far behind reaches back through it.
             let near = deepest > 0.0 && depth < SHOULDER_WITHIN_M + arm;
             let through = if near { samples(deepest.max(arm + SHOULDER_WITHIN_M)) } else { 0 };
@@ -422,7 +428,7 @@ impl World {
         let curtain = &self.curtains[c];
         let (at, reach) = (self.position(place) + Vec3::Z, self.reach_m());
         let depth = curtain.depth(at).max(0.0);
-        let samples = |deepest: f64| (0..).find(|&s| depth_m(s, self.cell.step_s) >= deepest).unwrap_or(0);
+        let samples = |deepest: f64| (0..).find(|&s| self.depth_m(s) >= deepest).unwrap_or(0);
         // What was sensed and has not taken effect will.
         let delay = self.cell.sensors[curtain.sensor].delay_steps;
         let first_seen = if curtain.hands_only { depth.max(reach) } else { reach };
@@ -440,7 +446,8 @@ impl World {
         self.curtains.iter().enumerate().filter(|(_, curtain)| !curtain.hands_only).all(|(c, curtain)| {
             let since = stance.broken[c];
             since == LONG_AGO
-                || curtain.depth(point) <= depth_m(since + 1, self.cell.step_s)
+                || curtain.lets_below
+                || curtain.depth(point) <= self.depth_m(since + 1)
                 || !breaks(&person.body, &curtain.plane)
         })
     }

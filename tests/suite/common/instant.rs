@@ -85,5 +85,5 @@ impl Instant {
 
 pub fn seen(prepared: &Prepared, [x, y]: [f64; 2], heading_rad: f64) -> Seen {
     let position = Vec3::new(x, y, 0.0);
-    Seen { feet: prepared.cell.body.feet(position, heading_rad), body: None, position, heading_rad }
+    Seen { feet: prepared.cell.body.feet(position, heading_rad), besides: None, body: None, position, heading_rad }
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::human::Radii;
+use crate::human::{Ability, Radii};
 
 /// Sex of the ANSUR II figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -59,6 +59,14 @@ pub struct HumanTable {
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
     pub arm_speed_m_s: Option<Spanned<f64>>,
+    /// What the person does besides walking, bending and reaching. Nothing of it by default: each makes the search larger.
+    #[serde(default = "nothing")]
+    #[schemars(with = "Vec<Ability>")]
+    pub also: Spanned<Vec<Ability>>,
+    /// How fast who runs does so, m/s: two, three or four times the walking speed of 1.6 m/s. No standard counts on people who run.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub run_m_s: Option<Spanned<f64>>,
     /// Radii of body parts that are not those of a person of this stature.
     #[serde(default)]
     #[schemars(with = "Option<Radii>")]
@@ -90,6 +98,10 @@ pub struct HumanTable {
 
 fn at_once() -> Spanned<Vec<f64>> {
     Spanned::new(0..0, vec![0.0])
+}
+
+fn nothing() -> Spanned<Vec<Ability>> {
+    Spanned::new(0..0, Vec::new())
 }
 
 fn p50() -> Spanned<u8> {

@@ -139,7 +139,7 @@ impl Asked {
         let stance = Stance {
             place: Place::START,
             posture: POSTURES[case.posture],
-            walked: case.walks,
+            moved: i8::from(case.walks),
             broken: Vec::new(),
             raised: None,
         };

@@ -1,0 +1,88 @@
+//! What a person does besides walking, bending and reaching, where the cell file asks for it.
+
+use fmi_hazard::human::{Action, Posture, Walk};
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::prepare::{Prepared, prepare};
+use fmi_hazard::search::{End, Environment as _};
+
+use crate::common::anywhere::cell;
+use crate::common::guarded::guarded;
+use crate::common::{examples, fmi_hazard, scan_json, write};
+
+/// What a sequence ends with: by the index of the action, and what the sensors then read.
+fn ends(prepared: &Prepared, actions: &[Action]) -> (Option<(usize, Vec<bool>)>, bool) {
+    let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
+    simulation.reset().unwrap();
+    for (number, action) in actions.iter().enumerate() {
+        match simulation.take(*action).unwrap().end {
+            Some(End::Unsafe) => {
+                let found = simulation.take_findings().pop().unwrap();
+                return (Some((number, found.sensors)), true);
+            }
+            Some(end) => assert_eq!(end, End::Horizon),
+            None => {}
+        }
+    }
+    let watched = simulation.watch(actions, &[]).unwrap();
+    (None, watched.instants.iter().any(|instant| instant.readings.contains(&true)))
+}
+
+/// The repaired cell of the light curtain with the curtain's lower edge at some height: who crawls gets below it unseen where there is
+/// room, stands up behind it and is hit; who walks is seen, and so is who crawls where there is none.
+#[test]
+fn who_crawls_below_a_light_curtain_is_not_seen() {
+    let dir = examples();
+    let prepared = |low_m: f64, also: &str| {
+        let text = std::fs::read_to_string(dir.path().join("light-curtain/fixed.toml")).unwrap();
+        let changed = text.replace("heights_m = [0, 1.8]", &format!("heights_m = [{low_m}, 1.8]"));
+        let (before, after) = changed.split_once("start = {").unwrap();
+        let (_, after) = after.split_once('\n').unwrap();
+        assert!(changed != text || low_m == 0.0);
+        let start = format!("start = {{ xy_m = [0.1, -0.8], heading_deg = 90 }}\n{also}");
+        prepare(&write(&dir.path().join("light-curtain"), "low.toml", &format!("{before}{start}\n{after}")), None)
+            .unwrap()
+    };
+    let go = |posture| vec![Action::new(Walk::Forward, posture); 5];
+    let then = [Action::new(Walk::Forward, Posture::Forward), Action::new(Walk::Stop, Posture::Forward)];
+    let walk = |posture| [go(posture), then.to_vec()].concat();
+    let high = prepared(0.75, "also = [\"crawl\", \"crouch\"]");
+    let (hit, _) = ends(&high, &walk(Posture::Crawling));
+    let (number, sensors) = hit.expect("a hit behind the curtain");
+    assert!(number >= 4 && sensors == [false], "{number} {sensors:?}");
+    for posture in [Posture::Upright, Posture::Forward, Posture::Crouching] {
+        assert_eq!(ends(&high, &walk(posture)), (None, true), "{posture:?}");
+    }
+    for low_m in [0.0, 0.3, 0.6] {
+        assert_eq!(ends(&prepared(low_m, "also = [\"crawl\"]"), &walk(Posture::Crawling)), (None, true), "{low_m} m");
+    }
+    assert_eq!((high.cell.repertoire.count(), prepared(0.75, "").cell.repertoire.count()), (48, 36));
+}
+
+/// Mistakes are told with the way out, and a scan from anywhere says what it leaves out.
+#[test]
+fn what_people_do_besides_is_told() {
+    let dir = guarded();
+    let text = |also: &str| cell(3.2, "").replace("heading_deg = 90 }\n", &format!("heading_deg = 90 }}\n{also}\n"));
+    for (also, problem) in [
+        ("also = [\"crawl\", \"crawl\"]", "`also` names something twice"),
+        ("run_m_s = 3.2", "`run_m_s` says how fast nobody runs"),
+        ("also = [\"run\"]\nrun_m_s = 3", "run_m_s is 3"),
+        ("also = [\"fly\"]", "unknown variant `fly`, expected one of `kneel`"),
+    ] {
+        let file = write(dir.path(), "wrong.toml", &text(also));
+        let error = prepare(&file, None).err().unwrap().to_string();
+        assert!(error.contains(problem), "{also}: {error}");
+    }
+    write(dir.path(), "cell.toml", &text("also = [\"step_back\", \"run\"]\nrun_m_s = 4.8"));
+    let mut scan = fmi_hazard(dir.path());
+    let ran = scan
+        .args(["scan", "cell.toml", "--from", "anywhere", "--until", "1s", "--no-advice", "--out", "out"])
+        .output()
+        .unwrap();
+    let told = String::from_utf8_lossy(&ran.stdout);
+    assert!(told.contains("no steps back, no running"), "{told}");
+    let report = scan_json(&dir.path().join("out"));
+    assert_eq!(report["settings"]["also"], serde_json::json!(["step_back", "run"]));
+    assert_eq!(report["settings"]["run_m_s"], 4.8);
+    assert_ne!(report["verdict"], "none_found");
+}
