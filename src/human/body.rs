@@ -263,6 +263,17 @@ impl Body {
         }
     }
 
+    /// How long the legs are along the heading, as far as they are lower than this in a low posture, m.
+    #[must_use]
+    pub fn legs_below_m(&self, posture: Posture, height_m: f64) -> f64 {
+        let placed = self.placed(Vec3::ZERO, 0.0, posture, BendFraction::FULL);
+        let legs = placed.parts().iter().filter(|(part, _)| !part.is_trunk()).map(|(_, capsule)| capsule);
+        let below = legs.filter(|c| c.a.z.min(c.b.z) - c.radius < height_m);
+        let ends = below.flat_map(|c| [c.a.x - c.radius, c.a.x + c.radius, c.b.x - c.radius, c.b.x + c.radius]);
+        let (low, high) = ends.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        (high - low).max(0.0)
+    }
+
     /// Radius of a sphere around the point 1 m above the feet that holds the body and every arm `arm_reach_m` long, in
     /// every posture of who stands and in those low ones.
     #[must_use]

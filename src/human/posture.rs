@@ -109,8 +109,18 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
         let world_from_trunk = body.world_from_trunk(&world_from_feet, posture, fraction);
         in_trunk.map(|capsule| moved(&world_from_trunk, &capsule))
     };
+    // Who gets down low is not kept from it by what is above: the walk asks whether there is room. Nearest to all of it is what is free.
+    let near: Vec<&Cuboid> = near.collect();
+    if posture.is_low() {
+        let is_free =
+            |shapes: &[Capsule]| near.iter().all(|obstacle| shapes.iter().all(|s| !capsule_hits(s, obstacle)));
+        if let Some(lowest) = BendFraction::ALL.into_iter().rev().find(|fraction| is_free(&shapes(*fraction))) {
+            return lowest;
+        }
+    }
     let upright = shapes(BendFraction::UPRIGHT);
-    let near: Vec<_> = near.map(|obstacle| (upright.map(|shape| Guard::of(&shape, obstacle)), obstacle)).collect();
+    let near: Vec<_> =
+        near.into_iter().map(|obstacle| (upright.map(|shape| Guard::of(&shape, obstacle)), obstacle)).collect();
     let is_hit = |shapes: &[Capsule]| {
         let hit = |(guard, shape): (&Guard, &Capsule), obstacle| guard.hits(shape, obstacle);
         near.iter().any(|(guards, obstacle)| guards.iter().zip(shapes).any(|pair| hit(pair, obstacle)))

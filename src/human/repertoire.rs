@@ -39,13 +39,6 @@ impl Ability {
         }
     }
 
-    /// Those that an action needs.
-    pub fn of(action: Action) -> impl Iterator<Item = Self> {
-        let needed =
-            move |ability: &Self| ability.walk() == Some(action.walk()) || ability.posture() == Some(action.posture());
-        Self::ALL.into_iter().filter(needed)
-    }
-
     /// The walk that it is, if it is one.
     const fn walk(self) -> Option<Walk> {
         match self {
@@ -163,7 +156,8 @@ impl Repertoire {
     /// How fast who runs does so, m/s, if anybody does.
     #[must_use]
     pub fn run_m_s(&self) -> Option<f64> {
-        self.walks.contains(&Walk::Run).then(|| f64::from(self.strides) * WALKING_SPEED_M_S)
+        let rounded = |speed: f64| (speed * 10.0).round() / 10.0;
+        self.walks.contains(&Walk::Run).then(|| rounded(f64::from(self.strides) * WALKING_SPEED_M_S))
     }
 
     /// How many times farther than somebody who walks anybody of this repertoire gets.

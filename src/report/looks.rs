@@ -107,15 +107,11 @@ impl Looks {
         self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
     }
 
-    /// Whether the person here does everything that leads to a hazard of `earlier`, and runs as fast.
+    /// Whether the person does the same here. What somebody can do matters for every hazard, not only for those on the way to which it is
+    /// done: who may be below a light curtain is not held back by it.
     #[must_use]
-    pub fn does_as_much_as(&self, earlier: &Self, hazard: &Hazard) -> bool {
-        let actions = [&hazard.actions, &hazard.shortest.actions].into_iter().flatten();
-        let mut needed = actions.flat_map(|action| Ability::of(*action));
-        needed.all(|ability| {
-            let as_fast = ability != Ability::Run || self.run_m_s == earlier.run_m_s;
-            self.also.contains(&ability) && as_fast
-        })
+    pub fn does_the_same_as(&self, earlier: &Self) -> bool {
+        (&self.also, self.run_m_s) == (&earlier.also, earlier.run_m_s)
     }
 
     fn works(&self, earlier: &Self, control: usize) -> bool {
@@ -150,7 +146,7 @@ impl Looks {
             && self.contact_check_interval_s <= earlier.contact_check_interval_s
             && self.reach_tolerance_m <= earlier.reach_tolerance_m
             && self.reaches_as_fast_as(earlier)
-            && self.does_as_much_as(earlier, hazard)
+            && self.does_the_same_as(earlier)
             && self.works_as_much_as(earlier, hazard)
             && self.judges_as_strictly_as(earlier, hazard.class)
             && tells_all(self.criteria.as_ref(), hazard.class, found)
@@ -188,6 +184,23 @@ mod tests {
             reach_tolerance_m: 0.02,
             until_s: None,
             presses: None,
+        }
+    }
+
+    #[test]
+    fn whoever_does_other_things_is_another_person() {
+        let with = |also: &[Ability], run_m_s| Looks { also: also.to_vec(), run_m_s, ..looks() };
+        let (walks, crawls) = (with(&[], None), with(&[Ability::Crawl], None));
+        let runs = |fast| with(&[Ability::Run], Some(fast));
+        for (after, before, same) in [
+            (&walks, &walks, true),
+            (&crawls, &crawls, true),
+            (&walks, &crawls, false),
+            (&crawls, &walks, false),
+            (&runs(3.2), &runs(3.2), true),
+            (&runs(4.8), &runs(3.2), false),
+        ] {
+            assert_eq!(after.does_the_same_as(before), same, "{after:?} {before:?}");
         }
     }
 

@@ -241,9 +241,10 @@ pub(super) fn worked(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
     let world = World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let mut place = world.start();
     let presses = actions.iter().map(|action| {
-        let walked = world.walk(place, *action);
+        let action = world.taken(&place, *action);
+        let walked = world.walk(place, action);
         place = walked.end();
-        world.worked(&walked, *action).presses
+        world.worked(&walked, action).presses
     });
     Working::all(presses, &prepared.cell.controls)
 }

@@ -13,14 +13,14 @@ use super::prepare::Prepared;
 use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
-use crate::human::{Action, Repertoire};
+use crate::human::Action;
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
 use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
-use crate::sim::Coverage;
 use crate::sim::expansion::{Expander, State};
 use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
+use crate::sim::{Coverage, World};
 
 /// Budget of the random search whose figures stand in the certificate: the paper's.
 const RANDOM_ITERATIONS: u32 = 320;
@@ -169,9 +169,14 @@ fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
 }
 
 /// A finding with the actions before it.
-fn after(repertoire: &Repertoire, prefixes: &Prefixes, finding: Finding) -> Finding {
-    let before = prefixes.calmest.iter().map(|&action| repertoire.action(usize::from(action)));
-    Finding { actions: before.chain(finding.actions.iter().copied()).collect(), ..finding }
+fn after(world: &World, prefixes: &Prefixes, finding: Finding) -> Finding {
+    Finding { actions: taken(world, prefixes, finding.actions.iter().copied()), ..finding }
+}
+
+/// The calmest of many beginnings and what comes then, as the person takes it.
+fn taken(world: &World, prefixes: &Prefixes, then: impl Iterator<Item = Action>) -> Vec<Action> {
+    let before = prefixes.calmest.iter().map(|&action| world.cell.repertoire.action(usize::from(action)));
+    world.as_taken(&before.chain(then).collect::<Vec<_>>())
 }
 
 /// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
@@ -186,7 +191,7 @@ pub(super) fn census(
 ) -> Result<Census, ScanError> {
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
-    let repertoire = &prepared.cell.repertoire;
+    let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
     let expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
@@ -195,7 +200,7 @@ pub(super) fn census(
     let mut faults = Vec::new();
     let outcome = exhaust(&mut watched, options.budget, &mut |told| match told {
         Told::Met(met) => {
-            let finding = after(repertoire, met.prefixes, met.unsafe_state);
+            let finding = after(&world, met.prefixes, met.unsafe_state);
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
                 return ControlFlow::Continue(());
             };
@@ -204,7 +209,7 @@ pub(super) fn census(
                 .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
         }
         Told::Noted { unsafe_state, prefixes } => {
-            let Some(id) = groups.add(after(repertoire, prefixes, unsafe_state), 0, links) else {
+            let Some(id) = groups.add(after(&world, prefixes, unsafe_state), 0, links) else {
                 return ControlFlow::Continue(());
             };
             groups
@@ -213,9 +218,7 @@ pub(super) fn census(
         }
         Told::Failed { reason, action, prefixes } => {
             if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {
-                let mut actions: Vec<Action> =
-                    prefixes.calmest.iter().map(|&a| repertoire.action(usize::from(a))).collect();
-                actions.push(repertoire.action(action));
+                let actions = taken(&world, prefixes, std::iter::once(world.cell.repertoire.action(action)));
                 faults.push(FaultRecord { message: reason, actions });
             }
             ControlFlow::Continue(())

@@ -59,7 +59,8 @@ fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<V
         }
     }
     let findings = simulation.take_findings();
-    Ok(findings.into_iter().filter(|f| actions.starts_with(&f.actions)).collect())
+    let taken = simulation.world().as_taken(actions);
+    Ok(findings.into_iter().filter(|f| taken.starts_with(&f.actions)).collect())
 }
 
 /// What may be shorter or calmer, the most daring first.

@@ -26,7 +26,7 @@ pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> 
     let judged = earlier.is_some_and(|earlier| {
         looks.judges_as_strictly_as(earlier, hazard.class)
             && looks.reaches_as_fast_as(earlier)
-            && looks.does_as_much_as(earlier, hazard)
+            && looks.does_the_same_as(earlier)
             && looks.works_as_much_as(earlier, hazard)
     });
     if !judged {

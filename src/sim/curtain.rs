@@ -35,6 +35,8 @@ pub struct Curtain {
     pub closed: Closed,
     /// Whether somebody in a low posture has room below: that it tells of the body then says nothing of how long it has been there.
     pub lets_below: bool,
+    /// How far legs of who is low get behind it below its lower edge before the rest of the body is in it, m.
+    pub legs_below_m: f64,
 }
 
 impl Curtain {
@@ -45,7 +47,9 @@ impl Curtain {
         let curtain = |(number, Sensor { zone, .. }): (usize, &Sensor)| {
             let curtain = Self::new(number, zone, start, obstacles)?;
             let lets_below = !curtain.hands_only && curtain.closed.low.is_some_and(|low_m| low_m >= lowest_m);
-            Some(Self { lets_below, ..curtain })
+            let below = |low_m: f64| cell.repertoire.low().iter().map(move |low| cell.body.legs_below_m(*low, low_m));
+            let legs_below_m = curtain.closed.low.map_or(0.0, |low_m| below(low_m).fold(0.0, f64::max));
+            Some(Self { lets_below, legs_below_m, ..curtain })
         };
         cell.sensors.iter().enumerate().filter_map(curtain).collect()
     }
@@ -61,6 +65,7 @@ impl Curtain {
             hands_only: post.is_some(),
             closed: Closed::new(plane, obstacles),
             lets_below: false,
+            legs_below_m: 0.0,
         })
     }
 

@@ -398,6 +398,18 @@ impl World {
         lower.map_or(action, |low| action.in_posture(*low))
     }
 
+    /// Actions from the start as the person takes them.
+    #[must_use]
+    pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
+        let mut place = self.start();
+        let mut take = |action: &Action| {
+            let taken = self.taken(&place, *action);
+            place = self.walk(place, taken).end();
+            taken
+        };
+        if self.cell.repertoire.low().is_empty() { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
+    }
+
     /// Whether there is room for a posture at a place; as much for every one of who stands.
     fn fits(&self, place: &Place, posture: Posture) -> bool {
         let posture = if posture.is_low() { posture } else { Posture::Upright };

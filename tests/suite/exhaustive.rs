@@ -7,10 +7,12 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use crate::common::guarded::every_sequence;
 use crate::common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
 use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk};
+use fmi_hazard::report::model::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
 use fmi_hazard::search::statistics::wilson;
@@ -287,6 +289,13 @@ fn what_else_people_do_as_in_plain_enumeration() {
     assert_eq!(found, plain.found);
     let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
     assert_eq!(harmless, plain.harmless);
+    // A whole scan tells sequences as they are taken: each is confirmed by a run of its own.
+    let crawls = "{ xy_m = [1.4, -0.85], heading_deg = 180 }\nalso = [\"crawl\"]";
+    let crawling = cell(dir.path(), "heavy-workpiece/cell.toml", crawls, "actions = 5\nreach_tolerance_m = 0.05");
+    let report = every_sequence(&crawling, false);
+    assert!(report.hazards.len() > 3 && report.hazards.iter().all(|hazard| hazard.confirmed == Some(true)));
+    let low = |hazard: &Hazard| hazard.actions.iter().filter(|a| a.posture() == Posture::Crawling).count();
+    assert!(report.hazards.iter().any(|hazard| low(hazard) > 1));
     // Below the beam an upright action is taken low, and the walk goes on.
     let world = World::new(prepared.cell.clone(), prepared.binding.clone());
     let below = world.walk(world.start(), Action::new(Walk::Run, Posture::Crouching)).places[3];

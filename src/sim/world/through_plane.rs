@@ -16,6 +16,7 @@ use super::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::{Place, Side};
 use crate::sim::Coverage;
+use crate::standards::iso_13855::HAND_SPEED_M_S;
 
 /// Samples since a plane was broken, or a control let go, that are not counted any more: anything is possible since.
 const LONG_AGO: usize = DelayLine::LONGEST as usize;
@@ -354,6 +355,11 @@ impl World {
         curtain::depth_m(steps, self.cell.step_s, self.fastest_m_s())
     }
 
+    /// How deep every hand can be after so many steps, of who runs and who does not, m: so long ways past a plane are looked for.
+    fn at_least_m(&self, steps: usize) -> f64 {
+        curtain::depth_m(steps, self.cell.step_s, 0.0)
+    }
+
     /// The ways of an arm on this side of plane `c`.
     fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &Stance) -> Ways {
         let (curtain, since) = (&self.curtains[c], stance.broken[c]);
@@ -362,8 +368,8 @@ impl World {
         let (nearest, deepest) = depths.fold((f64::MAX, f64::MIN), |(n, d), depth| (n.min(depth), d.max(depth)));
         let (deepest, most_before) = (deepest + reach, reach - nearest);
         // Whoever came another way, or long ago, is held back by nothing.
-        let another_way = curtain.lets_below || (side == ArmSide::Behind && since == 0);
-        let free = since == LONG_AGO || another_way;
+        let is_held = since != LONG_AGO && !(side == ArmSide::Behind && since == 0);
+        let free = curtain.lets_below || !is_held;
         let untold_limit_m = match side {
             ArmSide::Front | ArmSide::LeansOver => 0.0,
             ArmSide::In | ArmSide::Behind if free => f64::INFINITY,
@@ -383,12 +389,12 @@ impl World {
             closed: side == ArmSide::Behind && !back,
         };
         let through = |most: f64, back: bool| {
-            let in_time = move |&s: &usize| s == 0 || self.depth_m(s) < most;
+            let in_time = move |&s: &usize| s == 0 || self.at_least_m(s) < most;
             (0..).take_while(in_time).map(move |s| told(s, 0, back)).filter(move |_| most > 0.0)
         };
         let ahead = || {
-            let needed = move |j: &usize| self.depth_m(since + j) < deepest;
-            (1..).take_while(needed).take_while(|_| !free).map(move |j| told(since + j, since, false))
+            let needed = move |j: &usize| self.at_least_m(since + j) < deepest;
+            (1..).take_while(needed).take_while(|_| is_held).map(move |j| told(since + j, since, false))
         };
         let told: Vec<Way> = match side {
             ArmSide::Front | ArmSide::LeansOver => through(deepest, false).collect(),
@@ -406,7 +412,7 @@ impl World {
         let of = |(curtain, &since): (&Curtain, &usize)| {
             let depth = curtain.depth(at);
             let deepest = depth + self.reach_m();
-            let samples = |most: f64| (0..).take_while(|&s| self.depth_m(s) < most).count();
+            let samples = |most: f64| (0..).take_while(|&s| self.at_least_m(s) < most).count();
             // Nobody so far in front reaches the plane, and nobody so far behind reaches back through it.
             let near = deepest > 0.0 && depth < SHOULDER_WITHIN_M + arm;
             let through = if near { samples(deepest.max(arm + SHOULDER_WITHIN_M)) } else { 0 };
@@ -428,14 +434,16 @@ impl World {
         let curtain = &self.curtains[c];
         let (at, reach) = (self.position(place) + Vec3::Z, self.reach_m());
         let depth = curtain.depth(at).max(0.0);
-        let samples = |deepest: f64| (0..).find(|&s| self.depth_m(s) >= deepest).unwrap_or(0);
+        let samples = |deepest: f64| (0..).find(|&s| self.at_least_m(s) >= deepest).unwrap_or(0);
         // What was sensed and has not taken effect will.
         let delay = self.cell.sensors[curtain.sensor].delay_steps;
         let first_seen = if curtain.hands_only { depth.max(reach) } else { reach };
         let longest = samples(first_seen + reach) + delay;
         let through = (1..=longest).map(|from| Window { curtain: c, from, until: 0 });
         let is_tracked = since > 0 && since < LONG_AGO;
-        let longest = if is_tracked { samples(depth + reach) } else { 0 };
+        // Who runs may get farther behind the plane than a hand does in that time: any window may matter later.
+        let ahead = if self.fastest_m_s() > HAND_SPEED_M_S { LONG_AGO } else { samples(depth + reach) };
+        let longest = if is_tracked { ahead } else { 0 };
         let ahead = (since + 1..=longest).map(|from| Window { curtain: c, from, until: since });
         through.chain(ahead).collect()
     }
@@ -447,7 +455,7 @@ impl World {
             let since = stance.broken[c];
             since == LONG_AGO
                 || curtain.lets_below
-                || curtain.depth(point) <= self.depth_m(since + 1)
+                || curtain.depth(point) <= self.depth_m(since + 1) + curtain.legs_below_m
                 || !breaks(&person.body, &curtain.plane)
         })
     }
