@@ -11,7 +11,7 @@ use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Class;
-use crate::human::Place;
+use crate::human::{Action, Place, Posture};
 use crate::report::floorplan::Plan;
 use crate::report::model::Hazard;
 use crate::report::topview::{Part, Point, Scene};
@@ -148,8 +148,12 @@ fn places(world: &World) -> Vec<Point> {
     let mut last = known.clone();
     for _ in 0..world.cell.search.actions {
         let next = last.iter().flat_map(|place| {
-            let moves = world.cell.repertoire.all().take(world.cell.repertoire.moves());
-            moves.map(|action| world.walk(*place, world.taken(place, action)).end())
+            // Everybody who stands goes the same ways, however they bend.
+            let repertoire = &world.cell.repertoire;
+            let postures = std::iter::once(Posture::Upright).chain(repertoire.low().iter().copied());
+            let moves =
+                postures.flat_map(|posture| repertoire.walks().iter().map(move |walk| Action::new(*walk, posture)));
+            moves.map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
         });
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();
