@@ -58,6 +58,7 @@ class Running(Generic[T]):
         self._told: list[Event] = []
         self._said: list[str] = []
         self._interrupted_at: float | None = None
+        self._interrupted_twice = False
         self._over = False
         self._outcome: Ended | None = None
         self._printed = tempfile.TemporaryFile("w+", encoding="utf-8")
@@ -109,11 +110,14 @@ class Running(Generic[T]):
 
     def _by_user(self) -> None:
         """Ctrl-C: the first ends the search, a later one the program."""
+        if self._interrupted_twice:
+            raise KeyboardInterrupt
         again = self._interrupted_at is not None
         if again and time.monotonic() - cast(float, self._interrupted_at) < _SAME_S:
             return
         self.interrupt()
         if again:
+            self._interrupted_twice = True
             raise KeyboardInterrupt
 
     def interrupt(self) -> None:
@@ -168,11 +172,17 @@ def wait(running: Running[T], progress: bool | Callable[[Event], object] | None)
     if progress is None:
         progress = sys.stderr.isatty() or "ipykernel" in sys.modules
     with running:
-        if callable(progress):
-            for event in running:
-                progress(event)
-        elif progress:
-            _show(running)
+        while progress:
+            try:
+                if callable(progress):
+                    for event in running:
+                        progress(event)
+                else:
+                    _show(running)
+                break
+            except KeyboardInterrupt:
+                # Ctrl-C while an event is told: what was found by then is the result, too.
+                running._by_user()
         return running.result()
 
 

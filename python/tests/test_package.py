@@ -171,6 +171,17 @@ class Interruption(InAFolder):
         self.assertIn("Resumed", str(self.interrupted(running, lambda events: events[-1]["event"] == "progress")))
         self.assertTrue(running.result().interrupted)
 
+    def test_ctrl_c_while_an_event_is_told_keeps_the_results(self):
+        pressed = []
+
+        def heard(event):
+            if event["event"] == "hazard" and not pressed:
+                pressed.append(event)
+                os.kill(os.getpid(), signal.SIGINT)
+
+        scan = fmi_hazard.scan("head-collision/cell.toml", out="out", progress=heard, **LONG)
+        self.assertTrue(pressed and scan.interrupted and scan.exit_code == 130 and scan.hazards)
+
     def test_whoever_leaves_ends_the_search(self):
         with self.assertRaises(ZeroDivisionError):
             with fmi_hazard.start_scan("head-collision/cell.toml", out="out", **LONG) as running:

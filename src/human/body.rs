@@ -256,10 +256,9 @@ impl Body {
     /// kneels or crawls.
     #[must_use]
     pub fn on_floor(&self, position: Vec3, heading_rad: f64, posture: Posture, fraction: BendFraction) -> OnFloor {
-        let standing = self.feet(position, heading_rad);
         match self.legs_in(posture, fraction) {
             Some(legs) => legs.on_floor(&world_from_feet(position, heading_rad), posture, fraction),
-            None => OnFloor { feet: standing, besides: None },
+            None => OnFloor { feet: self.feet(position, heading_rad), besides: None },
         }
     }
 
@@ -339,6 +338,16 @@ impl Body {
         let spine = Capsule { a: Vec3::ZERO, b: head.a, radius: 0.0 };
         let [left, right] = Side::BOTH.map(|side| shoulder_line(self.scale, side));
         [head, neck, upper_chest, lower_chest, left, right, spine]
+    }
+
+    /// The lines of pelvis, thighs and shanks in a low posture, world frame: what must not be pushed through a wall either.
+    pub(super) fn leg_lines(&self, world_from_feet: &Pose, posture: Posture, fraction: BendFraction) -> Vec<Capsule> {
+        let legs = BodyPart::ALL.into_iter().filter(|part| !part.is_trunk());
+        let line = |legs_in: &Legs, part: BodyPart| {
+            let capsule = moved(&(*world_from_feet * *legs_in.pose_of(part)), &self.capsules[part as usize]);
+            Capsule { radius: 0.0, ..capsule }
+        };
+        self.legs_in(posture, fraction).map_or_else(Vec::new, |bent| legs.map(|part| line(bent, part)).collect())
     }
 
     /// The body at `position` (on the floor, world frame), looking along `heading_rad` (anticlockwise from +x), with

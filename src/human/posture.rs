@@ -111,22 +111,25 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
     };
     // Who gets down low is not kept from it by what is above: the walk asks whether there is room. Nearest to all of it is what is free.
     let near: Vec<&Cuboid> = near.collect();
+    let clear = |shapes: &[Capsule]| near.iter().all(|obstacle| shapes.iter().all(|s| !capsule_hits(s, obstacle)));
+    // Knees and feet go through no wall.
+    let legs_clear = |fraction: BendFraction| clear(&body.leg_lines(&world_from_feet, posture, fraction));
     if posture.is_low() {
-        let is_free =
-            |shapes: &[Capsule]| near.iter().all(|obstacle| shapes.iter().all(|s| !capsule_hits(s, obstacle)));
-        if let Some(lowest) = BendFraction::ALL.into_iter().rev().find(|fraction| is_free(&shapes(*fraction))) {
+        let is_free = |fraction: &BendFraction| legs_clear(*fraction) && clear(&shapes(*fraction));
+        if let Some(lowest) = BendFraction::ALL.into_iter().rev().find(is_free) {
             return lowest;
         }
     }
     let upright = shapes(BendFraction::UPRIGHT);
-    let near: Vec<_> =
-        near.into_iter().map(|obstacle| (upright.map(|shape| Guard::of(&shape, obstacle)), obstacle)).collect();
+    let guarded: Vec<_> =
+        near.iter().map(|obstacle| (upright.map(|shape| Guard::of(&shape, obstacle)), obstacle)).collect();
     let is_hit = |shapes: &[Capsule]| {
         let hit = |(guard, shape): (&Guard, &Capsule), obstacle| guard.hits(shape, obstacle);
-        near.iter().any(|(guards, obstacle)| guards.iter().zip(shapes).any(|pair| hit(pair, obstacle)))
+        guarded.iter().any(|(guards, obstacle)| guards.iter().zip(shapes).any(|pair| hit(pair, obstacle)))
     };
     // Upright itself is free by the choice of the guards.
-    let free = BendFraction::ALL[1..].iter().take_while(|fraction| !is_hit(&shapes(**fraction))).count();
+    let is_free = |fraction: &&BendFraction| !is_hit(&shapes(**fraction)) && legs_clear(**fraction);
+    let free = BendFraction::ALL[1..].iter().take_while(is_free).count();
     BendFraction::ALL[free]
 }
 

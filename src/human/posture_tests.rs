@@ -49,6 +49,29 @@ fn a_wall_ahead_stops_the_head() {
     }
 }
 
+/// With the back to a fence who kneels or crawls does not push the feet through it: no part is behind it that is not upright.
+#[test]
+fn nobody_kneels_through_a_fence() {
+    let (body, fence) = (median_man(), [block([-0.01, -2.0, 0.0], [0.01, 2.0, 2.0])]);
+    let mut kept = 0;
+    for posture in Posture::LOW {
+        for (number, x) in [-0.7, -0.4, -0.2, -0.16].into_iter().enumerate() {
+            for eighth in 0..8_u8 {
+                let (at, heading) = (Vec3::new(x, 0.3, 0.0), f64::from(eighth) * 0.5 * NORTH);
+                let fraction = cut_back(&body, at, heading, posture, &fence);
+                let placed = body.placed(at, heading, posture, fraction);
+                for (part, capsule) in placed.parts() {
+                    let deepest = capsule.a.x.max(capsule.b.x);
+                    assert!(deepest < -0.01, "{posture:?} {number} heading {heading}: {part:?} {deepest} {fraction:?}");
+                }
+                let all = body.placed(at, heading, posture, BendFraction::FULL);
+                kept += usize::from(all.parts().iter().any(|(_, capsule)| capsule.a.x.max(capsule.b.x) > 0.01));
+            }
+        }
+    }
+    assert!(kept > 20, "{kept} would get through");
+}
+
 /// Leaning sideways towards a wall: 30/16 = 1.875 degrees a sixteenth; at 0.40 m the head stops after 24.19 degrees,
 /// which are 12.9. The shoulder would pass it too (0.40 m at 30 degrees), but later.
 #[test]

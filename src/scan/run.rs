@@ -10,8 +10,8 @@ use super::prepare::Prepared;
 use super::searched::Searched;
 use crate::cell::file::format::ControlledBy;
 use crate::cell::{Control, Workcell};
-use crate::geometry::Cuboid;
 use crate::geometry::segment_cuboid::segment_cuboid;
+use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
@@ -22,6 +22,7 @@ use crate::report::model::{
     FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
 use crate::report::speeds::Speeds;
+use crate::sim::curtain::Curtain;
 use crate::sim::journal::Journal;
 use crate::standards::provenance::Table;
 use crate::standards::tables;
@@ -195,6 +196,13 @@ fn unknown(prepared: &Prepared) -> Vec<String> {
             links.join(", ")
         ));
     }
+    let below = planes_with_room_for_legs(&prepared.cell);
+    if !below.is_empty() {
+        unknown.push(format!(
+            "who is low may have a hand below {} before the body is in it: hands are looked at as if they came through",
+            below.join(", ")
+        ));
+    }
     let between = controls_between_planes(&prepared.cell);
     if !between.is_empty() {
         unknown.push(format!(
@@ -203,6 +211,17 @@ fn unknown(prepared: &Prepared) -> Vec<String> {
         ));
     }
     unknown
+}
+
+/// Names of the planes below which people in low postures get with legs and hands, but not with the whole body.
+fn planes_with_room_for_legs(cell: &Workcell) -> Vec<&str> {
+    if cell.repertoire.low().is_empty() {
+        return Vec::new();
+    }
+    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, obstacle)| *obstacle).collect();
+    let curtains = Curtain::all(cell, Vec3::ZERO, &obstacles);
+    let some = curtains.iter().filter(|c| !c.hands_only && !c.lets_below && c.closed.has_room_below());
+    some.map(|curtain| cell.sensors[curtain.sensor].name.as_str()).collect()
 }
 
 /// Names of the controls that a hand may get to through more than one plane that tells of it.

@@ -199,6 +199,12 @@ impl Closed {
         Self { plane: *plane, along, top, low: has_room_below.then_some(low) }
     }
 
+    /// Whether there is room below it.
+    #[must_use]
+    pub const fn has_room_below(&self) -> bool {
+        self.low.is_some()
+    }
+
     /// Whether an arm of this reach is too short to lead from `shoulder` around the rectangle's ends, over its top or below it to
     /// `shape`: by the lengths from the shoulder to each edge and on from there, which no arm undercuts. A shoulder behind
     /// the plane is not answered.

@@ -5,6 +5,7 @@
 
 mod passing;
 mod through_plane;
+mod walking;
 mod working;
 
 use std::ops::Range;
@@ -26,8 +27,8 @@ use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::low::OnFloor;
-use crate::human::walk::{WalkTrace, Walker};
-use crate::human::{Action, BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, posture, shoulder};
+use crate::human::walk::WalkTrace;
+use crate::human::{BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop as WorkStop;
 
@@ -331,12 +332,6 @@ impl World {
         Place::START
     }
 
-    /// Whether the person's start is free of obstacles.
-    #[must_use]
-    pub fn start_is_free(&self) -> bool {
-        self.walker().is_free(self.start(), Posture::Upright)
-    }
-
     /// Sensors that have been reading for long what they read at the start.
     #[must_use]
     pub fn delays_at_start(&self) -> Vec<DelayLine> {
@@ -381,41 +376,6 @@ impl World {
         self.curtains.iter().any(near)
     }
 
-    /// Where an action leads that is taken as it is.
-    #[must_use]
-    pub fn walk(&self, from: Place, action: Action) -> WalkTrace {
-        self.walker().walk(from, action, self.cell.steps_per_action)
-    }
-
-    /// The action as the person takes it from a place: who has got below something stays as low as there is room for.
-    #[must_use]
-    pub fn taken(&self, from: &Place, action: Action) -> Action {
-        let low = self.cell.repertoire.low();
-        if low.is_empty() || self.boxes.is_empty() || self.fits(from, action.posture()) {
-            return action;
-        }
-        let lower = low.iter().find(|low| **low > action.posture() && self.fits(from, **low));
-        lower.map_or(action, |low| action.in_posture(*low))
-    }
-
-    /// Actions from the start as the person takes them.
-    #[must_use]
-    pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
-        let mut place = self.start();
-        let mut take = |action: &Action| {
-            let taken = self.taken(&place, *action);
-            place = self.walk(place, taken).end();
-            taken
-        };
-        if self.cell.repertoire.low().is_empty() { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
-    }
-
-    /// Whether there is room for a posture at a place; as much for every one of who stands.
-    fn fits(&self, place: &Place, posture: Posture) -> bool {
-        let posture = if posture.is_low() { posture } else { Posture::Upright };
-        self.fits.of((*place, posture), || self.walker().is_free(*place, posture))
-    }
-
     /// The person at `place` as sensors see it.
     fn seen(&self, place: &Place, bent: Posture) -> Seen {
         let position = self.position(place);
@@ -423,10 +383,9 @@ impl World {
         let body = self
             .may_be_in_a_plane(place)
             .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
-        if !bent.is_low() {
-            return Seen { feet: self.body().feet(position, heading_rad), besides: None, body, position, heading_rad };
-        }
-        let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, self.bend(place, bent));
+        // Bends leave the feet where they are.
+        let fraction = if bent.is_low() { self.bend(place, bent) } else { BendFraction::FULL };
+        let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, fraction);
         Seen { feet, besides, body, position, heading_rad }
     }
 
@@ -523,19 +482,6 @@ impl World {
     #[expect(clippy::cast_precision_loss, reason = "some hundred steps")]
     fn wrists_m(&self, steps: usize) -> Option<f64> {
         Some(self.cell.arm_speed_m_s? * steps as f64 * self.cell.step_s)
-    }
-
-    /// How many sub-steps the person got ahead during step `i` of an action.
-    #[must_use]
-    #[expect(clippy::cast_possible_truncation, reason = "a few")]
-    pub fn moved(walked: &WalkTrace, i: usize) -> i8 {
-        let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
-        walked.places[i].ahead_of(before) as i8
-    }
-
-    /// How fast anybody gets on, m/s.
-    pub(super) fn fastest_m_s(&self) -> f64 {
-        f64::from(self.cell.repertoire.strides()) * WALKING_SPEED_M_S
     }
 
     /// The unsafe contact of a person with the robots after step `i` of an action, if there is one.
@@ -764,26 +710,6 @@ impl World {
         self.reach_m
     }
 
-    pub(super) fn bend(&self, place: &Place, bent: Posture) -> BendFraction {
-        if bent == Posture::Upright || self.boxes.is_empty() {
-            return BendFraction::FULL;
-        }
-        self.bends.of((*place, bent), || {
-            let heading_rad = place.heading_rad(&self.cell.start);
-            posture::cut_back(self.body(), self.position(place), heading_rad, bent, &self.boxes)
-        })
-    }
-
-    fn walker(&self) -> Walker<'_> {
-        Walker {
-            body: self.body(),
-            start: &self.cell.start,
-            sub_step_len_m: self.sub_step_m(),
-            obstacles: &self.boxes,
-            strides: self.cell.repertoire.strides(),
-        }
-    }
-
     /// The body and its arms.
     pub(super) fn person(&self, stance: &Stance) -> Person {
         let Stance { place, posture, .. } = stance;
@@ -792,14 +718,6 @@ impl World {
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
         let wrists_m = stance.raised.and_then(|steps| self.wrists_m(steps));
         Person { body, arms, velocity: self.velocity(stance), wrists_m }
-    }
-
-    /// How the person walks, m/s.
-    fn velocity(&self, stance: &Stance) -> Vec3 {
-        let place = &stance.place;
-        let back = |place: Place, _| if stance.moved > 0 { place.stepped_back() } else { place.stepped() };
-        let before = (0..stance.moved.unsigned_abs()).fold(*place, back);
-        (self.position(place) - self.position(&before)) / self.cell.step_s
     }
 
     /// Walls that arms do not pass because that would break a light curtain, by curtain.

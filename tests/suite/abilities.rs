@@ -86,3 +86,28 @@ fn what_people_do_besides_is_told() {
     assert_eq!(report["settings"]["run_m_s"], 4.8);
     assert_ne!(report["verdict"], "none_found");
 }
+
+/// Below a curtain with room for legs and hands, but not for the whole body, a hand may be before the body is in the curtain: that is not
+/// looked at, and the scan is not called complete. It is where there is no such room, and where nobody is low.
+#[test]
+fn hands_below_a_curtain_are_not_called_excluded() {
+    let dir = guarded();
+    for (low_m, also, complete) in [(0.3, "[\"crawl\"]", false), (0.3, "[]", true), (0.0, "[\"crawl\"]", true)] {
+        let curtain = format!(
+            "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\nvariable = \"clear\"\nactive = false\n\
+             zone = {{ line_m = [[-1, -2], [1, -2]], heights_m = [{low_m}, 1.8] }}\n"
+        );
+        let text = cell(1.0, &curtain)
+            .replace("xy_m = [0, -3]", "xy_m = [0, -2.3]")
+            .replace("heading_deg = 90 }\n", &format!("heading_deg = 90 }}\nalso = {also}\n"));
+        write(dir.path(), "cell.toml", &text);
+        let mut scan = fmi_hazard(dir.path());
+        scan.args(["scan", "cell.toml", "--strategy", "exhaustive", "--no-advice", "--out", "out"]);
+        let ran = scan.output().unwrap();
+        let report = scan_json(&dir.path().join("out"));
+        let told = String::from_utf8_lossy(&ran.stdout);
+        assert_eq!(report["verdict"] == "none_found", complete, "{low_m} {also}: {told}");
+        assert_eq!(told.contains("may have a hand below curtain"), !complete, "{told}");
+        std::fs::remove_dir_all(dir.path().join("out")).unwrap();
+    }
+}
