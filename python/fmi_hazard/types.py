@@ -1454,6 +1454,10 @@ class Working(TypedDict):
     """
     Who works it.
     """
+    door: NotRequired[bool]
+    """
+    Whether it opens a door and closes it again.
+    """
     kind: ControlKind
     """
     How it is worked.
@@ -1461,6 +1465,10 @@ class Working(TypedDict):
     name: str
     """
     Its name.
+    """
+    opens: NotRequired[bool | None]
+    """
+    Of a door: whether it is opened, or closed.
     """
     pressed_steps: NotRequired[int | None]
     """
@@ -1702,6 +1710,10 @@ class ControlRecord(TypedDict):
     by: ControlledBy
     """
     Who works it.
+    """
+    door: NotRequired[bool]
+    """
+    Whether it opens a door and closes it again.
     """
     kind: ControlKind
     """

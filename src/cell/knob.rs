@@ -30,6 +30,8 @@ enum Turn {
     Wider { sensor: usize },
     /// The upper end of a light curtain up.
     HigherCurtain { sensor: usize },
+    /// The lower end of a light curtain down to the floor.
+    DownToTheFloor { sensor: usize },
     /// A light curtain across its plane, away from the robot.
     FartherCurtain { sensor: usize, direction: [f64; 2] },
     /// The top of a box up.
@@ -233,6 +235,10 @@ impl Knobs {
                 Zone::Curtain(plane) | Zone::Door(plane) => {
                     let top = plane.centre.z + plane.half.z;
                     self.add(Turn::HigherCurtain { sensor: number }, &sensor.name, room(own(limits.most_top_m, top)));
+                    if plane.centre.z > plane.half.z {
+                        let room = Room { steps: 1, ..Room::default() };
+                        self.add(Turn::DownToTheFloor { sensor: number }, &sensor.name, room);
+                    }
                     let normal = plane.rotation * Vec3::Y;
                     let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
                     let direction = [side * normal.x, side * normal.y];
@@ -322,6 +328,11 @@ impl Knob {
                 let [from, to] = numbers(heights)?;
                 *heights = list([from, to + amount]);
             }
+            Turn::DownToTheFloor { sensor } => {
+                let heights = item(&mut text, "sensor", *sensor)?.get_mut("zone")?.get_mut("heights_m")?;
+                let [_, to] = numbers(heights)?;
+                *heights = list([0.0, to]);
+            }
             Turn::FartherCurtain { sensor, direction } => {
                 let line = item(&mut text, "sensor", *sensor)?.get_mut("zone")?.get_mut("line_m")?;
                 let ends: Option<Vec<[f64; 2]>> = line.as_array()?.iter().map(numbers).collect();
@@ -376,6 +387,7 @@ impl Knob {
             Turn::Flip { value, .. } => format!("FMU parameter {name} = {} instead of {value}", !value),
             Turn::Wider { .. } => format!("zone of {name} {amount:.2} m wider on every side"),
             Turn::HigherCurtain { .. } => format!("{name} {amount:.2} m higher"),
+            Turn::DownToTheFloor { .. } => format!("{name} reaching down to the floor"),
             Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
             Turn::Higher { .. } => format!("{name} {amount:.2} m higher"),
             Turn::Lower { .. } => format!("{name} {amount:.2} m farther down"),
@@ -508,6 +520,9 @@ mod tests {
         assert_eq!(words, "zone of it 0.60 m wider on every side");
         let (cell, _) = turned(Turn::HigherCurtain { sensor: 1 }, 25);
         assert_eq!(at(&cell, "sensor", 1, &["zone", "heights_m"]), [0.3, 1.75]);
+        let (cell, words) = turned(Turn::DownToTheFloor { sensor: 1 }, 1);
+        assert_eq!(at(&cell, "sensor", 1, &["zone", "heights_m"]), [0.0, 1.5]);
+        assert_eq!(words, "it reaching down to the floor");
         let (cell, words) = turned(Turn::FartherCurtain { sensor: 1, direction: [0.0, -1.0] }, 25);
         let line = cell["sensor"][1]["zone"]["line_m"].as_array().expect("a list");
         assert_eq!([numbers(&line[0]), numbers(&line[1])], [Some([-1.0, -0.25]), Some([1.0, -0.25])]);

@@ -13,8 +13,11 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
-use crate::human::{Body, Repertoire, Start};
+use crate::human::{Body, Presses, Repertoire, Start};
 use crate::standards::iso_13855::{Detection, Opening};
+
+/// The leaf of an open door is so deep in the ground, m.
+const OUT_OF_THE_WAY_M: f64 = 1e3;
 
 /// A validated cell in SI units and radians.
 #[derive(Clone, Debug)]
@@ -42,6 +45,8 @@ pub struct Workcell {
     pub obstacles: Vec<(String, Cuboid)>,
     /// For each of them the obstacle of the cell file that says it; none for boxes in a mesh.
     pub obstacle_tables: Vec<Option<usize>>,
+    /// For each of them the control that opens it, if it is the leaf of a door.
+    pub opened_by: Vec<Option<usize>>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// For each of them what its safety distance depends on besides.
@@ -272,6 +277,8 @@ pub struct Control {
     pub kind: ControlKind,
     /// Communication steps for which it is pressed in an action.
     pub steps: usize,
+    /// Whether it opens a door and closes it again.
+    pub door: bool,
 }
 
 /// What the cell file says of a safeguard for its safety distance alone.
@@ -322,6 +329,22 @@ impl Zone {
 }
 
 impl Workcell {
+    /// Controls that open and close doors.
+    #[must_use]
+    pub fn doors(&self) -> Presses {
+        let doors = self.controls.iter().enumerate().filter(|(_, control)| control.door);
+        doors.fold(Presses::NONE, |doors, (number, _)| doors.and(Presses::one(number)))
+    }
+
+    /// What is in the way while some doors are open, in the order of the obstacles: each keeps its number.
+    #[must_use]
+    pub fn standing(&self, open: Presses) -> Vec<Cuboid> {
+        let is_open = |control: &Option<usize>| control.is_some_and(|control| open.has(control));
+        let each = self.obstacles.iter().zip(&self.opened_by);
+        let below = |cuboid: &Cuboid| Cuboid { centre: cuboid.centre - Vec3::Z * OUT_OF_THE_WAY_M, ..*cuboid };
+        each.map(|((_, cuboid), control)| if is_open(control) { below(cuboid) } else { *cuboid }).collect()
+    }
+
     /// Communication steps after which arms are anywhere, where they take their time.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred steps at most")]

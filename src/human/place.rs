@@ -1,11 +1,14 @@
-//! Where the human stands, exactly: whole sub-steps along four directions, and a heading in eighths of a turn.
+//! Where the human stands, exactly: whole sub-steps along four directions, and a heading in eighths of a turn; and which doors stand
+//! open then, since those that are closed are in the way.
 //!
 //! Metres are computed from the integers, never accumulated, so two routes to one spot give *equal* places, and the
 //! exhaustive search can merge them. The four counts are a unique name of a spot: 1, (1+i)/sqrt 2, i, (-1+i)/sqrt 2 are
 //! linearly independent over the rational numbers.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+use std::hash::{Hash, Hasher};
 
+use super::Presses;
 use crate::geometry::Vec3;
 
 /// Where the human stands at first, in the world frame. Every place is counted from here.
@@ -41,18 +44,30 @@ impl Start {
     }
 }
 
-/// A spot on the lattice of walks, and a heading on it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+/// A spot on the lattice of walks, a heading on it, and the doors that stand open meanwhile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// Sub-steps walked along 0, 45, 90 and 135 degrees from the start heading; opposite directions count down.
     steps: [i32; 4],
     /// Heading to the left of the start heading, in eighths of a full turn: 0..8.
     heading: u8,
+    /// Controls whose doors stand open.
+    open: Presses,
+}
+
+/// As if there were no doors, where none is open: what was written down of cells without any stays known by it.
+impl Hash for Place {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        (self.steps, self.heading).hash(state);
+        if !self.open.is_none() {
+            self.open.hash(state);
+        }
+    }
 }
 
 impl Place {
-    /// The start itself.
-    pub const START: Self = Self { steps: [0; 4], heading: 0 };
+    /// The start itself, all doors closed.
+    pub const START: Self = Self { steps: [0; 4], heading: 0, open: Presses::NONE };
 
     /// Net sub-steps along 0, 45, 90 and 135 degrees from the start heading.
     #[must_use]
@@ -64,6 +79,18 @@ impl Place {
     #[must_use]
     pub const fn heading_eighths(&self) -> u8 {
         self.heading
+    }
+
+    /// Controls whose doors stand open.
+    #[must_use]
+    pub const fn open(&self) -> Presses {
+        self.open
+    }
+
+    /// The same spot while other doors stand open.
+    #[must_use]
+    pub const fn with_open(self, open: Presses) -> Self {
+        Self { open, ..self }
     }
 
     /// The same spot after a turn to the left by `eighths` of a full turn.

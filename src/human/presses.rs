@@ -37,6 +37,12 @@ impl Presses {
         Self(self.0 ^ other.0)
     }
 
+    /// Those that are in both.
+    #[must_use]
+    pub const fn common(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
     /// Whether it is among them.
     #[must_use]
     pub const fn has(self, control: usize) -> bool {
@@ -62,7 +68,7 @@ impl Presses {
 
     /// Number of the set among [`Presses::all`].
     #[must_use]
-    pub(super) const fn index(self) -> usize {
+    pub const fn index(self) -> usize {
         self.0 as usize
     }
 
@@ -88,7 +94,13 @@ mod tests {
         assert_eq!(Presses::all(0).collect::<Vec<_>>(), [Presses::NONE]);
         let two = Presses::one(0).and(Presses::one(2));
         assert_eq!(two.numbers().collect::<Vec<_>>(), [0, 2]);
-        assert!(two.has(2) && !two.has(1) && two.count() == 2 && two.either(two).is_none());
+        assert!(
+            two.has(2)
+                && !two.has(1)
+                && two.count() == 2
+                && two.either(two).is_none()
+                && two.common(Presses::one(2)) == Presses::one(2)
+        );
         assert_eq!(Presses::all(3).nth(two.index()), Some(two));
         assert_eq!(Presses::all(Presses::MOST).count(), 64);
         assert_eq!(Presses::from_index(64), None);

@@ -22,7 +22,7 @@ pub struct Walker<'a> {
 /// Where one action leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WalkTrace {
-    /// Place at the start, the turn already made.
+    /// Place at the start, the turn already made, doors still as they were.
     pub start: Place,
     /// Place at the end of each sub-step.
     pub places: Vec<Place>,

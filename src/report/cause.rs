@@ -109,6 +109,8 @@ pub struct Circumstances {
     pub over: Option<String>,
     /// And what it reaches under.
     pub under: Option<String>,
+    /// The curtain below which the whole person gets on the way, while it reports nobody.
+    pub got_below: Option<String>,
     /// What the robot carries, kg, where the FMU tells it.
     pub payload_kg: Option<f64>,
 }
@@ -276,6 +278,9 @@ fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
         );
     }
     let hit = format!("{link}{load} moves at {speed:.2} m/s and {does} the {region}{reach}{held}");
+    if let Some(curtain) = &around.got_below {
+        return format!("The person gets below {curtain}, and no sensor reports them: {hit}.");
+    }
     match (hazard.sensors.len(), around.outside.iter().min_by(|a, b| a.1.total_cmp(&b.1))) {
         (0, _) => format!("No sensor watches over this: {hit}."),
         (_, Some((name, metres))) => {

@@ -295,7 +295,7 @@ fn steps(actions: &[Action], worked: &[Working], action_s: f64) -> Vec<(f64, Str
     let told = |(first, times, action): (usize, usize, Action)| {
         let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
         let meanwhile = worked.iter().filter(|working| (working.at_s - from).abs() < 0.5 * action_s);
-        let meanwhile: String = meanwhile.map(|working| format!("; {}", working.control.words())).collect();
+        let meanwhile: String = meanwhile.map(|working| format!("; {}", working.words())).collect();
         (from, format!("{}, {}, for {lasts:.1} s{meanwhile}", walks(action.walk()), action.posture().words()))
     };
     steps.into_iter().map(told).collect()

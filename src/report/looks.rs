@@ -229,6 +229,7 @@ mod tests {
                 by,
                 kind,
                 pressed_steps: (kind == ControlKind::Momentary).then_some(10),
+                door: false,
             }],
             ..looks()
         };

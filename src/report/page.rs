@@ -75,6 +75,9 @@ pub struct Obstacle {
     pub size_m: [f64; 3],
     /// Its rotation, x, y, z, w.
     pub quaternion: [f64; 4],
+    /// The control that opens it, if it is the leaf of a door.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opened_by: Option<String>,
 }
 
 /// Where a sensor sees, or where a control is.

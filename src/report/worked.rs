@@ -20,6 +20,9 @@ pub struct ControlRecord {
     /// Of a momentary one: for how many communication steps it is pressed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressed_steps: Option<usize>,
+    /// Whether it opens a door and closes it again.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub door: bool,
 }
 
 /// A control that is worked in an action.
@@ -30,43 +33,48 @@ pub struct Working {
     pub control: ControlRecord,
     /// When the action begins, s.
     pub at_s: f64,
+    /// Of a door: whether it is opened, or closed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub opens: Option<bool>,
 }
 
 impl From<&Control> for ControlRecord {
     fn from(control: &Control) -> Self {
         let pressed_steps = (control.kind == ControlKind::Momentary).then_some(control.steps);
-        Self { name: control.name.clone(), by: control.by, kind: control.kind, pressed_steps }
-    }
-}
-
-impl ControlRecord {
-    /// What is done: "the person presses reset".
-    #[must_use]
-    pub fn words(&self) -> String {
-        let who = match self.by {
-            ControlledBy::Person => "the person",
-            ControlledBy::Anyone => "a colleague",
-            ControlledBy::Nobody => "nobody",
-        };
-        let does = match self.kind {
-            ControlKind::Momentary => "presses",
-            ControlKind::Held => "holds",
-            ControlKind::Toggled => "switches",
-        };
-        format!("{who} {does} {}", self.name)
+        Self { name: control.name.clone(), by: control.by, kind: control.kind, pressed_steps, door: control.door }
     }
 }
 
 impl Working {
+    /// What is done: "the person presses reset", "a colleague opens door".
+    #[must_use]
+    pub fn words(&self) -> String {
+        let who = match self.control.by {
+            ControlledBy::Person => "the person",
+            ControlledBy::Anyone => "a colleague",
+            ControlledBy::Nobody => "nobody",
+        };
+        let does = match (self.opens, self.control.kind) {
+            (Some(true), _) => "opens",
+            (Some(false), _) => "closes",
+            (None, ControlKind::Momentary) => "presses",
+            (None, ControlKind::Held) => "holds",
+            (None, ControlKind::Toggled) => "switches",
+        };
+        format!("{who} {does} {}", self.control.name)
+    }
+
     /// What is worked in a sequence, in order, of which this is worked in each action.
     #[must_use]
     pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control]) -> Vec<Self> {
-        let mut all = Vec::new();
+        let (mut all, mut open) = (Vec::new(), Presses::NONE);
         for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]
             let at_s = number as f64 * ACTION_S;
-            let worked = presses.numbers().filter_map(|control| controls.get(control));
-            all.extend(worked.map(|control| Self { control: control.into(), at_s }));
+            open = open.either(presses);
+            let worked = presses.numbers().filter_map(|number| Some((number, controls.get(number)?)));
+            let opens = |number, control: &Control| control.door.then(|| open.has(number));
+            all.extend(worked.map(|(n, control)| Self { control: control.into(), at_s, opens: opens(n, control) }));
         }
         all
     }
@@ -76,19 +84,20 @@ impl Working {
 /// nothing if nothing was.
 #[must_use]
 pub fn worked_words(worked: &[Working]) -> String {
-    let mut told: Vec<(&ControlRecord, Vec<String>)> = Vec::new();
-    for Working { control, at_s } in worked {
-        let time = format!("{at_s:.2} s");
-        match told.iter_mut().find(|(known, _)| *known == control) {
+    let mut told: Vec<(&Working, Vec<String>)> = Vec::new();
+    for working in worked {
+        let time = format!("{:.2} s", working.at_s);
+        let same = |known: &Working| (&known.control, known.opens) == (&working.control, working.opens);
+        match told.iter_mut().find(|(known, _)| same(known)) {
             Some((_, times)) => times.push(time),
-            None => told.push((control, vec![time])),
+            None => told.push((working, vec![time])),
         }
     }
     let times = |times: &[String]| match times {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
         one => one.concat(),
     };
-    let words = told.iter().map(|(control, at)| format!("{} at {}", control.words(), times(at)));
+    let words = told.iter().map(|(working, at)| format!("{} at {}", working.words(), times(at)));
     words.collect::<Vec<_>>().join(", ")
 }
 
@@ -99,7 +108,8 @@ mod tests {
 
     #[test]
     fn what_is_worked_is_told_with_its_times() {
-        let control = |name: &str, by, kind| Control { name: name.to_owned(), place: None, by, kind, steps: 10 };
+        let control =
+            |name: &str, by, kind| Control { name: name.to_owned(), place: None, by, kind, steps: 10, door: false };
         let controls = [
             control("reset", ControlledBy::Person, ControlKind::Momentary),
             control("mode", ControlledBy::Anyone, ControlKind::Toggled),
@@ -111,5 +121,13 @@ mod tests {
             "the person presses reset at 0.20 s, a colleague switches mode at 0.20 s, 0.60 s and 0.80 s"
         );
         assert_eq!(worked_words(&[]), "");
+        let door = Control { door: true, ..control("door", ControlledBy::Person, ControlKind::Toggled) };
+        let door = [door, controls[0].clone()];
+        let [opens, reset] = [0, 1].map(Presses::one);
+        let worked = Working::all([opens, reset, opens, opens], &door);
+        assert_eq!(
+            worked_words(&worked),
+            "the person opens door at 0.00 s and 0.60 s, the person presses reset at 0.20 s, the person closes door at 0.40 s"
+        );
     }
 }

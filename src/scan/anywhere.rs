@@ -503,6 +503,11 @@ impl<'a> Looking<'a> {
         if !also.is_empty() {
             found.reasons.push(format!("from anywhere people walk, bend and reach only: no {}", also.join(", no ")));
         }
+        if !self.prepared.cell.doors().is_none() {
+            found.reasons.push(
+                "from anywhere all doors are taken to be open: what a closed one does, was not looked at".to_owned(),
+            );
+        }
         found.reasons.extend(self.prepared.unsteady());
         found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {
             Verdict::HazardsFound

@@ -9,13 +9,17 @@ use super::hosting::StateChoice;
 use super::outline::{flat, heights, outline};
 use super::prepare::Prepared;
 use super::there::Runs;
+use crate::cell::Zone;
 use crate::geometry::polygon::contains;
-use crate::geometry::{Cuboid, Vec3};
+use crate::geometry::segment_cuboid::{capsule_cuboid, segment_hits_cuboid};
+use crate::geometry::{Capsule, Cuboid, Vec3};
 use crate::hazard::cause::{self, Kind, Member, Part};
 use crate::host::selftest::Rung;
+use crate::human::BodyPart;
 use crate::report::cause::{Cause, Circumstances};
 use crate::report::model::{Certificate, Hazard};
 use crate::report::worked::Working;
+use crate::sim::simulation::Instant;
 
 /// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.
 const ALONG_M: f64 = 0.005;
@@ -84,6 +88,7 @@ fn circumstances(prepared: &Prepared, runs: &mut Runs<'_>, hazard: &Hazard) -> C
     around.outside = outside(prepared, hazard, &watched.instants[contact].readings)
         .map(|outside| (outside.name, outside.distance_m))
         .collect();
+    around.got_below = got_below(prepared, &watched.instants[..=contact]);
     if let Some(link) = link {
         let frame = &watched.instants[contact].frame;
         let robot = cell.links[link].robot;
@@ -97,6 +102,26 @@ fn circumstances(prepared: &Prepared, runs: &mut Runs<'_>, hazard: &Hazard) -> C
 /// A robot that has less than this part of its speed has become slower.
 const SLOWED: f64 = 0.9;
 
+/// The curtain or door below which the whole person gets, while it reports nobody.
+fn got_below(prepared: &Prepared, instants: &[Instant]) -> Option<String> {
+    let passes = |plane: &Cuboid, [before, after]: [&Instant; 2]| {
+        let level = |at: &Instant| Vec3 { z: plane.centre.z, ..at.position };
+        let in_it = |(_, part): &(BodyPart, Capsule)| capsule_cuboid(part, plane).distance <= 0.0;
+        // Planes have no thickness, and nothing would be inside.
+        let thick = Cuboid { half: plane.half + Vec3::Y * 1e-6, ..*plane };
+        heights(plane)[0] > 0.0
+            && segment_hits_cuboid(level(before), level(after), &thick)
+            && [before, after].iter().all(|at| !at.body.parts().iter().any(in_it))
+    };
+    let sensors = prepared.cell.sensors.iter().enumerate();
+    let mut below = sensors.filter(|(number, sensor)| {
+        let (Zone::Curtain(plane) | Zone::Door(plane)) = &sensor.zone else { return false };
+        instants.iter().all(|instant| !instant.readings[*number])
+            && instants.windows(2).any(|pair| passes(plane, [&pair[0], &pair[1]]))
+    });
+    below.next().map(|(_, sensor)| sensor.name.clone())
+}
+
 /// What an arm that touches reaches over and under on its way, of several the highest.
 fn past(prepared: &Prepared, hazard: &Hazard) -> (Option<String>, Option<String>) {
     let Some(arm) = &hazard.arm else { return (None, None) };
@@ -108,13 +133,20 @@ fn past(prepared: &Prepared, hazard: &Hazard) -> (Option<String>, Option<String>
         let steps = ((to - from).length() / ALONG_M).ceil().max(1.0) as u32;
         points.extend((0..=steps).map(|step| from + (to - from) * (f64::from(step) / f64::from(steps))));
     }
+    let is_open = |control: &str| {
+        let moved = hazard.worked.iter().filter(|working| working.control.name == control);
+        moved.filter_map(|working| working.opens).next_back() == Some(true)
+    };
+    let is_there = |opened_by: &Option<usize>| !opened_by.is_some_and(|n| is_open(&prepared.cell.controls[n].name));
     let highest = |passes: &dyn Fn(f64, [f64; 2]) -> bool| {
         let passed = |c: &Cuboid| {
             let (floor, between) = (outline(c), heights(c));
             points.iter().any(|point| contains(&floor, flat(*point)) && passes(point.z, between))
         };
         let extent = |c: &Cuboid| heights(c)[1] - heights(c)[0];
-        let all = prepared.cell.obstacles.iter().filter(|(_, c)| passed(c));
+        let standing = prepared.cell.obstacles.iter().zip(&prepared.cell.opened_by);
+        let standing = standing.filter(|(_, opened_by)| is_there(opened_by)).map(|(obstacle, _)| obstacle);
+        let all = standing.filter(|(_, c)| passed(c));
         all.max_by(|(_, a), (_, b)| extent(a).total_cmp(&extent(b))).map(|(name, _)| name.clone())
     };
     (highest(&|z, [_, top]| z > top), highest(&|z, [bottom, _]| z < bottom))

@@ -273,8 +273,9 @@ impl Measured<'_> {
             required: t_s.map(|t_s| iso::through(edition, t_s, z_m, detection)),
         });
         let own = [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z];
-        let boxes = self.prepared.cell.obstacles.iter().map(|(_, cuboid)| cuboid);
-        let [low_m, high_m] = closed(plane, &boxes.collect::<Vec<_>>());
+        // Doors are taken to be open.
+        let boxes = self.prepared.cell.standing(self.prepared.cell.doors());
+        let [low_m, high_m] = closed(plane, &boxes.iter().collect::<Vec<_>>());
         // What guards it below is in nobody's way to be seen.
         not_known.extend(if low_m > GAP_M { iso::under(edition, low_m, detection) } else { None });
         not_known.extend(detection.beams.and_then(|beams| iso::beam_heights(beams, own)));

@@ -35,7 +35,11 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
     Scenery {
         name: cell.name.clone(),
         step_s: cell.step_s,
-        obstacles: cell.obstacles.iter().map(|(name, cuboid)| obstacle(name, cuboid)).collect(),
+        obstacles: {
+            let control = |number: usize| cell.controls[number].name.clone();
+            let all = cell.obstacles.iter().zip(&cell.opened_by);
+            all.map(|((name, cuboid), opened_by)| obstacle(name, cuboid, opened_by.map(control))).collect()
+        },
         sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
         zones: {
             let sensors = cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone));
@@ -104,13 +108,14 @@ fn tenth_of_a_millimetre(length_m: f64) -> f64 {
     (length_m * 1e4).round() / 1e4
 }
 
-fn obstacle(name: &str, cuboid: &Cuboid) -> Obstacle {
+fn obstacle(name: &str, cuboid: &Cuboid, opened_by: Option<String>) -> Obstacle {
     let Cuboid { centre, half, rotation } = cuboid;
     Obstacle {
         name: name.to_owned(),
         centre_m: centre.to_array(),
         size_m: (*half * 2.0).to_array(),
         quaternion: rotation.to_array(),
+        opened_by,
     }
 }
 

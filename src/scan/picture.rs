@@ -11,7 +11,7 @@ use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Class;
-use crate::human::{Action, Place, Posture};
+use crate::human::{Action, Place, Posture, Presses};
 use crate::report::floorplan::Plan;
 use crate::report::model::Hazard;
 use crate::report::topview::{Part, Point, Scene};
@@ -153,7 +153,14 @@ fn places(world: &World) -> Vec<Point> {
             let postures = std::iter::once(Posture::Upright).chain(repertoire.low().iter().copied());
             let moves =
                 postures.flat_map(|posture| repertoire.walks().iter().map(move |walk| Action::new(*walk, posture)));
-            moves.map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
+            // But other bends get to other doors.
+            let working = Presses::all(if world.doors().is_none() { 0 } else { Presses::MOST });
+            let working = working.filter(|doors| !doors.is_none() && doors.common(world.doors()) == *doors);
+            let through = working.flat_map(|doors| {
+                let moves = 0..repertoire.moves();
+                moves.map(move |number| repertoire.action(number).pressing(doors))
+            });
+            moves.chain(through).map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
         });
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();

@@ -262,7 +262,9 @@ impl<'a> Anywhere<'a> {
         around_m: f64,
         stop: Stop,
     ) -> Self {
-        let obstacles = merged(&cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect::<Vec<_>>());
+        // Doors are taken to be open.
+        let fixed = cell.obstacles.iter().zip(&cell.opened_by).filter(|(_, opened_by)| opened_by.is_none());
+        let obstacles = merged(&fixed.map(|((_, cuboid), _)| *cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = ArmModel::default();
         let reach_m = cell.body.reach_from_one_metre(arm.reach(), &[]);
@@ -490,13 +492,21 @@ impl<'a> Anywhere<'a> {
         };
         let mut pending: Vec<PoseBox> = cells.map(first).collect();
         let mut is_known = true;
+        // Runs begin with all doors closed.
+        let leaves = self.cell.obstacles.iter().zip(&self.cell.opened_by).filter(|(_, opened_by)| opened_by.is_some());
+        let leaves: Vec<Cuboid> = leaves.map(|((_, leaf), _)| *leaf).collect();
+        let in_a_leaf = |at: &PoseBox| {
+            !leaves.is_empty()
+                && is_without_room(&self.cell.body, &leaves, &PoseBox { half_m: 0.0, half_rad: 0.0, ..*at })
+        };
         while let Some(at) = pending.pop() {
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
             let may = |(sensor, reading): (&_, &bool)| may_report(sensor, &self.cell.body, &body, &at).be(*reading);
             if !self.cell.sensors.iter().zip(readings).all(may) {
                 continue;
             }
-            if self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(readings)) {
+            let is_possible = self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(readings));
+            if is_possible && !in_a_leaf(&at) {
                 return Somewhere::At(at.xy_m, at.heading_rad);
             }
             if is_smallest(&at) {

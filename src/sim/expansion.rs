@@ -239,9 +239,9 @@ impl<P: Plant> Expander<P> {
         let last = depth + 1 == self.horizon();
         let mut alike: Vec<Alike> = ahead.ways.iter().map(|_| Alike::default()).collect();
         for index in 0..self.actions() {
-            let Move { taken, way, sight } = ahead.moves[index % ahead.moves.len()];
-            let presses = self.world.cell.repertoire.action(index).presses();
-            let (action, alike) = (taken.pressing(presses), &mut alike[way]);
+            let wanted = self.world.cell.repertoire.action(index);
+            let Move { taken, way, sight } = ahead.taken(index, self.world.works_doors(wanted));
+            let (action, alike) = (taken.pressing(wanted.presses()), &mut alike[way]);
             let Way { walked, sights } = &ahead.ways[way];
             let key = (sight, self.world.worked(walked, action));
             let to = match alike.by_key(&key) {

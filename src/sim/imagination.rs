@@ -25,7 +25,7 @@ use crate::hazard::Class;
 use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Presses, Walk};
+use crate::human::{Action, Place, Posture, Presses};
 use crate::search::Niche;
 
 /// Observed episodes with different states of the FMU that are compared with; later ones are not.
@@ -99,7 +99,7 @@ pub(super) struct Imagination {
     outputs: BTreeMap<Vec<u64>, usize>,
     outputs_of: BTreeMap<NodeId, usize>,
     numbers: BTreeMap<Vec<usize>, usize>,
-    walks: BTreeMap<(Place, Walk, Posture), Arc<WalkTrace>>,
+    walks: BTreeMap<(Place, Action), Arc<WalkTrace>>,
     sensed: BTreeMap<Before, Arc<Sensed>>,
     met: BTreeMap<(usize, Place, Action, Vec<DelayLine>), Option<Niche>>,
     /// Contacts that are only imagined do not count in the figures of the run.
@@ -184,7 +184,11 @@ impl Imagination {
     }
 
     fn walk(&mut self, world: &World, from: Place, action: Action) -> Arc<WalkTrace> {
-        let key = (from, action.walk(), if action.posture().is_low() { action.posture() } else { Posture::Upright });
+        let doors = world.works_doors(action);
+        // Who stands goes the same way in every posture, but may get to another door.
+        let stands = !action.posture().is_low() && doors.is_none();
+        let posture = if stands { Posture::Upright } else { action.posture() };
+        let key = (from, Action::new(action.walk(), posture).pressing(doors));
         if let Some(known) = self.walks.get(&key) {
             return Arc::clone(known);
         }

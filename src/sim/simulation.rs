@@ -436,7 +436,8 @@ impl<P: Plant> Simulation<P> {
             let person = self.world.person(&self.world.stance(&walked, when, action.posture(), &sensed));
             let walls = self.world.unbroken();
             let space = ArmSpace { walls: &walls, links: None };
-            let proximity = self.world.encounter.proximity(&person, &frames[last], &space, &mut coverage);
+            let proximity =
+                self.world.encounter(&walked.places[last]).proximity(&person, &frames[last], &space, &mut coverage);
             (proximity.reward(), Some(End::Horizon))
         };
         let to = Some((node, walked.places[last], sensed.delays, sensed.switched));
@@ -472,6 +473,8 @@ impl<P: Plant> Simulation<P> {
             let found = if world.posture_is_unseen() && action.presses().is_none() {
                 self.first_unsafe(walked, sibling, sensed, node, coverage)?
             } else {
+                // Another posture may get to another door.
+                let walked = &world.walk(self.state.place, sibling);
                 let own = self.sense(walked, sibling);
                 let advanced = self.robots.advance(self.state.node, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };

@@ -199,8 +199,10 @@ pub struct World {
     pub cell: Arc<Workcell>,
     /// Its variables.
     pub binding: Arc<Binding>,
-    pub(super) encounter: Encounter,
-    boxes: Vec<Cuboid>,
+    /// Person against robot while some doors are open, by the number of their set; one where there are no doors.
+    encounters: Vec<Encounter>,
+    /// Controls that open and close doors.
+    doors: Presses,
     /// Light curtains, doors, two-hand controls.
     pub(super) curtains: Vec<Curtain>,
     /// Those of which an arm may pass two at once.
@@ -244,9 +246,10 @@ impl World {
     }
 
     fn looking_for(cell: Arc<Workcell>, binding: Arc<Binding>, judge: Judge) -> Self {
-        let boxes: Vec<Cuboid> = cell.obstacles.iter().map(|(_, c)| *c).collect();
-        let encounter = Encounter {
-            obstacles: boxes.clone(),
+        let doors = cell.doors();
+        let sets = Presses::all(if doors.is_none() { 0 } else { cell.controls.len() });
+        let with_open = |open: Presses| Encounter {
+            obstacles: cell.standing(open),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
@@ -255,8 +258,9 @@ impl World {
                 .then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
             stop: WorkStop::default(),
         };
-        let [body_reach_m, reach_m] =
-            [0.0, encounter.arm.reach()].map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
+        let encounters: Vec<Encounter> = sets.map(with_open).collect();
+        let [body_reach_m, reach_m] = [0.0, ArmModel::default().reach()]
+            .map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
         let stop_command = match &cell.separation {
             Some(Separation { stop: Stop::Measured(name), .. }) => {
                 let sensor = cell.sensors.iter().find(|sensor| sensor.name == *name);
@@ -269,8 +273,8 @@ impl World {
         let mut world = Self {
             cell,
             binding,
-            encounter,
-            boxes,
+            encounters,
+            doors,
             curtains,
             neighbours,
             body_reach_m,
@@ -281,8 +285,9 @@ impl World {
             moving: None,
             stop_command,
         };
-        world.curtains = Curtain::all(&world.cell, world.position(&world.start()), &world.boxes);
-        let (curtains, reach) = (&world.curtains, world.encounter.arm.reach());
+        let start = world.start();
+        world.curtains = Curtain::all(&world.cell, world.position(&start), world.boxes(&start));
+        let (curtains, reach) = (&world.curtains, world.arm().reach());
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
         world.neighbours = pairs.filter(|&(c, d)| curtains[c].apart_m(&curtains[d]) < reach).collect();
         world
@@ -292,20 +297,39 @@ impl World {
     #[must_use]
     pub fn heeding(mut self, stop: WorkStop) -> Self {
         self.moving = self.moving.map(|moving| Box::new(moving.heeding(stop.clone())));
-        self.encounter.stop = stop;
+        for encounter in &mut self.encounters {
+            encounter.stop = stop.clone();
+        }
         self
     }
 
+    /// Person against robot while the doors are as they are at a place.
+    pub(super) fn encounter(&self, place: &Place) -> &Encounter {
+        if self.doors.is_none() { &self.encounters[0] } else { &self.encounters[place.open().index()] }
+    }
+
+    /// What is in the way at a place, its doors as they are.
+    fn boxes(&self, place: &Place) -> &[Cuboid] {
+        &self.encounter(place).obstacles
+    }
+
+    /// The arms.
+    fn arm(&self) -> &ArmModel {
+        &self.encounters[0].arm
+    }
+
     /// When searches have to end.
-    pub(super) const fn stop(&self) -> &WorkStop {
-        &self.encounter.stop
+    pub(super) fn stop(&self) -> &WorkStop {
+        &self.encounters[0].stop
     }
 
     /// The same, but where there is an unsafe arm contact any such is told, not the worst: whether there is one, is the
     /// same, and much sooner known.
     #[must_use]
     pub fn content_with_any(mut self) -> Self {
-        self.encounter.worst = false;
+        for encounter in &mut self.encounters {
+            encounter.worst = false;
+        }
         self.moving = self.moving.map(|moving| Box::new(moving.content_with_any()));
         self
     }
@@ -474,7 +498,7 @@ impl World {
 
     /// So many steps, as long as arms cannot be anywhere after them.
     fn raised(&self, steps: usize) -> Option<usize> {
-        let farthest_m = self.encounter.arm.farthest_from_hanging_m();
+        let farthest_m = self.arm().farthest_from_hanging_m();
         self.wrists_m(steps).filter(|far_m| *far_m < farthest_m).map(|_| steps)
     }
 
@@ -566,7 +590,8 @@ impl World {
         let mut groups: Vec<&[usize]> = vec![&near];
         while let Some(group) = groups.pop() {
             let frames: Vec<&RobotFrame> = group.iter().map(|&n| instants[n].frame()).collect();
-            let harmless = group.len() > 1 && self.encounter.no_arm_harmed(person, &frames, &ArmSpace::OPEN, coverage);
+            let encounter = self.encounter(&stance.place);
+            let harmless = group.len() > 1 && encounter.no_arm_harmed(person, &frames, &ArmSpace::OPEN, coverage);
             if group.len() > 1 && !harmless {
                 let (first, second) = group.split_at(group.len() / 2);
                 groups.extend([second, first]);
@@ -621,7 +646,7 @@ impl World {
     /// The unsafe contact of trunk, head or legs, if there is one.
     fn body_hit(&self, person: &Person, stance: &Stance, frame: &RobotFrame, coverage: &mut Coverage) -> Option<Hit> {
         let counts = |contact: &Contact| self.in_time(contact.on_robot, person, stance);
-        let contact = self.encounter.unsafe_body_contact(person, frame, counts, coverage)?;
+        let contact = self.encounter(&stance.place).unsafe_body_contact(person, frame, counts, coverage)?;
         Some(Hit::new((contact, None), frame))
     }
 
@@ -640,7 +665,7 @@ impl World {
             return Ok(hit);
         }
         if self.curtains.is_empty() {
-            let found = self.encounter.unsafe_arm_contact(person, frame, &ArmSpace::OPEN, coverage);
+            let found = self.encounter(&stance.place).unsafe_arm_contact(person, frame, &ArmSpace::OPEN, coverage);
             return Ok(found.map(|found| Hit::new(found, frame)));
         }
         let at = self.at_planes(person, stance);
@@ -715,7 +740,7 @@ impl World {
         let Stance { place, posture, .. } = stance;
         let (at, heading) = (self.position(place), place.heading_rad(&self.cell.start));
         let body = self.body().placed(at, heading, *posture, self.bend(place, *posture));
-        let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, &self.boxes)).collect();
+        let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, self.boxes(place))).collect();
         let wrists_m = stance.raised.and_then(|steps| self.wrists_m(steps));
         Person { body, arms, velocity: self.velocity(stance), wrists_m }
     }

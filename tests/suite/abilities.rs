@@ -27,25 +27,22 @@ fn ends(prepared: &Prepared, actions: &[Action]) -> (Option<(usize, Vec<bool>)>,
     (None, watched.instants.iter().any(|instant| instant.readings.contains(&true)))
 }
 
-/// The repaired cell of the light curtain with the curtain's lower edge at some height: who crawls gets below it unseen where there is
-/// room, stands up behind it and is hit; who walks is seen, and so is who crawls where there is none.
+/// The cell `under-curtain` with the curtain's lower edge at some height: who crawls gets below it unseen where there is room, stands
+/// up behind it and is hit; who walks is seen, and so is who crawls where there is none.
 #[test]
 fn who_crawls_below_a_light_curtain_is_not_seen() {
     let dir = examples();
     let prepared = |low_m: f64, also: &str| {
-        let text = std::fs::read_to_string(dir.path().join("light-curtain/fixed.toml")).unwrap();
-        let changed = text.replace("heights_m = [0, 1.8]", &format!("heights_m = [{low_m}, 1.8]"));
-        let (before, after) = changed.split_once("start = {").unwrap();
-        let (_, after) = after.split_once('\n').unwrap();
-        assert!(changed != text || low_m == 0.0);
-        let start = format!("start = {{ xy_m = [0.1, -0.8], heading_deg = 90 }}\n{also}");
-        prepare(&write(&dir.path().join("light-curtain"), "low.toml", &format!("{before}{start}\n{after}")), None)
-            .unwrap()
+        let human = format!("[human]\nalso = {also}\nstart = {{ xy_m = [0.1, -0.8], heading_deg = 90 }}");
+        let curtain = "name = \"curtain\"\nkind = \"light_curtain\"\nvariable = \"plc.curtain_clear\"\nactive = false";
+        let zone = format!("zone = {{ line_m = [[-0.5, 0], [0.5, 0]], heights_m = [{low_m}, 1.8] }}");
+        let text = format!("extends = \"cell.toml\"\nname = \"low\"\n{human}\n[[sensor]]\n{curtain}\n{zone}\n");
+        prepare(&write(&dir.path().join("under-curtain"), "low.toml", &text), None).unwrap()
     };
     let go = |posture| vec![Action::new(Walk::Forward, posture); 5];
     let then = [Action::new(Walk::Forward, Posture::Forward), Action::new(Walk::Stop, Posture::Forward)];
     let walk = |posture| [go(posture), then.to_vec()].concat();
-    let high = prepared(0.75, "also = [\"crawl\", \"crouch\"]");
+    let high = prepared(0.75, "[\"crawl\", \"crouch\"]");
     let (hit, _) = ends(&high, &walk(Posture::Crawling));
     let (number, sensors) = hit.expect("a hit behind the curtain");
     assert!(number >= 4 && sensors == [false], "{number} {sensors:?}");
@@ -53,9 +50,43 @@ fn who_crawls_below_a_light_curtain_is_not_seen() {
         assert_eq!(ends(&high, &walk(posture)), (None, true), "{posture:?}");
     }
     for low_m in [0.0, 0.3, 0.6] {
-        assert_eq!(ends(&prepared(low_m, "also = [\"crawl\"]"), &walk(Posture::Crawling)), (None, true), "{low_m} m");
+        assert_eq!(ends(&prepared(low_m, "[\"crawl\"]"), &walk(Posture::Crawling)), (None, true), "{low_m} m");
     }
-    assert_eq!((high.cell.repertoire.count(), prepared(0.75, "").cell.repertoire.count()), (48, 36));
+    assert_eq!((high.cell.repertoire.count(), prepared(0.75, "[]").cell.repertoire.count()), (48, 36));
+}
+
+/// What the cause of who gets below a curtain begins with.
+const BELOW: &str = "The person gets below curtain, and no sensor reports them: ";
+
+/// The example: every sequence of a shorter scan that begins nearer, what is told of it, and its repaired twin.
+#[test]
+fn a_curtain_with_room_below_is_found_told_and_mended() {
+    let dir = examples();
+    let near = "[human]\nstart = { xy_m = [0.1, -0.3], heading_deg = 90 }\nalso = [\"crawl\"]\n[search]\nactions = 6\n";
+    for (base, out, hazards) in [("cell.toml", "flawed", true), ("fixed.toml", "fixed", false)] {
+        let text = format!("extends = \"{base}\"\nname = \"near\"\n{near}");
+        let file = write(&dir.path().join("under-curtain"), &format!("near-{out}.toml"), &text);
+        let mut scan = fmi_hazard(dir.path());
+        scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", out]);
+        let ran = scan.output().unwrap();
+        let told = String::from_utf8_lossy(&ran.stdout);
+        let report = scan_json(&dir.path().join(out));
+        assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}");
+        let certificate = &report["certificate"];
+        assert!(certificate["complete"] == true && certificate["actions"] == 42, "{certificate}");
+        let causes = report["causes"].as_array().unwrap();
+        let below = causes.iter().filter(|cause| cause["sentence"].as_str().unwrap().starts_with(BELOW)).count();
+        assert_eq!(below > 0, hazards, "{told}");
+        let found = report["hazards"].as_array().unwrap();
+        assert_eq!(found.len() > 5, hazards, "{told}");
+        assert!(found.iter().all(|hazard| hazard["confirmed"] == true), "{told}");
+    }
+    // What helps is told.
+    let worst = scan_json(&dir.path().join("flawed"))["hazards"][0]["id"].as_str().unwrap().to_owned();
+    let mut explain = fmi_hazard(dir.path());
+    let ran = explain.args(["explain", "flawed", &worst, "--max-states", "1000"]).output().unwrap();
+    let told = String::from_utf8_lossy(&ran.stdout);
+    assert!(told.contains("curtain reaching down to the floor"), "{told}");
 }
 
 /// Mistakes are told with the way out, and a scan from anywhere says what it leaves out.

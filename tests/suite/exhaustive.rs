@@ -261,6 +261,30 @@ fn presses_as_in_plain_enumeration() {
     }
 }
 
+/// A door that opens and closes in front of the person and behind, and a reset button beside it.
+#[test]
+fn doors_as_in_plain_enumeration() {
+    let dir = examples();
+    let file = dir.path().join("door-edge/cell.toml");
+    let text = std::fs::read_to_string(&file).unwrap().replace("[0.9, -2.9, 1.1]", "[0.0, -2.0, 1.1]");
+    let fast = "[parameters]\n\"ctrl.t_ramp\" = 0.05\n\"plc.t_react\" = 0.0\n";
+    let (before, _) = text.split_once("[search]").unwrap();
+    std::fs::write(&file, format!("{before}{fast}")).unwrap();
+    let start = "{ xy_m = [0.2, -1.95], heading_deg = 90 }";
+    let prepared = cell(dir.path(), "door-edge/cell.toml", start, "actions = 6\nreach_tolerance_m = 0.05");
+    let moves = [(Walk::Stop, Posture::Upright), (Walk::Forward, Posture::Forward)];
+    let moves = moves.map(|(walk, posture)| Action::new(walk, posture));
+    let few: Vec<Action> =
+        Presses::all(2).flat_map(|presses| moves.iter().map(move |action| action.pressing(presses))).collect();
+    let (account, found) = exhausted(&mut Few::of(&prepared, &few), BUDGET);
+    let plain = Enumeration::of(&prepared, &few, 6);
+    assert!(plain.found.len() > 1, "little to compare: {:?}", plain.found);
+    assert_eq!(found, plain.found);
+    let harmless = u128::try_from(account.harmless.clone() + &account.excluded).unwrap();
+    assert_eq!(harmless, plain.harmless);
+    assert!(account.states() > 100, "{} states", account.states());
+}
+
 /// Kneeling, crouching, crawling, steps back and running, beside a beam that only some postures get below: where there is no room to
 /// stand up, nobody does.
 #[test]

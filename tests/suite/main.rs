@@ -27,6 +27,7 @@ mod controls;
 mod criteria;
 mod criteria_cells;
 mod distance;
+mod doors;
 mod every_scan_ends;
 mod exhaustive;
 mod explain;

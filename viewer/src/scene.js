@@ -115,9 +115,8 @@ export function makeScene(canvas, cell, labels, tellName) {
   const columns = pedestals(cell);
   named.push(...columns);
   scene.add(ground(), axes, mark, ...columns);
-  for (const item of cell.obstacles) {
-    scene.add(name(obstacle(item, MATERIALS.obstacle, MATERIALS.edge), item.name));
-  }
+  const obstacles = cell.obstacles.map((item) => name(obstacle(item, MATERIALS.obstacle, MATERIALS.edge), item.name));
+  scene.add(...obstacles);
   const zones = cell.zones.map((item) => name(new Zone(item, COLOURS[item.kind] ?? COLOURS.obstacle), `${item.kind} ${item.name}`));
   const links = cell.links.map((link) => {
     const { radius_m: radius, points_m: points, triangles } = link;
@@ -271,6 +270,12 @@ export function makeScene(canvas, cell, labels, tellName) {
         pose.position ? shape.place(pose.position, pose.quaternion) : shape.place(pose.a, pose.b);
       });
       person.place(frame);
+      // Doors that stand open are not there.
+      const worked = (person.hazard.worked ?? []).filter(({ at_s: at }) => Math.round(at / replay.step) <= frame);
+      obstacles.forEach((shape, index) => {
+        const control = cell.obstacles[index].opened_by;
+        shape.visible = control === undefined || worked.filter((item) => item.name === control).length % 2 === 0;
+      });
       const touching = frame >= replay.contact_frame;
       mark.materials.forEach((material) => (material.opacity = touching ? 1 : 0.35));
       zones.forEach((zone, index) => {

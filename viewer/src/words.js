@@ -93,15 +93,16 @@ export function nameControls(all) {
 }
 
 /** Who works a control, and how: "the person presses reset". */
-export function worked({ name, by, kind }) {
-  return `${by === "anyone" ? "a colleague" : "the person"} ${WORKS[kind]} ${name}`;
+export function worked({ name, by, kind, opens }) {
+  const does = opens === undefined ? WORKS[kind] : opens ? "opens" : "closes";
+  return `${by === "anyone" ? "a colleague" : "the person"} ${does} ${name}`;
 }
 
 /** What is worked in an action: "presses reset", "a colleague presses reset". */
 function press(text) {
   const control = controls[Number(text) - 1];
   const who = control?.by === "anyone" ? "a colleague " : "";
-  return control ? `${who}${WORKS[control.kind]} ${control.name}` : `works control ${text}`;
+  return control ? `${who}${control.door ? "opens or closes" : WORKS[control.kind]} ${control.name}` : `works control ${text}`;
 }
 
 /** An action in words: "walks straight ahead, bent forward, presses reset". */

@@ -51,6 +51,9 @@ pub struct Workcell {
     parameters: [f64; parameter::COUNT],
     /// The safeguard's signal: all is well.
     clear: bool,
+    /// Of a door: the same in the step before, and whether an open one is a demand for as long as it is open.
+    was_clear: bool,
+    hold: bool,
     /// Left foot x, y, right foot x, y.
     feet: [f64; 4],
     reset: bool,
@@ -71,6 +74,8 @@ impl Workcell {
             cell,
             parameters: [0.0; parameter::COUNT],
             clear: true,
+            was_clear: true,
+            hold: false,
             feet: [0.0; 4],
             reset: false,
             drives: [Drive::running(); ROBOTS],
@@ -139,6 +144,9 @@ impl Workcell {
             Safeguard::Stop { .. } | Safeguard::AlwaysLimited { .. } => {
                 Demands { stop: !self.clear, slow: false, reset }
             }
+            Safeguard::Door { .. } => {
+                Demands { stop: !self.clear && (self.hold || self.was_clear), slow: false, reset }
+            }
             Safeguard::Slow { .. } => Demands { stop: false, slow: !self.clear, reset },
             Safeguard::Fields { .. } => Demands { stop: self.occupied(robot), slow: false, reset },
         }
@@ -150,7 +158,9 @@ impl Workcell {
         for value in model.parameters.iter_mut().chain(&mut model.feet) {
             *value = input.f64()?;
         }
-        model.clear = input.bool()?;
+        for value in [&mut model.clear, &mut model.was_clear, &mut model.hold] {
+            *value = input.bool()?;
+        }
         model.reset = input.bool()?;
         for drive in &mut model.drives {
             *drive = Drive::read(input)?;
@@ -166,6 +176,7 @@ impl Workcell {
         match role {
             Role::Time => Value::Real(f64::NAN),
             Role::Parameter(place) => Value::Real(self.parameters[place]),
+            Role::Hold => Value::Boolean(self.hold),
             Role::Clear => Value::Boolean(self.clear),
             Role::Foot(place) => Value::Real(self.feet[place]),
             Role::Reset => Value::Boolean(self.reset),
@@ -201,6 +212,7 @@ impl Model for Workcell {
         match (shared(self.cell).roles.get(variable), value) {
             (Some(&Role::Parameter(place)), Value::Real(x)) => self.parameters[place] = x,
             (Some(&Role::Foot(place)), Value::Real(x)) => self.feet[place] = x,
+            (Some(Role::Hold), Value::Boolean(x)) => self.hold = x,
             (Some(Role::Clear), Value::Boolean(x)) => self.clear = x,
             (Some(Role::Reset), Value::Boolean(x)) => self.reset = x,
             _ => {}
@@ -220,6 +232,9 @@ impl Model for Workcell {
             let (demands, settings) = (self.demands(robot), self.settings_of(robot));
             self.drives[robot].advance(ticks, demands, &settings);
         }
+        if let Safeguard::Door { .. } = shared(self.cell).spec.safeguard {
+            self.was_clear = self.clear;
+        }
         Outcome::Done
     }
 
@@ -227,7 +242,9 @@ impl Model for Workcell {
         for value in self.parameters.iter().chain(&self.feet) {
             out.f64(*value);
         }
-        out.bool(self.clear);
+        for value in [self.clear, self.was_clear, self.hold] {
+            out.bool(value);
+        }
         out.bool(self.reset);
         for drive in &self.drives {
             drive.write(out);

@@ -6,6 +6,7 @@
 pub mod coupled;
 pub mod description;
 pub mod description3;
+pub mod door_edge;
 pub mod faulty;
 pub mod gantry;
 pub mod guarded;
@@ -24,6 +25,7 @@ pub mod sharp_workpiece;
 pub mod short_zone;
 pub mod two_scanners;
 pub mod types3;
+pub mod under_curtain;
 pub mod variables;
 pub mod wall_behind;
 pub mod workcell;
@@ -32,8 +34,8 @@ use variables::{Interface, Variant};
 use workcell::Spec;
 
 /// The workcells: the six of the paper, in the order of its table, and one for each criterion that the paper does not have (two
-/// for clamping), and two whose flaw is a reset button.
-pub const WORKCELLS: [&Spec; 12] = [
+/// for clamping), two whose flaw is a reset button, one that people crawl into, and one with a door.
+pub const WORKCELLS: [&Spec; 14] = [
     &safety_fence::SPEC,
     &sensor_mat::SPEC,
     &head_collision::SPEC,
@@ -46,6 +48,8 @@ pub const WORKCELLS: [&Spec; 12] = [
     &short_zone::SPEC,
     &reset_inside::SPEC,
     &reset_outside::SPEC,
+    &under_curtain::SPEC,
+    &door_edge::SPEC,
 ];
 
 /// Builds the interfaces of all models in the library and their variants, in a fixed order. FMI 3.0 has `types3` as

@@ -112,6 +112,14 @@ pub enum Safeguard {
         /// Start value of the speed limit `plc.v_limit`, m/s.
         v_limit: f64,
     },
+    /// The contact of a door, true while it is closed: its opening demands a protective stop, latched until the reset button. Whether
+    /// the demand lasts for as long as the door is open, the parameter `plc.hold_while_open` says; it starts false.
+    Door {
+        /// Variable name.
+        input: &'static str,
+        /// Its description.
+        about: &'static str,
+    },
     /// Two laser scanners that are part of the FMU and see the person's feet; each stops its robot, latched.
     Fields {
         /// Start values of the rectangles: x from and to of field A, the same of field B, and y from, m.
@@ -148,6 +156,7 @@ pub mod parameter {
 pub enum Role {
     Time,
     Parameter(usize),
+    Hold,
     Clear,
     Foot(usize),
     Reset,
@@ -276,6 +285,12 @@ fn parameters(table: &mut Table, spec: &Spec) {
     }
     match spec.safeguard {
         Safeguard::Stop { .. } => {}
+        Safeguard::Door { .. } => {
+            let about = "Whether the open door is a demand for as long as it is open; otherwise only its opening is";
+            let kind = Kind::Boolean { start: false };
+            table.variables.push(Variable::new("plc.hold_while_open", about, Parameter, kind));
+            table.roles.push(Role::Hold);
+        }
         Safeguard::Slow { v_reduced, .. } => table.parameter(
             "plc.v_reduced",
             "Speed of the tool centre point while the signal is false: safely limited speed, 0 for a safe operating stop",
@@ -308,6 +323,7 @@ fn parameters(table: &mut Table, spec: &Spec) {
 fn inputs(table: &mut Table, spec: &Spec) {
     match spec.safeguard {
         Safeguard::Stop { input, about }
+        | Safeguard::Door { input, about }
         | Safeguard::Slow { input, about, .. }
         | Safeguard::AlwaysLimited { input, about, .. } => {
             table.input(input, about, Role::Clear, Kind::Boolean { start: true });

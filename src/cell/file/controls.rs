@@ -72,7 +72,7 @@ impl Checker<'_> {
                 steps
             }
         };
-        Ok(Control { name: name.clone(), place, by: control.by, kind: control.kind, steps })
+        Ok(Control { name: name.clone(), place, by: control.by, kind: control.kind, steps, door: false })
     }
 
     /// Where a hand works it.

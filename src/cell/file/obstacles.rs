@@ -8,10 +8,11 @@ use std::path::Path;
 use super::checker::{Checker, pose};
 use super::described::upright;
 use super::files::plain;
-use super::format::{CellFile, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
+use super::format::{CellFile, ControlKind, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
 use crate::cell::CellError;
 use crate::cell::foreign::mesh::{Mesh, ending};
 use crate::cell::foreign::{gltf, mesh};
+use crate::cell::workcell::Control;
 use crate::fmi;
 use crate::geometry::boxes::{self, TooMany};
 use crate::geometry::roll_pitch_yaw;
@@ -44,21 +45,62 @@ struct Filled {
     told: Vec<String>,
 }
 
+/// All boxes of a cell.
+#[derive(Default)]
+pub(super) struct Obstacles {
+    /// With their names.
+    pub(super) boxes: Vec<(String, Cuboid)>,
+    /// For each the obstacle's table, if that says the box itself.
+    pub(super) tables: Vec<Option<usize>>,
+    /// For each the control that opens it, if it is the leaf of a door.
+    pub(super) opened_by: Vec<Option<usize>>,
+}
+
 impl Checker<'_> {
-    /// Boxes with their names, and for each the obstacle's table, if that says the box itself.
-    pub(super) fn obstacles(&self, file: &CellFile) -> (Vec<(String, Cuboid)>, Vec<Option<usize>>) {
-        let each = file.obstacles.iter().enumerate().map(|(number, table)| match self.form(table)? {
-            Some(mesh) => {
-                let boxes = self.boxes_of(table, mesh)?.into_iter().enumerate();
-                let name = |box_number: usize| match box_number {
-                    0 => table.name.get_ref().clone(),
-                    _ => format!("{}/{}", table.name.get_ref(), box_number + 1),
-                };
-                Ok(boxes.map(|(box_number, cuboid)| ((name(box_number), cuboid), None)).collect::<Vec<_>>())
-            }
-            None => Ok(vec![((table.name.get_ref().clone(), self.given(table)?), Some(number))]),
+    /// All boxes of a cell that has these controls, and planes or none.
+    pub(super) fn obstacles(&self, file: &CellFile, controls: &[Control], planes: bool) -> Obstacles {
+        let each = file.obstacles.iter().enumerate().map(|(number, table)| {
+            let opened_by = self.opened_by(table, controls, planes)?;
+            let boxes = match self.form(table)? {
+                Some(mesh) => self.boxes_of(table, mesh)?.into_iter().map(|cuboid| (cuboid, None)).collect(),
+                None => vec![(self.given(table)?, Some(number))],
+            };
+            Ok((table.name.get_ref(), boxes, opened_by))
         });
-        self.problems.keep_all(each).into_iter().flatten().unzip()
+        let mut all = Obstacles::default();
+        for (name, boxes, opened_by) in self.problems.keep_all(each) {
+            for (box_number, (cuboid, table)) in boxes.into_iter().enumerate() {
+                let name = if box_number == 0 { name.clone() } else { format!("{name}/{}", box_number + 1) };
+                all.boxes.push((name, cuboid));
+                all.tables.push(table);
+                all.opened_by.push(opened_by);
+            }
+        }
+        all
+    }
+
+    /// The control that opens the leaf of a door; none for what always stands there.
+    fn opened_by(&self, table: &ObstacleTable, controls: &[Control], planes: bool) -> Result<Option<usize>> {
+        let Some(opened_by) = &table.opened_by else { return Ok(None) };
+        let (name, control, span) = (table.name.get_ref(), opened_by.get_ref(), opened_by.span());
+        let number = controls.iter().position(|known| known.name == *control);
+        self.that(number.is_some(), span.clone(), || {
+            let help = format!("add [[control]] with name = \"{control}\" and kind = \"toggled\"");
+            (format!("obstacle `{name}` is opened by `{control}`, which is no control"), help)
+        })?;
+        let toggled = number.is_some_and(|number| controls[number].kind == ControlKind::Toggled);
+        self.that(toggled, span.clone(), || {
+            let help = format!("give control `{control}` kind = \"toggled\": it opens the door, and then closes it");
+            (format!("obstacle `{name}` is opened by `{control}`, which does not stay as it was put"), help)
+        })?;
+        self.that(!planes, span, || {
+            let help =
+                "leave opened_by out, for a leaf that stays closed; or leave the obstacle out, and the sensor tells";
+            let message =
+                format!("obstacle `{name}` opens, in a cell with a light curtain, a door sensor or a two-hand control");
+            (message, help.to_owned())
+        })?;
+        Ok(number)
     }
 
     /// The mesh of an obstacle; none if it is a box.

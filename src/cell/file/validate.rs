@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::checker::Checker;
 use super::format::{CellFile, FailOnTable, HumanTable, SearchTable, Sex};
+use super::obstacles::Obstacles;
 use super::reading::read;
 use super::starts::Starts;
 use crate::cell::CellError;
@@ -65,8 +66,10 @@ impl Checker<'_> {
         self.link_contacts(&file, &mut links);
         let chosen = self.criteria(&file);
         let (sensors, placings) = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
-        let controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
-        let (obstacles, obstacle_tables) = self.obstacles(&file);
+        let mut controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
+        let Obstacles { boxes: obstacles, tables: obstacle_tables, opened_by } =
+            self.obstacles(&file, &controls, sensors.iter().any(|sensor| sensor.zone.plane().is_some()));
+        opened_by.iter().flatten().for_each(|number| controls[*number].door = true);
         let body = self.problems.keep(self.body(&file));
         let arm_speed = self.problems.keep(self.arm_speed(&file.human));
         let repertoire = self.problems.keep(self.repertoire(&file.human, controls.len()));
@@ -94,6 +97,7 @@ impl Checker<'_> {
             links,
             obstacles,
             obstacle_tables,
+            opened_by,
             sensors,
             placings,
             controls,

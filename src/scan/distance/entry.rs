@@ -85,7 +85,8 @@ fn depth_m(edge: [f64; 2], inwards: [f64; 2], seen: &dyn Fn([f64; 2]) -> bool, f
 
 /// The floor that people come to before any of some polygons tells of them.
 fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) -> bool) -> Floor {
-    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+    // Doors are taken to be open.
+    let obstacles: Vec<Cuboid> = cell.standing(cell.doors());
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     let mut hold = |at: [f64; 2], far: f64| {
         for axis in 0..2 {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Expander, State};
 use crate::host::Plant;
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture};
+use crate::human::{Action, Place, Posture, Presses, Walk};
 use crate::sim::threads::shared_out;
 use crate::sim::world::{Sight, World};
 
@@ -16,7 +16,7 @@ pub(super) struct Way {
     pub(super) sights: Vec<Vec<Sight>>,
 }
 
-/// An action without a control, from a place.
+/// An action without a control but those of doors, from a place.
 #[derive(Clone, Copy)]
 pub(super) struct Move {
     /// As the person takes it there.
@@ -30,35 +30,64 @@ pub(super) struct Move {
 /// Where the actions from a place lead, and what there is for the sensors to see on the way.
 pub(super) struct Ahead {
     pub(super) ways: Vec<Way>,
-    /// In the order of the actions.
-    pub(super) moves: Vec<Move>,
+    /// In the order of the actions, for each set of doors that are worked.
+    pub(super) moves: Vec<(Presses, Vec<Move>)>,
+}
+
+/// Ways that were worked out already.
+#[derive(Default)]
+struct Known {
+    ways: Vec<Way>,
+    /// Which of them an action leads that opens and closes these doors.
+    leads: Vec<((Walk, Posture, Presses), usize)>,
+    /// Which of the sights of a way there is to see in a posture.
+    shows: Vec<(Posture, usize, usize)>,
 }
 
 impl Ahead {
     fn new(world: &World, place: Place) -> Self {
+        let mut known = Known::default();
+        let sets = Presses::all(if world.doors().is_none() { 0 } else { Presses::MOST });
+        let doors = sets.filter(|doors| doors.common(world.doors()) == *doors);
+        let moves = doors.map(|doors| (doors, Self::moves(world, place, doors, &mut known))).collect();
+        Self { ways: known.ways, moves }
+    }
+
+    /// How the person takes the action with this number, in which these doors are worked.
+    pub(super) fn taken(&self, number: usize, doors: Presses) -> Move {
+        let (_, moves) = self.moves.iter().find(|(worked, _)| *worked == doors).unwrap_or(&self.moves[0]);
+        moves[number % moves.len()]
+    }
+
+    fn moves(world: &World, place: Place, doors: Presses, known: &mut Known) -> Vec<Move> {
+        let Known { ways, leads, shows } = known;
         let repertoire = &world.cell.repertoire;
-        let (mut ways, mut moves): (Vec<Way>, Vec<Move>) = (Vec::new(), Vec::with_capacity(repertoire.moves()));
+        let mut moves = Vec::with_capacity(repertoire.moves());
+        let controls = (0..world.cell.controls.len()).map(Presses::one);
+        let others = controls.filter(|control| control.common(world.doors()).is_none());
+        let all = others.fold(doors, Presses::and);
         for &walk in repertoire.walks() {
-            // Whoever stands goes the same way in every posture; of the low ones each may get elsewhere.
-            let mut known: Vec<(Posture, usize)> = Vec::new();
-            let mut seen: Vec<(Posture, usize, usize)> = Vec::new();
+            // Whoever stands goes the same way in every posture; of the low ones each may get elsewhere, and to other doors.
             for &posture in repertoire.postures() {
                 let taken = world.taken(&place, Action::new(walk, posture));
-                let goes_as = if taken.posture().is_low() { taken.posture() } else { Posture::Upright };
-                let way = match known.iter().find(|(as_well, _)| *as_well == goes_as) {
+                let stands_as = if taken.posture().is_low() { taken.posture() } else { Posture::Upright };
+                let goes_as = (walk, stands_as, world.walk_opens(place, taken.pressing(doors)));
+                let way = match leads.iter().find(|(as_well, _)| *as_well == goes_as) {
                     Some((_, way)) => *way,
                     None => {
-                        known.push((goes_as, ways.len()));
-                        ways.push(Way { walked: world.walk(place, taken), sights: Vec::new() });
+                        leads.push((goes_as, ways.len()));
+                        ways.push(Way { walked: world.walk(place, taken.pressing(doors)), sights: Vec::new() });
                         ways.len() - 1
                     }
                 };
                 let Way { walked, sights } = &mut ways[way];
-                let seen_as = if world.posture_is_unseen_on(walked) { goes_as } else { taken.posture() };
-                let sight = match seen.iter().find(|(as_well, of, _)| (*as_well, *of) == (seen_as, way)) {
+                // Hands that get to controls are looked for here, on all threads, and remembered.
+                let _ = world.worked(walked, taken.pressing(all));
+                let seen_as = if world.posture_is_unseen_on(walked) { stands_as } else { taken.posture() };
+                let sight = match shows.iter().find(|(as_well, of, _)| (*as_well, *of) == (seen_as, way)) {
                     Some((_, _, sight)) => *sight,
                     None => {
-                        seen.push((seen_as, way, sights.len()));
+                        shows.push((seen_as, way, sights.len()));
                         sights.push(world.sights(walked, seen_as));
                         sights.len() - 1
                     }
@@ -66,7 +95,7 @@ impl Ahead {
                 moves.push(Move { taken, way, sight });
             }
         }
-        Self { ways, moves }
+        moves
     }
 }
 

@@ -94,7 +94,9 @@ impl<P: Plant> Imagine for Simulation<P> {
             // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
             // Low ones lead elsewhere and are seen otherwise.
             let stands = world.posture_is_unseen() && !action.posture().is_low();
-            let others = Posture::USUAL.into_iter().filter(|p| *p != action.posture() && stands);
+            // So may those that get to another door.
+            let alike = stands && world.works_doors(action).is_none();
+            let others = Posture::USUAL.into_iter().filter(|p| *p != action.posture() && alike);
             let unseen = stands && action.presses().is_none();
             let mut goes_on = None;
             let mut foreseen: Option<(Arc<Sensed>, Foreseen)> = None;

@@ -8,6 +8,7 @@ use super::{Earlier, Frames, Hit, Stance, World};
 use crate::hazard::Contact;
 use crate::hazard::contact::{Apart, STANDSTILL_M_S};
 use crate::hazard::criterion::separation::{Separation, Stopping};
+use crate::human::Place;
 
 impl World {
     /// What is unsafe after step `i` of an action without ending it: a moving contact, or a robot that is too near.
@@ -33,7 +34,9 @@ impl World {
             }
         }
         match (&self.cell.separation, earlier.stopping()?) {
-            (Some(separation), Some(stopping)) => Ok(self.too_near(person, &frames[i], separation, &stopping)),
+            (Some(separation), Some(stopping)) => {
+                Ok(self.too_near((person, &stance.place), &frames[i], separation, &stopping))
+            }
             _ => Ok(None),
         }
     }
@@ -42,7 +45,7 @@ impl World {
     /// what an obstacle is between does not count.
     fn too_near(
         &self,
-        person: &Person,
+        (person, place): (&Person, &Place),
         frame: &RobotFrame,
         separation: &Separation,
         stopping: &Stopping,
@@ -58,7 +61,9 @@ impl World {
                 if required_m - ((centre - middle).length() - radius - half) <= lacks {
                     continue;
                 }
-                let Some(contact) = self.encounter.approach(person, frame, (part, &capsule), link) else { continue };
+                let Some(contact) = self.encounter(place).approach(person, frame, (part, &capsule), link) else {
+                    continue;
+                };
                 let missing = required_m - contact.distance_m;
                 if missing > lacks || (worst.is_none() && missing > 0.0) {
                     let stops_after_s = stopping.time_s;

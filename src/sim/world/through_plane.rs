@@ -260,14 +260,15 @@ impl World {
         let mut groups = frames.chunks(MOST_TOGETHER).zip(links.chunks(MOST_TOGETHER * per_frame.max(1)));
         groups.all(|(frames, links)| {
             let space = ArmSpace { walls: &walls, links: Some(links) };
-            self.encounter.no_arm_harmed(&arms.person, frames, &space, coverage)
+            // No doors open and close where there are planes.
+            self.encounters[0].no_arm_harmed(&arms.person, frames, &space, coverage)
         })
     }
 
     /// For each link of a run whether an arm can get hold of it past these planes.
     fn links_within(&self, arms: &Arms, passage: &Passage, run: &Run) -> Vec<bool> {
         let others: Vec<usize> = (0..arms.sides.len()).filter(|c| !passage.planes.contains(c)).collect();
-        let reach = self.encounter.arm.reach();
+        let reach = self.arm().reach();
         let within = |link: &Solid| {
             let (centre, radius) = link.bounding_sphere();
             arms.shoulders.iter().any(|shoulder| (centre - *shoulder).length() - radius <= reach)
@@ -282,11 +283,11 @@ impl World {
         let curtain = &self.curtains[c];
         match arms.sides[c] {
             ArmSide::Front => {
-                let reach = self.encounter.arm.reach();
+                let reach = self.arm().reach();
                 curtain.within(0.0, link)
                     || arms.shoulders.iter().any(|s| !curtain.closed.out_of_reach(*s, reach, link))
             }
-            _ => curtain.within(arms.ways[c].untold_limit_m - self.encounter.reach_tolerance_m, link),
+            _ => curtain.within(arms.ways[c].untold_limit_m - self.cell.search.reach_tolerance_m, link),
         }
     }
 
@@ -304,7 +305,7 @@ impl World {
             if let [run] = group {
                 let (walls, links) = (self.walls_past(passage, &run.ways), self.links_within(arms, passage, run));
                 let space = ArmSpace { walls: &walls, links: Some(&links) };
-                let found = self.encounter.unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
+                let found = self.encounters[0].unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
                 if let Some(found) = found {
                     return Some((run, found));
                 }
@@ -331,7 +332,7 @@ impl World {
     /// Whether a hand on a way past a plane can get hold of a link, and still could with the arm moved by the tolerance: the
     /// guarantee of the arm search asks for no more, and thin layers of space cost it most.
     fn in_reach(&self, way: &Way, link: &Solid) -> bool {
-        let far = way.limit_m - self.encounter.reach_tolerance_m;
+        let far = way.limit_m - self.cell.search.reach_tolerance_m;
         let curtain = &self.curtains[way.window.curtain];
         if way.back { curtain.within_before(far, link) } else { curtain.within(far, link) }
     }
@@ -363,7 +364,7 @@ impl World {
     /// The ways of an arm on this side of plane `c`.
     fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &Stance) -> Ways {
         let (curtain, since) = (&self.curtains[c], stance.broken[c]);
-        let reach = self.encounter.arm.reach();
+        let reach = self.arm().reach();
         let depths = person.arms.iter().map(|&arm| curtain.depth(person.body.shoulder(arm).translation));
         let (nearest, deepest) = depths.fold((f64::MAX, f64::MIN), |(n, d), depth| (n.min(depth), d.max(depth)));
         let (deepest, most_before) = (deepest + reach, reach - nearest);
@@ -408,7 +409,7 @@ impl World {
     /// [`Earlier`] for.
     #[must_use]
     pub fn windows_that_may_matter(&self, place: &Place, broken: &[usize]) -> Vec<Asked> {
-        let (at, arm) = (self.position(place) + Vec3::Z, self.encounter.arm.reach());
+        let (at, arm) = (self.position(place) + Vec3::Z, self.arm().reach());
         let of = |(curtain, &since): (&Curtain, &usize)| {
             let depth = curtain.depth(at);
             let deepest = depth + self.reach_m();

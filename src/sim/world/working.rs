@@ -2,7 +2,11 @@
 //!
 //! A hand works a control at the beginning of an action: from where the person then stands, turned and bent as the action has it, past
 //! the obstacles, by an arm search of its own. A person has two hands, so two controls at most, each by another hand; of more the first
-//! that can be worked together are. A press out of reach does nothing.
+//! that can be worked together are, doors before all others. A press out of reach does nothing.
+//!
+//! A control that opens and closes a door moves its leaf as the action begins. It does not close on somebody who stands in the way.
+//! Through a doorway whose door moves in the same action a hand works only what it gets to before and after: nobody reaches where a door
+//! closes on the arm, nor where it has still to open.
 //!
 //! Nobody reaches through a light curtain or a door unseen: where that is the only way, its sensor sees the arm for as long as the
 //! control is worked.
@@ -57,15 +61,28 @@ impl World {
     /// Which of its controls are really worked in an action that leads along this way.
     #[must_use]
     pub fn worked(&self, walked: &WalkTrace, action: Action) -> Worked {
+        self.worked_at(&walked.start, action)
+    }
+
+    /// The same in an action from a place, the turn already made and doors still as they were.
+    pub(super) fn worked_at(&self, start: &Place, action: Action) -> Worked {
+        let doors = self.works_doors(action);
+        let others = action.presses().either(doors);
         // Ways to share out what is worked so far among the hands: which are busy, and what is worked through which planes.
         let mut ways = vec![([false; 2], Worked::default())];
-        for control in action.presses().numbers().take_while(|control| *control < self.cell.controls.len()) {
+        for control in doors.numbers().chain(others.numbers()).filter(|control| *control < self.cell.controls.len()) {
             let by = self.cell.controls[control].by;
-            if by == ControlledBy::Nobody {
+            if by == ControlledBy::Nobody || (doors.has(control) && self.closes_on(start, action, control)) {
                 continue;
             }
             if by == ControlledBy::Person {
-                let hands = self.hands(&walked.start, action.posture(), control);
+                let mut hands = self.hands(start, action.posture(), control);
+                let moved = ways[0].1.presses.common(doors);
+                if !moved.is_none() {
+                    let after = start.with_open(start.open().either(moved));
+                    let after = self.hands(&after, action.posture(), control);
+                    hands = std::array::from_fn(|side| hands[side].filter(|_| after[side].is_some()));
+                }
                 let mut after = Vec::new();
                 for (busy, worked) in &ways {
                     for (side, through) in hands.iter().enumerate().filter(|(side, _)| !busy[*side]) {
@@ -84,6 +101,15 @@ impl World {
         }
         let planes = |worked: &Worked| worked.through.iter().map(|planes| planes.count_ones()).sum::<u32>();
         ways.into_iter().map(|(_, worked)| worked).min_by_key(planes).unwrap_or_default()
+    }
+
+    /// Whether a door would close on who is there: on where they stand, or on what bends or crawls through it.
+    fn closes_on(&self, place: &Place, action: Action, control: usize) -> bool {
+        let (closed, posture) = (place.with_open(place.open().either(Presses::one(control))), action.posture());
+        let has_room = || {
+            self.walker(&closed).is_free(closed, posture) && self.bend(&closed, posture) == self.bend(place, posture)
+        };
+        place.open().has(control) && !has_room()
     }
 
     /// Hands that get to a control, and through what.
@@ -110,7 +136,7 @@ impl World {
                     planes.iter().enumerate().filter(|(plane, _)| *plane >= MOST_PLANES || through >> plane & 1 == 0);
                 let walls: Vec<Cuboid> = closed.map(|(_, wall)| *wall).collect();
                 for (hand, side) in hands.iter_mut().zip(Side::BOTH) {
-                    *hand = hand.or_else(|| self.hand_gets_to(&body, side, &at, &walls).then_some(through));
+                    *hand = hand.or_else(|| self.hand_gets_to((place, &body), side, &at, &walls).then_some(through));
                 }
             }
             hands
@@ -118,16 +144,17 @@ impl World {
     }
 
     /// Whether one hand gets there, past these walls and the obstacles. A search that gives up counts as if it did.
-    fn hand_gets_to(&self, body: &PlacedBody, side: Side, at: &Capsule, walls: &[Cuboid]) -> bool {
-        if !shoulder::is_available(body, side, &self.boxes) {
+    fn hand_gets_to(&self, (place, body): (&Place, &PlacedBody), side: Side, at: &Capsule, walls: &[Cuboid]) -> bool {
+        let boxes = self.boxes(place);
+        if !shoulder::is_available(body, side, boxes) {
             return false;
         }
         // What is no deeper in it than the tolerance may be missed.
         let tolerance_m = self.cell.search.reach_tolerance_m;
         let target = Solid::Capsule(Capsule { radius: at.radius + tolerance_m, ..*at });
-        let obstacles: Vec<Cuboid> = self.boxes.iter().chain(walls).copied().collect();
+        let obstacles: Vec<Cuboid> = boxes.iter().chain(walls).copied().collect();
         let found = reach(&ReachQuery {
-            arm: &self.encounter.arm,
+            arm: self.arm(),
             side,
             world_from_shoulder: body.shoulder(side),
             carried_m: 0.0,

@@ -32,6 +32,11 @@ pub struct ObstacleTable {
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
     pub resolution_m: Option<Spanned<f64>>,
+    /// A door's leaf: name of the control, `kind = "toggled"`, that opens it and closes it again. While it is open, nothing is there; it
+    /// begins closed.
+    #[serde(default)]
+    #[schemars(with = "Option<String>")]
+    pub opened_by: Option<Spanned<String>>,
 }
 
 /// A mesh file of what stands still: STL, OBJ, glTF or GLB.

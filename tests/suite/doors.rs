@@ -1,0 +1,200 @@
+//! Doors that have a leaf: closed it is in the way of walks and arms, open it is not. The example whose flaw is what the controller
+//! makes of an open door.
+
+use std::sync::Arc;
+
+use fmi_hazard::human::{Action, Place, Posture, Presses, Walk};
+use fmi_hazard::scan::prepare::{Prepared, prepare};
+use fmi_hazard::sim::World;
+
+use crate::common::{examples, fmi_hazard, scan_json, write};
+
+/// The first control of the example, and the second.
+const DOOR: Presses = Presses::one(0);
+const RESET: Presses = Presses::one(1);
+
+/// The repaired example with something else in it.
+fn prepared(dir: &std::path::Path, more: &str) -> Prepared {
+    let text = format!("extends = \"fixed.toml\"\nname = \"variant\"\n{more}");
+    prepare(&write(&dir.join("door-edge"), "variant.toml", &text), None).unwrap()
+}
+
+fn world(prepared: &Prepared) -> World {
+    World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding))
+}
+
+fn go(presses: Presses) -> Action {
+    Action::new(Walk::Forward, Posture::Upright).pressing(presses)
+}
+
+/// By hand: the leaf's face is at y = -1.62 and the body 0.14 m thick before it, so nobody gets farther than -1.76 while it is closed.
+/// From -2.04, that is eight steps of 0.032 m.
+#[test]
+fn a_leaf_is_in_the_way_while_it_is_closed() {
+    let dir = examples();
+    let prepared = prepared(dir.path(), "[human]\nstart = { xy_m = [0.2, -2.04], heading_deg = 90 }\n");
+    let world = world(&prepared);
+    let y = |place: &Place| world.position(place).y;
+    let walk = |mut place: Place, actions: &[Action]| {
+        for action in actions {
+            place = world.walk(place, *action).end();
+        }
+        place
+    };
+    let stopped = walk(world.start(), &[go(Presses::NONE); 3]);
+    assert!((y(&stopped) + 1.784).abs() < 1e-9 && stopped.open().is_none(), "{}", y(&stopped));
+    // Opened, it stays open, and is no more in the way of bends than of walks.
+    let inside = walk(stopped, &[go(DOOR), go(Presses::NONE)]);
+    assert!((y(&inside) + 1.784 - 0.64).abs() < 1e-9 && inside.open() == DOOR, "{}", y(&inside));
+    let bends = |open| {
+        let walked = world.walk(stopped.with_open(open), Action::new(Walk::Stop, Posture::Forward));
+        let sensed = world.sense(
+            &world.delays_at_start(),
+            open,
+            &world.sights(&walked, Posture::Forward),
+            &world.worked(&walked, go(Presses::NONE)),
+        );
+        let body = world.body_of(&world.stance(&walked, (0, 9), Posture::Forward, &sensed));
+        body.parts()[0].1.a.y
+    };
+    assert!(bends(DOOR) > bends(Presses::NONE) + 0.1, "{} {}", bends(DOOR), bends(Presses::NONE));
+    // Closed behind the person, it keeps them in; who is out of reach of the handle leaves it as it is.
+    let back = [Action::new(Walk::Left90, Posture::Upright), Action::new(Walk::Left90, Posture::Upright)];
+    let out = [go(Presses::NONE); 6];
+    let near = walk(inside, &back[..1]);
+    let shut = walk(near, &[Action::new(Walk::Stop, Posture::Upright).pressing(DOOR)]);
+    assert!(shut.open().is_none(), "{:?}", world.position(&near));
+    assert!(y(&walk(walk(shut, &back[1..]), &out)) > -1.6 + 0.14);
+    assert!(y(&walk(walk(near, &back[1..]), &out)) < -1.6 - 0.14);
+    let far = walk(inside, &[go(Presses::NONE), go(Presses::NONE), go(DOOR)]);
+    assert_eq!(far.open(), DOOR);
+    // It does not close on who stands in the doorway, and the FMU is not told that it did.
+    let doorway = walk(stopped, &[go(DOOR)]);
+    assert!(y(&doorway) > -1.6 - 0.14 && y(&doorway) < -1.6 + 0.14, "{}", y(&doorway));
+    let stands = Action::new(Walk::Stop, Posture::Upright).pressing(DOOR);
+    let walked = world.walk(doorway, stands);
+    assert!(world.worked(&walked, stands).presses.is_none() && walked.end().open() == DOOR);
+    // Nor on who bends through it from before; upright there it does.
+    let before = world.start().with_open(DOOR);
+    for (posture, closes) in [(Posture::Upright, true), (Posture::Forward, false), (Posture::ForwardLeft, false)] {
+        let works = Action::new(Walk::Stop, posture).pressing(DOOR);
+        assert_eq!(world.walk(before, works).end().open().is_none(), closes, "{posture:?}");
+    }
+}
+
+/// Nobody presses a button on the other side of a door that closes or opens in the same action; before or after, they do.
+#[test]
+fn no_hand_is_where_a_door_moves() {
+    let dir = examples();
+    // A button in the way of the leaf's edge, outside, and one inside.
+    let button = |y: f64| {
+        format!(
+            "[remove]\ncontrol = [\"reset\"]\n[[control]]\nname = \"reset\"\nvariable = \"plc.reset\"\nat_m = [0.2, {y}, 1.1]\n\
+             [human]\nstart = {{ xy_m = [0.2, -2.04], heading_deg = 90 }}\n"
+        )
+    };
+    let stands = |presses| Action::new(Walk::Stop, Posture::Upright).pressing(presses);
+    let both = DOOR.and(RESET);
+    for (y, outside) in [(-1.7, true), (-1.4, false)] {
+        let prepared = prepared(dir.path(), &button(y));
+        let world = world(&prepared);
+        let before = world.walk(world.start(), go(Presses::NONE)).end();
+        let inside = [go(DOOR), go(Presses::NONE)].iter().fold(before, |at, a| world.walk(at, *a).end());
+        let back = Action::new(Walk::Right90, Posture::Upright);
+        let inside = world.walk(inside, back).end().with_open(Presses::NONE);
+        for (at, same_side) in [(before, outside), (inside, !outside)] {
+            let worked = |open, presses| {
+                let walked = world.walk(at.with_open(open), stands(presses));
+                world.worked(&walked, stands(presses)).presses
+            };
+            let told = format!("y {y}, from {:?}", world.position(&at));
+            // What is on this side is always in reach, what is on the other side through an open door.
+            assert_eq!(worked(Presses::NONE, RESET) == RESET, same_side, "{told}");
+            assert_eq!(worked(DOOR, RESET), RESET, "{told}");
+            for open in [Presses::NONE, DOOR] {
+                assert_eq!(worked(open, both), if same_side { both } else { DOOR }, "{told}, {open:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_door_that_stops_on_an_edge_only_is_found_told_and_mended() {
+    let dir = examples();
+    // A robot that stops at once can be started again at once: six actions are enough.
+    let near = "[search]\nactions = 6\n[parameters]\n\"ctrl.t_ramp\" = 0.05\n\"plc.t_react\" = 0.0\n";
+    for (base, out, hazards) in [("cell.toml", "flawed", true), ("fixed.toml", "fixed", false)] {
+        let text = format!("extends = \"{base}\"\nname = \"near\"\n{near}");
+        let file = write(&dir.path().join("door-edge"), &format!("near-{out}.toml"), &text);
+        let mut scan = fmi_hazard(dir.path());
+        scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", out]);
+        let ran = scan.output().unwrap();
+        let told = String::from_utf8_lossy(&ran.stdout);
+        let report = scan_json(&dir.path().join(out));
+        assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}");
+        let certificate = &report["certificate"];
+        assert!(certificate["complete"] == true && certificate["actions"] == 144, "{certificate}");
+        for cause in report["causes"].as_array().unwrap() {
+            let sentence = cause["sentence"].as_str().unwrap();
+            assert!(
+                sentence.starts_with("The person opens door at ") && sentence.contains("the person presses reset at"),
+                "{sentence}"
+            );
+        }
+        let found = report["hazards"].as_array().unwrap();
+        assert_eq!(!found.is_empty(), hazards, "{told}");
+        for hazard in found {
+            assert!(hazard["confirmed"] == true && hazard["worked"][0]["opens"] == true, "{hazard}");
+        }
+    }
+    let page = std::fs::read_to_string(dir.path().join("flawed/report.html")).unwrap();
+    assert!(page.contains("\"opened_by\":\"door\""));
+    // What helps is a parameter of the FMU.
+    let worst = scan_json(&dir.path().join("flawed"))["hazards"][0]["id"].as_str().unwrap().to_owned();
+    let mut explain = fmi_hazard(dir.path());
+    let ran = explain.args(["explain", "flawed", &worst, "--max-states", "1000"]).output().unwrap();
+    let told = String::from_utf8_lossy(&ran.stdout);
+    assert!(told.contains("plc.hold_while_open = true") && told.contains("the person opens door"), "{told}");
+}
+
+#[test]
+fn mistakes_about_doors_are_told() {
+    let dir = examples();
+    for (changed, to, problem) in [
+        ("opened_by = \"door\"", "opened_by = \"gate\"", "is opened by `gate`, which is no control"),
+        ("opened_by = \"door\"", "opened_by = \"reset\"", "which does not stay as it was put"),
+        (
+            "[human]",
+            "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\nvariable = \"plc.door_closed\"\nactive = false\n\
+             zone = { line_m = [[-1, 0], [1, 0]], heights_m = [0, 2] }\n[human]",
+            "obstacle `door leaf` opens, in a cell with a light curtain",
+        ),
+    ] {
+        let text = std::fs::read_to_string(dir.path().join("door-edge/cell.toml")).unwrap();
+        assert!(text.contains(changed));
+        let file = write(&dir.path().join("door-edge"), "wrong.toml", &text.replace(changed, to));
+        let error = prepare(&file, None).err().unwrap().to_string();
+        assert!(error.contains(problem), "{error}");
+    }
+    // From anywhere they are taken to be open, which is told.
+    let mut scan = fmi_hazard(dir.path());
+    let ran = scan
+        .args([
+            "scan",
+            "door-edge/fixed.toml",
+            "--from",
+            "anywhere",
+            "--until",
+            "1s",
+            "--presses",
+            "0",
+            "--no-advice",
+            "--out",
+            "any",
+        ])
+        .output()
+        .unwrap();
+    let told = String::from_utf8_lossy(&ran.stdout);
+    assert!(told.contains("all doors are taken to be open"), "{told}");
+    assert_ne!(scan_json(&dir.path().join("any"))["verdict"], "none_found");
+}
