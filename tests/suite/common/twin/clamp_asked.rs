@@ -119,6 +119,7 @@ impl Asked {
         });
         cell.obstacles = boxes.collect();
         cell.obstacle_tables = vec![None; cell.obstacles.len()];
+        cell.opened_by = vec![None; cell.obstacles.len()];
         for (robot, m_r) in cell.robots.iter_mut().zip(case.masses) {
             robot.moving_mass_kg = 2.0 * (m_r - 2.0);
         }
