@@ -55,19 +55,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     fs::write(fmus.join(format!("{}.fmu", interface::types3::NAME)), pack(&types, &binary, &[])?)?;
     let mut examples = String::from("pub(crate) static EXAMPLES: &[Example] = &[\n");
-    for spec in interface::WORKCELLS {
-        let parts = interface::coupled::all().into_iter().map(|part| part.name);
-        let parts = parts.filter(|part| part.starts_with(spec.name));
-        let names: Vec<String> = std::iter::once(spec.name.to_owned()).chain(parts).collect();
+    let stations = (interface::coupled::STATIONS, interface::coupled::STATIONS_ABOUT);
+    let cells = interface::WORKCELLS.iter().map(|spec| (spec.name, spec.description));
+    let (parts, of_stations) = (interface::coupled::all(), interface::coupled::stations());
+    for (cell, description) in cells.chain([stations]) {
+        let whole = interface::WORKCELLS.iter().filter(|spec| spec.name == cell).map(|spec| spec.name.to_owned());
+        let parts = parts.iter().chain(&of_stations).map(|part| part.name.clone());
+        let parts = parts.filter(|part| part.strip_prefix(cell).is_some_and(|rest| rest.starts_with('-')));
+        let names: Vec<String> = whole.chain(parts).collect();
         let names = names.iter().cloned().chain(names.iter().map(|name| format!("{name}-fmi3")));
-        writeln!(examples, "    Example {{\n        name: {:?},\n        summary: {:?},", spec.name, spec.description)?;
+        writeln!(examples, "    Example {{\n        name: {cell:?},\n        summary: {description:?},")?;
         writeln!(examples, "        fmus: &[")?;
         for name in names {
             let file = format!("{name}.fmu");
             writeln!(examples, "            ({file:?}, include_bytes!({:?})),", utf8(&fmus.join(&file))?)?;
         }
         writeln!(examples, "        ],\n        files: &[")?;
-        for (name, file) in &cell_files(&scenarios.join(spec.name))? {
+        for (name, file) in &cell_files(&scenarios.join(cell))? {
             writeln!(examples, "            ({name:?}, include_bytes!({:?})),", utf8(file)?)?;
         }
         writeln!(examples, "        ],\n    }},")?;

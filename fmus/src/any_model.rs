@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use crate::bytes::Reader;
-use crate::cells::coupled::{Controller, Kinematics, Plc};
+use crate::cells::coupled::{Controller, Kinematics, Plc, StationsPlc};
 use crate::cells::faulty::Faulty;
 use crate::cells::gantry::Gantry;
 use crate::cells::guarded::Guarded;
@@ -20,6 +20,8 @@ pub enum AnyModel {
     Workcell(Workcell),
     /// A safety controller to be coupled.
     Plc(Plc),
+    /// One with two stations.
+    StationsPlc(StationsPlc),
     /// A robot controller to be coupled.
     Controller(Controller),
     /// Kinematics to be coupled.
@@ -56,8 +58,9 @@ impl AnyModel {
             "liar" => Some(AnyModel::Liar(Liar::new())),
             "guarded" => Some(AnyModel::Guarded(Guarded::new())),
             "sensor_mat_plc" => Some(AnyModel::Plc(Plc::new())),
-            "sensor_mat_controller" => Some(AnyModel::Controller(Controller::new())),
-            "sensor_mat_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
+            "two_operators_plc" => Some(AnyModel::StationsPlc(StationsPlc::new())),
+            "sensor_mat_controller" | "two_operators_controller" => Some(AnyModel::Controller(Controller::new())),
+            "sensor_mat_kinematics" | "two_operators_kinematics" => Some(AnyModel::Kinematics(Kinematics::new())),
             _ => Workcell::new(identifier).map(AnyModel::Workcell),
         }
     }
@@ -67,6 +70,7 @@ impl AnyModel {
         match self {
             AnyModel::Workcell(model) => model,
             AnyModel::Plc(model) => model,
+            AnyModel::StationsPlc(model) => model,
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
@@ -81,6 +85,7 @@ impl AnyModel {
         match self {
             AnyModel::Workcell(model) => model,
             AnyModel::Plc(model) => model,
+            AnyModel::StationsPlc(model) => model,
             AnyModel::Controller(model) => model,
             AnyModel::Kinematics(model) => model,
             AnyModel::Faulty(model) => model,
@@ -110,6 +115,7 @@ impl AnyModel {
         match self {
             AnyModel::Workcell(model) => *model = model.fresh(),
             AnyModel::Plc(model) => *model = Plc::new(),
+            AnyModel::StationsPlc(model) => *model = StationsPlc::new(),
             AnyModel::Controller(model) => *model = Controller::new(),
             AnyModel::Kinematics(model) => *model = Kinematics::new(),
             AnyModel::Faulty(model) => model.reset(),
@@ -141,6 +147,7 @@ impl AnyModel {
         match self {
             AnyModel::Workcell(model) => model.read(input).map(AnyModel::Workcell),
             AnyModel::Plc(_) => Plc::read(input).map(AnyModel::Plc),
+            AnyModel::StationsPlc(_) => StationsPlc::read(input).map(AnyModel::StationsPlc),
             AnyModel::Controller(_) => Controller::read(input).map(AnyModel::Controller),
             AnyModel::Kinematics(_) => Kinematics::read(input).map(AnyModel::Kinematics),
             AnyModel::Faulty(_) => Faulty::read(input).map(AnyModel::Faulty),

@@ -13,6 +13,7 @@ fn models() -> Vec<Interface> {
     let cells = WORKCELLS.into_iter().map(|spec| interface(spec, Variant::Faithful).0);
     cells
         .chain(coupled::all().into_iter().take(2))
+        .chain(coupled::stations().into_iter().take(1))
         .chain([faulty::interface(Variant::Faithful), gantry::interface()])
         .collect()
 }

@@ -12,7 +12,7 @@ Something that a person does only where the cell file says so: each makes the se
 
 Action: TypeAlias = str
 """
-A walk and a posture, for 200 ms, and the controls that are worked meanwhile, by their numbers in the cell file.
+A walk and a posture, for 200 ms, those of the second person behind them where there is one, and the controls that are worked meanwhile, by their numbers in the cell file.
 """
 
 
@@ -989,6 +989,33 @@ class RunAgain(TypedDict):
     """
 
 
+class SecondRecord(TypedDict):
+    """
+    A second person.
+    """
+
+    also: NotRequired[list[Ability]]
+    """
+    What they do besides walking, bending and reaching.
+    """
+    heading_deg: float
+    """
+    Where they look then, degrees from +x towards +y.
+    """
+    names: list[str]
+    """
+    What the first and the second person are called.
+    """
+    run_m_s: NotRequired[float | None]
+    """
+    How fast they run, m/s, if they do.
+    """
+    xy_m: list[float]
+    """
+    Where the second one begins, floor plan, m.
+    """
+
+
 class SensorState(TypedDict):
     """
     A sensor's output.
@@ -1453,6 +1480,10 @@ class Working(TypedDict):
     by: ControlledBy
     """
     Who works it.
+    """
+    by_either: NotRequired[bool]
+    """
+    Whether either of two people may be the one who works it.
     """
     door: NotRequired[bool]
     """
@@ -2143,6 +2174,10 @@ class Settings(TypedDict):
     """
     How fast who runs does so, m/s.
     """
+    second: NotRequired[SecondRecord | None]
+    """
+    A second person beside them.
+    """
     seed: int
     """
     Seed.
@@ -2407,6 +2442,7 @@ Hazard = TypedDict(
         'id': str,
         'judged': NotRequired[Judged | None],
         'limit_n': float,
+        'person': NotRequired[str | None],
         'person_heading_deg': float,
         'person_xy_m': list[float],
         'phase': int | None,
@@ -2573,6 +2609,10 @@ class Explanation(TypedDict):
     robot: Robot
     """
     The robot that hits.
+    """
+    second: NotRequired[SecondRecord | None]
+    """
+    A second person, if there is one.
     """
     sensors: list[Reports]
     """

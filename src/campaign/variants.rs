@@ -43,6 +43,10 @@ pub fn variants(description: &Description, path: &Path, folder: &Path) -> Result
     for cell in &description.cells {
         let base = beside.join(cell);
         let OpenedCell { cell: opened, .. } = open(&base, None)?;
+        if opened.second.is_some() && !description.bodies.is_empty() {
+            let what = format!("{} has two people: [[body]] does not say of whom", base.display());
+            return Err(wrong(what, "give each body in a cell file of its own, or in [[over.human]] by name"));
+        }
         let plain = all.len() == 1
             && description.over.is_empty()
             && description.bodies.is_empty()

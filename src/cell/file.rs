@@ -20,6 +20,7 @@ mod inertias;
 pub mod layers;
 mod limits;
 mod obstacles;
+mod people;
 pub mod reading;
 mod robots;
 mod sensors;

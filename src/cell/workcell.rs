@@ -13,7 +13,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
-use crate::human::{Body, Presses, Repertoire, Start};
+use crate::human::{Body, Presses, Repertoire, Start, Who};
 use crate::standards::iso_13855::{Detection, Opening};
 
 /// The leaf of an open door is so deep in the ground, m.
@@ -75,8 +75,10 @@ pub struct Workcell {
     pub body: Body,
     /// How fast hands move, m/s, where arms take their time.
     pub arm_speed_m_s: Option<f64>,
-    /// What the person does.
+    /// What the person does, and a second one beside it.
     pub repertoire: Repertoire,
+    /// A second person.
+    pub second: Option<SecondPerson>,
     /// What of contacts counts as unsafe.
     pub criteria: Criteria,
     /// How far robots go on after a contact.
@@ -92,6 +94,19 @@ pub struct Workcell {
     pub baseline: Option<String>,
     /// The file itself, for binding variables.
     pub(super) file: Arc<CellFile>,
+}
+
+/// A second person in a cell.
+#[derive(Clone, Debug)]
+pub struct SecondPerson {
+    /// What the first and the second person are called.
+    pub names: [String; 2],
+    /// Where the person begins.
+    pub start: Start,
+    /// The person's body.
+    pub body: Body,
+    /// What the person does.
+    pub repertoire: Repertoire,
 }
 
 /// What became of a start area.
@@ -334,6 +349,29 @@ impl Workcell {
     pub fn doors(&self) -> Presses {
         let doors = self.controls.iter().enumerate().filter(|(_, control)| control.door);
         doors.fold(Presses::NONE, |doors, (number, _)| doors.and(Presses::one(number)))
+    }
+
+    /// What the people are called, where there are two.
+    #[must_use]
+    pub fn names(&self) -> Option<&[String; 2]> {
+        self.second.as_ref().map(|second| &second.names)
+    }
+
+    /// Who is called so; nobody, where there is no such name, and the only person, where there is one.
+    #[must_use]
+    pub fn who(&self, name: Option<&str>) -> Option<Who> {
+        match &self.second {
+            None => Some(Who::First),
+            Some(second) => Who::ALL.into_iter().find(|who| name == Some(second.names[*who as usize].as_str())),
+        }
+    }
+
+    /// The same cell with its second person alone, if there is one.
+    #[must_use]
+    pub fn of_second(&self) -> Option<Self> {
+        let second = self.second.as_ref()?;
+        let (start, body, repertoire) = (second.start, second.body.clone(), second.repertoire.clone());
+        Some(Self { start, body, repertoire, second: None, ..self.clone() })
     }
 
     /// What is in the way while some doors are open, in the order of the obstacles: each keeps its number.

@@ -214,6 +214,7 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
     }
     for control in &cell.controls {
         let who = match control.by {
+            ControlledBy::Person if cell.second.is_some() => "either of the people, where a hand gets to it",
             ControlledBy::Person => "the person, where a hand gets to it",
             ControlledBy::Anyone => "a colleague, at any moment",
             ControlledBy::Nobody => "nobody, while the person is there",
@@ -242,7 +243,10 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
 fn starts(cell: &Workcell) -> Vec<String> {
     let own = match cell.start_areas.is_empty() {
         true => cell.beginnings.len(),
-        false => cell.file().human.start.iter().chain(&cell.file().human.other_starts).count(),
+        false => {
+            let human = &cell.file().human.first;
+            human.start.iter().chain(&human.other_starts).count()
+        }
     };
     let mut lines: Vec<String> = Vec::new();
     for beginning in &cell.beginnings[..own.min(cell.beginnings.len())] {
@@ -250,6 +254,10 @@ fn starts(cell: &Workcell) -> Vec<String> {
         let after = beginning.begins_s(cell.step_s);
         let after = if after > 0.0 { format!(" {after:.2} s after the FMU") } else { String::new() };
         lines.push(format!("  person    starts at ({x:.2}, {y:.2}) m{after}"));
+    }
+    if let Some(second) = &cell.second {
+        let [x, y] = second.start.xy_m();
+        lines.push(format!("  person    {} starts at ({x:.2}, {y:.2}) m, beside {}", second.names[1], second.names[0]));
     }
     for StartArea { spacing_m, headings, places, left_out } in &cell.start_areas {
         let [s, h] = [*places, *headings].map(|count| if count == 1 { "" } else { "s" });

@@ -147,7 +147,8 @@ fn again(prepared: &Prepared, hazard: &Hazard, recording: Option<&Path>) -> Resu
         Err(error) => return Ok(replayed(Reproduction::NotReproduced, None, Some(error.to_string()))),
     };
     let cell = (Arc::clone(&there.cell), Arc::clone(&there.binding));
-    let found = replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions)
+    let who = there.cell.who(hazard.person.as_deref());
+    let found = replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions, who)
         .map_err(|error| Failure::running(format!("{}: the FMU failed: {error}", hazard.id)))?;
     if let Some(file) = recording {
         recording::write(&there, hazard, file)?;

@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::criterion::Class;
 use crate::geometry::Vec3;
-use crate::human::action::Action;
+use crate::human::{Action, Who};
 
 /// A sequence of human actions that reached an unsafe state.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +18,8 @@ pub struct Finding {
     pub step: usize,
     /// Time of the contact, s.
     pub time_s: f64,
+    /// Whom it happens to.
+    pub who: Who,
     /// Where the person stands at the contact, floor plan, m.
     pub person: Vec3,
     /// Heading of the person, rad from +x towards +y.

@@ -1,7 +1,7 @@
 //! Findings of the same kind under one stable id.
 //!
 //! A hazard's identity is what the engineer would call the same problem: class, body region, robot link, sensor states,
-//! programme phase, and the 0.25 m square of floor the person stands on. Its id is a hash of exactly these, so the
+//! programme phase, the 0.25 m square of floor the person stands on, and which of two people it is. Its id is a hash of exactly these, so the
 //! same hazard has the same id in every scan of the same cell.
 
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use sha2::{Digest as _, Sha256};
 use super::criterion::Class;
 use super::finding::Finding;
 use crate::geometry::Vec3;
-use crate::human::Action;
+use crate::human::{Action, Who};
 use crate::standards::BodyRegion;
 
 /// Edge of a place cell, m.
@@ -35,6 +35,7 @@ pub struct Identity {
     sensors: Vec<bool>,
     phase: Option<i64>,
     place: (i64, i64),
+    who: Who,
 }
 
 impl Identity {
@@ -48,6 +49,7 @@ impl Identity {
             sensors: finding.sensors.clone(),
             phase: finding.phase,
             place: place_cell(finding.person),
+            who: finding.who,
         }
     }
 
@@ -57,7 +59,9 @@ impl Identity {
         let sensors: String = self.sensors.iter().map(|&s| if s { '1' } else { '0' }).collect();
         let phase = self.phase.map_or_else(|| "-".to_owned(), |p| p.to_string());
         let class = self.class.name();
-        let text = format!("{class}|{}|{}|{sensors}|{phase}|{},{}", self.region, self.link, self.place.0, self.place.1);
+        let who = if self.who == Who::Second { "|second" } else { "" };
+        let (x, y) = self.place;
+        let text = format!("{class}|{}|{}|{sensors}|{phase}|{x},{y}{who}", self.region, self.link);
         let hash = Sha256::digest(text.as_bytes());
         format!("H-{:02x}{:02x}{:02x}", hash[0], hash[1], hash[2])
     }
@@ -112,9 +116,10 @@ impl Groups {
         if let Some(group) = self.groups.get_mut(&identity) {
             group.times_found += 1;
             group.earliest_s = group.earliest_s.min(finding.time_s);
-            if let (Some(all), Some(more)) = (&mut group.sequences, sequences) {
-                *all += more;
-            }
+            group.sequences = match (group.sequences.take(), sequences) {
+                (Some(all), Some(more)) => Some(all + more),
+                (known, more) => known.or(more),
+            };
             if calmness(&finding.actions) < calmness(&group.shortest.actions) {
                 group.shortest = finding.clone();
             }

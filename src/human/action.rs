@@ -9,7 +9,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::Presses;
+use super::{Presses, Who};
 
 /// Duration of one action, s.
 pub const ACTION_S: f64 = 0.2;
@@ -175,15 +175,18 @@ impl Posture {
     }
 }
 
-/// One action: a walk, a posture, and which controls are worked. Its text form (`Display`, `FromStr`, serde) is like
-/// `left45/bend-forward`, with `+press1` behind it where the first control of the cell file is worked. How actions are
-/// counted, a [`Repertoire`](super::Repertoire) says.
+/// One action: a walk, a posture, and which controls are worked; where there are two people, what both of them do. Its text form
+/// (`Display`, `FromStr`, serde) is like `left45/bend-forward`, with `&stop/upright` behind it for a second person who stands, and
+/// then `+press1` where the first control of the cell file is worked. How actions are counted, a
+/// [`Repertoire`](super::Repertoire) says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Action {
     presses: Presses,
     walk: Walk,
     posture: Posture,
+    /// What the second person does, where there is one.
+    second: Option<(Walk, Posture)>,
 }
 
 impl JsonSchema for Action {
@@ -195,9 +198,9 @@ impl JsonSchema for Action {
         let walks = Walk::ALL.map(Walk::id).join("|");
         let postures = Posture::ALL.map(Posture::id).join("|");
         json_schema!({
-            "description": "A walk and a posture, for 200 ms, and the controls that are worked meanwhile, by their numbers in the cell file.",
+            "description": "A walk and a posture, for 200 ms, those of the second person behind them where there is one, and the controls that are worked meanwhile, by their numbers in the cell file.",
             "type": "string",
-            "pattern": format!("^({walks})/({postures})(\\+press[1-{}])*$", Presses::MOST),
+            "pattern": format!("^({walks})/({postures})(&({walks})/({postures}))?(\\+press[1-{}])*$", Presses::MOST),
         })
     }
 }
@@ -214,7 +217,7 @@ impl Action {
     /// The action that joins a walk and a posture.
     #[must_use]
     pub const fn new(walk: Walk, posture: Posture) -> Self {
-        Self { presses: Presses::NONE, walk, posture }
+        Self { presses: Presses::NONE, walk, posture, second: None }
     }
 
     /// The same with these controls worked.
@@ -229,11 +232,47 @@ impl Action {
         Self { posture, ..self }
     }
 
+    /// The same while a second person does what `other` says.
+    #[must_use]
+    pub const fn beside(self, other: Self) -> Self {
+        Self { second: Some((other.walk, other.posture)), ..self }
+    }
+
+    /// What one of the people does, and the controls that are worked, by whomever; where there is no second one, they stand
+    /// upright.
+    #[must_use]
+    pub const fn of(self, who: Who) -> Self {
+        match (who, self.second) {
+            (Who::First, _) => Self { second: None, ..self },
+            (Who::Second, None) => Self::REST.pressing(self.presses),
+            (Who::Second, Some((walk, posture))) => Self::new(walk, posture).pressing(self.presses),
+        }
+    }
+
+    /// The same but for what one of the people does.
+    #[must_use]
+    pub const fn with(self, who: Who, does: Self) -> Self {
+        match who {
+            Who::First => Self { walk: does.walk, posture: does.posture, ..self },
+            Who::Second => self.beside(does),
+        }
+    }
+
+    /// Whether it says what a second person does.
+    #[must_use]
+    pub const fn is_of_two(self) -> bool {
+        self.second.is_some()
+    }
+
     /// How far from standing upright it is, to compare sequences of the same length: walking costs 2 and one more for
     /// each 45 degrees of a turn, backwards or when running, a bend forward or sideways 1, both 2, a low posture 3, each control
-    /// that is worked 1.
+    /// that is worked 1. Two people make the efforts of both.
     #[must_use]
     pub const fn effort(self) -> u32 {
+        let second = match self.second {
+            Some((walk, posture)) => Self::new(walk, posture).effort(),
+            None => 0,
+        };
         let walk = match self.walk() {
             Walk::Stop => 0,
             Walk::Forward => 2,
@@ -246,7 +285,7 @@ impl Action {
             Posture::ForwardLeft | Posture::ForwardRight => 2,
             Posture::Kneeling | Posture::Crouching | Posture::Crawling => 3,
         };
-        walk + bend + self.presses.count()
+        walk + bend + self.presses.count() + second
     }
 
     /// The controls that are worked.
@@ -276,7 +315,9 @@ impl fmt::Display for Action {
 
 impl From<Action> for String {
     fn from(action: Action) -> Self {
-        format!("{}/{}{}", action.walk().id(), action.posture().id(), action.presses)
+        let moves = |(walk, posture): (Walk, Posture)| format!("{}/{}", walk.id(), posture.id());
+        let second = action.second.map(|second| format!("&{}", moves(second))).unwrap_or_default();
+        format!("{}{second}{}", moves((action.walk, action.posture)), action.presses)
     }
 }
 
@@ -285,10 +326,15 @@ impl FromStr for Action {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let mut parts = text.split("+press");
-        let moves = parts.next().and_then(|moves| moves.split_once('/')).and_then(|(walk, posture)| {
+        let one = |moves: &str| {
+            let (walk, posture) = moves.split_once('/')?;
             let walk = Walk::ALL.into_iter().find(|candidate| candidate.id() == walk)?;
             let posture = Posture::ALL.into_iter().find(|candidate| candidate.id() == posture)?;
             Some(Self::new(walk, posture))
+        };
+        let moves = parts.next().and_then(|moves| match moves.split_once('&') {
+            Some((first, second)) => Some(one(first)?.beside(one(second)?)),
+            None => one(moves),
         });
         let named = parts.try_fold(moves, |so_far, number| {
             let control = number.parse::<usize>().ok().filter(|n| (1..=Presses::MOST).contains(n))?;
@@ -327,7 +373,9 @@ mod tests {
         let all = || Presses::all(Presses::MOST).flat_map(|set| moves().map(move |action| action.pressing(set)));
         let texts: BTreeSet<_> = all().map(|action| action.to_string()).collect();
         assert_eq!(texts.len(), 8 * 9 * 64);
-        for action in all() {
+        let of_two =
+            moves().flat_map(|first| moves().map(move |second| first.beside(second).pressing(Presses::one(3))));
+        for action in all().chain(of_two) {
             assert_eq!(action.to_string().parse(), Ok(action));
             let json = serde_json::to_string(&action).unwrap();
             assert_eq!(json, format!("\"{action}\""));
@@ -350,12 +398,29 @@ mod tests {
             "stop/upright/",
             "Stop/upright",
             "left45 /bend-forward",
+            "stop/upright&",
+            "stop/upright&stop",
+            "stop/upright+press1&stop/upright",
+            "stop/upright&stop/upright&stop/upright",
             "7",
         ] {
             let error = text.parse::<Action>().unwrap_err();
             assert!(error.to_string().starts_with(&format!("`{text}` is not an action")), "{error}");
             assert!(serde_json::from_str::<Action>(&format!("\"{text}\"")).is_err());
         }
+    }
+
+    /// Of two people each does what is said of it, and both work the controls.
+    #[test]
+    fn two_people_do_what_is_said_of_each() {
+        let (a, b) = (Action::new(Walk::Left45, Posture::Forward), Action::new(Walk::Stop, Posture::Crouching));
+        let both = a.beside(b).pressing(Presses::one(0));
+        assert_eq!(both.to_string(), "left45/bend-forward&stop/crouch+press1");
+        assert_eq!([Who::First, Who::Second].map(|who| both.of(who).pressing(Presses::NONE)), [a, b]);
+        assert_eq!(both.of(Who::Second).presses(), Presses::one(0));
+        assert_eq!(both.with(Who::First, b).with(Who::Second, a), b.beside(a).pressing(Presses::one(0)));
+        assert_eq!(both.effort(), a.effort() + b.effort() + 1);
+        assert_eq!((a.of(Who::First), a.of(Who::Second)), (a, Action::REST));
     }
 
     /// Left and right mirror each other, in turns and in bends.

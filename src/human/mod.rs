@@ -25,6 +25,7 @@ pub mod reach;
 pub mod repertoire;
 pub mod shoulder;
 pub mod walk;
+pub mod who;
 
 pub use action::{Action, Posture, Walk};
 pub use body::{Anthropometry, Body, Radii};
@@ -38,3 +39,4 @@ pub use pose_box::PoseBox;
 pub use posture::BendFraction;
 pub use presses::Presses;
 pub use repertoire::{Ability, Repertoire};
+pub use who::Who;

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Action, Posture, Presses, Walk};
+use super::{Action, Posture, Presses, Walk, Who};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Something that a person does only where the cell file says so: each makes the search larger, and no standard counts on it.
@@ -60,7 +60,8 @@ impl Ability {
 }
 
 /// The actions of a cell's person. The index of one is `(set of controls * walks + walk) * postures + posture`, walks and postures
-/// by their places in the lists, so what everybody does comes first.
+/// by their places in the lists, so what everybody does comes first. Where there is a second person, it is that times the number of
+/// what the second one does, and then its own index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repertoire {
     walks: Vec<Walk>,
@@ -68,6 +69,8 @@ pub struct Repertoire {
     abilities: Vec<Ability>,
     controls: usize,
     strides: u8,
+    /// What the second person does beside them, without controls.
+    second: Option<Box<Self>>,
 }
 
 impl Repertoire {
@@ -82,7 +85,7 @@ impl Repertoire {
         let walks = Walk::USUAL.into_iter().chain(abilities.iter().filter_map(|ability| ability.walk())).collect();
         let low = abilities.iter().filter_map(|ability| ability.posture());
         let postures = Posture::USUAL.into_iter().chain(low).collect();
-        Self { walks, postures, abilities, controls, strides: strides.max(1) }
+        Self { walks, postures, abilities, controls, strides: strides.max(1), second: None }
     }
 
     /// What everybody does in a cell with so many controls.
@@ -91,10 +94,36 @@ impl Repertoire {
         Self::new(&[], 1, controls)
     }
 
+    /// The same while a second person does any of what `second` does without its controls.
+    #[must_use]
+    pub fn beside(self, second: Self) -> Self {
+        Self { second: Some(Box::new(Self { controls: 0, ..second })), ..self }
+    }
+
+    /// What one of the people does; of nobody, where there is no second one.
+    #[must_use]
+    pub fn of(&self, who: Who) -> Option<&Self> {
+        match who {
+            Who::First => Some(self),
+            Who::Second => self.second.as_deref(),
+        }
+    }
+
     /// Number of actions.
     #[must_use]
-    pub const fn count(&self) -> usize {
-        self.moves() << self.controls
+    pub fn count(&self) -> usize {
+        (self.moves() << self.controls) * self.of_second()
+    }
+
+    /// Number of what the second person does; 1 if there is none.
+    fn of_second(&self) -> usize {
+        self.second.as_ref().map_or(1, |second| second.moves())
+    }
+
+    /// The indices of what either of the people does in the action with an index.
+    #[must_use]
+    pub fn apart(&self, index: usize) -> (usize, usize) {
+        (index / self.of_second(), index % self.of_second())
     }
 
     /// Number of actions without a control.
@@ -109,10 +138,12 @@ impl Repertoire {
     /// For an index that the cell does not have: another action in its place would be looked at twice, and its own never.
     #[must_use]
     pub fn action(&self, index: usize) -> Action {
-        let presses = Presses::from_index(index / self.moves());
+        let (own, seconds) = self.apart(index);
+        let presses = Presses::from_index(own / self.moves());
         assert!(index < self.count() && presses.is_some(), "there is no action {index}");
-        let (walk, posture) = (index % self.moves() / self.postures.len(), index % self.postures.len());
-        Action::new(self.walks[walk], self.postures[posture]).pressing(presses.unwrap_or(Presses::NONE))
+        let (walk, posture) = (own % self.moves() / self.postures.len(), own % self.postures.len());
+        let action = Action::new(self.walks[walk], self.postures[posture]).pressing(presses.unwrap_or(Presses::NONE));
+        self.second.as_ref().map_or(action, |second| action.beside(second.action(seconds)))
     }
 
     /// Every action once, in the order of the index.
@@ -126,6 +157,13 @@ impl Repertoire {
         let walk = self.walks.iter().position(|walk| *walk == action.walk())?;
         let posture = self.postures.iter().position(|posture| *posture == action.posture())?;
         let index = (action.presses().index() * self.walks.len() + walk) * self.postures.len() + posture;
+        let index = match &self.second {
+            Some(second) if action.is_of_two() => {
+                index * second.moves() + second.index(action.of(Who::Second).pressing(Presses::NONE))?
+            }
+            None if !action.is_of_two() => index,
+            _ => return None,
+        };
         (index < self.count()).then_some(index)
     }
 
@@ -187,6 +225,23 @@ mod tests {
         assert_eq!((pressed.index(walk), pressed.index(pressing)), (Some(13), Some(72 + 13)));
         assert_eq!(usual.index(pressing), None);
         assert_eq!(pressing.effort(), walk.effort() + 1);
+    }
+
+    /// Two people: each does all of its own with all of the other's, and standing is the first of both.
+    #[test]
+    fn two_people_do_everything_beside_each_other() {
+        let crawls = Repertoire::new(&[Ability::Crawl], 1, 3);
+        let both = Repertoire::usual(1).beside(crawls.clone());
+        assert_eq!(both.count(), 2 * 36 * 42);
+        for (index, action) in both.all().enumerate() {
+            assert_eq!(both.index(action), Some(index));
+            let (own, seconds) = both.apart(index);
+            assert_eq!(action.of(Who::First), Repertoire::usual(1).action(own));
+            assert_eq!(action.of(Who::Second).pressing(Presses::NONE), crawls.action(seconds));
+        }
+        assert_eq!(both.action(0), Action::REST.beside(Action::REST));
+        assert_eq!((both.index(Action::REST), Repertoire::usual(0).index(both.action(0))), (None, None));
+        assert_eq!(both.of(Who::Second).map(Repertoire::count), Some(42));
     }
 
     #[test]

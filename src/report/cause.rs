@@ -149,7 +149,7 @@ impl Cause {
         let share = counted.as_ref().zip(all).and_then(|(part, all)| Some(part.to_f64()? / all.to_f64()?));
         Self {
             id,
-            sentence: sentence(worst, around),
+            sentence: sentence(worst, around) + &also_hit(hazards),
             robot,
             part,
             sensors: worst.sensors.clone(),
@@ -233,13 +233,25 @@ fn sentence(hazard: &Hazard, around: &Circumstances) -> String {
     }
 }
 
+/// Where others are hit than in the worst hazard: that they are.
+fn also_hit(hazards: &[&Hazard]) -> String {
+    let other =
+        hazards.iter().filter(|hazard| hazard.person != hazards[0].person).find_map(|hazard| hazard.person.as_ref());
+    other.map_or_else(String::new, |name| format!(" {} is hit too.", capitalised(name)))
+}
+
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
-    let region = hazard.body_region.words();
+    let region = match &hazard.person {
+        Some(name) => format!("{} of {name}", hazard.body_region.words()),
+        None => hazard.body_region.words().to_owned(),
+    };
+    // A sensor does not tell who it is.
+    let person = if hazard.person.is_some() { "somebody" } else { "the person" };
     let speed = hazard.speed_m_s;
     let (does, held) = does(hazard);
     // Of several robots the link's name says which.
@@ -273,7 +285,7 @@ fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
             format!("{link}{load} goes on at {speed:.2} m/s and {does}")
         };
         return format!(
-            "{} {has} reported the person{for_so_long}, but {robot} the {region}{reach}{held}.",
+            "{} {has} reported {person}{for_so_long}, but {robot} the {region}{reach}{held}.",
             joined(&names)
         );
     }
@@ -284,10 +296,11 @@ fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
     match (hazard.sensors.len(), around.outside.iter().min_by(|a, b| a.1.total_cmp(&b.1))) {
         (0, _) => format!("No sensor watches over this: {hit}."),
         (_, Some((name, metres))) => {
-            format!("No sensor reports the person, who stands {metres:.2} m outside of {name}: {hit}.")
+            let person = hazard.person.as_deref().unwrap_or("the person");
+            format!("No sensor reports {person}, who stands {metres:.2} m outside of {name}: {hit}.")
         }
-        (1, None) => format!("{} does not report the person: {hit}.", hazard.sensors[0].name),
-        (_, None) => format!("No sensor reports the person: {hit}."),
+        (1, None) => format!("{} does not report {person}: {hit}.", hazard.sensors[0].name),
+        (_, None) => format!("No sensor reports {person}: {hit}."),
     }
 }
 

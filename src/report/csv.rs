@@ -78,6 +78,9 @@ const CAUSE_COLUMNS: [&str; 13] = [
 /// the body can give way, what the limit is one of, what holds it, and the measure in words.
 const CRITERION_COLUMNS: [&str; 5] = ["criterion", "contact_kind", "limit_kind", "held_against", "measure_and_limit"];
 
+/// The last column of hazards where there are two people: who of them is hit.
+const WHOM_COLUMN: &str = "who_is_hit";
+
 /// What they say of a hazard or a cause.
 fn criterion(class: Class, judged: Option<&Judged>, measure: String) -> Vec<String> {
     let text = |value: Option<String>| value.unwrap_or_default();
@@ -106,8 +109,9 @@ pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String,
     let cause_of: BTreeMap<&str, &str> =
         report.causes.iter().flat_map(|c| c.hazards.iter().map(|id| (id.as_str(), c.id.as_str()))).collect();
     let more: &[&str] = if report.settings.criteria.is_some() { &CRITERION_COLUMNS } else { &[] };
+    let whom: &[&str] = if report.settings.second.is_some() { &[WHOM_COLUMN] } else { &[] };
     let header: Vec<&str> =
-        [&["id", "cause", "cell"], &KIND_COLUMNS[..], &HAZARD_COLUMNS, &PERSON_COLUMNS, more].concat();
+        [&["id", "cause", "cell"], &KIND_COLUMNS[..], &HAZARD_COLUMNS, &PERSON_COLUMNS, more, whom].concat();
     let row = |hazard: &Hazard| {
         let cause = cause_of.get(hazard.id.as_str()).copied().unwrap_or_default();
         let person = assessments.get(&hazard.id).or_else(|| assessments.get(cause)).cloned().unwrap_or_default();
@@ -143,6 +147,9 @@ pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String,
         let mut row = whole([&hazard.id, cause, &report.subject.title()], hazard.class, own.to_vec(), &person);
         if !more.is_empty() {
             row.extend(criterion(hazard.class, judged, hazard.measure_words()));
+        }
+        if !whom.is_empty() {
+            row.push(hazard.person.clone().unwrap_or_default());
         }
         row
     };

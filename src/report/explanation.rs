@@ -11,9 +11,10 @@ use serde::Serialize;
 use super::advice::{self, Remedy};
 use super::model::{Hazard, STANDARD_EDITION, Through};
 use super::paragraph::{wrapped, wrapped_under};
+use super::people::SecondRecord;
 use super::worked::Working;
 use crate::hazard::criterion::Class;
-use crate::human::{Action, Walk};
+use crate::human::{Action, Walk, Who};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
 use crate::standards::tables::tables;
@@ -25,6 +26,9 @@ pub struct Explanation {
     pub hazard: Hazard,
     /// Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
     pub start: ([f64; 2], f64),
+    /// A second person, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub second: Option<SecondRecord>,
     /// When the person starts, s after the FMU.
     pub begins_s: f64,
     /// Duration of an action, s.
@@ -123,17 +127,31 @@ impl Explanation {
         let mut say = |text: &str| out += &wrapped(text, "   ");
         let ([x, y], heading) = self.start;
         let when = if self.begins_s > 0.0 { format!(" {:.2} s after the FMU,", self.begins_s) } else { String::new() };
-        say(&format!("The person starts{when} at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees, and then"));
-        for (from, line) in steps(&hazard.actions, &hazard.worked, self.action_s) {
+        let person = self.second.as_ref().map_or("The person", |second| &second.names[0]);
+        let begins = format!("starts{when} at ({x:.2}, {y:.2}) m, looking towards {heading:.0} degrees");
+        match &self.second {
+            None => say(&format!("{person} {begins}, and then")),
+            Some(SecondRecord { names, xy_m: [x, y], heading_deg, .. }) => say(&format!(
+                "{person} {begins}, {} at ({x:.2}, {y:.2}) m, looking towards {heading_deg:.0} degrees, and then",
+                names[1]
+            )),
+        }
+        let names = self.second.as_ref().map(|second| &second.names);
+        for (from, line) in steps(&hazard.actions, &hazard.worked, names, self.action_s) {
             say(&format!("{from:5.2} s  {line}"));
         }
         for sensor in &self.sensors {
-            say(&format!("{} {}.", sensor.name, sensor.words()));
+            let whom = if self.second.is_some() { "somebody" } else { "the person" };
+            say(&format!("{} {}.", sensor.name, sensor.words(whom)));
         }
         let arm = hazard.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
         let meets = if hazard.class == Class::Separation { "comes too near" } else { "meets" };
+        let (of, who) = match &hazard.person {
+            Some(name) => (format!(" of {name}"), name.clone()),
+            None => (String::new(), "The person".to_owned()),
+        };
         say(&format!(
-            "At {:.2} s the robot's {}, which moves at {:.2} m/s, {meets} the {}{arm} at ({:.2}, {:.2}, {:.2}) m. The person \
+            "At {:.2} s the robot's {}, which moves at {:.2} m/s, {meets} the {}{of}{arm} at ({:.2}, {:.2}, {:.2}) m. {who} \
              stands at ({:.2}, {:.2}) m then.",
             hazard.time_s,
             hazard.robot_link,
@@ -265,12 +283,13 @@ fn reflected(reflected_kg: f64, effective_kg: f64) -> String {
 }
 
 impl Reports {
-    fn words(&self) -> String {
+    /// For people; a sensor does not tell which of two it reports.
+    fn words(&self, whom: &str) -> String {
         if self.changes_s.is_empty() {
             return "reports nobody on the way".to_owned();
         }
         let word = |(number, time): (usize, &f64)| match number % 2 {
-            0 => format!("reports the person from {time:.2} s"),
+            0 => format!("reports {whom} from {time:.2} s"),
             _ => format!("nobody from {time:.2} s"),
         };
         self.changes_s.iter().enumerate().map(word).collect::<Vec<_>>().join(", ")
@@ -278,16 +297,13 @@ impl Reports {
 }
 
 /// Equal actions together, with the time at which they begin.
-fn steps(actions: &[Action], worked: &[Working], action_s: f64) -> Vec<(f64, String)> {
+fn steps(actions: &[Action], worked: &[Working], names: Option<&[String; 2]>, action_s: f64) -> Vec<(f64, String)> {
+    let turns = |action: &Action| Who::ALL.into_iter().any(|who| action.of(who).walk().turn_eighths() != 0);
     let mut steps: Vec<(usize, usize, Action)> = Vec::new();
     for (number, action) in actions.iter().enumerate() {
         match steps.last_mut() {
             // A turn is made once each time, and what is worked is told each time.
-            Some((_, times, last))
-                if last == action && action.presses().is_none() && action.walk().turn_eighths() == 0 =>
-            {
-                *times += 1
-            }
+            Some((_, times, last)) if last == action && action.presses().is_none() && !turns(action) => *times += 1,
             _ => steps.push((number, 1, *action)),
         }
     }
@@ -296,7 +312,15 @@ fn steps(actions: &[Action], worked: &[Working], action_s: f64) -> Vec<(f64, Str
         let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
         let meanwhile = worked.iter().filter(|working| (working.at_s - from).abs() < 0.5 * action_s);
         let meanwhile: String = meanwhile.map(|working| format!("; {}", working.words())).collect();
-        (from, format!("{}, {}, for {lasts:.1} s{meanwhile}", walks(action.walk()), action.posture().words()))
+        let does = |action: Action| format!("{}, {}", walks(action.walk()), action.posture().words());
+        let does = match names {
+            None => does(action),
+            Some(names) => {
+                let of = |who: Who| format!("{} {}", names[who as usize], does(action.of(who)));
+                format!("{}; {}", of(Who::First), of(Who::Second))
+            }
+        };
+        (from, format!("{does}, for {lasts:.1} s{meanwhile}"))
     };
     steps.into_iter().map(told).collect()
 }

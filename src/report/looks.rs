@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::criteria::{CriteriaRecord, judges, tells_all};
 use super::model::{Hazard, Settings};
+use super::people::SecondRecord;
 use super::worked::ControlRecord;
 use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::hazard::{Class, Criterion};
@@ -25,6 +26,8 @@ pub struct Looks {
     pub also: Vec<Ability>,
     /// How fast who runs does so, m/s.
     pub run_m_s: Option<f64>,
+    /// A second person beside them.
+    pub second: Option<SecondRecord>,
     /// Controls that are worked.
     #[serde(default)]
     pub controls: Vec<ControlRecord>,
@@ -48,6 +51,7 @@ impl From<&Settings> for Looks {
             arm_speed_m_s: settings.arm_speed_m_s,
             also: settings.also.clone(),
             run_m_s: settings.run_m_s,
+            second: settings.second.clone(),
             controls: settings.controls.clone(),
             actions_per_sequence: settings.actions_per_sequence,
             contact_check_interval_s: settings.contact_check_interval_s,
@@ -107,11 +111,16 @@ impl Looks {
         self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
     }
 
-    /// Whether the person does the same here. What somebody can do matters for every hazard, not only for those on the way to which it is
-    /// done: who may be below a light curtain is not held back by it.
+    /// Whether the people do the same here, and a second one begins at the same place. What somebody can do matters for every hazard,
+    /// not only for those on the way to which it is done: who may be below a light curtain is not held back by it.
     #[must_use]
     pub fn does_the_same_as(&self, earlier: &Self) -> bool {
-        (&self.also, self.run_m_s) == (&earlier.also, earlier.run_m_s)
+        let beside = match (&self.second, &earlier.second) {
+            (Some(mine), Some(its)) => mine.does_the_same_as(its),
+            (None, None) => true,
+            _ => false,
+        };
+        beside && (&self.also, self.run_m_s) == (&earlier.also, earlier.run_m_s)
     }
 
     fn works(&self, earlier: &Self, control: usize) -> bool {
@@ -178,6 +187,7 @@ mod tests {
             arm_speed_m_s: Some(2.0),
             also: Vec::new(),
             run_m_s: None,
+            second: None,
             controls: Vec::new(),
             actions_per_sequence: 8,
             contact_check_interval_s: 0.02,

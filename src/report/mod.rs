@@ -56,6 +56,7 @@ pub mod moved;
 pub mod page;
 pub mod paper;
 mod paragraph;
+pub mod people;
 pub mod recorded;
 pub mod sarif;
 pub mod speeds;

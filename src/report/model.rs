@@ -8,6 +8,7 @@ use super::cause::Cause;
 use super::criteria::CriteriaRecord;
 use super::immovable;
 use super::judged::Judged;
+use super::people::SecondRecord;
 use super::speeds::SpeedRecord;
 use super::worked::{ControlRecord, Working, worked_words};
 use crate::hazard::{Class, Criterion, Group, finding};
@@ -245,6 +246,9 @@ pub struct Settings {
     /// How fast who runs does so, m/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_m_s: Option<f64>,
+    /// A second person beside them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<SecondRecord>,
     /// Controls that the search works.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub controls: Vec<ControlRecord>,
@@ -297,6 +301,9 @@ pub struct Hazard {
     /// How it was judged, where another criterion counts than the transient force.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judged: Option<Judged>,
+    /// Who is hit, where there are two people.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub person: Option<String>,
     /// Body region touched.
     pub body_region: BodyRegion,
     /// Robot link that touches.
@@ -577,7 +584,7 @@ pub struct SensorState {
 impl Hazard {
     /// The record of a group; names by index.
     #[must_use]
-    pub fn new(group: &Group, link_names: &[String], sensor_names: &[String]) -> Self {
+    pub fn new(group: &Group, link_names: &[String], sensor_names: &[String], people: Option<&[String; 2]>) -> Self {
         let f = &group.worst;
         let c = &f.contact;
         let arm = f.arm.map(|a| Arm {
@@ -594,6 +601,7 @@ impl Hazard {
             begins: None,
             class: f.class,
             judged: Judged::of(c, f.class, link_names),
+            person: people.map(|names| names[f.who as usize].clone()),
             body_region: c.region,
             robot_link: link_names[c.link].clone(),
             force_n: c.force_n,
@@ -665,8 +673,12 @@ impl Hazard {
     /// What happens, in words.
     #[must_use]
     pub fn described(&self) -> String {
-        let state =
-            |s: &SensorState| format!("{} {}", s.name, if s.person_detected { "reports the person" } else { "clear" });
+        let reports = if self.person.is_some() { "reports somebody" } else { "reports the person" };
+        let stands = match &self.person {
+            Some(name) => format!("{name} stands"),
+            None => "the person stands".to_owned(),
+        };
+        let state = |s: &SensorState| format!("{} {}", s.name, if s.person_detected { reports } else { "clear" });
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
         let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));
@@ -676,7 +688,7 @@ impl Hazard {
         };
         let meets = if self.class == Class::Separation { "comes too near" } else { "meets" };
         format!(
-            "at {:.2} s the robot's {} {meets} the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; the person stands at ({:.2}, \
+            "at {:.2} s the robot's {} {meets} the {} at {:.2} m/s at ({:.2}, {:.2}, {:.2}) m; {stands} at ({:.2}, \
              {:.2}){sensors}{worked}{begins}",
             self.time_s,
             self.robot_link,

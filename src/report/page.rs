@@ -186,6 +186,14 @@ const ROUND: f64 = 2048.0;
 #[derive(Clone, Debug, Default)]
 pub struct Floats(pub Vec<f64>);
 
+impl Floats {
+    /// Whether there is none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
 impl Serialize for Floats {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         // To half a millimetre, in a way that leaves zeros behind, which gzip likes.
@@ -209,6 +217,12 @@ pub struct Replay {
     pub links: Floats,
     /// Frames x parts x 6: end points.
     pub body: Floats,
+    /// The same of another person, who is not hit; empty if there is none.
+    #[serde(skip_serializing_if = "Floats::is_empty")]
+    pub beside: Floats,
+    /// Their arms, which hang.
+    #[serde(skip_serializing_if = "Floats::is_empty")]
+    pub beside_arms: Floats,
     /// Frames x 2 x 9: shoulder, elbow and wrist of the left arm, then of the right. They hang; one that touches is raised
     /// to the pose that touches, for the reader alone: the model looks at all poses at once.
     pub arms: Floats,

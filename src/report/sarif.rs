@@ -118,7 +118,8 @@ fn result(report: &ScanReport, hazard: &Hazard, file: &CellFile, baseline: Optio
         .actions
         .iter()
         .map(|action| {
-            json!({ "location": { "physicalLocation": place(), "message": { "text": format!("the person: {action}") } } })
+            let who = if action.is_of_two() { "both people" } else { "the person" };
+            json!({ "location": { "physicalLocation": place(), "message": { "text": format!("{who}: {action}") } } })
         })
         .collect();
     let mut out = json!({

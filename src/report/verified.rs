@@ -90,9 +90,9 @@ impl Verified {
                 "NOT JUDGED   {id}  the changed cell does not count {} as strictly{}",
                 self.hazard.class.name().replace('_', " "),
                 if self.hazard.worked.is_empty() {
-                    ", or has slower arms: see [criteria] and [human]"
+                    ", or has slower arms, or people who do or begin otherwise: see [criteria] and [human]"
                 } else {
-                    ", or lacks a control that is worked on the way, or has slower arms: see [criteria], [[control]] and [human]"
+                    ", or lacks a control that is worked on the way, or has slower arms, or people who do or begin otherwise: see [criteria], [[control]] and [human]"
                 }
             ),
             Outcome::NotRun { cause } => format!("NOT RUN      {id}  the FMU failed: {cause}"),

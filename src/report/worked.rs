@@ -33,6 +33,9 @@ pub struct Working {
     pub control: ControlRecord,
     /// When the action begins, s.
     pub at_s: f64,
+    /// Whether either of two people may be the one who works it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub by_either: bool,
     /// Of a door: whether it is opened, or closed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub opens: Option<bool>,
@@ -50,6 +53,7 @@ impl Working {
     #[must_use]
     pub fn words(&self) -> String {
         let who = match self.control.by {
+            ControlledBy::Person if self.by_either => "one of the people",
             ControlledBy::Person => "the person",
             ControlledBy::Anyone => "a colleague",
             ControlledBy::Nobody => "nobody",
@@ -64,9 +68,9 @@ impl Working {
         format!("{who} {does} {}", self.control.name)
     }
 
-    /// What is worked in a sequence, in order, of which this is worked in each action.
+    /// What is worked in a sequence, in order, of which this is worked in each action; by either of two people, or by the only one.
     #[must_use]
-    pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control]) -> Vec<Self> {
+    pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control], by_either: bool) -> Vec<Self> {
         let (mut all, mut open) = (Vec::new(), Presses::NONE);
         for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]
@@ -74,7 +78,12 @@ impl Working {
             open = open.either(presses);
             let worked = presses.numbers().filter_map(|number| Some((number, controls.get(number)?)));
             let opens = |number, control: &Control| control.door.then(|| open.has(number));
-            all.extend(worked.map(|(n, control)| Self { control: control.into(), at_s, opens: opens(n, control) }));
+            all.extend(worked.map(|(n, control)| Self {
+                control: control.into(),
+                at_s,
+                by_either,
+                opens: opens(n, control),
+            }));
         }
         all
     }
@@ -115,7 +124,7 @@ mod tests {
             control("mode", ControlledBy::Anyone, ControlKind::Toggled),
         ];
         let [reset, mode] = [0, 1].map(Presses::one);
-        let worked = Working::all([Presses::NONE, reset.and(mode), Presses::NONE, mode, mode], &controls);
+        let worked = Working::all([Presses::NONE, reset.and(mode), Presses::NONE, mode, mode], &controls, false);
         assert_eq!(
             worked_words(&worked),
             "the person presses reset at 0.20 s, a colleague switches mode at 0.20 s, 0.60 s and 0.80 s"
@@ -124,7 +133,7 @@ mod tests {
         let door = Control { door: true, ..control("door", ControlledBy::Person, ControlKind::Toggled) };
         let door = [door, controls[0].clone()];
         let [opens, reset] = [0, 1].map(Presses::one);
-        let worked = Working::all([opens, reset, opens, opens], &door);
+        let worked = Working::all([opens, reset, opens, opens], &door, false);
         assert_eq!(
             worked_words(&worked),
             "the person opens door at 0.00 s and 0.60 s, the person presses reset at 0.20 s, the person closes door at 0.40 s"

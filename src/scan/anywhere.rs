@@ -73,6 +73,11 @@ pub type Tell<'a> = dyn FnMut(Told) -> ControlFlow<()> + 'a;
 /// Why nobody can be looked for anywhere in a cell.
 #[must_use]
 pub fn refusal(prepared: &Prepared) -> Option<String> {
+    if prepared.cell.second.is_some() {
+        return Some(
+            "two people have their starts; to look from anywhere, leave one of them out of the cell file".to_owned(),
+        );
+    }
     let controls = two_hand(prepared).len();
     (controls > MOST_TWO_HAND).then(|| {
         format!("the cell has {controls} two-hand controls; up to {MOST_TWO_HAND} can be looked at from anywhere")

@@ -81,7 +81,7 @@ pub(super) fn attempts(
         let mut not_run = None;
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
-            let mut hazard = Hazard::new(group, links, &sensors);
+            let mut hazard = Hazard::new(group, links, &sensors, prepared.cell.names());
             hazard.worked = worked(prepared, &hazard.actions);
             hazard.name_obstacles(|number| prepared.cell.obstacles[number].0.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
@@ -239,14 +239,14 @@ pub(super) fn worked(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
         return Vec::new();
     }
     let world = World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    let mut place = world.start();
+    let mut places = world.starts();
     let presses = actions.iter().map(|action| {
-        let action = world.taken(&place, *action);
-        let walked = world.walk(place, action);
-        place = walked.end();
-        world.worked(&walked, action).presses
+        let action = world.taken_by_all(&places, *action);
+        let walks = world.walks(places, action);
+        places = walks.ends();
+        world.worked_by(&walks.starts(), action).presses
     });
-    Working::all(presses, &prepared.cell.controls)
+    Working::all(presses, &prepared.cell.controls, prepared.cell.second.is_some())
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit, and for how long each sensor had
@@ -258,7 +258,8 @@ pub(super) fn confirm(
     finding: &Finding,
     not_run: &mut Option<PlantError>,
 ) -> (Option<bool>, Vec<Option<f64>>) {
-    match replay_watched(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding), plant, &finding.actions) {
+    let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+    match replay_watched(cell, binding, plant, &finding.actions, Some(finding.who)) {
         Ok((again, since)) => match again.as_ref() == Some(finding) {
             true => (Some(true), since),
             false => (Some(false), Vec::new()),

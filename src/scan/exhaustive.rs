@@ -159,6 +159,10 @@ impl Expansion for Watched<'_> {
     fn bytes(&self) -> usize {
         self.expander.bytes()
     }
+
+    fn state_bytes(&self) -> usize {
+        self.expander.state_bytes()
+    }
 }
 
 /// Communication steps that the audit may take: as many as the search, where steps are what costs, and a small part of what
@@ -175,7 +179,7 @@ fn after(world: &World, prefixes: &Prefixes, finding: Finding) -> Finding {
 
 /// The calmest of many beginnings and what comes then, as the person takes it.
 fn taken(world: &World, prefixes: &Prefixes, then: impl Iterator<Item = Action>) -> Vec<Action> {
-    let before = prefixes.calmest.iter().map(|&action| world.cell.repertoire.action(usize::from(action)));
+    let before = prefixes.calmest.iter().map(|&action| world.cell.repertoire.action(action as usize));
     world.as_taken(&before.chain(then).collect::<Vec<_>>())
 }
 
@@ -192,6 +196,7 @@ pub(super) fn census(
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
+    let people = prepared.cell.names();
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
     let expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
@@ -204,17 +209,20 @@ pub(super) fn census(
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
                 return ControlFlow::Continue(());
             };
-            groups
-                .get(&id)
-                .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
+            groups.get(&id).map_or(ControlFlow::Continue(()), |group| {
+                tell(Progress::Found(&Hazard::new(group, links, &sensors, people)))
+            })
         }
         Told::Noted { unsafe_state, prefixes } => {
-            let Some(id) = groups.add(after(&world, prefixes, unsafe_state), 0, links) else {
+            // Of two who are hit at once the sequence counts for the first.
+            let counted = unsafe_state.class.ends().then_some(BigUint::ZERO);
+            let finding = after(&world, prefixes, unsafe_state);
+            let Some(id) = groups.add_counted(finding, counted, 0, links) else {
                 return ControlFlow::Continue(());
             };
-            groups
-                .get(&id)
-                .map_or(ControlFlow::Continue(()), |group| tell(Progress::Found(&Hazard::new(group, links, &sensors))))
+            groups.get(&id).map_or(ControlFlow::Continue(()), |group| {
+                tell(Progress::Found(&Hazard::new(group, links, &sensors, people)))
+            })
         }
         Told::Failed { reason, action, prefixes } => {
             if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {

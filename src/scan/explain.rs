@@ -8,6 +8,7 @@ use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
 use crate::report::model::Hazard;
+use crate::report::people::SecondRecord;
 use crate::sim::simulation::Watched;
 
 /// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.
@@ -34,6 +35,7 @@ pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Optio
     Some(Explanation {
         hazard: hazard.clone(),
         start: (cell.start.xy_m(), cell.start.heading_deg()),
+        second: SecondRecord::of(cell),
         begins_s: cell.begins_s(),
         action_s: ACTION_S,
         sensors: cell.sensors.iter().enumerate().map(reports).collect(),

@@ -13,7 +13,7 @@ use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 use crate::host::system::UnitPort;
 use crate::host::{Hosted, Plant as _, PlantError};
 use crate::human::arm::ArmModel;
-use crate::human::{Action, BendFraction, Posture};
+use crate::human::{Action, BendFraction, Posture, Who};
 use crate::report::model::{Hazard, Through};
 use crate::report::page::{
     ArmPose, ArmShape, Begun, Floats, LinkLook, LinkShape, Obstacle, PartShape, Replay, RobotBase, Scenery, StartPlace,
@@ -145,7 +145,7 @@ fn button(control: &Control) -> Option<ZoneOutline> {
     Some(ZoneOutline { name: control.name.clone(), kind: "button", polygon_m: outline::button(control)?, z_m })
 }
 
-/// Runs the sequence of `hazard` and keeps everything that there is to see. Where it takes an arm through a light curtain,
+/// Runs the sequence of `hazard` and keeps everything that there is to see, of two people with the one who is hit as the person. Where it takes an arm through a light curtain,
 /// the FMU is told so, at the time with which the contact was judged.
 ///
 /// # Errors
@@ -153,7 +153,8 @@ fn button(control: &Control) -> Option<ZoneOutline> {
 pub fn watch(simulation: &mut Simulation<Hosted>, prepared: &Prepared, hazard: &Hazard) -> Result<Watched, PlantError> {
     let through: Vec<ReachedThrough> =
         hazard.through.iter().filter_map(|t| reached_through(prepared, hazard, t)).collect();
-    simulation.watch(&hazard.actions, &through)
+    let who = prepared.cell.who(hazard.person.as_deref()).unwrap_or_default();
+    Ok(simulation.watch(&hazard.actions, &through)?.by(who))
 }
 
 fn reached_through(prepared: &Prepared, hazard: &Hazard, through: &Through) -> Option<ReachedThrough> {
@@ -231,6 +232,19 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         contact_frame,
         links: Floats(instants.iter().flat_map(|instant| instant.frame.links.iter().flat_map(place)).collect()),
         body: Floats(instants.iter().flat_map(|i| i.body.parts().iter().flat_map(|(_, part)| ends(part))).collect()),
+        beside_arms: Floats(if instants.iter().any(|instant| instant.second.is_some()) {
+            let others = arms::arms(&watched.clone().by(Who::Second).instants, contact_frame, None, step_s);
+            others.iter().flatten().flatten().flat_map(|joint| joint.to_array()).collect()
+        } else {
+            Vec::new()
+        }),
+        beside: Floats(
+            instants
+                .iter()
+                .filter_map(|instant| instant.second.as_ref())
+                .flat_map(|(_, body)| body.parts().iter().flat_map(|(_, part)| ends(part)))
+                .collect(),
+        ),
         arms: Floats(arms.iter().flatten().flatten().flat_map(|joint| joint.to_array()).collect()),
         arm: hazard
             .arm

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use crate::hazard::group::calmness;
 use crate::hazard::{Finding, Identity};
 use crate::host::{Plant, PlantError};
-use crate::human::{Action, Posture, Walk};
+use crate::human::{Action, Posture, Presses, Walk, Who};
 use crate::search::Environment as _;
 use crate::sim::Simulation;
 
@@ -79,12 +79,16 @@ fn candidates(actions: &[Action]) -> Vec<Vec<Action>> {
         replaced
     };
     for (at, action) in actions.iter().enumerate() {
-        for walk in [Walk::Stop, Walk::Forward, action.walk()] {
-            for posture in [Posture::Upright, Posture::Forward, Posture::Left, Posture::Right, action.posture()] {
-                let moves = Action::new(walk, posture);
-                all.push(replace(at, moves));
-                if !action.presses().is_none() {
-                    all.push(replace(at, moves.pressing(action.presses())));
+        let people = if action.is_of_two() { &Who::ALL[..] } else { &Who::ALL[..1] };
+        for &who in people {
+            let does = action.of(who);
+            for walk in [Walk::Stop, Walk::Forward, does.walk()] {
+                for posture in [Posture::Upright, Posture::Forward, Posture::Left, Posture::Right, does.posture()] {
+                    let moves = action.with(who, Action::new(walk, posture)).pressing(Presses::NONE);
+                    all.push(replace(at, moves));
+                    if !action.presses().is_none() {
+                        all.push(replace(at, moves.pressing(action.presses())));
+                    }
                 }
             }
         }

@@ -21,7 +21,7 @@ use crate::fmi::Fmu;
 use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
-use crate::human::Start;
+use crate::human::{Start, Who};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
@@ -214,12 +214,22 @@ fn fit(
     let setup = binding.setup(&names, world.initial_inputs(), cell.step_s);
     let setup = SystemSetup { lead_in_steps: cell.lead_in_steps(), ..setup };
     let start = world.position(&world.start());
-    let free_start = if world.start_is_free() {
+    let second = world.of(Who::Second).filter(|second| !second.start_is_free());
+    let free_start = if let Some(second) = second {
+        let start = second.position(&second.start());
+        let message = format!(
+            "the second person's start ({:.2}, {:.2}) m is inside an obstacle or touches one",
+            start.x, start.y
+        );
+        let span = cell.file().human.second.as_ref().map_or_else(|| source.table("human"), |table| table.start.span());
+        let help = "move it; the body needs 0.14 m of room around it".to_owned();
+        Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
+    } else if world.start_is_free() {
         Ok(())
     } else {
         let message =
             format!("the person's start ({:.2}, {:.2}) m is inside an obstacle or touches one", start.x, start.y);
-        let human = &cell.file().human;
+        let human = &cell.file().human.first;
         let starts: Vec<_> = human.start.iter().chain(&human.other_starts).collect();
         let number = cell.beginning % cell.starts.len();
         let which = if number == 0 { "human.start" } else { "this one of human.other_starts" };

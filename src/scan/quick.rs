@@ -27,6 +27,8 @@ pub(super) struct Quick<'a> {
     options: ScanOptions,
     links: &'a [String],
     sensors: Vec<String>,
+    /// What the people are called, where there are two.
+    people: Option<[String; 2]>,
     strategy: Box<dyn Strategy<Simulation<Hosted>>>,
     simulation: Simulation<Hosted>,
     rng: Rng,
@@ -80,6 +82,7 @@ impl<'a> Quick<'a> {
             options,
             links,
             sensors: prepared.cell.sensors.iter().map(|s| s.name.clone()).collect(),
+            people: prepared.cell.names().cloned(),
             strategy: strategy.build(),
             simulation,
             rng: Rng::new(options.seed),
@@ -133,7 +136,7 @@ impl<'a> Quick<'a> {
             for finding in findings {
                 let Some(id) = self.groups.add(finding, u64::from(self.done), self.links) else { continue };
                 if let Some(group) = self.groups.get(&id) {
-                    let hazard = Hazard::new(group, self.links, &self.sensors);
+                    let hazard = Hazard::new(group, self.links, &self.sensors, self.people.as_ref());
                     self.interrupted |= tell(Progress::Found(&hazard)).is_break();
                 }
             }

@@ -32,8 +32,14 @@ impl Watch {
         if !iteration.random {
             return;
         }
-        self.sample.observe(match (iteration.end, findings.last()) {
-            // The contact that ends a sequence comes last, after those of the other postures.
+        // The contact that ends a sequence comes last, after those of the other postures; of two people who are hit at once, both.
+        let own = findings.last();
+        let at_once =
+            |finding: &&Finding| own.is_some_and(|own| (&own.actions, own.step) == (&finding.actions, finding.step));
+        let ends = findings.iter().rev().filter(at_once).filter(|finding| finding.class.ends());
+        let is_new = |finding: &&Finding| !groups.has(&Identity::of(finding, links));
+        let own = ends.clone().find(is_new).or(own);
+        self.sample.observe(match (iteration.end, own) {
             (End::Unsafe, Some(own)) => Met::Group(Identity::of(own, links)),
             (End::Unsafe, None) | (End::NotEvaluated, _) => Met::Unknown,
             (End::Horizon, _) => Met::Nothing,

@@ -21,6 +21,7 @@ use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
 use crate::report::model::{
     FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
 };
+use crate::report::people::SecondRecord;
 use crate::report::speeds::Speeds;
 use crate::sim::curtain::Curtain;
 use crate::sim::journal::Journal;
@@ -294,6 +295,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
         also: prepared.cell.repertoire.abilities().to_vec(),
         run_m_s: prepared.cell.repertoire.run_m_s(),
+        second: SecondRecord::of(&prepared.cell),
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
         presses: None,

@@ -198,7 +198,7 @@ impl Stepping {
     }
 
     fn observe(&mut self) -> Result<Observation, SteppingError> {
-        let Instant { position, body: _, readings, frame } = self.simulation.now()?;
+        let Instant { position, readings, frame, .. } = self.simulation.now()?;
         let (sin, cos) = libm::sincos(self.simulation.heading_rad());
         Ok(Observation {
             actions: self.taken,

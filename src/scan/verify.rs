@@ -11,6 +11,7 @@ use crate::host::PlantError;
 use crate::human::Action;
 use crate::report::looks::Looks;
 use crate::report::model::Hazard;
+use crate::report::people::SecondRecord;
 use crate::report::verified::{Outcome, Verified};
 use crate::sim::replay::replay;
 
@@ -34,7 +35,7 @@ pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> 
     }
     let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
         let (cell, binding) = (Arc::clone(&there.cell), Arc::clone(&there.binding));
-        replay(cell, binding, there.plant(StateChoice::Replay), actions)
+        replay(cell, binding, there.plant(StateChoice::Replay), actions, None)
     };
     let sequences = [&hazard.actions, &hazard.shortest.actions];
     let different = if sequences[0] == sequences[1] { 1 } else { 2 };
@@ -68,6 +69,7 @@ fn looks(cell: &Workcell) -> Looks {
         arm_speed_m_s: cell.arm_speed_m_s,
         also: cell.repertoire.abilities().to_vec(),
         run_m_s: cell.repertoire.run_m_s(),
+        second: SecondRecord::of(cell),
         controls: cell.controls.iter().map(Into::into).collect(),
         actions_per_sequence: cell.search.actions,
         contact_check_interval_s: cell.step_s,

@@ -8,6 +8,7 @@
 //! What makes states equal, and the bound, are the environment's: see [`Expansion`].
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::ops::ControlFlow;
 
 use num_bigint::BigUint;
@@ -96,6 +97,11 @@ pub trait Expansion {
 
     /// Memory held besides the states themselves, bytes, about.
     fn bytes(&self) -> usize;
+
+    /// Memory that a state takes, bytes, about.
+    fn state_bytes(&self) -> usize {
+        size_of::<Self::State>()
+    }
 }
 
 /// The sequences that lead to a state.
@@ -106,7 +112,7 @@ pub struct Prefixes {
     /// Sum of efforts of the calmest.
     pub effort: u32,
     /// The calmest; of equals the first in the order of actions.
-    pub calmest: Vec<u16>,
+    pub calmest: Vec<u32>,
 }
 
 impl Prefixes {
@@ -276,7 +282,7 @@ pub fn exhaust<E: Expansion>(
         let before = account.states();
         let together = environment.together().max(1);
         for (number, chunk) in open.chunks(together).enumerate() {
-            let bytes = environment.bytes() + (open.len() + next.len()) * (size_of::<E::State>() + STATE_BYTES);
+            let bytes = environment.bytes() + (open.len() + next.len()) * (environment.state_bytes() + STATE_BYTES);
             let spent = environment.work() > budget.work;
             if before + next.len() > budget.states || bytes > budget.bytes || spent {
                 account.stopped = Stopped::Budget;
@@ -291,22 +297,17 @@ pub fn exhaust<E: Expansion>(
                 for (_, unsafe_state) in expanded.noted {
                     let _ = tell(Told::Noted { unsafe_state, prefixes });
                 }
+                // For each state that follows, how many actions lead there, and the calmest of them.
+                let mut lead: Vec<Option<(u32, u32, usize)>> = vec![None; expanded.next.len()];
                 for (action, effect) in expanded.effects.into_iter().enumerate() {
                     match effect {
-                        Effect::To(_) if depth + 1 == horizon => account.harmless += &prefixes.count,
                         Effect::To(index) => {
-                            let longer = Prefixes {
-                                count: prefixes.count.clone(),
-                                effort: prefixes.effort + environment.effort(action),
-                                calmest: with(&prefixes.calmest, action),
-                            };
-                            let state = &expanded.next[index];
-                            match next.get_mut(state) {
-                                Some(known) => known.join(longer),
-                                None => {
-                                    next.insert(state.clone(), longer);
-                                }
-                            }
+                            let effort = environment.effort(action);
+                            lead[index] = Some(match lead[index] {
+                                None => (1, effort, action),
+                                Some((count, known, by)) if (known, by) <= (effort, action) => (count + 1, known, by),
+                                Some((count, ..)) => (count + 1, effort, action),
+                            });
                         }
                         Effect::NotEvaluated(reason) => {
                             account.not_evaluated += &prefixes.count * &left;
@@ -316,6 +317,22 @@ pub fn exhaust<E: Expansion>(
                             let sequences = &prefixes.count * &left;
                             account.hazardous += &sequences;
                             let _ = tell(Told::Met(Met { unsafe_state, action, prefixes, sequences }));
+                        }
+                    }
+                }
+                for (state, lead) in expanded.next.into_iter().zip(lead) {
+                    let Some((count, effort, action)) = lead else { continue };
+                    let count = &prefixes.count * count;
+                    if depth + 1 == horizon {
+                        account.harmless += count;
+                        continue;
+                    }
+                    let (effort, calmest) = (prefixes.effort + effort, with(&prefixes.calmest, action));
+                    let longer = Prefixes { count, effort, calmest };
+                    match next.entry(state) {
+                        Entry::Occupied(mut known) => known.get_mut().join(longer),
+                        Entry::Vacant(new) => {
+                            new.insert(longer);
                         }
                     }
                 }
@@ -333,8 +350,8 @@ pub fn exhaust<E: Expansion>(
     Ok(account)
 }
 
-fn with(actions: &[u16], action: usize) -> Vec<u16> {
-    let last = u16::try_from(action).unwrap_or(u16::MAX);
+fn with(actions: &[u32], action: usize) -> Vec<u32> {
+    let last = u32::try_from(action).unwrap_or(u32::MAX);
     actions.iter().copied().chain([last]).collect()
 }
 

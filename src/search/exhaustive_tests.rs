@@ -77,7 +77,7 @@ impl Expansion for Ring {
 const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
 
 /// Sequences by unsafe state, and the calmest that leads there.
-type Unsafe = BTreeMap<(usize, i64, usize), (u64, u32, Vec<u16>)>;
+type Unsafe = BTreeMap<(usize, i64, usize), (u64, u32, Vec<u32>)>;
 
 fn exhausted(ring: &mut Ring, budget: Budget) -> (Account, Unsafe) {
     let mut met = Unsafe::new();
@@ -108,7 +108,7 @@ fn enumerated(horizon: usize) -> (Unsafe, [u64; 3]) {
                 }
                 Effect::Unsafe(state) => {
                     fate = 0;
-                    let prefix: Vec<u16> = actions[..depth].iter().map(|a| u16::try_from(*a).unwrap()).collect();
+                    let prefix: Vec<u32> = actions[..depth].iter().map(|a| u32::try_from(*a).unwrap()).collect();
                     let entry = met.entry(state).or_insert((0, effort, prefix.clone()));
                     entry.0 += 1;
                     if (effort, &prefix) < (entry.1, &entry.2) {
@@ -185,7 +185,7 @@ fn what_failed_is_told_with_its_calmest_sequence() {
     });
     assert!(account.unwrap().not_evaluated > BigUint::ZERO && !failed.is_empty());
     for (reason, prefix, action) in failed {
-        let field = prefix.iter().fold(2_i64, |field, &a| (field + MOVES[usize::from(a)]).rem_euclid(11));
+        let field = prefix.iter().fold(2_i64, |field, &a| (field + MOVES[a as usize]).rem_euclid(11));
         assert_eq!((reason.as_str(), field, action), ("seven", 7, 2));
     }
 }

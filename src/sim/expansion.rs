@@ -13,14 +13,17 @@
 //! inputs have to be the same.
 
 mod ahead;
+mod joined;
 mod questions;
 mod shared;
 mod situations;
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use self::ahead::{Ahead, Move, Way};
+use self::ahead::{Move, Outlook, Way};
+use self::joined::{Joined, Met};
 use self::situations::Situations;
 use super::Coverage;
 use super::bound::RobotBounds;
@@ -28,19 +31,19 @@ use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Frames, Sensed, Worked, World};
+use super::world::{Frames, Places, Sensed, Sight, Worked, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Presses};
+use crate::human::{Action, Place, Presses, Who};
 use crate::search::exhaustive::{Effect, Expanded, Expansion};
 
 /// A state of the cell at the end of an action. Equal states have the same future.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct State {
     // Places first: neighbours in the order then share most of their questions.
-    place: Place,
+    places: Places,
     /// The first state of the FMU found that is the same.
     node: NodeId,
     delays: Box<[DelayLine]>,
@@ -62,7 +65,8 @@ pub enum Merge {
 pub struct Expander<P: Plant> {
     world: Arc<World>,
     robots: Robots<P>,
-    bounds: RobotBounds,
+    /// For each of the people.
+    bounds: Vec<RobotBounds>,
     workers: usize,
     by_bytes: bool,
     /// With a plane: the first node with the same state and the same states had the plane told of an arm; by the samples since
@@ -80,13 +84,14 @@ struct Transition {
     sensed: Sensed,
 }
 
-/// What is not known yet of an action from a state.
+/// What is not known yet of what an action from a state brings somebody.
 struct Pending {
-    /// Index of the state, of the way from it, of the transition among those of the state.
+    /// Index of the state, who it is, index of their way from it, of the transition among those of the state.
     state: usize,
+    who: Who,
     way: usize,
     transition: usize,
-    /// Index of the action, and the action as it is taken there.
+    /// Index of the action, or with two people the number of this question; and the action as the person takes it there.
     index: usize,
     action: Action,
 }
@@ -94,17 +99,20 @@ struct Pending {
 /// Numbers of the next state and of the transition, or why there is none.
 type Reached = Result<(usize, usize), String>;
 
+/// What is seen of each of the people, and what is worked.
+type Key = (usize, Option<usize>, Worked);
+
 /// Actions along one walk from a state. Those that the FMU is told the same of share everything but the contacts.
 #[derive(Default)]
 struct Alike {
     /// By the posture that is seen, and what is worked.
-    by_key: Vec<((usize, Worked), Reached)>,
+    by_key: Vec<(Key, Reached)>,
     /// By what is told.
     by_inputs: Vec<(Sensed, Reached)>,
 }
 
 impl Alike {
-    fn by_key(&self, key: &(usize, Worked)) -> Option<Reached> {
+    fn by_key(&self, key: &Key) -> Option<Reached> {
         self.by_key.iter().find(|(known, _)| known == key).map(|(_, to)| to.clone())
     }
 
@@ -112,10 +120,39 @@ impl Alike {
         self.by_inputs.iter().find(|(known, _)| known.same(sensed)).map(|(_, to)| to.clone())
     }
 
-    fn keep(&mut self, key: (usize, Worked), sensed: Sensed, to: &Reached) {
+    fn keep(&mut self, key: Key, sensed: Sensed, to: &Reached) {
         self.by_key.push((key, to.clone()));
         if self.by_inputs(&sensed).is_none() {
             self.by_inputs.push((sensed, to.clone()));
+        }
+    }
+}
+
+/// The ways of everybody in an action.
+struct Goes<'a> {
+    first: &'a Way,
+    second: Option<&'a Way>,
+}
+
+impl Goes<'_> {
+    fn each(&self) -> impl Iterator<Item = &Way> {
+        std::iter::once(self.first).chain(self.second)
+    }
+
+    fn starts(&self) -> Places {
+        Places { first: self.first.walked.start, second: self.second.map(|way| way.walked.start) }
+    }
+
+    fn ends(&self) -> Places {
+        Places { first: self.first.walked.end(), second: self.second.map(|way| way.walked.end()) }
+    }
+
+    /// What there is to see of everybody, of which these are the sights.
+    fn sights(&self, (own, others): (usize, Option<usize>)) -> Cow<'_, [Sight]> {
+        let own = &self.first.sights[own];
+        match self.second.zip(others) {
+            Some((second, others)) => Cow::Owned(Sight::of_either(own, &second.sights[others])),
+            None => Cow::Borrowed(own),
         }
     }
 }
@@ -139,7 +176,7 @@ impl<P: Plant> Expander<P> {
         let by_bytes = merge == Merge::Auto && recall.merge_equal_states()?;
         let world = Arc::new(World::new(cell, binding).heeding(stop));
         Ok(Self {
-            bounds: RobotBounds::new(&world.cell),
+            bounds: world.people().map(|(_, own)| RobotBounds::new(&own.cell)).collect(),
             robots: Robots::new(Arc::clone(&world), recall),
             workers: workers.max(1),
             by_bytes,
@@ -209,6 +246,7 @@ impl<P: Plant> Expander<P> {
     /// The first node with the same future as `node`, where the sensors remember `delays` and the person is at `place`.
     fn representative(&mut self, node: NodeId, place: &Place, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
         let same = self.robots.recall.same(node);
+        // With two people there are none.
         if self.world.curtains.is_empty() {
             return Ok(same);
         }
@@ -225,32 +263,43 @@ impl<P: Plant> Expander<P> {
         Ok(*self.bundles.entry((sinces, bundle)).or_insert(node))
     }
 
-    /// The part that needs the FMU: successors, transitions, and the actions whose contacts are to be looked for.
+    /// The part that needs the FMU: successors, transitions, and what is to be looked for contacts.
     fn advance(
         &mut self,
-        number: usize,
-        depth: usize,
+        (number, depth): (usize, usize),
         state: &State,
-        ahead: &Ahead,
+        outlook: &Outlook,
         pending: &mut Vec<Pending>,
+        joined: &mut Joined,
     ) -> Result<(Expanded<State, Finding>, Vec<Transition>), PlantError> {
         let mut expanded = Expanded { next: Vec::new(), effects: Vec::new(), noted: Vec::new() };
         let mut transitions: Vec<Transition> = Vec::new();
+        let Some(ahead) = outlook.of(Who::First, &state.places) else { return Ok((expanded, transitions)) };
+        let beside = outlook.of(Who::Second, &state.places);
         let last = depth + 1 == self.horizon();
-        let mut alike: Vec<Alike> = ahead.ways.iter().map(|_| Alike::default()).collect();
+        let ways = beside.map_or(1, |beside| beside.ways.len());
+        let mut alike: Vec<Alike> = (0..ahead.ways.len() * ways).map(|_| Alike::default()).collect();
+        joined.begin();
         for index in 0..self.actions() {
-            let wanted = self.world.cell.repertoire.action(index);
-            let Move { taken, way, sight } = ahead.taken(index, self.world.works_doors(wanted));
-            let (action, alike) = (taken.pressing(wanted.presses()), &mut alike[way]);
-            let Way { walked, sights } = &ahead.ways[way];
-            let key = (sight, self.world.worked(walked, action));
+            let repertoire = &self.world.cell.repertoire;
+            let (wanted, (own, others)) = (repertoire.action(index), repertoire.apart(index));
+            let Move { taken, way, sight } = ahead.taken(own, self.world.works_doors(wanted));
+            let second = beside.map(|beside| (beside, beside.taken(others, Presses::NONE)));
+            let action = taken.pressing(wanted.presses());
+            let action = second.as_ref().map_or(action, |(_, second)| action.beside(second.taken));
+            let other_way = second.as_ref().map(|(beside, second)| &beside.ways[second.way]);
+            let goes = Goes { first: &ahead.ways[way], second: other_way };
+            let alike = &mut alike[way * ways + second.as_ref().map_or(0, |(_, second)| second.way)];
+            let key =
+                (sight, second.as_ref().map(|(_, second)| second.sight), self.world.worked_by(&goes.starts(), action));
             let to = match alike.by_key(&key) {
                 Some(to) => to,
                 None => {
-                    let sensed = self.world.sense(&state.delays, state.switched, &sights[sight], &key.1);
+                    let sights = goes.sights((sight, key.1));
+                    let sensed = self.world.sense(&state.delays, state.switched, &sights, &key.2);
                     let to = match alike.by_inputs(&sensed) {
                         Some(to) => to,
-                        None => self.reach((state, last), walked, &sensed, &mut expanded, &mut transitions)?,
+                        None => self.reach((state, last), &goes, &sensed, &mut expanded, &mut transitions)?,
                     };
                     alike.keep(key, sensed, &to);
                     to
@@ -264,16 +313,23 @@ impl<P: Plant> Expander<P> {
                 }
             };
             expanded.effects.push(Effect::To(next));
-            pending.push(Pending { state: number, way, transition, index, action });
+            let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who) };
+            match second {
+                None => pending.push(of(Who::First, way)),
+                Some((_, second)) => {
+                    let both = [of(Who::First, way), of(Who::Second, second.way)];
+                    joined.add((number, index), action, both, pending);
+                }
+            }
         }
         Ok((expanded, transitions))
     }
 
-    /// Has the FMU answer to what was sensed along a walk: a new successor and a new transition.
+    /// Has the FMU answer to what was sensed along the ways of everybody: a new successor and a new transition.
     fn reach(
         &mut self,
         (state, last): (&State, bool),
-        walked: &WalkTrace,
+        goes: &Goes<'_>,
         sensed: &Sensed,
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
@@ -286,21 +342,21 @@ impl<P: Plant> Expander<P> {
             }
             Advanced::To(node) => node,
         };
-        let place = walked.end();
+        let places = goes.ends();
         // Where the sequences end, nothing depends on which state it is.
-        let representative = if last { node } else { self.representative(node, &place, &sensed.delays)? };
+        let representative = if last { node } else { self.representative(node, &places.first, &sensed.delays)? };
         let (delays, switched) = (sensed.delays.clone().into_boxed_slice(), sensed.switched);
-        expanded.next.push(State { place, node: representative, delays, switched });
+        expanded.next.push(State { places, node: representative, delays, switched });
         let frames = self.robots.frames(node);
-        self.look(walked, sensed, &frames);
+        self.look(goes, sensed, &frames);
         transitions.push(Transition { node, frames, sensed: sensed.clone() });
         Ok(Ok((expanded.next.len() - 1, transitions.len() - 1)))
     }
 
-    fn look(&mut self, walked: &WalkTrace, sensed: &Sensed, frames: &Frames) {
+    fn look(&mut self, goes: &Goes<'_>, sensed: &Sensed, frames: &Frames) {
         let coverage = &mut self.coverage;
         coverage.actions += 1;
-        coverage.walks_blocked += u64::from(walked.blocked.contains(&true));
+        coverage.walks_blocked += u64::from(goes.each().any(|way| way.walked.blocked.contains(&true)));
         let fastest = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
         coverage.robot_top_speed_m_s = coverage.robot_top_speed_m_s.max(fastest);
         for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {
@@ -329,13 +385,16 @@ impl<P: Plant> Expansion for Expander<P> {
 
     fn start(&mut self) -> Result<State, PlantError> {
         let delays = self.world.delays_at_start().into_boxed_slice();
-        let place = self.world.start();
-        let node = self.representative(NodeId::ROOT, &place, &delays)?;
-        Ok(State { place, node, delays, switched: Presses::NONE })
+        let places = self.world.starts();
+        let node = self.representative(NodeId::ROOT, &places.first, &delays)?;
+        Ok(State { places, node, delays, switched: Presses::NONE })
     }
 
     fn may_matter(&self, state: &State, remaining: usize) -> bool {
-        self.bounds.may_meet(self.world.position(&state.place), self.world.reach_m(), remaining)
+        self.world.people().zip(&self.bounds).any(|((who, own), bounds)| {
+            let place = state.places.of(who);
+            place.is_none_or(|place| bounds.may_meet(own.position(place), own.reach_m(), remaining))
+        })
     }
 
     fn expand(
@@ -344,17 +403,21 @@ impl<P: Plant> Expansion for Expander<P> {
         states: &[&State],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let Some(ahead) = self.look_ahead(states, go_on) else { return Ok(None) };
+        let Some(outlook) = self.look_ahead(states, go_on) else { return Ok(None) };
+        let mut joined = Joined::default();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
             if !go_on() {
                 return Ok(None);
             }
-            let (one, own) = self.advance(index, depth, state, &ahead[&state.place], &mut pending)?;
+            let (one, own) = self.advance((index, depth), state, &outlook, &mut pending, &mut joined)?;
             expanded.push(one);
             transitions.push(own);
         }
-        let walked = |p: &Pending| &ahead[&states[p.state].place].ways[p.way].walked;
+        let ahead = |p: &Pending| outlook.of(p.who, &states[p.state].places);
+        let nowhere = WalkTrace { start: self.world.start(), places: Vec::new(), blocked: Vec::new() };
+        let walked = |p: &Pending| ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked);
+        let mut met = Met::of(&joined);
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
@@ -369,6 +432,9 @@ impl<P: Plant> Expansion for Expander<P> {
                 let frame = &transition.frames[i];
                 let finding = self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
                 let Some(finding) = finding else { return true };
+                if joined.is_used() {
+                    return met.keeps_on(p.index, finding);
+                }
                 let finding = Finding { actions: vec![p.action], ..finding };
                 let noted = &mut expanded[p.state].noted;
                 let known = noted.iter().position(|(action, _)| *action == p.index);
@@ -385,6 +451,7 @@ impl<P: Plant> Expansion for Expander<P> {
                 true
             });
         }
+        joined.settle(&met, &mut expanded);
         Ok(Some(expanded))
     }
 
@@ -399,9 +466,14 @@ impl<P: Plant> Expansion for Expander<P> {
         self.robots.release(depth, &keep);
     }
 
-    /// What is behind planes takes the most memory.
+    /// What is behind planes takes the most memory, and so do two people.
     fn together(&self) -> usize {
-        if self.world.curtains.is_empty() { 1024 } else { 512 }
+        match (self.world.of(Who::Second), self.world.curtains.is_empty()) {
+            // About as many as there are actions of one person.
+            (Some(_), _) => (64 * 1296 / self.actions().max(1)).clamp(1, 64),
+            (None, true) => 1024,
+            (None, false) => 512,
+        }
     }
 
     /// Boxes of joint angles looked at.
@@ -415,5 +487,11 @@ impl<P: Plant> Expansion for Expander<P> {
 
     fn bytes(&self) -> usize {
         self.robots.recall.bytes()
+    }
+
+    /// A person who is not there takes none.
+    fn state_bytes(&self) -> usize {
+        let second = if self.world.of(Who::Second).is_some() { 0 } else { size_of::<Option<Place>>() };
+        size_of::<State>() - second
     }
 }

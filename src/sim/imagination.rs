@@ -18,14 +18,13 @@ use super::Coverage;
 use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, HadTold, Hit, Sensed, Window, Worked, World};
+use super::world::{Earlier, Frames, HadTold, Hit, Places, Sensed, Walks, Window, Worked, World};
 use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
 use crate::hazard::Class;
 use crate::hazard::group::place_cell;
 use crate::host::{NodeId, Plant, Recall};
-use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Presses};
+use crate::human::{Action, Posture, Presses, Who};
 use crate::search::Niche;
 
 /// Observed episodes with different states of the FMU that are compared with; later ones are not.
@@ -37,6 +36,9 @@ const REMEMBERED: usize = 500_000;
 /// First step, counted from the start of an action, from which on a light curtain may have been broken.
 const EARLIEST: isize = -(DelayLine::LONGEST as isize);
 
+/// Body regions of a second person are told apart by this.
+const SECONDS_REGION: i64 = 1000;
+
 /// What is imagined is imagined for arms that may be anywhere: so many actions are long enough for that.
 const LONG_AFTER: usize = 1_000_000;
 
@@ -47,9 +49,12 @@ struct Observed {
     nodes: Vec<NodeId>,
     /// Inputs of each action, row-major.
     inputs: Vec<Vec<f64>>,
-    /// Where the person stood after each action, m.
-    ends: Vec<Vec3>,
+    /// Where everybody stood after each action, m.
+    ends: Vec<Ends>,
 }
+
+/// Where the first person stands, and the second if there is one, m.
+type Ends = (Vec3, Option<Vec3>);
 
 /// How different an observed episode is from what is imagined: steps with other inputs, then squared distances, m^2.
 #[derive(Clone, Copy, Debug, Default)]
@@ -84,7 +89,7 @@ struct Situation {
 }
 
 /// What the sensing in an action follows from: where it begins, what is on its way, switches, walk and posture, what is worked.
-type Before = (Place, Vec<DelayLine>, Presses, Action, Worked);
+type Before = (Places, Vec<DelayLine>, Presses, Action, Worked);
 
 /// Memory of what was seen in this run, and of what follows from the cell.
 #[derive(Debug)]
@@ -99,9 +104,9 @@ pub(super) struct Imagination {
     outputs: BTreeMap<Vec<u64>, usize>,
     outputs_of: BTreeMap<NodeId, usize>,
     numbers: BTreeMap<Vec<usize>, usize>,
-    walks: BTreeMap<(Place, Action), Arc<WalkTrace>>,
+    walks: BTreeMap<(Places, Action), Arc<Walks>>,
     sensed: BTreeMap<Before, Arc<Sensed>>,
-    met: BTreeMap<(usize, Place, Action, Vec<DelayLine>), Option<Niche>>,
+    met: BTreeMap<(usize, Places, Action, Vec<DelayLine>), Option<Niche>>,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
     world: Arc<World>,
@@ -174,42 +179,47 @@ impl Imagination {
             std::iter::successors(Some(last), |n| Some(recall.parent(*n))).take(actions.len()).collect();
         nodes.reverse();
         let inputs = nodes.iter().map(|n| recall.inputs(*n)).collect();
-        let mut place = world.start();
+        let mut places = world.starts();
         let mut end = |action: &Action| {
-            place = self.walk(world, place, world.taken(&place, *action)).end();
-            world.position(&place)
+            places = self.walk(world, places, world.taken_by_all(&places, *action)).ends();
+            ends_of(world, &places)
         };
         let ends = actions.iter().map(&mut end).collect();
         self.observed.push(Observed { nodes, inputs, ends });
     }
 
-    fn walk(&mut self, world: &World, from: Place, action: Action) -> Arc<WalkTrace> {
+    fn walk(&mut self, world: &World, from: Places, action: Action) -> Arc<Walks> {
         let doors = world.works_doors(action);
         // Who stands goes the same way in every posture, but may get to another door.
-        let stands = !action.posture().is_low() && doors.is_none();
-        let posture = if stands { Posture::Upright } else { action.posture() };
-        let key = (from, Action::new(action.walk(), posture).pressing(doors));
+        let goes_as = |action: Action| {
+            let stands = !action.posture().is_low() && doors.is_none();
+            if stands { action.in_posture(Posture::Upright) } else { action }
+        };
+        let key = (from, each_as(action, goes_as).pressing(doors));
         if let Some(known) = self.walks.get(&key) {
             return Arc::clone(known);
         }
-        remember(&mut self.walks, key, Arc::new(world.walk(from, action)))
+        remember(&mut self.walks, key, Arc::new(world.walks(from, action)))
     }
 
     fn sense(
         &mut self,
         world: &World,
-        walked: &WalkTrace,
+        walks: &Walks,
         (delays, switched): (&[DelayLine], Presses),
         action: Action,
     ) -> Arc<Sensed> {
-        let worked = world.worked(walked, action);
-        let stands = world.posture_is_unseen() && !action.posture().is_low();
-        let posture = if stands { Posture::Upright } else { action.posture() };
-        let key = (walked.start, delays.to_vec(), switched, Action::new(action.walk(), posture), worked);
+        let worked = world.worked_by(&walks.starts(), action);
+        let seen_as = |action: Action| {
+            let stands = world.posture_is_unseen() && !action.posture().is_low();
+            if stands { action.in_posture(Posture::Upright) } else { action }
+        };
+        let seen = each_as(action, seen_as).pressing(Presses::NONE);
+        let key = (walks.starts(), delays.to_vec(), switched, seen, worked);
         if let Some(known) = self.sensed.get(&key) {
             return Arc::clone(known);
         }
-        let sights = world.sights(walked, posture);
+        let sights = world.sights_of_all(walks, seen);
         remember(&mut self.sensed, key, Arc::new(world.sense(delays, switched, &sights, &worked)))
     }
 
@@ -219,7 +229,7 @@ impl Imagination {
     }
 
     /// How different an observed episode is in action `k`.
-    fn difference(&self, world: &World, episode: usize, k: usize, inputs: &[f64], end: Vec3) -> Difference {
+    fn difference(&self, world: &World, episode: usize, k: usize, inputs: &[f64], end: Ends) -> Difference {
         let observed = &self.observed[episode];
         let (Some(theirs), Some(at)) = (observed.inputs.get(k), observed.ends.get(k)) else {
             return Difference::default();
@@ -228,8 +238,8 @@ impl Imagination {
         let bits = |row: &[f64]| row.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         let other = |(a, b): &(&[f64], &[f64])| a != b && bits(a) != bits(b);
         let rows = inputs.chunks(width).zip(theirs.chunks(width)).filter(other).count();
-        let apart = end - *at;
-        Difference(rows, apart.dot(apart))
+        let squared = |(a, b): (Vec3, Vec3)| (a - b).dot(a - b);
+        Difference(rows, squared((end.0, at.0)) + end.1.zip(at.1).map_or(0.0, squared))
     }
 
     /// The number of the outputs of the action into `node`.
@@ -318,11 +328,11 @@ impl Imagination {
         let situation = self.situation(world, robots, node);
         // Without light curtains, contacts do not depend on what was sensed.
         let delays = if world.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
-        let key = (situation.number, person.place, action, delays);
+        let key = (situation.number, person.places, action, delays);
         if let Some(known) = self.met.get(&key) {
             return (*known, situation);
         }
-        let walked = self.walk(world, person.place, action);
+        let walks = self.walk(world, person.places, action);
         let frames = robots.frames(node);
         let mut shadows = Vec::with_capacity(world.curtains.len());
         for Curtain { sensor, .. } in &world.curtains {
@@ -336,13 +346,15 @@ impl Imagination {
             shadows.push((world.cell.sensors[*sensor].delay_steps, firsts.map(of).collect::<Vec<_>>()));
         }
         let mut met = None;
-        for i in 0..frames.len() {
-            let stance = world.stance(&walked, (LONG_AFTER, i), action.posture(), sensed);
-            let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
-            let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
-            if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some_and(Class::ends)) {
-                met = Some(niche(&hit, world.position(&stance.place)));
-                break;
+        'action: for i in 0..frames.len() {
+            for (who, walked) in walks.each() {
+                let stance = world.stance((who, walked), (LONG_AFTER, i), action.of(who).posture(), sensed);
+                let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
+                let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
+                if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some_and(Class::ends)) {
+                    met = Some(niche(&hit, who, world.of_stance(&stance).position(&stance.place)));
+                    break 'action;
+                }
             }
         }
         (remember(&mut self.met, key, met), situation)
@@ -373,9 +385,22 @@ impl Earlier for IfBroken<'_> {
     }
 }
 
-/// Endings of one kind: body region and robot link that meet, where the person stands, and the programme phase.
-fn niche(hit: &Hit, person: Vec3) -> Niche {
+/// Endings of one kind: body region and robot link that meet, where the person stands and who it is, and the programme phase.
+fn niche(hit: &Hit, who: Who, person: Vec3) -> Niche {
     let (x, y) = place_cell(person);
     let link = hit.contact.link.cast_signed() as i64;
-    Niche([hit.contact.region as i64, link, x, y, hit.phase.unwrap_or(i64::MIN)])
+    let region = hit.contact.region as i64 + if who == Who::Second { SECONDS_REGION } else { 0 };
+    Niche([region, link, x, y, hit.phase.unwrap_or(i64::MIN)])
+}
+
+/// What one of the people does as `one` has it, for each of them.
+fn each_as(action: Action, one: impl Fn(Action) -> Action) -> Action {
+    let own = one(action.of(Who::First));
+    let both = if action.is_of_two() { own.beside(one(action.of(Who::Second))) } else { own };
+    both.pressing(action.presses())
+}
+
+fn ends_of(world: &World, places: &Places) -> Ends {
+    let of = |who: Who| Some(world.of(who)?.position(places.of(who)?));
+    (world.position(&places.first), of(Who::Second))
 }

@@ -8,10 +8,10 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Plant, PlantError, Policy};
-use crate::human::action::Action;
+use crate::human::{Action, Who};
 use crate::search::{End, Environment as _};
 
-/// Runs `actions` and returns the unsafe contact they lead to, if any.
+/// Runs `actions` and returns the unsafe contact they lead to, if any; of two people that of `who`, or of either.
 ///
 /// # Errors
 /// When the FMU cannot be started, or cannot finish an action, or a run in which a plane tells of an arm, and nothing was
@@ -21,8 +21,9 @@ pub fn replay<P: Plant>(
     binding: Arc<Binding>,
     plant: P,
     actions: &[Action],
+    who: Option<Who>,
 ) -> Result<Option<Finding>, PlantError> {
-    Ok(replay_watched(cell, binding, plant, actions)?.0)
+    Ok(replay_watched(cell, binding, plant, actions, who)?.0)
 }
 
 /// The same, and for how long before the contact each sensor had reported the person without a break, s; none for those that
@@ -35,6 +36,7 @@ pub fn replay_watched<P: Plant>(
     binding: Arc<Binding>,
     plant: P,
     actions: &[Action],
+    who: Option<Who>,
 ) -> Result<(Option<Finding>, Vec<Option<f64>>), PlantError> {
     let options = Options { policy: Policy::Replay, posture_sweep: false };
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
@@ -46,7 +48,12 @@ pub fn replay_watched<P: Plant>(
             None => {}
         }
     }
-    match simulation.take_findings().pop() {
+    let mut found = simulation.take_findings();
+    found.retain(|finding| who.is_none_or(|who| finding.who == who));
+    // Of those in the last action the worst, where several people are hit at once.
+    let last = found.last().map(|finding| finding.actions.len());
+    found.retain(|finding| Some(finding.actions.len()) == last);
+    match found.into_iter().reduce(|a, b| if a.contact.ratio() > b.contact.ratio() { a } else { b }) {
         None if !simulation.is_evaluated() => Err(simulation.not_evaluated()),
         None => Ok((None, Vec::new())),
         Some(found) => {

@@ -1,6 +1,6 @@
 //! One human action after the other against the running FMU, as a search [`Environment`].
 //!
-//! A [`Snapshot`] holds everything: the FMU's state (as a node of [`Recall`]), the person's exact place, the sensors'
+//! A [`Snapshot`] holds everything: the FMU's state (as a node of [`Recall`]), the people's exact places, the sensors'
 //! delay lines and the step index. So restoring gives what the uninterrupted run would give. What an action does depends
 //! on nothing else, so it is worked out once for each snapshot and remembered, unless everything is to be re-simulated.
 
@@ -9,20 +9,21 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::Coverage;
+use super::befallen::Befallen;
 use super::encounter::ArmSpace;
 use super::imagination::Imagination;
 use super::motion::Motion;
 use super::robot::RobotFrame;
 use super::robots::{Instead, Robots};
 use super::sensors::DelayLine;
-use super::world::{Sensed, Stance, World};
+use super::world::{Places, Sensed, Stance, Walks, World};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::Vec3;
 use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, PlacedBody, Posture, Presses};
+use crate::human::{Action, PlacedBody, Posture, Presses, Who};
 use crate::search::{End, Environment, Step};
 
 /// Settings of a simulation.
@@ -38,7 +39,7 @@ pub struct Options {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     node: NodeId,
-    place: Place,
+    places: Places,
     delays: Vec<DelayLine>,
     switched: Presses,
     actions: Vec<Action>,
@@ -69,6 +70,8 @@ pub struct Instant {
     pub position: Vec3,
     /// The body.
     pub body: PlacedBody,
+    /// The second person's place and body, if there is one.
+    pub second: Option<(Vec3, PlacedBody)>,
     /// Whether each sensor reports the person.
     pub readings: Vec<bool>,
     /// The robots.
@@ -86,6 +89,23 @@ pub struct Watched {
     pub outputs: Vec<f64>,
 }
 
+impl Watched {
+    /// The same as seen by one of two people: that one as the person, and the other as the second.
+    #[must_use]
+    pub fn by(mut self, who: Who) -> Self {
+        let swap = |instant: &mut Instant| {
+            if let Some((position, body)) = &mut instant.second {
+                std::mem::swap(position, &mut instant.position);
+                std::mem::swap(body, &mut instant.body);
+            }
+        };
+        if who == Who::Second {
+            self.instants.iter_mut().for_each(swap);
+        }
+        self
+    }
+}
+
 /// An arm in a plane, which then tells of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReachedThrough {
@@ -99,7 +119,7 @@ pub struct ReachedThrough {
 #[derive(Clone, Debug)]
 struct Outcome {
     /// Where it leads; `None` if the FMU could not finish it.
-    to: Option<(NodeId, Place, Vec<DelayLine>, Presses)>,
+    to: Option<(NodeId, Places, Vec<DelayLine>, Presses)>,
     reward: f64,
     end: Option<End>,
     /// States of the FMU that had to be reached to work this out.
@@ -115,12 +135,16 @@ struct Outcome {
 
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node, and so do controls that are
 /// switched over.
-type Question = (NodeId, Place, Vec<DelayLine>, Action);
+type Question = (NodeId, Places, Vec<DelayLine>, Action);
+
+/// The same of what one of the people meets in it.
+type Looked = (Who, Question);
 
 /// What the contact check of an action tells.
 #[derive(Clone, Debug)]
 struct Look {
-    finding: Option<Finding>,
+    /// In the order of time; of an only person what is told in the end.
+    met: Vec<Finding>,
     coverage: Coverage,
     /// States of the FMU that had to be reached for it.
     reached: BTreeSet<NodeId>,
@@ -135,7 +159,7 @@ pub struct Simulation<P: Plant> {
     pub(super) imagination: Imagination,
     outcomes: BTreeMap<Question, Arc<Outcome>>,
     /// Contact checks by the state that the action leads to: each posture is looked at with every other one's walk.
-    looks: BTreeMap<Question, Arc<Look>>,
+    looks: BTreeMap<Looked, Arc<Look>>,
     root: Snapshot,
     state: Snapshot,
     coverage: Coverage,
@@ -152,10 +176,9 @@ impl<P: Plant> Simulation<P> {
         let stop = plant.stop();
         let recall = Recall::new(plant, options.policy)?;
         let world = Arc::new(World::new(cell, binding).heeding(stop));
-        let place = world.start();
         let root = Snapshot {
             node: NodeId::ROOT,
-            place,
+            places: world.starts(),
             delays: world.delays_at_start(),
             switched: Presses::NONE,
             actions: Vec::new(),
@@ -256,13 +279,13 @@ impl<P: Plant> Simulation<P> {
     /// When the FMU fails.
     pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<Watched, PlantError> {
         let world = Arc::clone(&self.world);
-        let Snapshot { mut node, mut place, mut delays, mut switched, .. } = self.root.clone();
+        let Snapshot { mut node, mut places, mut delays, mut switched, .. } = self.root.clone();
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for (number, action) in actions.iter().enumerate() {
-            let action = world.taken(&place, *action);
-            let walked = world.walk(place, action);
-            let worked = world.worked(&walked, action);
-            let mut sensed = world.sense(&delays, switched, &world.sights(&walked, action.posture()), &worked);
+            let action = world.taken_by_all(&places, *action);
+            let walks = world.walks(places, action);
+            let worked = world.worked_by(&walks.starts(), action);
+            let mut sensed = world.sense(&delays, switched, &world.sights_of_all(&walks, action), &worked);
             let begun = watched.instants.len() - 1;
             for ReachedThrough { sensor, steps } in through {
                 let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
@@ -273,16 +296,23 @@ impl<P: Plant> Simulation<P> {
                 Advanced::Fault(fault) => return Err((*fault).clone()),
             };
             for (i, frame) in self.robots.frames(node).iter().enumerate() {
+                let placed = |who: Who| {
+                    let (own, walked) = (world.of(who)?, walks.of(who)?);
+                    let stance = world.stance((who, walked), (number, i), action.of(who).posture(), &sensed);
+                    Some((own.position(&walked.places[i]), own.body_of(&stance)))
+                };
+                let Some((position, body)) = placed(Who::First) else { continue };
                 watched.instants.push(Instant {
-                    position: world.position(&walked.places[i]),
-                    body: world.body_of(&world.stance(&walked, (number, i), action.posture(), &sensed)),
+                    position,
+                    body,
+                    second: placed(Who::Second),
                     readings: world.readings(&sensed.readings[i], frame),
                     frame: RobotFrame::clone(frame),
                 });
             }
             watched.outputs.extend_from_slice(self.robots.recall.outputs(node));
             watched.inputs.extend(sensed.inputs);
-            place = walked.end();
+            places = walks.ends();
             (delays, switched) = (sensed.delays, sensed.switched);
         }
         Ok(watched)
@@ -301,7 +331,7 @@ impl<P: Plant> Simulation<P> {
     /// Where the person looks at the present state, rad from +x towards +y.
     #[must_use]
     pub fn heading_rad(&self) -> f64 {
-        self.state.place.heading_rad(&self.world.cell.start)
+        self.state.places.first.heading_rad(&self.world.cell.start)
     }
 
     /// Person, sensors and robot at the start.
@@ -309,11 +339,16 @@ impl<P: Plant> Simulation<P> {
         let world = &self.world;
         let row = world.binding.rows(self.robots.recall.outputs(NodeId::ROOT), None, world.cell.step_s);
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
-        let place = world.start();
-        let stance = Stance { place, posture: Posture::Upright, moved: 0, broken: Vec::new(), raised: None };
+        let placed = |(who, own): (Who, &World)| {
+            let (place, posture) = (own.start(), Posture::Upright);
+            let stance = Stance { who, place, posture, moved: 0, broken: Vec::new(), raised: None };
+            (own.position(&place), own.body_of(&stance))
+        };
+        let (position, body) = placed((Who::First, world));
         Instant {
-            position: world.position(&place),
-            body: world.body_of(&stance),
+            position,
+            body,
+            second: world.of(Who::Second).map(|own| placed((Who::Second, own))),
             readings: world.readings(&world.readings_at_start(), &frame),
             frame,
         }
@@ -334,7 +369,7 @@ impl<P: Plant> Simulation<P> {
     }
 
     fn act(&mut self, action: Action) -> Result<Step, PlantError> {
-        let action = self.world.taken(&self.state.place, action);
+        let action = self.world.taken_by_all(&self.state.places, action);
         let outcome = self.outcome(action)?;
         self.coverage.merge(&outcome.coverage);
         self.imagination.add_reached(&outcome.reached);
@@ -353,9 +388,9 @@ impl<P: Plant> Simulation<P> {
             self.faults.push(Fault { actions: actions.clone(), message });
         }
         let evaluated = self.state.evaluated && outcome.evaluated;
-        if let Some((node, place, delays, switched)) = &outcome.to {
-            let (node, place, switched) = (*node, *place, *switched);
-            self.state = Snapshot { node, place, delays: delays.clone(), switched, actions, evaluated };
+        if let Some((node, places, delays, switched)) = &outcome.to {
+            let (node, places, switched) = (*node, *places, *switched);
+            self.state = Snapshot { node, places, delays: delays.clone(), switched, actions, evaluated };
             if outcome.end.is_some() {
                 self.imagination.observe(&self.world, &self.robots.recall, node, &self.state.actions);
             }
@@ -375,7 +410,7 @@ impl<P: Plant> Simulation<P> {
         if self.options.policy == Policy::Replay {
             return Ok(Arc::new(self.work_out(action)?));
         }
-        let question = (self.state.node, self.state.place, self.state.delays.clone(), action);
+        let question = (self.state.node, self.state.places, self.state.delays.clone(), action);
         if let Some(known) = self.outcomes.get(&question) {
             return Ok(Arc::clone(known));
         }
@@ -387,13 +422,13 @@ impl<P: Plant> Simulation<P> {
         Ok(outcome)
     }
 
-    /// Walks, runs the sensors and the FMU, and compares person and robot at every step.
+    /// Walks, runs the sensors and the FMU, and compares people and robots at every step.
     fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
         let mut coverage = Coverage::new(self.world.cell.sensors.len());
         coverage.actions = 1;
-        let walked = self.world.walk(self.state.place, action);
-        coverage.walks_blocked = u64::from(walked.blocked.contains(&true));
-        let sensed = self.sense(&walked, action);
+        let walks = self.world.walks(self.state.places, action);
+        coverage.walks_blocked = u64::from(walks.blocked());
+        let sensed = self.sense(&walks, action);
         self.robots.take_reached();
         let node = match self.robots.advance(self.state.node, &sensed.inputs)? {
             Advanced::To(node) => node,
@@ -419,94 +454,123 @@ impl<P: Plant> Simulation<P> {
         }
         let mut findings = Vec::new();
         if self.options.posture_sweep {
-            self.sweep(&walked, action, &sensed, node, &mut findings, &mut coverage)?;
+            for (who, _) in walks.each() {
+                self.sweep(&walks, (who, action), &sensed, node, &mut findings, &mut coverage)?;
+            }
         }
         let unfinished = coverage.arm_runs_not_evaluated;
-        let hit = self.first_unsafe(&walked, action, &sensed, node, &mut coverage)?;
-        let ends = hit.as_ref().is_some_and(|finding| finding.class.ends());
+        let befallen = self.befallen(&walks, action, &sensed, node, &mut coverage)?;
+        let ends = !befallen.ends.is_empty();
         let evaluated = ends || coverage.arm_runs_not_evaluated == unfinished;
-        let last = walked.places.len() - 1;
-        findings.extend(hit);
+        findings.extend(befallen.noted.into_iter().chain(befallen.ends));
         let (reward, end) = if ends {
             (UNSAFE_REWARD, Some(End::Unsafe))
         } else if self.state.actions.len() + 1 < self.horizon() {
             (0.0, None)
         } else {
-            let when = (self.state.actions.len(), last);
-            let person = self.world.person(&self.world.stance(&walked, when, action.posture(), &sensed));
-            let walls = self.world.unbroken();
-            let space = ArmSpace { walls: &walls, links: None };
-            let proximity =
-                self.world.encounter(&walked.places[last]).proximity(&person, &frames[last], &space, &mut coverage);
-            (proximity.reward(), Some(End::Horizon))
+            let world = Arc::clone(&self.world);
+            let last = frames.len() - 1;
+            let reward = walks.each().map(|(who, walked)| {
+                let own = world.of(who).unwrap_or(&world);
+                let when = (self.state.actions.len(), last);
+                let person = own.person(&world.stance((who, walked), when, action.of(who).posture(), &sensed));
+                let walls = own.unbroken();
+                let space = ArmSpace { walls: &walls, links: None };
+                let encounter = own.encounter(&walked.places[last]);
+                encounter.proximity(&person, &frames[last], &space, &mut coverage).reward()
+            });
+            (reward.fold(Proximity::Far.reward(), f64::max), Some(End::Horizon))
         };
-        let to = Some((node, walked.places[last], sensed.delays, sensed.switched));
+        let to = Some((node, walks.ends(), sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
         Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
     }
 
     /// What an action from the present state has the sensors and controls tell.
-    fn sense(&self, walked: &WalkTrace, action: Action) -> Sensed {
-        let worked = self.world.worked(walked, action);
-        let sights = self.world.sights(walked, action.posture());
+    fn sense(&self, walks: &Walks, action: Action) -> Sensed {
+        let worked = self.world.worked_by(&walks.starts(), action);
+        let sights = self.world.sights_of_all(walks, action);
         self.world.sense(&self.state.delays, self.state.switched, &sights, &worked)
     }
 
-    /// The other postures with the same walk. Where no light curtain sees the difference they give the FMU the same
-    /// inputs, so its outputs hold for them too.
+    /// The other postures of one of the people with the same walk. Where no light curtain sees the difference they give the FMU the
+    /// same inputs, so its outputs hold for them too.
     fn sweep(
         &mut self,
-        walked: &WalkTrace,
-        action: Action,
+        walks: &Walks,
+        (who, action): (Who, Action),
         sensed: &Sensed,
         node: NodeId,
         findings: &mut Vec<Finding>,
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
         let world = Arc::clone(&self.world);
-        for posture in world.cell.repertoire.postures().iter().copied().filter(|p| *p != action.posture()) {
-            let sibling = action.in_posture(posture);
+        let Some(repertoire) = world.cell.repertoire.of(who) else { return Ok(()) };
+        let own = action.of(who);
+        for posture in repertoire.postures().iter().copied().filter(|p| *p != own.posture()) {
+            let sibling = action.with(who, own.in_posture(posture));
             // Low ones lead other ways and are seen otherwise: they are actions for themselves.
-            if posture.is_low() || action.posture().is_low() {
+            if posture.is_low() || own.posture().is_low() {
                 continue;
             }
             let found = if world.posture_is_unseen() && action.presses().is_none() {
-                self.first_unsafe(walked, sibling, sensed, node, coverage)?
+                self.befallen(walks, sibling, sensed, node, coverage)?
             } else {
                 // Another posture may get to another door.
-                let walked = &world.walk(self.state.place, sibling);
-                let own = self.sense(walked, sibling);
+                let walks = world.walks(self.state.places, sibling);
+                let own = self.sense(&walks, sibling);
                 let advanced = self.robots.advance(self.state.node, &own.inputs)?;
                 let Advanced::To(node) = advanced else { continue };
-                self.first_unsafe(walked, sibling, &own, node, coverage)?
+                self.befallen(&walks, sibling, &own, node, coverage)?
             };
-            findings.extend(found);
+            // What befalls the other one is told with their own postures.
+            findings.extend(found.noted.into_iter().chain(found.ends).filter(|finding| finding.who == who));
         }
         Ok(())
     }
 
-    /// The first instant of the action into `node` with an unsafe contact, remembered or looked for.
-    fn first_unsafe(
+    /// What befalls everybody in the action into `node`.
+    fn befallen(
         &mut self,
-        walked: &WalkTrace,
+        walks: &Walks,
         action: Action,
         sensed: &Sensed,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Option<Finding>, PlantError> {
+    ) -> Result<Befallen, PlantError> {
+        let mut each = Vec::new();
+        for (who, _) in walks.each() {
+            each.push(self.of_one(walks, (who, action), sensed, node, coverage)?);
+        }
+        Ok(Befallen::of(each.iter().map(Vec::as_slice)))
+    }
+
+    /// What one of the people meets in the action into `node`, as if they were alone, remembered or looked for.
+    fn of_one(
+        &mut self,
+        walks: &Walks,
+        (who, action): (Who, Action),
+        sensed: &Sensed,
+        node: NodeId,
+        coverage: &mut Coverage,
+    ) -> Result<Vec<Finding>, PlantError> {
+        let Some(walked) = walks.of(who) else { return Ok(Vec::new()) };
+        let own = action.of(who);
+        let in_action = |finding: Finding| Finding { actions: vec![action], ..finding };
         if self.options.policy == Policy::Replay {
-            return self.look(walked, action, sensed, node, coverage);
+            let met = self.look((who, walked), own, sensed, node, coverage)?;
+            return Ok(met.into_iter().map(in_action).collect());
         }
         // With the state that it leads to, what was sensed follows from what was on its way before.
-        let question = (node, walked.start, self.state.delays.clone(), action);
+        let question = (who, (node, walks.starts(), self.state.delays.clone(), action));
         let known = self.looks.get(&question).map(Arc::clone);
         let look = if let Some(known) = known {
             known
         } else {
             let before = self.robots.take_reached();
-            let mut own = Coverage::new(self.world.cell.sensors.len());
-            let finding = self.look(walked, action, sensed, node, &mut own)?;
-            let look = Arc::new(Look { finding, coverage: own, reached: self.robots.take_reached() });
+            let mut counted = Coverage::new(self.world.cell.sensors.len());
+            let met = self.look((who, walked), own, sensed, node, &mut counted)?;
+            let look = Arc::new(Look { met, coverage: counted, reached: self.robots.take_reached() });
             self.robots.add_reached(&before);
             if self.looks.len() >= OUTCOMES_KEPT {
                 self.looks.clear();
@@ -516,36 +580,42 @@ impl<P: Plant> Simulation<P> {
         };
         self.robots.add_reached(&look.reached);
         coverage.merge(&look.coverage);
-        Ok(look.finding.clone())
+        Ok(look.met.iter().cloned().map(in_action).collect())
     }
 
     fn look(
         &mut self,
-        walked: &WalkTrace,
+        (who, walked): (Who, &WalkTrace),
         action: Action,
         sensed: &Sensed,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Option<Finding>, PlantError> {
+    ) -> Result<Vec<Finding>, PlantError> {
         let frames = self.robots.frames(node);
+        let is_alone = self.world.of(Who::Second).is_none();
         // What does not end the action is told unless something does.
-        let mut noted: Option<Finding> = None;
+        let mut met: Vec<Finding> = Vec::new();
         for i in 0..frames.len() {
-            let stance = self.world.stance(walked, (self.state.actions.len(), i), action.posture(), sensed);
+            let when = (self.state.actions.len(), i);
+            let stance = self.world.stance((who, walked), when, action.posture(), sensed);
             let told = self.world.any_reports(&sensed.readings[i], &frames[i]);
             let mut earlier = Instead::new(&mut self.robots, node, i, told);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
             let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);
             let Some(finding) = finding.map(|finding| Finding { actions: vec![action], ..finding }) else { continue };
-            if finding.class.ends() {
-                return Ok(Some(finding));
-            }
-            if noted.as_ref().is_none_or(|noted| !noted.outweighs(&finding)) {
-                noted = Some(finding);
+            match (finding.class.ends(), is_alone) {
+                (true, true) => return Ok(vec![finding]),
+                (true, false) => {
+                    met.push(finding);
+                    return Ok(met);
+                }
+                (false, false) => met.push(finding),
+                (false, true) if met.first().is_none_or(|noted| !noted.outweighs(&finding)) => met = vec![finding],
+                (false, true) => {}
             }
         }
-        Ok(noted)
+        Ok(met)
     }
 }
 

@@ -4,82 +4,47 @@
 //! Nothing here changes over a scan, so threads may share it.
 
 mod passing;
+mod people;
+mod sensing;
 mod through_plane;
 mod walking;
 mod working;
 
-use std::ops::Range;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use super::Coverage;
 use super::curtain::Curtain;
 use super::encounter::{ArmSpace, Clamping, Encounter, Judge, Person};
 use super::robot::RobotFrame;
-use super::sensors::{DelayLine, Seen, input_row, sees};
 use super::threads::Memo;
-use crate::cell::binding::SensorBinding;
-use crate::cell::{Binding, Sensor, Workcell, Zone};
-use crate::geometry::segment_cuboid::point_cuboid;
+use crate::cell::{Binding, Workcell};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Separation, Stop, Stopping};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
-use crate::human::low::OnFloor;
 use crate::human::walk::WalkTrace;
-use crate::human::{BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, shoulder};
+use crate::human::{BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop as WorkStop;
 
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
 
+pub use self::people::{Places, Walks};
+pub use self::sensing::{Sensed, Sight};
 pub use self::through_plane::Asked;
 use self::through_plane::Runs;
 use self::working::Hands;
 pub use self::working::Worked;
 
-/// What there is to see at the start of a step, whatever was seen before.
-#[derive(Clone, Debug)]
-pub struct Sight {
-    /// The person, without the body.
-    seen: Seen,
-    /// What each sensor sees.
-    raw: Vec<bool>,
-}
-
-/// Sensors and inputs over one action.
-#[derive(Clone, Debug)]
-pub struct Sensed {
-    /// FMU inputs, one row a step.
-    pub inputs: Vec<f64>,
-    /// The delay lines afterwards.
-    pub delays: Vec<DelayLine>,
-    /// Controls that stay switched over afterwards.
-    pub switched: Presses,
-    /// Readings in effect at the start of each step.
-    pub readings: Vec<Vec<bool>>,
-    /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
-    pub broken: Vec<Vec<usize>>,
-}
-
-impl Sensed {
-    /// Whether the FMU and the contact rules see the same.
-    #[must_use]
-    pub fn same(&self, other: &Self) -> bool {
-        let bits = |s: &Self| s.inputs.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-        self.delays == other.delays
-            && self.switched == other.switched
-            && self.readings == other.readings
-            && self.broken == other.broken
-            && bits(self) == bits(other)
-    }
-}
-
 /// The person at the end of a communication step, as far as contacts depend on it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Stance {
+    /// Who it is.
+    pub who: Who,
     /// Where the person stands.
     pub place: Place,
     /// The bend that is tried.
@@ -92,11 +57,23 @@ pub struct Stance {
     pub raised: Option<usize>,
 }
 
+/// As if there were one person only, for the first: what was written down of cells without a second one stays known by it.
+impl Hash for Stance {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let Self { who, place, posture, moved, broken, raised } = self;
+        (place, posture, moved, broken, raised).hash(state);
+        if *who != Who::First {
+            who.hash(state);
+        }
+    }
+}
+
 impl Stance {
     /// Whether body and arms are the same in both.
     #[must_use]
     pub fn poses_as(&self, other: &Self) -> bool {
-        (self.place, self.posture, self.raised) == (other.place, other.posture, other.raised)
+        let of = |stance: &Self| (stance.who, stance.place, stance.posture, stance.raised);
+        of(self) == of(other)
     }
 }
 
@@ -219,6 +196,8 @@ pub struct World {
     reached: Memo<(Place, Posture, usize), Hands>,
     /// The same with moving contacts as what is looked for, where they count.
     moving: Option<Box<World>>,
+    /// The same for the second person, if there is one.
+    second: Option<Box<World>>,
     /// What stops the robots, where separation counts.
     pub(super) stop_command: Option<Command>,
 }
@@ -242,7 +221,8 @@ impl World {
             let judge = Judge::Moving(limit_m_s.max(STANDSTILL_M_S));
             Box::new(Self::looking_for(Arc::clone(&cell), Arc::clone(&binding), judge))
         });
-        Self { moving, ..Self::looking_for(cell, binding, Judge::Ending) }
+        let second = cell.of_second().map(|cell| Box::new(Self::new(Arc::new(cell), Arc::clone(&binding))));
+        Self { moving, second, ..Self::looking_for(cell, binding, Judge::Ending) }
     }
 
     fn looking_for(cell: Arc<Workcell>, binding: Arc<Binding>, judge: Judge) -> Self {
@@ -283,6 +263,7 @@ impl World {
             fits: Memo::new(),
             reached: Memo::new(),
             moving: None,
+            second: None,
             stop_command,
         };
         let start = world.start();
@@ -297,6 +278,7 @@ impl World {
     #[must_use]
     pub fn heeding(mut self, stop: WorkStop) -> Self {
         self.moving = self.moving.map(|moving| Box::new(moving.heeding(stop.clone())));
+        self.second = self.second.map(|second| Box::new(second.heeding(stop.clone())));
         for encounter in &mut self.encounters {
             encounter.stop = stop.clone();
         }
@@ -331,6 +313,7 @@ impl World {
             encounter.worst = false;
         }
         self.moving = self.moving.map(|moving| Box::new(moving.content_with_any()));
+        self.second = self.second.map(|second| Box::new(second.content_with_any()));
         self
     }
 
@@ -356,144 +339,24 @@ impl World {
         Place::START
     }
 
-    /// Sensors that have been reading for long what they read at the start.
-    #[must_use]
-    pub fn delays_at_start(&self) -> Vec<DelayLine> {
-        let seen = self.seen(&self.start(), Posture::Upright);
-        let settled = |s: &Sensor| remembered(s, DelayLine::settled(sees(s, &seen), s.delay_steps));
-        self.cell.sensors.iter().map(settled).collect()
-    }
-
-    /// What the sensors outside the FMU read at the person's start.
-    #[must_use]
-    pub fn readings_at_start(&self) -> Vec<bool> {
-        let seen = self.seen(&self.start(), Posture::Upright);
-        self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
-    }
-
-    /// The input values an FMU gets at initialisation: sensors as they read at the person's start.
-    #[must_use]
-    pub fn initial_inputs(&self) -> Vec<f64> {
-        let seen = self.seen(&self.start(), Posture::Upright);
-        let readings = self.readings_at_start();
-        let mut row = Vec::new();
-        input_row(&self.cell, &self.binding, &readings, &seen, Presses::NONE, &mut row);
-        row
-    }
-
-    /// Whether inputs and contacts of an action depend on the walk only, and not on the posture of who stands.
-    #[must_use]
-    pub fn posture_is_unseen(&self) -> bool {
-        self.curtains.is_empty()
-    }
-
-    /// The same of this walk: no plane that would tell of the body is near.
-    #[must_use]
-    pub fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
-        std::iter::once(&walked.start).chain(&walked.places).all(|place| !self.may_be_in_a_plane(place))
-    }
-
-    /// Whether some part of the body, in some posture, could be in a plane that tells of it.
-    fn may_be_in_a_plane(&self, place: &Place) -> bool {
-        let middle = self.position(place) + Vec3::Z;
-        let near = |c: &Curtain| !c.hands_only && point_cuboid(middle, &c.plane).distance <= self.body_reach_m;
-        self.curtains.iter().any(near)
-    }
-
-    /// The person at `place` as sensors see it.
-    fn seen(&self, place: &Place, bent: Posture) -> Seen {
-        let position = self.position(place);
-        let heading_rad = place.heading_rad(&self.cell.start);
-        let body = self
-            .may_be_in_a_plane(place)
-            .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
-        // Bends leave the feet where they are.
-        let fraction = if bent.is_low() { self.bend(place, bent) } else { BendFraction::FULL };
-        let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, fraction);
-        Seen { feet, besides, body, position, heading_rad }
-    }
-
-    /// What there is for the sensors to see at the start of each step.
-    #[must_use]
-    pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
-        let steps = walked.places.len();
-        let sight = |place: &Place| {
-            let seen = self.seen(place, bent);
-            let raw = self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect();
-            Sight { seen: Seen { body: None, ..seen }, raw }
-        };
-        std::iter::once(&walked.start).chain(&walked.places).take(steps).map(sight).collect()
-    }
-
-    /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
-    #[must_use]
-    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
-        let steps = sights.len();
-        let mut sensed = Sensed {
-            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
-            delays: delays.to_vec(),
-            switched: self.switched_after(switched, worked),
-            readings: Vec::with_capacity(steps),
-            broken: Vec::with_capacity(steps),
-        };
-        for (step, Sight { seen, raw }) in sights.iter().enumerate() {
-            let by_arm: Vec<usize> =
-                self.arm_in_planes(step, worked).map(|plane| self.curtains[plane].sensor).collect();
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw).enumerate();
-            let reading = |(number, ((sensor, line), raw)): (usize, ((&Sensor, &mut DelayLine), &bool))| {
-                told(sensor, line, *raw, by_arm.contains(&number))
-            };
-            let readings: Vec<bool> = sensors.map(reading).collect();
-            let on = self.on_in_step(step, switched, worked);
-            input_row(&self.cell, &self.binding, &readings, seen, on, &mut sensed.inputs);
-            sensed.readings.push(readings);
-            sensed.broken.push(self.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
-        }
-        for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
-            *line = remembered(sensor, *line);
-        }
-        sensed
-    }
-
-    /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
-    pub(super) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
-        let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return };
-        let active = f64::from(u8::from(self.cell.sensors[sensor].active));
-        let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
-        for (row, readings) in rows.zip(&mut sensed.readings).take(steps.end).skip(steps.start) {
-            row[column] = active;
-            readings[sensor] = true;
-        }
-    }
-
-    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
-    /// own one at the step's end.
-    #[must_use]
-    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
-        match &self.binding.sensors[sensor] {
-            SensorBinding::Input(_) => readings[sensor],
-            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
-        }
-    }
-
-    /// Whether each sensor reports the person, see [`World::reading`].
-    #[must_use]
-    pub fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
-        (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
-    }
-
     /// The body in the world.
     #[must_use]
     pub fn body_of(&self, stance: &Stance) -> PlacedBody {
-        self.person(stance).body
+        self.of_stance(stance).person(stance).body
     }
 
-    /// The person after step `i` of an action that so many actions come before.
+    /// One of the people after step `i` of an action that so many actions come before and that leads them along this way.
     #[must_use]
-    pub fn stance(&self, walked: &WalkTrace, (before, i): (usize, usize), posture: Posture, sensed: &Sensed) -> Stance {
+    pub fn stance(
+        &self,
+        (who, walked): (Who, &WalkTrace),
+        (before, i): (usize, usize),
+        posture: Posture,
+        sensed: &Sensed,
+    ) -> Stance {
         let (place, broken) = (walked.places[i], sensed.broken[i].clone());
         let raised = self.raised(before * self.cell.steps_per_action + i + 1);
-        Stance { place, posture, moved: Self::moved(walked, i), broken, raised }
+        Stance { who, place, posture, moved: Self::moved(walked, i), broken, raised }
     }
 
     /// So many steps, as long as arms cannot be anywhere after them.
@@ -520,6 +383,10 @@ impl World {
         earlier: &mut E,
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
+        let own = self.of_stance(stance);
+        if !std::ptr::eq(own, self) {
+            return own.contact(stance, frames, i, earlier, coverage);
+        }
         coverage.contact_checks += 1;
         if !self.near(&stance.place, &frames[i]) && self.cell.separation.is_none() {
             return Ok(None);
@@ -531,12 +398,6 @@ impl World {
             return Ok(Some(hit));
         }
         self.passing(&person, stance, (frames, i), earlier, coverage)
-    }
-
-    /// Whether any sensor reports the person.
-    #[must_use]
-    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
-        (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
     }
 
     /// The same for one stance and several instants, each with its own robots. One search often settles many of them.
@@ -551,6 +412,10 @@ impl World {
         instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
     ) -> Result<Vec<Option<Hit>>, E::Error> {
+        let own = self.of_stance(stance);
+        if !std::ptr::eq(own, self) {
+            return own.contacts(stance, posed, instants, coverage);
+        }
         let mut hits = self.ending_contacts(stance, posed, instants, coverage)?;
         if self.moving.is_none() && self.cell.separation.is_none() {
             return Ok(hits);
@@ -682,6 +547,7 @@ impl World {
         frame: &RobotFrame,
         (taken, i): (usize, usize),
     ) -> Option<Finding> {
+        let own = self.of_stance(stance);
         let mut readings = readings.to_vec();
         for window in &hit.windows {
             // What the last sample but `delay` told takes effect in this step.
@@ -706,9 +572,10 @@ impl World {
             actions: Vec::new(),
             step,
             time_s,
-            person: self.position(&stance.place),
-            heading_rad: stance.place.heading_rad(&self.cell.start),
-            bend_sixteenths: self.bend(&stance.place, stance.posture).sixteenths(),
+            who: stance.who,
+            person: own.position(&stance.place),
+            heading_rad: stance.place.heading_rad(&own.cell.start),
+            bend_sixteenths: own.bend(&stance.place, stance.posture).sixteenths(),
             arm: hit.arm,
             sensors: (0..self.cell.sensors.len()).map(|s| self.reading(s, &readings, frame)).collect(),
             phase: hit.phase,
@@ -749,19 +616,4 @@ impl World {
     pub(super) fn unbroken(&self) -> Vec<Cuboid> {
         self.curtains.iter().map(Curtain::unbroken).collect()
     }
-}
-
-/// The reading of a sensor that takes effect when it next sees `raw` of the body, or an arm on its way to a control.
-const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool, by_arm: bool) -> bool {
-    match sensor.zone {
-        // Hands that are back on it were never away.
-        Zone::TwoHand { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
-        _ if by_arm => line.push_with_arm(raw, sensor.delay_steps),
-        _ => line.push(raw, sensor.delay_steps),
-    }
-}
-
-/// Only where hands may be behind a plane it matters since when.
-fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
-    if sensor.zone.plane().is_some() { line } else { line.on_its_way() }
 }

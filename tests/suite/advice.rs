@@ -119,7 +119,7 @@ impl Advised {
             return self.is_hazardous(&met.cell, met.beginning);
         }
         let plant = cell.plant(StateChoice::Replay);
-        let found = replay(Arc::clone(&cell.cell), Arc::clone(&cell.binding), plant, &met.actions).unwrap();
+        let found = replay(Arc::clone(&cell.cell), Arc::clone(&cell.binding), plant, &met.actions, None).unwrap();
         found.is_some_and(|found| found.contact.region == met.body_region)
     }
 

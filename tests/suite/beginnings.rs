@@ -52,7 +52,8 @@ fn a_later_beginning_is_as_if_the_person_had_stood_still_before() {
             let still: Action = "stop/upright".parse().unwrap();
             let actions: Vec<Action> = std::iter::repeat_n(still, stops).chain(own).collect();
             let plant = once.plant(StateChoice::Replay);
-            let again = replay(Arc::clone(&once.cell), Arc::clone(&once.binding), plant, &actions).unwrap().unwrap();
+            let again =
+                replay(Arc::clone(&once.cell), Arc::clone(&once.binding), plant, &actions, None).unwrap().unwrap();
             assert_eq!(hazard["force_n"], again.contact.force_n);
             let later = 0.2 * f64::from(u32::try_from(stops).unwrap());
             assert!((hazard["time_s"].as_f64().unwrap() + later - again.time_s).abs() < 1e-9);

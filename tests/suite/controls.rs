@@ -7,7 +7,7 @@ use fmi_hazard::cell::binding::SensorBinding;
 use fmi_hazard::geometry::segment_cuboid::segment_hits_cuboid;
 use fmi_hazard::geometry::{Cuboid, Vec3};
 use fmi_hazard::human::arm::{ABDUCTION, ArmModel, ELBOW, flexion_range, rotation_range};
-use fmi_hazard::human::{Action, Posture, Presses, Side, Walk, shoulder};
+use fmi_hazard::human::{Action, Posture, Presses, Side, Walk, Who, shoulder};
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::World;
@@ -118,7 +118,8 @@ fn a_hand_that_gets_there_is_not_missed() {
         let walked = world.walk(place, Action::new(walks[step % 5], posture));
         let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
         let known = !world.worked(&walked, action).presses.is_none();
-        let stance = Stance { place: walked.start, posture, moved: 0, broken: Vec::new(), raised: None };
+        let stance =
+            Stance { who: Who::First, place: walked.start, posture, moved: 0, broken: Vec::new(), raised: None };
         let body = world.body_of(&stance);
         let mut touched = false;
         for side in Side::BOTH.into_iter().filter(|side| shoulder::is_available(&body, *side, &obstacles)) {

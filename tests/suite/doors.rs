@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use fmi_hazard::human::{Action, Place, Posture, Presses, Walk};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Walk, Who};
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::sim::World;
 
@@ -54,7 +54,7 @@ fn a_leaf_is_in_the_way_while_it_is_closed() {
             &world.sights(&walked, Posture::Forward),
             &world.worked(&walked, go(Presses::NONE)),
         );
-        let body = world.body_of(&world.stance(&walked, (0, 9), Posture::Forward, &sensed));
+        let body = world.body_of(&world.stance((Who::First, &walked), (0, 9), Posture::Forward, &sensed));
         body.parts()[0].1.a.y
     };
     assert!(bends(DOOR) > bends(Presses::NONE) + 0.1, "{} {}", bends(DOOR), bends(Presses::NONE));

@@ -11,7 +11,7 @@ use crate::common::guarded::every_sequence;
 use crate::common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
-use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk, Who};
 use fmi_hazard::report::model::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
@@ -23,7 +23,7 @@ use fmi_hazard::sim::sensors::DelayLine;
 use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window};
 use fmi_hazard::sim::{Coverage, World};
 
-const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
+pub const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
 
 /// A cell of the examples, started elsewhere, with other search settings.
 fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
@@ -37,9 +37,9 @@ fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
 }
 
 /// Where, when and how a finding happens, to the last bit, and how many sequences begin so.
-type Unsafe = BTreeMap<String, u128>;
+pub type Unsafe = BTreeMap<String, u128>;
 
-fn key(finding: &Finding) -> String {
+pub fn key(finding: &Finding) -> String {
     // The calmest of many sequences stands for all, so the actions before the last are left out.
     format!("{:?} {:?}", finding.actions.last(), Finding { actions: Vec::new(), ..finding.clone() })
 }
@@ -50,7 +50,7 @@ fn expander(prepared: &Prepared, merge: Merge) -> Expander<Hosted> {
         .unwrap()
 }
 
-fn exhausted<E: Expansion<Unsafe = Finding>>(expansion: &mut E, budget: Budget) -> (Account, Unsafe)
+pub fn exhausted<E: Expansion<Unsafe = Finding>>(expansion: &mut E, budget: Budget) -> (Account, Unsafe)
 where
     E::Error: std::fmt::Debug,
 {
@@ -65,7 +65,7 @@ where
 }
 
 /// The cells looked at here have no light curtain.
-struct NoCurtain;
+pub struct NoCurtain;
 
 impl Earlier for NoCurtain {
     type Error = Infallible;
@@ -115,7 +115,7 @@ impl<'a> Enumeration<'a> {
             let frames: Frames = rows.map(frame).collect();
             let mut coverage = Coverage::new(self.world.cell.sensors.len());
             let met = (0..steps).find_map(|i| {
-                let stance = self.world.stance(&walked, (depth as usize, i), action.posture(), &sensed);
+                let stance = self.world.stance((Who::First, &walked), (depth as usize, i), action.posture(), &sensed);
                 let robots = frames[i].outputs().iter().map(|v| v.to_bits()).collect();
                 let ask = || self.world.contact(&stance, &frames, i, &mut NoCurtain, &mut coverage).unwrap();
                 let hit = self.answers.entry((stance.clone(), robots)).or_insert_with(ask).clone()?;
@@ -135,10 +135,10 @@ impl<'a> Enumeration<'a> {
 }
 
 /// A person who takes some of the actions only.
-struct Few(Expander<Hosted>, Vec<Action>, Repertoire);
+pub struct Few(Expander<Hosted>, Vec<Action>, Repertoire);
 
 impl Few {
-    fn of(prepared: &Prepared, actions: &[Action]) -> Self {
+    pub fn of(prepared: &Prepared, actions: &[Action]) -> Self {
         Self(expander(prepared, Merge::Auto), actions.to_vec(), prepared.cell.repertoire.clone())
     }
 }

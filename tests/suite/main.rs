@@ -64,6 +64,7 @@ mod states_that_lie;
 mod stepping;
 mod strategies;
 mod terminal;
+mod two_people;
 mod variants;
 mod workcells;
 mod worker_processes;

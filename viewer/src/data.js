@@ -26,6 +26,7 @@ function decode(replay, cell) {
     links: floats(replay.links),
     body: floats(replay.body),
     arms: floats(replay.arms),
+    ...(replay.beside ? { beside: floats(replay.beside), beside_arms: floats(replay.beside_arms) } : {}),
   };
   for (const key of ["time_s", "distance_m", "speed_m_s", "force_ratio"]) {
     decoded[key] = floats(replay[key]);

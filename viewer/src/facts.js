@@ -29,7 +29,7 @@ function what(hazard, settings) {
     return `The robot's ${hazard.robot_link}, which moves at ${words.speed(hazard.speed_m_s)}, ${words.deed(hazard)} after ${words.time(hazard.time_s)}.`;
   }
   const { decides } = words.forces(hazard, settings);
-  const text = `The robot's ${hazard.robot_link} hits the ${words.region(hazard.body_region)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(decides.ratio)} the limit.`;
+  const text = `The robot's ${hazard.robot_link} ${words.deed(hazard)} at ${words.speed(hazard.speed_m_s)} after ${words.time(hazard.time_s)}: ${words.ratio(decides.ratio)} the limit.`;
   return words.permitsNoContact(hazard.body_region) ? `${text} A moving robot may not touch it at all, whatever the force.` : text;
 }
 
@@ -66,7 +66,7 @@ export function facts(hazard, settings, { short = false } = {}) {
   const bend = hazard.bend_fraction < 1 ? `, bent as far as obstacles leave it (${(100 * hazard.bend_fraction).toFixed(0)} %)` : "";
   const list = definitions([
     ["what", what(hazard, settings)],
-    ["where", `${hazard.class === "separation" ? "nearest point of the robot" : "contact"} at ${words.point(hazard.contact_point_m)}; the person stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
+    ["where", `${hazard.class === "separation" ? "nearest point of the robot" : "contact"} at ${words.point(hazard.contact_point_m)}; ${hazard.person ?? "the person"} stands at ${words.point(hazard.person_xy_m)}, looks to ${(((hazard.person_heading_deg % 360) + 360) % 360).toFixed(0)}°${bend}`],
     ["begins", hazard.begins ? `at ${words.point(hazard.begins.xy_m)}, looking to ${hazard.begins.heading_deg.toFixed(0)}°, ${words.begun(hazard.begins)}; times count from then` : ""],
     ["force", words.byForce(hazard) ? bothForces(hazard, settings) : ""],
     ["broken", words.byForce(hazard) ? "" : otherCriterion(hazard)],

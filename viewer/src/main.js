@@ -16,7 +16,7 @@ import { makeSelection } from "./selection.js";
 import { hazardTable } from "./table.js";
 import { verdict } from "./verdict.js";
 import { wholeSection } from "./whole.js";
-import { nameControls } from "./words.js";
+import { nameControls, namePeople } from "./words.js";
 
 function unknownNote(selection) {
   const note = h("p", { class: "notice", "data-test": "unknown-id" });
@@ -32,6 +32,7 @@ function unknownNote(selection) {
 async function build(root) {
   const data = await readData();
   nameControls(data.scan.settings.controls ?? []);
+  namePeople(data.scan.settings.second?.names);
   root.append(verdict(data));
   const selection = makeSelection(data.causes);
   root.append(unknownNote(selection), ...(data.whole ? [wholeSection(data)] : []));

@@ -69,6 +69,16 @@ export class Person extends Group {
     this.add(...this.parts, ...this.arms.flat(), ...this.feet, this.face, this.around);
   }
 
+  /** Takes the person beside the one who is hit, or hides if there is none. */
+  loadOther(replay, hazard) {
+    this.visible = Boolean(replay.beside);
+    if (this.visible) {
+      const own = { ...replay, body: replay.beside, arms: replay.beside_arms, arm: null };
+      Object.assign(this, { replay: own, hazard, head: headPart(own, this.cell), touching: null });
+      this.face.scale.setScalar(this.cell.body[this.head].radius_m);
+    }
+  }
+
   /** Takes the person of another replay, and colours what is touched. */
   load(replay, hazard) {
     Object.assign(this, { replay, hazard, head: headPart(replay, this.cell) });

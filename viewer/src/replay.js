@@ -32,10 +32,10 @@ export function makeReplay(data, selection) {
     const reporting = current.sensors.filter((sensor) => sensor.detected[frame] === "1").map((sensor) => sensor.name);
     const parts = [
       `${words.time(frame * cell.step_s)} of ${words.time((current.frames - 1) * cell.step_s)}`,
-      name ? `the person ${words.action(name)}` : "start",
+      name ? words.does(name) : "start",
     ];
     if (current.sensors.length > 0) {
-      parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? "report" : "reports"} the person` : "no sensor reports the person");
+      parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? "report" : "reports"} ${words.somebody()}` : `no sensor reports ${words.somebody()}`);
     }
     if (frame === current.contact_frame) {
       parts.push(`${hazard.class === "separation" ? "" : "contact: "}${hazard.robot_link} ${words.deed(hazard)}`);

@@ -131,7 +131,8 @@ export function makeScene(canvas, cell, labels, tellName) {
     return { link, mesh };
   });
   const person = new Person(cell, name);
-  scene.add(...zones, ...links, person);
+  const other = new Person(cell, (shape) => name(shape, "the other person"));
+  scene.add(...zones, ...links, person, other);
 
   let grid = null;
   let replay = null;
@@ -250,6 +251,7 @@ export function makeScene(canvas, cell, labels, tellName) {
         links[link].material = MATERIALS[`${of(link)}Shape`];
       }
       person.load(replay, hazard);
+      other.loadOther(replay, hazard);
       way = ribbon(path(replay, cell), 0.03, MATERIALS.path);
       scene.add(way);
       mark.position.set(...replay.contact_m);
@@ -270,6 +272,9 @@ export function makeScene(canvas, cell, labels, tellName) {
         pose.position ? shape.place(pose.position, pose.quaternion) : shape.place(pose.a, pose.b);
       });
       person.place(frame);
+      if (other.visible) {
+        other.place(frame);
+      }
       // Doors that stand open are not there.
       const worked = (person.hazard.worked ?? []).filter(({ at_s: at }) => Math.round(at / replay.step) <= frame);
       obstacles.forEach((shape, index) => {

@@ -2,7 +2,7 @@
 
 import { h } from "./dom.js";
 import { GUTTER_PX, RIGHT_PX } from "./plots.js";
-import { action } from "./words.js";
+import * as words from "./words.js";
 
 /** Frames from and to (exclusive) in which the sensor reports the person. */
 function spans(detected) {
@@ -54,14 +54,14 @@ export function makeStrips(seek) {
     load(next, events) {
       last = Math.max(next.frames - 1, 1);
       const sensors = next.sensors.map(({ name, detected }) =>
-        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports the person` })), events),
+        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports ${words.somebody()}` })), events),
       );
       parts = runs(next.actions).map(({ name, from, to }) => {
-        const [walk, ...rest] = action(name).split(", ");
-        const block = h("div", { class: "action", style: place(from, to), title: action(name) }, h("span", {}, walk), h("span", {}, rest.join(", ")));
+        const [walk, ...rest] = words.action(name).split(", ");
+        const block = h("div", { class: "action", style: place(from, to), title: words.action(name) }, h("span", {}, walk), h("span", {}, rest.join(", ")));
         return { from, to, block };
       });
-      element.replaceChildren(...sensors, strip("the person", "actions", parts.map(({ block }) => block), events));
+      element.replaceChildren(...sensors, strip(words.whose(), "actions", parts.map(({ block }) => block), events));
     },
     show(frame) {
       element.querySelectorAll(".now").forEach((line) => (line.style.left = `${(100 * frame) / last}%`));

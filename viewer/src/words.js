@@ -92,10 +92,19 @@ export function nameControls(all) {
   controls = all;
 }
 
+/** What two people are called, the one after the other; none where there is one person. */
+let people = [];
+
+/** Actions are told with the names of these people from now on. */
+export function namePeople(names) {
+  people = names ?? [];
+}
+
 /** Who works a control, and how: "the person presses reset". */
-export function worked({ name, by, kind, opens }) {
+export function worked({ name, by, kind, opens, by_either: either }) {
   const does = opens === undefined ? WORKS[kind] : opens ? "opens" : "closes";
-  return `${by === "anyone" ? "a colleague" : "the person"} ${does} ${name}`;
+  const person = either ? "one of the people" : "the person";
+  return `${by === "anyone" ? "a colleague" : person} ${does} ${name}`;
 }
 
 /** What is worked in an action: "presses reset", "a colleague presses reset". */
@@ -105,12 +114,25 @@ function press(text) {
   return control ? `${who}${control.door ? "opens or closes" : WORKS[control.kind]} ${control.name}` : `works control ${text}`;
 }
 
-/** An action in words: "walks straight ahead, bent forward, presses reset". */
+/** An action in words: "walks straight ahead, bent forward, presses reset"; of two people what each does. */
 export function action(name) {
   const [moves, ...presses] = name.split("+press");
-  const [walk, posture] = moves.split("/");
-  return posture === undefined ? name : [WALKS[walk] ?? walk, POSTURES[posture] ?? posture, ...presses.map(press)].join(", ");
+  const does = moves.split("&").map((one, index) => {
+    const [walk, posture] = one.split("/");
+    const who = people[index] === undefined ? "" : `${people[index]} `;
+    return posture === undefined ? one : `${who}${WALKS[walk] ?? walk}, ${POSTURES[posture] ?? posture}`;
+  });
+  return [does.join("; "), ...presses.map(press)].join(", ");
 }
+
+/** Whom a sensor reports: it does not tell who it is. */
+export const somebody = () => (people.length > 0 ? "somebody" : "the person");
+
+/** Who acts, for a heading. */
+export const whose = () => (people.length > 0 ? "both people" : "the person");
+
+/** The same with who does it. */
+export const does = (name) => (people.length > 0 ? action(name) : `the person ${action(name)}`);
 
 /** Actions in words, equal ones in a row as one: "3 x walks straight ahead, upright, 0.6 s"; `each` is how long one takes. */
 export function sequence(actions, each) {
@@ -129,8 +151,8 @@ export function sequence(actions, each) {
 export const byForce = ({ class: kind }) => kind === "force" || kind === "head_contact";
 
 /** What the robot does to the part of the body: "clamps the hand against table". */
-export function deed({ class: kind, judged, body_region: part }) {
-  const hit = region(part);
+export function deed({ class: kind, judged, body_region: part, person }) {
+  const hit = `${region(part)}${person === undefined ? "" : ` of ${person}`}`;
   switch (kind) {
     case "clamping":
       return `clamps the ${hit}${judged?.clamping ? ` against ${judged.clamping.against}` : ""}`;
@@ -233,7 +255,7 @@ export function confirmed(value) {
 
 /** Sensors at a contact. */
 export function sensors(states) {
-  const state = (s) => (s.person_detected ? `reports the person${typeof s.since_s === "number" ? ` for ${time(s.since_s)}` : ""}` : "does not report the person");
+  const state = (s) => (s.person_detected ? `reports ${somebody()}${typeof s.since_s === "number" ? ` for ${time(s.since_s)}` : ""}` : `does not report ${somebody()}`);
   return states.map((s) => `${s.name} ${state(s)}`).join(", ") || "no sensor";
 }
 

@@ -1,8 +1,8 @@
-//! The three parts of the cell `sensor-mat`, to be coupled by the importer.
+//! The parts of the cells `sensor-mat` and `two-operators`, to be coupled by the importer.
 
 use crate::bytes::{Reader, Writer};
 use crate::drive::{Demands, Drive, Settings};
-use crate::interface::coupled::{controller, kinematics, plc};
+use crate::interface::coupled::{controller, kinematics, plc, stations_plc};
 use crate::interface::sensor_mat::SPEC;
 use crate::interface::variables::Value;
 use crate::kinematics::{Joints, Pose, Vec3, scale};
@@ -64,6 +64,68 @@ impl Model for Plc {
         out.bool(self.mat_clear);
         out.bool(self.reset);
         self.drive.write(out);
+    }
+}
+
+/// The safety controller with two stations: the field counts for nothing while somebody is at one of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StationsPlc {
+    plc: Plc,
+    field_clear: bool,
+    occupied: [bool; 2],
+    mutes: bool,
+}
+
+impl StationsPlc {
+    /// All start values of the table.
+    pub fn new() -> Self {
+        Self { plc: Plc::new(), field_clear: true, occupied: [false; 2], mutes: true }
+    }
+
+    /// Reads what `write` wrote.
+    pub fn read(input: &mut Reader) -> Option<Self> {
+        Some(Self {
+            plc: Plc::read(input)?,
+            field_clear: input.bool()?,
+            occupied: [input.bool()?, input.bool()?],
+            mutes: input.bool()?,
+        })
+    }
+
+    fn is_muted(&self) -> bool {
+        self.mutes && self.occupied.contains(&true)
+    }
+}
+
+impl Model for StationsPlc {
+    fn set(&mut self, variable: usize, value: Value) {
+        match (variable, value) {
+            (stations_plc::FIELD_CLEAR, Value::Boolean(x)) => self.field_clear = x,
+            (stations_plc::STATION_A, Value::Boolean(x)) => self.occupied[0] = x,
+            (stations_plc::STATION_B, Value::Boolean(x)) => self.occupied[1] = x,
+            (stations_plc::MUTES, Value::Boolean(x)) => self.mutes = x,
+            _ => self.plc.set(variable, value),
+        }
+    }
+
+    fn read_out(&self, values: &mut [Value]) {
+        self.plc.read_out(values);
+        values[stations_plc::FIELD_CLEAR] = Value::Boolean(self.field_clear);
+        values[stations_plc::STATION_A] = Value::Boolean(self.occupied[0]);
+        values[stations_plc::STATION_B] = Value::Boolean(self.occupied[1]);
+        values[stations_plc::MUTES] = Value::Boolean(self.mutes);
+    }
+
+    fn step(&mut self, ticks: u64) -> Outcome {
+        self.plc.mat_clear = self.field_clear || self.is_muted();
+        self.plc.step(ticks)
+    }
+
+    fn write(&self, out: &mut Writer) {
+        self.plc.write(out);
+        for value in [self.field_clear, self.occupied[0], self.occupied[1], self.mutes] {
+            out.bool(value);
+        }
     }
 }
 

@@ -1,4 +1,5 @@
-//! The cell `sensor-mat` cut into three FMUs that are to be coupled: safety controller, robot controller, kinematics.
+//! Cells cut into three FMUs that are to be coupled: safety controller, robot controller, kinematics. `sensor-mat` is one, and
+//! `two-operators` another, of the same robot with another safety controller: it has one field for two stations.
 
 use super::sensor_mat::SPEC;
 use super::variables::Causality::{Input, Output, Parameter};
@@ -11,6 +12,15 @@ pub mod plc {
     pub const MAT_CLEAR: usize = 2;
     pub const RESET: usize = 3;
     pub const STOP: usize = 4;
+}
+
+/// Place of each variable of the safety controller with two stations; the first are those of the other.
+#[allow(missing_docs, reason = "as above")]
+pub mod stations_plc {
+    pub const FIELD_CLEAR: usize = super::plc::MAT_CLEAR;
+    pub const STATION_A: usize = 5;
+    pub const STATION_B: usize = 6;
+    pub const MUTES: usize = 7;
 }
 
 /// Place of each variable of the robot controller; arrays give their first element.
@@ -36,24 +46,67 @@ pub mod kinematics {
     pub const PAYLOAD: usize = 19;
 }
 
-/// The three interfaces, upstream first.
+/// The three interfaces of `sensor-mat`, upstream first.
 pub fn all() -> [Interface; 3] {
-    [plc_interface(), controller_interface(), kinematics_interface()]
+    let cell = SPEC.name;
+    [plc_interface(), controller_interface(cell), kinematics_interface(cell)]
 }
 
-fn interface(part: &str, description: &'static str, variables: Vec<Variable>) -> Interface {
+/// The cell with two stations.
+pub const STATIONS: &str = "two-operators";
+
+/// One sentence on what it is.
+pub const STATIONS_ABOUT: &str =
+    "Robot with two stations in front of it; one field stops it, but for who is at a station";
+
+/// The three interfaces of the cell with two stations, upstream first.
+pub fn stations() -> [Interface; 3] {
+    [stations_plc_interface(), controller_interface(STATIONS), kinematics_interface(STATIONS)]
+}
+
+fn interface(cell: &str, part: &str, description: &'static str, variables: Vec<Variable>) -> Interface {
     Interface {
-        identifier: format!("{}_{part}", SPEC.identifier),
-        name: format!("{}-{part}", SPEC.name),
+        identifier: format!("{}_{part}", cell.replace('-', "_")),
+        name: format!("{cell}-{part}"),
         description,
         variant: Variant::Faithful,
         variables,
     }
 }
 
+fn stations_plc_interface() -> Interface {
+    let boolean = |start| Kind::Boolean { start };
+    interface(
+        STATIONS,
+        "plc",
+        "Safety controller of the cell two-operators: latches the field's demand, but for who is at a station, and passes it on",
+        vec![
+            Variable::time(),
+            Variable::new(
+                "t_react",
+                "Reaction time; rounded up to 1 ms",
+                Parameter,
+                Kind::real_in("s", SPEC.t_react, 0.0, 5.0),
+            ),
+            Variable::new("field_clear", "Signal of the field; false demands a stop, latched", Input, boolean(true)),
+            Variable::new("reset", "Restart button: a rising edge while the field is clear", Input, boolean(false)),
+            Variable::new("stop", "The robot has to stop", Output, boolean(false)),
+            Variable::new("station_a", "Mat of station A: its operator is there", Input, boolean(false)),
+            Variable::new("station_b", "Mat of station B: its operator is there", Input, boolean(false)),
+            Variable::new(
+                "mute_at_stations",
+                "Whether the field demands nothing while an operator is at a station",
+                Parameter,
+                boolean(true),
+            ),
+        ],
+    )
+}
+
 fn plc_interface() -> Interface {
     let boolean = |start| Kind::Boolean { start };
     interface(
+        SPEC.name,
         "plc",
         "Safety controller of the cell sensor-mat: latches the mat's demand and passes it on after its reaction time",
         vec![
@@ -80,7 +133,7 @@ fn vector(variables: &mut Vec<Variable>, name: &str, about: &str, input: bool, u
     }
 }
 
-fn controller_interface() -> Interface {
+fn controller_interface(cell: &str) -> Interface {
     let mut variables = vec![
         Variable::time(),
         Variable::new(
@@ -112,10 +165,10 @@ fn controller_interface() -> Interface {
         Kind::real_in("1", 0.0, 0.0, 1.0),
     ));
     variables.push(Variable::new("leg", "Leg of the programme, counted from 0", Output, Kind::integer_in(0, 0, 6)));
-    interface("controller", "Robot controller of the cell sensor-mat: runs the programme of the tool", variables)
+    interface(cell, "controller", "Robot controller of a cell in parts: runs the programme of the tool", variables)
 }
 
-fn kinematics_interface() -> Interface {
+fn kinematics_interface(cell: &str) -> Interface {
     let arm = SPEC.robots[0].robot;
     let mut variables = vec![Variable::time()];
     vector(&mut variables, "tcp.position", "Where the tool centre point has to be, base frame", true, "m");
@@ -138,5 +191,5 @@ fn kinematics_interface() -> Interface {
         variables.push(Variable::new(&format!("qd[{}]", joint + 1), "Joint speed", Output, Kind::real("rad/s")));
     }
     variables.push(Variable::new("payload", "Mass at the flange: tool and workpiece", Output, Kind::real("kg")));
-    interface("kinematics", "Kinematics of the cell sensor-mat: joint angles for the place of the tool", variables)
+    interface(cell, "kinematics", "Kinematics of a cell in parts: joint angles for the place of the tool", variables)
 }

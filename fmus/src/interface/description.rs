@@ -207,11 +207,19 @@ mod tests {
             assert_eq!(guarded.variables[place].name, name);
         }
         let [plc, controller, kinematics] = coupled::all();
+        let [stations, ..] = coupled::stations();
         for (interface, place, name) in [
             (&plc, coupled::plc::T_REACT, "t_react"),
             (&plc, coupled::plc::MAT_CLEAR, "mat_clear"),
             (&plc, coupled::plc::RESET, "reset"),
             (&plc, coupled::plc::STOP, "stop"),
+            (&stations, coupled::plc::T_REACT, "t_react"),
+            (&stations, coupled::stations_plc::FIELD_CLEAR, "field_clear"),
+            (&stations, coupled::plc::RESET, "reset"),
+            (&stations, coupled::plc::STOP, "stop"),
+            (&stations, coupled::stations_plc::STATION_A, "station_a"),
+            (&stations, coupled::stations_plc::STATION_B, "station_b"),
+            (&stations, coupled::stations_plc::MUTES, "mute_at_stations"),
             (&controller, coupled::controller::PHASE0, "phase0"),
             (&controller, coupled::controller::STOP, "stop"),
             (&controller, coupled::controller::POSITION, "tcp.position.x"),

@@ -59,5 +59,5 @@ pub fn all() -> Vec<Interface> {
         WORKCELLS.into_iter().flat_map(|spec| Variant::ALL.map(|variant| workcell::interface(spec, variant).0));
     let faulty = [Variant::Faithful, Variant::NoState].map(faulty::interface);
     let others = [gantry::interface(), guarded::interface(), liar::interface()];
-    workcells.chain(coupled::all()).chain(faulty).chain(others).collect()
+    workcells.chain(coupled::all()).chain(coupled::stations()).chain(faulty).chain(others).collect()
 }

@@ -22,7 +22,7 @@ pub use criteria::{
     ClampingTable, ContactTable, CriteriaTable, MovingTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff,
 };
 pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
-pub use person::{HumanTable, PeopleFrom, Sex, StartAreaTable, StartTable};
+pub use person::{HumanTable, People, PeopleFrom, SecondTable, Sex, StartAreaTable, StartTable};
 pub use robot::{
     CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, PayloadPlaceTable, RobotTable, UpAxis,
     VariableTable,
@@ -89,8 +89,8 @@ pub struct CellFile {
     #[serde(default)]
     #[schemars(with = "BTreeMap<PoseQuantity, String>")]
     pub pose: BTreeMap<PoseQuantity, Spanned<String>>,
-    /// The person.
-    pub human: HumanTable,
+    /// The person, or two.
+    pub human: People,
     /// What counts as unsafe; without it, the transient force of the paper.
     #[serde(default)]
     pub criteria: CriteriaTable,

@@ -30,7 +30,7 @@ impl From<toml::de::Error> for Slip {
 }
 
 /// Lists whose entries are laid over each other by name.
-const NAMED: [&str; 7] = ["unit", "robot", "obstacle", "sensor", "control", "robot.joint", "robot.frame"];
+const NAMED: [&str; 8] = ["unit", "robot", "obstacle", "sensor", "control", "human", "robot.joint", "robot.frame"];
 
 /// The list in which several entries may share a name: all of a name take the place of all of that name.
 const SHARED: &str = "robot.link";
@@ -211,6 +211,18 @@ impl Laying {
             }
             (DeValue::Table(mut base), DeValue::Table(variant)) => {
                 self.over(&mut base, variant, path, under);
+                Spanned::new(span, DeValue::Table(base))
+            }
+            (DeValue::Array(base), DeValue::Table(_)) if path == "human" => {
+                let message = format!("{under} has `[[human]]`, a list, and this has `[human]`");
+                let help = "write [[human]] with the name that the person has there; remove = { human = [\"name\"] } leaves one out";
+                self.tell(Some(span.clone()), message, help.to_owned());
+                Spanned::new(span, DeValue::Array(base))
+            }
+            (DeValue::Table(base), DeValue::Array(_)) if path == "human" => {
+                let message = format!("{under} has `[human]`, one person, and this has `[[human]]`, a list");
+                let help = "write both people here, and remove = { human = [...] } with the keys that are there";
+                self.tell(Some(span.clone()), message, help.to_owned());
                 Spanned::new(span, DeValue::Table(base))
             }
             (DeValue::Array(base), DeValue::Array(variant)) if NAMED.contains(&path) => {

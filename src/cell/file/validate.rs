@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::checker::Checker;
-use super::format::{CellFile, FailOnTable, HumanTable, SearchTable, Sex};
+use super::format::{CellFile, FailOnTable, SearchTable};
 use super::obstacles::Obstacles;
 use super::reading::read;
 use super::starts::Starts;
@@ -12,10 +12,6 @@ use crate::cell::error::Source;
 use crate::cell::workcell::{UnitFile, Workcell};
 use crate::fmi::number;
 use crate::human::action::ACTION_S;
-use crate::human::body::BodyError;
-use crate::human::{Ability, Anthropometry, Body, Radii, Repertoire};
-use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
-use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most communication steps of an action: contacts are checked at each of them.
 const MOST_STEPS: f64 = 1000.0;
@@ -70,13 +66,16 @@ impl Checker<'_> {
         let Obstacles { boxes: obstacles, tables: obstacle_tables, opened_by } =
             self.obstacles(&file, &controls, sensors.iter().any(|sensor| sensor.zone.plane().is_some()));
         opened_by.iter().flatten().for_each(|number| controls[*number].door = true);
-        let body = self.problems.keep(self.body(&file));
-        let arm_speed = self.problems.keep(self.arm_speed(&file.human));
-        let repertoire = self.problems.keep(self.repertoire(&file.human, controls.len()));
-        let Starts { tables: starts, areas: start_areas } = self.starts(&file.human, body.as_ref(), &obstacles);
-        let beginnings = self.beginnings(&file.human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
-        let floor = self.problems.keep(self.floor_polygon(file.human.floor_m.as_ref(), "human.floor_m"));
-        let region = self.floor_polygon(file.human.start_region_m.as_ref(), "human.start_region_m");
+        let human = &file.human.first;
+        let body = self.problems.keep(self.body(&human.into()));
+        let arm_speed = self.problems.keep(self.arm_speed(human));
+        let repertoire = self.problems.keep(self.repertoire((&human.also, human.run_m_s.as_ref()), controls.len()));
+        let second = file.human.second.as_ref().map(|table| self.second(table, &file, &sensors, &controls));
+        let second = second.map(|second| self.problems.keep(second));
+        let Starts { tables: starts, areas: start_areas } = self.starts(human, body.as_ref(), &obstacles);
+        let beginnings = self.beginnings(human, &starts, step.map_or(0.02, |(step_s, _)| step_s));
+        let floor = self.problems.keep(self.floor_polygon(human.floor_m.as_ref(), "human.floor_m"));
+        let region = self.floor_polygon(human.start_region_m.as_ref(), "human.start_region_m");
         let region = self.problems.keep(region);
         self.limits(&file);
         let budget = self.problems.keep(self.search(&file.search));
@@ -84,6 +83,14 @@ impl Checker<'_> {
         let ((), ()) = (known?, budget?);
         let ((step_s, steps_per_action), chosen) = (step?, chosen?);
         let search = SearchTable { criterion: chosen.criteria.speed(), ..file.search };
+        let second = match second {
+            Some(second) => Some(second?),
+            None => None,
+        };
+        let repertoire = match &second {
+            Some(second) => repertoire?.beside(second.repertoire.clone()),
+            None => repertoire?,
+        };
         Some(Workcell {
             name: file.name.clone(),
             sha256: self.source.sha256(),
@@ -108,11 +115,12 @@ impl Checker<'_> {
             starts,
             start_areas,
             floor: floor?,
-            from: file.human.from,
+            from: human.from,
             start_region: region?,
             body: body?,
             arm_speed_m_s: arm_speed?,
-            repertoire: repertoire?,
+            repertoire,
+            second,
             criteria: chosen.criteria,
             clamping: chosen.clamping,
             separation: chosen.separation,
@@ -194,70 +202,6 @@ impl Checker<'_> {
         let only = file.fmu.iter().map(|path| UnitFile { name: String::new(), path: path.clone() });
         let units = file.units.iter().map(|u| u.get_ref());
         Ok(only.chain(units.map(|u| UnitFile { name: u.name.clone(), path: u.fmu.clone() })).collect())
-    }
-
-    fn arm_speed(&self, human: &HumanTable) -> Result<Option<f64>, Box<CellError>> {
-        let Some(speed) = &human.arm_speed_m_s else { return Ok(None) };
-        self.that((0.1..=10.0).contains(speed.get_ref()), speed.span(), || {
-            let help = "use 0.1 to 10 m/s; safety distances are made with 2.0".to_owned();
-            (format!("arm_speed_m_s is {}", number(*speed.get_ref())), help)
-        })?;
-        Ok(Some(*speed.get_ref()))
-    }
-
-    /// What the person does in a cell with so many controls.
-    fn repertoire(&self, human: &HumanTable, controls: usize) -> Result<Repertoire, Box<CellError>> {
-        let also = human.also.get_ref();
-        let twice = also.iter().enumerate().find(|(i, ability)| also[..*i].contains(ability));
-        self.that(twice.is_none(), human.also.span(), || {
-            ("`also` names something twice".to_owned(), "name each once".to_owned())
-        })?;
-        let Some(speed) = &human.run_m_s else {
-            return Ok(Repertoire::new(also, 2, controls));
-        };
-        self.that(also.contains(&Ability::Run), speed.span(), || {
-            let help = "write `also = [\"run\"]` beside it, or leave it out".to_owned();
-            ("`run_m_s` says how fast nobody runs".to_owned(), help)
-        })?;
-        let strides =
-            (2..=Repertoire::FASTEST).find(|n| (f64::from(*n) * WALKING_SPEED_M_S - speed.get_ref()).abs() < 1e-9);
-        self.that(strides.is_some(), speed.span(), || {
-            let help = "use 3.2, 4.8 or 6.4 m/s: a whole multiple of the walking speed, 1.6 m/s".to_owned();
-            (format!("run_m_s is {}", number(*speed.get_ref())), help)
-        })?;
-        Ok(Repertoire::new(also, strides.unwrap_or(2), controls))
-    }
-
-    fn body(&self, file: &CellFile) -> Result<Body, Box<CellError>> {
-        let h = &file.human;
-        let percentile = match h.percentile.get_ref() {
-            5 => Percentile::P5,
-            50 => Percentile::P50,
-            95 => Percentile::P95,
-            other => {
-                let message = format!("body measures are known for percentiles 5, 50 and 95, not {other}");
-                let help = Some("take the nearest; 5 and 95 show what size changes".to_owned());
-                return Err(self.source.error(h.percentile.span(), "here", message, help));
-            }
-        };
-        let sex = match h.sex {
-            Sex::Woman => AnsurSex::Female,
-            Sex::Man => AnsurSex::Male,
-        };
-        let measures = Anthropometry {
-            sex,
-            percentile,
-            bend_forward_deg: h.bend_forward_deg,
-            bend_lateral_deg: h.bend_lateral_deg,
-            radii_m: h.radii_m.as_ref().map_or_else(Radii::default, |radii| *radii.get_ref()),
-        };
-        Body::new(&measures).map_err(|e| {
-            let (span, help) = match (&e, &h.radii_m) {
-                (BodyError::RadiusOutOfRange { .. }, Some(radii)) => (radii.span(), "radii are in m"),
-                _ => (self.source.table("human"), "bends of a person are between 0 and 90 degrees"),
-            };
-            self.source.error(span, "for this person", e.to_string(), Some(help.to_owned()))
-        })
     }
 
     fn search(&self, s: &SearchTable) -> Result<(), Box<CellError>> {

@@ -108,9 +108,10 @@ impl Explanation {
     fn apart(&self, separation: &Separation, out: &mut String) {
         let _ = writeln!(out, "\n Separation, after ISO/TS 15066, 5.5.4");
         let mut say = |text: &str| *out += &wrapped(text, "   ");
+        let who = self.hazard.person.as_deref().unwrap_or("The person");
         let words = match (separation.required_m, separation.stops_after_s) {
             (Some(required), Some(stops)) => format!(
-                "The person is {:.3} m from the robot's {}, which moves at {:.2} m/s. Stopped now it stands after {stops:.2} s and gets up to \
+                "{who} is {:.3} m from the robot's {}, which moves at {:.2} m/s. Stopped now it stands after {stops:.2} s and gets up to \
                  {:.3} m farther, as the FMU shows. With what the cell file says of approach, intrusion and uncertainty the protective \
                  separation distance is {required:.3} m: {:.0} mm are missing.",
                 separation.distance_m,
@@ -120,7 +121,7 @@ impl Explanation {
                 1000.0 * (required - separation.distance_m)
             ),
             _ => format!(
-                "The person is {:.3} m from the robot's {}, which moves at {:.2} m/s and does not stop when it is told to: it still moved \
+                "{who} is {:.3} m from the robot's {}, which moves at {:.2} m/s and does not stop when it is told to: it still moved \
                  after 5 s.",
                 separation.distance_m, self.hazard.robot_link, self.hazard.speed_m_s
             ),

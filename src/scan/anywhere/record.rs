@@ -139,6 +139,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
         also: prepared.cell.repertoire.abilities().to_vec(),
         run_m_s: prepared.cell.repertoire.run_m_s(),
+        second: None,
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
         presses: found.presses,
@@ -175,7 +176,7 @@ fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Wa
         sequences: None,
     };
     let begins = Begin { xy_m: way.xy_m, heading_deg: way.heading_deg, begins_s: way.begins_s(cell.step_s) };
-    let with = |group: &Group| Hazard { begins: Some(begins), ..Hazard::new(group, &links, &sensors) };
+    let with = |group: &Group| Hazard { begins: Some(begins), ..Hazard::new(group, &links, &sensors, None) };
     let first = with(&group);
     // A run of its own has shown it there.
     let Ok(there) = prepared.of_hazard(&first) else { return first };

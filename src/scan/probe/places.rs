@@ -168,10 +168,13 @@ pub(super) fn starts_seen(prepared: &Prepared, idle_rows: &[f64]) -> Vec<String>
             continue;
         }
         let [x, y] = cell.beginnings[number].start.xy_m();
+        let two = cell.names().is_some();
+        let who = if two { "two people start, the first of them" } else { "the person starts" };
         let sentence = format!(
-            "the person starts at ({x:.2}, {y:.2}) m where {} reports at once: how somebody comes there is not tried, and \
+            "{who} at ({x:.2}, {y:.2}) m where {} reports {}at once: how somebody comes there is not tried, and \
              robots that it stops may never move. Start outside, unless that is what you ask",
-            by.join(" and ")
+            by.join(" and "),
+            if two { "either " } else { "" },
         );
         if !told.contains(&sentence) {
             told.push(sentence);

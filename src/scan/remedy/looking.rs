@@ -388,7 +388,9 @@ pub(super) fn shifted(known: &[Known], actions: usize, more: usize) -> Vec<Vec<A
     let is_here = |known: &&Known| known.standpoint.more == 0 && known.standpoint.elsewhere.is_none();
     for Known { actions, .. } in known.iter().filter(is_here).take(SHIFTED) {
         for stops in (0..=more).step_by(2) {
-            for then in [Action::REST, Action::new(Walk::Forward, Posture::Upright)] {
+            let on = Action::new(Walk::Forward, Posture::Upright);
+            let two = actions.iter().any(|action| action.is_of_two()).then(|| [Action::REST.beside(on), on.beside(on)]);
+            for then in [Action::REST, on].into_iter().chain(two.into_iter().flatten()) {
                 let mut sequence = vec![Action::REST; stops];
                 sequence.extend(actions);
                 sequence.resize(sequence.len().max(whole), then);

@@ -73,7 +73,7 @@ impl Standpoint {
             begin_at(&mut table, begin, actions)?;
         }
         if self.beside != [0.0; 3] {
-            let human = table.get_mut("human")?.as_table_mut()?;
+            let human = first_human(&mut table)?;
             let others = human.get("other_starts").and_then(Value::as_array).map_or(0, Vec::len);
             let start = match self.beginning % (1 + others) {
                 0 => human.get_mut("start")?,
@@ -114,7 +114,7 @@ impl Standpoint {
 /// The cell file with each start of its start areas by itself: so a change of the cell leaves them what they are. Nothing if
 /// the file is not as expected.
 pub(super) fn with_each_start(mut table: Table, cell: &Workcell) -> Option<Table> {
-    let human = table.get_mut("human")?.as_table_mut()?;
+    let human = first_human(&mut table)?;
     if human.remove("start_area").is_some() {
         let mut starts = cell.starts.iter().map(|start| {
             let xy_m = start.xy_m.map(Value::Float).to_vec();
@@ -129,9 +129,18 @@ pub(super) fn with_each_start(mut table: Table, cell: &Workcell) -> Option<Table
     Some(table)
 }
 
+/// The table of the person, or of the first of two.
+fn first_human(table: &mut Table) -> Option<&mut Table> {
+    match table.get_mut("human")? {
+        Value::Table(human) => Some(human),
+        Value::Array(people) => people.first_mut()?.as_table_mut(),
+        _ => None,
+    }
+}
+
 /// Writes the only beginning into a cell file, and for how many actions. Nothing if the file is not as expected.
 pub(super) fn begin_at(table: &mut Table, begin: Begin, actions: u32) -> Option<()> {
-    let human = table.get_mut("human")?.as_table_mut()?;
+    let human = first_human(table)?;
     human.remove("start_area");
     human.remove("other_starts");
     let xy_m = Value::Array(begin.xy_m.map(Value::Float).to_vec());

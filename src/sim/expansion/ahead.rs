@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Expander, State};
 use crate::host::Plant;
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Presses, Walk};
+use crate::human::{Action, Place, Posture, Presses, Walk, Who};
 use crate::sim::threads::shared_out;
-use crate::sim::world::{Sight, World};
+use crate::sim::world::{Places, Sight, World};
 
 /// A way that some of the actions from a place lead.
 pub(super) struct Way {
@@ -99,19 +99,41 @@ impl Ahead {
     }
 }
 
+/// The same from every place at which one of the people is in some state.
+pub(super) struct Outlook {
+    first: BTreeMap<Place, Ahead>,
+    second: BTreeMap<Place, Ahead>,
+}
+
+impl Outlook {
+    /// Where the actions of one of the people lead from where they are; nothing if they are not there.
+    pub(super) fn of(&self, who: Who, places: &Places) -> Option<&Ahead> {
+        match who {
+            Who::First => self.first.get(&places.first),
+            Who::Second => self.second.get(places.second.as_ref()?),
+        }
+    }
+}
+
 impl<P: Plant> Expander<P> {
     /// Where the actions from each of these states lead, worked out on all threads; nothing if told to stop.
-    pub(super) fn look_ahead(
-        &self,
-        states: &[&State],
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Option<BTreeMap<Place, Ahead>> {
-        let places: BTreeSet<Place> = states.iter().map(|state| state.place).collect();
-        let places: Vec<Place> = places.into_iter().collect();
+    pub(super) fn look_ahead(&self, states: &[&State], go_on: &mut dyn FnMut() -> bool) -> Option<Outlook> {
+        let of = |who: Who| states.iter().filter_map(move |state| Some((who, *state.places.of(who)?)));
+        let places: BTreeSet<(Who, Place)> = Who::ALL.into_iter().flat_map(of).collect();
+        let places: Vec<(Who, Place)> = places.into_iter().collect();
         let world = &self.world;
         let looked = shared_out(self.workers, places.len(), go_on, |numbers, _| {
-            numbers.map(|number| Ahead::new(world, places[number])).collect::<Vec<_>>()
+            let of = |(who, place): &(Who, Place)| Ahead::new(world.of(*who).unwrap_or(world), *place);
+            places[numbers].iter().map(of).collect::<Vec<_>>()
         })?;
-        Some(places.iter().copied().zip(looked.into_iter().flatten()).collect())
+        let mut outlook = Outlook { first: BTreeMap::new(), second: BTreeMap::new() };
+        for ((who, place), ahead) in places.into_iter().zip(looked.into_iter().flatten()) {
+            let of = match who {
+                Who::First => &mut outlook.first,
+                Who::Second => &mut outlook.second,
+            };
+            of.insert(place, ahead);
+        }
+        Some(outlook)
     }
 }

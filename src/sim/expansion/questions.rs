@@ -38,7 +38,7 @@ impl<P: Plant> Expander<P> {
             let next = numbers.len();
             let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
             let (walked, posture) = (walked(p), p.action.posture());
-            all.push(((walked.places[i], posture, World::moved(walked, i), broken), situation, number));
+            all.push(((p.who, walked.places[i], posture, World::moved(walked, i), broken), situation, number));
         }
         all.sort_unstable();
         let mut questions: Vec<Question> = Vec::new();
@@ -46,7 +46,7 @@ impl<P: Plant> Expander<P> {
         for alike in all.chunk_by(|a, b| a.0 == b.0) {
             let p = &pending[alike[0].2];
             let stance = self.world.stance(
-                walked(p),
+                (p.who, walked(p)),
                 (depth, i),
                 p.action.posture(),
                 &transitions[p.state][p.transition].sensed,

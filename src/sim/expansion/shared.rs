@@ -9,6 +9,7 @@ use super::Expander;
 use super::questions::{Question, instants_of};
 use super::situations::Situation;
 use crate::host::Plant;
+use crate::human::Who;
 use crate::sim::Coverage;
 use crate::sim::answers::{Answer, Counted, Digest, Key, Sharing};
 use crate::sim::encounter::Person;
@@ -69,7 +70,8 @@ impl<P: Plant> Expander<P> {
     /// What is done about a question.
     fn about(&self, (stance, asked): &Question, situations: &[Situation], digests: &[OnceCell<Key>]) -> Done {
         // Nearly all questions are about robots out of reach, and answered as soon as they are asked.
-        let near = |s: &usize| self.world.near(&stance.place, &situations[*s].frames[situations[*s].i]);
+        let own = self.world.of_stance(stance);
+        let near = |s: &usize| own.near(&stance.place, &situations[*s].frames[situations[*s].i]);
         if !asked.iter().any(near) {
             return Done::Here(None);
         }
@@ -126,5 +128,8 @@ impl<P: Plant> Expander<P> {
 fn pose_of(stance: &Stance) -> Key {
     let mut digest = Digest::default();
     (stance.place, stance.posture).hash(&mut digest);
+    if stance.who != Who::First {
+        stance.who.hash(&mut digest);
+    }
     digest.key()
 }

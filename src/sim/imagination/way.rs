@@ -5,11 +5,10 @@ use std::sync::Arc;
 use super::super::robots::Robots;
 use super::super::sensors::DelayLine;
 use super::super::simulation::Simulation;
-use super::super::world::{Sensed, World};
-use super::{Difference, Imagination};
-use crate::geometry::Vec3;
+use super::super::world::{Places, Sensed, World};
+use super::{Difference, Ends, Imagination, ends_of};
 use crate::host::{NodeId, Plant};
-use crate::human::{Place, Posture, Presses};
+use crate::human::{Posture, Presses};
 use crate::search::plan::{Imagine, Imagined, Vision};
 
 /// The FMU's state after an action, and whether that is certain; nothing if it cannot be told.
@@ -17,7 +16,7 @@ type Foreseen = Option<(NodeId, bool)>;
 
 /// The person on its imagined way.
 pub(super) struct Imaginary {
-    pub(super) place: Place,
+    pub(super) places: Places,
     pub(super) delays: Vec<DelayLine>,
     /// Controls that are switched over.
     pub(super) switched: Presses,
@@ -25,7 +24,7 @@ pub(super) struct Imaginary {
     at: Option<NodeId>,
     taken: Vec<usize>,
     /// What was sensed in each action taken, and where it ended.
-    way: Vec<(Arc<Sensed>, Vec3)>,
+    way: Vec<(Arc<Sensed>, Ends)>,
     /// How different each observed episode is in the first `compared` actions.
     differences: Vec<Difference>,
     compared: usize,
@@ -40,7 +39,7 @@ impl Imaginary {
         world: &World,
         robots: &Robots<P>,
         sensed: &Sensed,
-        end: Vec3,
+        end: Ends,
     ) -> Foreseen {
         let steps = world.cell.steps_per_action;
         let known = self.at.and_then(|at| imagination.known(robots, at, steps, &sensed.inputs));
@@ -77,7 +76,7 @@ impl<P: Plant> Imagine for Simulation<P> {
         let world = &Arc::clone(&imagination.world);
         let mut imagined = Imagined { visions: Vec::new(), exact: true };
         let mut person = Imaginary {
-            place: world.start(),
+            places: world.starts(),
             delays: world.delays_at_start(),
             switched: Presses::NONE,
             at: Some(NodeId::ROOT),
@@ -87,9 +86,9 @@ impl<P: Plant> Imagine for Simulation<P> {
             compared: 0,
         };
         for &action in actions {
-            let action = world.taken(&person.place, world.cell.repertoire.action(action));
-            let walked = imagination.walk(world, person.place, action);
-            let end = world.position(&walked.end());
+            let action = world.taken_by_all(&person.places, world.cell.repertoire.action(action));
+            let walks = imagination.walk(world, person.places, action);
+            let end = ends_of(world, &walks.ends());
             // The wanted posture first, then the others: the first that is safe goes on. Where a light curtain sees the
             // difference, each would need arm checks of its own, and those behind a curtain are many: only the wanted one.
             // Low ones lead elsewhere and are seen otherwise.
@@ -106,7 +105,7 @@ impl<P: Plant> Imagine for Simulation<P> {
                 let (sensed, robot) = match foreseen.take() {
                     Some(same) if unseen => same,
                     _ => {
-                        let sensed = imagination.sense(world, &walked, (&person.delays, person.switched), tried);
+                        let sensed = imagination.sense(world, &walks, (&person.delays, person.switched), tried);
                         let robot = person.foresee(imagination, world, robots, &sensed, end);
                         (sensed, robot)
                     }
@@ -127,7 +126,7 @@ impl<P: Plant> Imagine for Simulation<P> {
                 imagined.exact &= !imagined.visions.is_empty();
                 return imagined;
             };
-            person.place = walked.end();
+            person.places = walks.ends();
             person.delays.clone_from(&sensed.delays);
             person.switched = sensed.switched;
             person.at = at;

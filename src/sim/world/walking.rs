@@ -57,13 +57,14 @@ impl World {
     /// Actions from the start as the person takes them.
     #[must_use]
     pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
-        let mut place = self.start();
+        let mut places = self.starts();
         let mut take = |action: &Action| {
-            let taken = self.taken(&place, *action);
-            place = self.walk(place, taken).end();
+            let taken = self.taken_by_all(&places, *action);
+            places = self.walks(places, taken).ends();
             taken
         };
-        if self.cell.repertoire.low().is_empty() { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
+        let nobody_is_low = self.people().all(|(_, world)| world.cell.repertoire.low().is_empty());
+        if nobody_is_low { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
     }
 
     /// Whether there is room for a posture at a place; as much for every one of who stands.

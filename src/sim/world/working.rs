@@ -2,7 +2,7 @@
 //!
 //! A hand works a control at the beginning of an action: from where the person then stands, turned and bent as the action has it, past
 //! the obstacles, by an arm search of its own. A person has two hands, so two controls at most, each by another hand; of more the first
-//! that can be worked together are, doors before all others. A press out of reach does nothing.
+//! that can be worked together are, doors before all others. Two people have four hands. A press out of reach does nothing.
 //!
 //! A control that opens and closes a door moves its leaf as the action begins. It does not close on somebody who stands in the way.
 //! Through a doorway whose door moves in the same action a hand works only what it gets to before and after: nobody reaches where a door
@@ -13,14 +13,14 @@
 
 use std::ops::Range;
 
-use super::World;
+use super::{Places, World};
 use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, shoulder};
+use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
 
 /// Boxes of joint angles after which a hand is taken to get there.
 const WORK_LIMIT: u32 = 200_000;
@@ -58,7 +58,7 @@ impl ContactScore for OnControl {
 }
 
 impl World {
-    /// Which of its controls are really worked in an action that leads along this way.
+    /// Which of its controls are really worked in an action of a single person that leads along this way.
     #[must_use]
     pub fn worked(&self, walked: &WalkTrace, action: Action) -> Worked {
         self.worked_at(&walked.start, action)
@@ -66,10 +66,17 @@ impl World {
 
     /// The same in an action from a place, the turn already made and doors still as they were.
     pub(super) fn worked_at(&self, start: &Place, action: Action) -> Worked {
+        self.worked_by(&Places { first: *start, second: None }, action)
+    }
+
+    /// The same in an action of everybody.
+    #[must_use]
+    pub fn worked_by(&self, starts: &Places, action: Action) -> Worked {
+        let start = &starts.first;
         let doors = self.works_doors(action);
         let others = action.presses().either(doors);
         // Ways to share out what is worked so far among the hands: which are busy, and what is worked through which planes.
-        let mut ways = vec![([false; 2], Worked::default())];
+        let mut ways = vec![([false; 4], Worked::default())];
         for control in doors.numbers().chain(others.numbers()).filter(|control| *control < self.cell.controls.len()) {
             let by = self.cell.controls[control].by;
             if by == ControlledBy::Nobody || (doors.has(control) && self.closes_on(start, action, control)) {
@@ -83,6 +90,10 @@ impl World {
                     let after = self.hands(&after, action.posture(), control);
                     hands = std::array::from_fn(|side| hands[side].filter(|_| after[side].is_some()));
                 }
+                let others = self.second.as_ref().zip(starts.second.as_ref());
+                let posture = action.of(Who::Second).posture();
+                let others = others.map(|(second, place)| second.hands(place, posture, control)).unwrap_or_default();
+                let hands = [hands[0], hands[1], others[0], others[1]];
                 let mut after = Vec::new();
                 for (busy, worked) in &ways {
                     for (side, through) in hands.iter().enumerate().filter(|(side, _)| !busy[*side]) {

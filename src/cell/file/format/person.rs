@@ -1,7 +1,12 @@
-//! The person in the cell file: size, reach of bends, and where and when it begins.
+//! The people in the cell file: their size, the reach of their bends, and where and when they begin.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Error as _, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use toml::Spanned;
 
 use crate::human::{Ability, Radii};
@@ -29,10 +34,69 @@ pub enum PeopleFrom {
     Both,
 }
 
+/// The people: one as `[human]`, or two as `[[human]]`.
+#[derive(Debug)]
+pub struct People {
+    /// The person that every cell has.
+    pub first: HumanTable,
+    /// A second one.
+    pub second: Option<SecondTable>,
+}
+
+impl<'de> Deserialize<'de> for People {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct OneOrTwo;
+
+        impl<'de> Visitor<'de> for OneOrTwo {
+            type Value = People;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("one person as [human], or two as [[human]]")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<People, A::Error> {
+                let first = HumanTable::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(People { first, second: None })
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<People, A::Error> {
+                let first = list.next_element()?.ok_or_else(|| A::Error::custom("there is no person in `human`"))?;
+                let second = list.next_element()?;
+                match list.next_element::<serde::de::IgnoredAny>()? {
+                    None => Ok(People { first, second }),
+                    Some(_) => Err(A::Error::custom("there are more than two people in `human`")),
+                }
+            }
+        }
+
+        from.deserialize_any(OneOrTwo)
+    }
+}
+
+impl JsonSchema for People {
+    fn schema_name() -> Cow<'static, str> {
+        "People".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let (first, second) = (generator.subschema_for::<HumanTable>(), generator.subschema_for::<SecondTable>());
+        json_schema!({
+            "description": "One person as `[human]`, with the keys of `HumanTable`; or two as `[[human]]`, the first with those keys, the second with the keys of `SecondTable`.",
+            "anyOf": [
+                first,
+                { "type": "array", "prefixItems": [first, second], "items": false, "minItems": 1 },
+            ],
+        })
+    }
+}
+
 /// The person.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HumanTable {
+    /// What the person is called in results, where there are two.
+    #[serde(default)]
+    pub name: Option<String>,
     /// Where the person stands at the start and looks. May be left out where there are start areas: then their first place
     /// is the start.
     #[serde(default)]
@@ -94,6 +158,43 @@ pub struct HumanTable {
     #[serde(default = "at_once")]
     #[schemars(with = "Vec<f64>")]
     pub begins_s: Spanned<Vec<f64>>,
+}
+
+/// A second person, who is there from the beginning. They do not stand in each other's way.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SecondTable {
+    /// What the person is called in results.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// Where the person stands at the start and looks.
+    #[schemars(with = "StartTable")]
+    pub start: Spanned<StartTable>,
+    /// Sex of the body measures.
+    #[serde(default)]
+    pub sex: Sex,
+    /// Percentile of the body measures: 5, 50 or 95.
+    #[serde(default = "p50")]
+    #[schemars(with = "u8")]
+    pub percentile: Spanned<u8>,
+    /// Angle of a forward bend, degrees.
+    #[serde(default = "forty_five")]
+    pub bend_forward_deg: f64,
+    /// Angle of a sideways bend, degrees.
+    #[serde(default = "thirty")]
+    pub bend_lateral_deg: f64,
+    /// What the person does besides walking, bending and reaching. Nothing of it by default: each makes the search larger.
+    #[serde(default = "nothing")]
+    #[schemars(with = "Vec<Ability>")]
+    pub also: Spanned<Vec<Ability>>,
+    /// How fast who runs does so, m/s: two, three or four times the walking speed of 1.6 m/s. No standard counts on people who run.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub run_m_s: Option<Spanned<f64>>,
+    /// Radii of body parts that are not those of a person of this stature.
+    #[serde(default)]
+    #[schemars(with = "Option<Radii>")]
+    pub radii_m: Option<Spanned<Radii>>,
 }
 
 fn at_once() -> Spanned<Vec<f64>> {

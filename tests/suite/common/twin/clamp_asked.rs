@@ -138,6 +138,7 @@ impl Asked {
         let world = World::new(cell, binding);
         let world = if any { world.content_with_any() } else { world };
         let stance = Stance {
+            who: fmi_hazard::human::Who::First,
             place: Place::START,
             posture: POSTURES[case.posture],
             moved: i8::from(case.walks),

@@ -1,0 +1,217 @@
+//! What the sensors tell of the people on their way, and what the FMU is told: step after step, with what is on its way since before.
+
+use std::ops::Range;
+
+use super::{Worked, World};
+use crate::cell::binding::SensorBinding;
+use crate::cell::{Sensor, Zone};
+use crate::geometry::Vec3;
+use crate::geometry::segment_cuboid::point_cuboid;
+use crate::human::low::OnFloor;
+use crate::human::walk::WalkTrace;
+use crate::human::{BendFraction, Place, Posture, Presses};
+use crate::sim::curtain::Curtain;
+use crate::sim::robot::RobotFrame;
+use crate::sim::sensors::{DelayLine, Seen, input_row, sees};
+
+/// What there is to see at the start of a step, whatever was seen before.
+#[derive(Clone, Debug)]
+pub struct Sight {
+    /// The person, without the body.
+    seen: Seen,
+    /// What each sensor sees.
+    raw: Vec<bool>,
+}
+
+impl Sight {
+    /// What there is to see of two people: a sensor sees either.
+    #[must_use]
+    pub fn of_either(first: &[Self], second: &[Self]) -> Vec<Self> {
+        let either = |(first, second): (&Self, &Self)| {
+            let raw = first.raw.iter().zip(&second.raw).map(|(first, second)| *first || *second).collect();
+            Self { seen: first.seen.clone(), raw }
+        };
+        first.iter().zip(second).map(either).collect()
+    }
+}
+
+/// Sensors and inputs over one action.
+#[derive(Clone, Debug)]
+pub struct Sensed {
+    /// FMU inputs, one row a step.
+    pub inputs: Vec<f64>,
+    /// The delay lines afterwards.
+    pub delays: Vec<DelayLine>,
+    /// Controls that stay switched over afterwards.
+    pub switched: Presses,
+    /// Readings in effect at the start of each step.
+    pub readings: Vec<Vec<bool>>,
+    /// For each step and light curtain, how many samples ago it was first broken; 0 for not at all.
+    pub broken: Vec<Vec<usize>>,
+}
+
+impl Sensed {
+    /// Whether the FMU and the contact rules see the same.
+    #[must_use]
+    pub fn same(&self, other: &Self) -> bool {
+        let bits = |s: &Self| s.inputs.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        self.delays == other.delays
+            && self.switched == other.switched
+            && self.readings == other.readings
+            && self.broken == other.broken
+            && bits(self) == bits(other)
+    }
+}
+
+impl World {
+    /// Sensors that have been reading for long what they read at the start.
+    #[must_use]
+    pub fn delays_at_start(&self) -> Vec<DelayLine> {
+        let settled = |(s, raw): (&Sensor, bool)| remembered(s, DelayLine::settled(raw, s.delay_steps));
+        self.cell.sensors.iter().zip(self.seen_at_start()).map(settled).collect()
+    }
+
+    /// What the sensors outside the FMU read at the start.
+    #[must_use]
+    pub fn readings_at_start(&self) -> Vec<bool> {
+        self.seen_at_start()
+    }
+
+    /// The input values an FMU gets at initialisation: sensors as they read at the start.
+    #[must_use]
+    pub fn initial_inputs(&self) -> Vec<f64> {
+        let seen = self.seen(&self.start(), Posture::Upright);
+        let readings = self.readings_at_start();
+        let mut row = Vec::new();
+        input_row(&self.cell, &self.binding, &readings, &seen, Presses::NONE, &mut row);
+        row
+    }
+
+    /// Whether inputs and contacts of an action depend on the walk only, and not on the posture of who stands.
+    #[must_use]
+    pub fn posture_is_unseen(&self) -> bool {
+        self.curtains.is_empty()
+    }
+
+    /// The same of this walk: no plane that would tell of the body is near.
+    #[must_use]
+    pub fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
+        std::iter::once(&walked.start).chain(&walked.places).all(|place| !self.may_be_in_a_plane(place))
+    }
+
+    /// Whether some part of the body, in some posture, could be in a plane that tells of it.
+    fn may_be_in_a_plane(&self, place: &Place) -> bool {
+        let middle = self.position(place) + Vec3::Z;
+        let near = |c: &Curtain| !c.hands_only && point_cuboid(middle, &c.plane).distance <= self.body_reach_m;
+        self.curtains.iter().any(near)
+    }
+
+    /// The person at `place` as sensors see it.
+    fn seen(&self, place: &Place, bent: Posture) -> Seen {
+        let position = self.position(place);
+        let heading_rad = place.heading_rad(&self.cell.start);
+        let body = self
+            .may_be_in_a_plane(place)
+            .then(|| self.body().placed(position, heading_rad, bent, self.bend(place, bent)));
+        // Bends leave the feet where they are.
+        let fraction = if bent.is_low() { self.bend(place, bent) } else { BendFraction::FULL };
+        let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, fraction);
+        Seen { feet, besides, body, position, heading_rad }
+    }
+
+    /// What each sensor sees of the person at a place.
+    pub(super) fn seen_by_each(&self, place: &Place, bent: Posture) -> Vec<bool> {
+        let seen = self.seen(place, bent);
+        self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
+    }
+
+    /// What there is for the sensors to see of this person at the start of each step.
+    #[must_use]
+    pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
+        let steps = walked.places.len();
+        let sight = |place: &Place| {
+            let seen = self.seen(place, bent);
+            let raw = self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect();
+            Sight { seen: Seen { body: None, ..seen }, raw }
+        };
+        std::iter::once(&walked.start).chain(&walked.places).take(steps).map(sight).collect()
+    }
+
+    /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
+    #[must_use]
+    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
+        let steps = sights.len();
+        let mut sensed = Sensed {
+            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
+            delays: delays.to_vec(),
+            switched: self.switched_after(switched, worked),
+            readings: Vec::with_capacity(steps),
+            broken: Vec::with_capacity(steps),
+        };
+        for (step, Sight { seen, raw }) in sights.iter().enumerate() {
+            let by_arm: Vec<usize> =
+                self.arm_in_planes(step, worked).map(|plane| self.curtains[plane].sensor).collect();
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw).enumerate();
+            let reading = |(number, ((sensor, line), raw)): (usize, ((&Sensor, &mut DelayLine), &bool))| {
+                told(sensor, line, *raw, by_arm.contains(&number))
+            };
+            let readings: Vec<bool> = sensors.map(reading).collect();
+            let on = self.on_in_step(step, switched, worked);
+            input_row(&self.cell, &self.binding, &readings, seen, on, &mut sensed.inputs);
+            sensed.readings.push(readings);
+            sensed.broken.push(self.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
+        }
+        for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
+            *line = remembered(sensor, *line);
+        }
+        sensed
+    }
+
+    /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
+    pub(in crate::sim) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
+        let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return };
+        let active = f64::from(u8::from(self.cell.sensors[sensor].active));
+        let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
+        for (row, readings) in rows.zip(&mut sensed.readings).take(steps.end).skip(steps.start) {
+            row[column] = active;
+            readings[sensor] = true;
+        }
+    }
+
+    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
+    /// own one at the step's end.
+    #[must_use]
+    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
+        match &self.binding.sensors[sensor] {
+            SensorBinding::Input(_) => readings[sensor],
+            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
+        }
+    }
+
+    /// Whether each sensor reports the person, see [`World::reading`].
+    #[must_use]
+    pub fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
+        (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
+    }
+
+    /// Whether any sensor reports the person.
+    #[must_use]
+    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
+        (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
+    }
+}
+
+/// The reading of a sensor that takes effect when it next sees `raw` of the body, or an arm on its way to a control.
+const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool, by_arm: bool) -> bool {
+    match sensor.zone {
+        // Hands that are back on it were never away.
+        Zone::TwoHand { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
+        _ if by_arm => line.push_with_arm(raw, sensor.delay_steps),
+        _ => line.push(raw, sensor.delay_steps),
+    }
+}
+
+/// Only where hands may be behind a plane it matters since when.
+fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
+    if sensor.zone.plane().is_some() { line } else { line.on_its_way() }
+}
