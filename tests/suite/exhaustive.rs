@@ -4,26 +4,24 @@ use std::sync::Arc;
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
-use std::ops::ControlFlow;
 use std::path::Path;
 
+use crate::common::exhausted::{BUDGET, Few, Unsafe, exhausted, expander, key};
 use crate::common::guarded::every_sequence;
 use crate::common::{examples, fmi_hazard, scan_json};
 use fmi_hazard::hazard::Finding;
-use fmi_hazard::host::{Advanced, Hosted, NodeId, PlantError, Recall};
+use fmi_hazard::host::{Advanced, Hosted, NodeId, Recall};
 use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk, Who};
 use fmi_hazard::report::model::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
-use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
+use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::search::statistics::wilson;
 use fmi_hazard::search::{End, Environment as _, Rng};
-use fmi_hazard::sim::expansion::{Expander, Merge, State};
+use fmi_hazard::sim::expansion::Merge;
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
 use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window};
 use fmi_hazard::sim::{Coverage, World};
-
-pub const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
 
 /// A cell of the examples, started elsewhere, with other search settings.
 fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
@@ -34,34 +32,6 @@ fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
     let file = dir.join(path).with_file_name("changed.toml");
     std::fs::write(&file, changed).unwrap();
     prepare(&file, None).unwrap()
-}
-
-/// Where, when and how a finding happens, to the last bit, and how many sequences begin so.
-pub type Unsafe = BTreeMap<String, u128>;
-
-pub fn key(finding: &Finding) -> String {
-    // The calmest of many sequences stands for all, so the actions before the last are left out.
-    format!("{:?} {:?}", finding.actions.last(), Finding { actions: Vec::new(), ..finding.clone() })
-}
-
-fn expander(prepared: &Prepared, merge: Merge) -> Expander<Hosted> {
-    let (cell, binding) = (prepared.cell.clone(), prepared.binding.clone());
-    Expander::new(cell, binding, prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto), merge, 2)
-        .unwrap()
-}
-
-pub fn exhausted<E: Expansion<Unsafe = Finding>>(expansion: &mut E, budget: Budget) -> (Account, Unsafe)
-where
-    E::Error: std::fmt::Debug,
-{
-    let mut found = Unsafe::new();
-    let account = exhaust(expansion, budget, &mut |told| {
-        if let Told::Met(met) = told {
-            *found.entry(key(&met.unsafe_state)).or_default() += u128::try_from(met.sequences).unwrap();
-        }
-        ControlFlow::Continue(())
-    });
-    (account.unwrap(), found)
 }
 
 /// The cells looked at here have no light curtain.
@@ -131,55 +101,6 @@ impl<'a> Enumeration<'a> {
                 None => self.below(depth + 1, to, walked.end(), (&sensed.delays, sensed.switched)),
             }
         }
-    }
-}
-
-/// A person who takes some of the actions only.
-pub struct Few(Expander<Hosted>, Vec<Action>, Repertoire);
-
-impl Few {
-    pub fn of(prepared: &Prepared, actions: &[Action]) -> Self {
-        Self(expander(prepared, Merge::Auto), actions.to_vec(), prepared.cell.repertoire.clone())
-    }
-}
-
-impl Expansion for Few {
-    type State = State;
-    type Unsafe = Finding;
-    type Error = PlantError;
-
-    fn actions(&self) -> usize {
-        self.1.len()
-    }
-    fn horizon(&self) -> usize {
-        self.0.horizon()
-    }
-    fn effort(&self, action: usize) -> u32 {
-        self.1[action].effort()
-    }
-    fn start(&mut self) -> Result<State, PlantError> {
-        self.0.start()
-    }
-    fn may_matter(&self, state: &State, remaining: usize) -> bool {
-        self.0.may_matter(state, remaining)
-    }
-    fn expand(
-        &mut self,
-        depth: usize,
-        states: &[&State],
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
-        for one in &mut all {
-            one.effects = self.1.iter().map(|action| one.effects[self.2.index(*action).unwrap()].clone()).collect();
-        }
-        Ok(Some(all))
-    }
-    fn release_before(&mut self, depth: usize) {
-        self.0.release_before(depth);
-    }
-    fn bytes(&self) -> usize {
-        self.0.bytes()
     }
 }
 

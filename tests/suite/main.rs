@@ -30,6 +30,7 @@ mod distance;
 mod doors;
 mod every_scan_ends;
 mod exhaustive;
+mod exhaustive_planes;
 mod explain;
 mod exporter_zoo;
 mod first_cell;

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::common::exhausted::{BUDGET, Few, Unsafe, exhausted, key};
 use crate::common::{examples, fmi_hazard, scan_json, write};
-use crate::exhaustive::{BUDGET, Few, NoCurtain, Unsafe, exhausted, key};
+use crate::exhaustive::NoCurtain;
 use fmi_hazard::cell::binding::SensorBinding;
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, Recall};

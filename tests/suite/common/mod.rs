@@ -2,6 +2,7 @@
 
 pub mod anywhere;
 pub mod archives;
+pub mod exhausted;
 pub mod fmpy;
 pub mod formats;
 pub mod guarded;
