@@ -7,6 +7,7 @@ use fmi_hazard::search::{End, Environment as _};
 
 use crate::common::anywhere::cell;
 use crate::common::guarded::guarded;
+use crate::common::pair::Pair;
 use crate::common::{examples, fmi_hazard, scan_json, write};
 
 /// What a sequence ends with: by the index of the action, and what the sensors then read.
@@ -63,29 +64,11 @@ const BELOW: &str = "The person gets below curtain, and no sensor reports them: 
 fn a_curtain_with_room_below_is_found_told_and_mended() {
     let dir = examples();
     let near = "[human]\nstart = { xy_m = [0.1, -0.3], heading_deg = 90 }\nalso = [\"crawl\"]\n[search]\nactions = 6\n";
-    for (base, out, hazards) in [("cell.toml", "flawed", true), ("fixed.toml", "fixed", false)] {
-        let text = format!("extends = \"{base}\"\nname = \"near\"\n{near}");
-        let file = write(&dir.path().join("under-curtain"), &format!("near-{out}.toml"), &text);
-        let mut scan = fmi_hazard(dir.path());
-        scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", out]);
-        let ran = scan.output().unwrap();
-        let told = String::from_utf8_lossy(&ran.stdout);
-        let report = scan_json(&dir.path().join(out));
-        assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}");
-        let certificate = &report["certificate"];
-        assert!(certificate["complete"] == true && certificate["actions"] == 42, "{certificate}");
-        let causes = report["causes"].as_array().unwrap();
-        let below = causes.iter().filter(|cause| cause["sentence"].as_str().unwrap().starts_with(BELOW)).count();
-        assert_eq!(below > 0, hazards, "{told}");
-        let found = report["hazards"].as_array().unwrap();
-        assert_eq!(found.len() > 5, hazards, "{told}");
-        assert!(found.iter().all(|hazard| hazard["confirmed"] == true), "{told}");
-    }
+    let pair = Pair::scanned(dir.path(), "under-curtain", near, 42);
+    assert!(pair.causes().iter().any(|sentence| sentence.starts_with(BELOW)), "{}", pair.told);
+    assert!(pair.hazards().len() > 5, "{}", pair.told);
     // What helps is told.
-    let worst = scan_json(&dir.path().join("flawed"))["hazards"][0]["id"].as_str().unwrap().to_owned();
-    let mut explain = fmi_hazard(dir.path());
-    let ran = explain.args(["explain", "flawed", &worst, "--max-states", "1000"]).output().unwrap();
-    let told = String::from_utf8_lossy(&ran.stdout);
+    let told = pair.worst_explained(dir.path());
     assert!(told.contains("curtain reaching down to the floor"), "{told}");
 }
 

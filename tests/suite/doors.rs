@@ -7,6 +7,7 @@ use fmi_hazard::human::{Action, Place, Posture, Presses, Walk, Who};
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::sim::World;
 
+use crate::common::pair::Pair;
 use crate::common::{examples, fmi_hazard, scan_json, write};
 
 /// The first control of the example, and the second.
@@ -123,37 +124,20 @@ fn a_door_that_stops_on_an_edge_only_is_found_told_and_mended() {
     let dir = examples();
     // A robot that stops at once can be started again at once: six actions are enough.
     let near = "[search]\nactions = 6\n[parameters]\n\"ctrl.t_ramp\" = 0.05\n\"plc.t_react\" = 0.0\n";
-    for (base, out, hazards) in [("cell.toml", "flawed", true), ("fixed.toml", "fixed", false)] {
-        let text = format!("extends = \"{base}\"\nname = \"near\"\n{near}");
-        let file = write(&dir.path().join("door-edge"), &format!("near-{out}.toml"), &text);
-        let mut scan = fmi_hazard(dir.path());
-        scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", out]);
-        let ran = scan.output().unwrap();
-        let told = String::from_utf8_lossy(&ran.stdout);
-        let report = scan_json(&dir.path().join(out));
-        assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}");
-        let certificate = &report["certificate"];
-        assert!(certificate["complete"] == true && certificate["actions"] == 144, "{certificate}");
-        for cause in report["causes"].as_array().unwrap() {
-            let sentence = cause["sentence"].as_str().unwrap();
-            assert!(
-                sentence.starts_with("The person opens door at ") && sentence.contains("the person presses reset at"),
-                "{sentence}"
-            );
-        }
-        let found = report["hazards"].as_array().unwrap();
-        assert_eq!(!found.is_empty(), hazards, "{told}");
-        for hazard in found {
-            assert!(hazard["confirmed"] == true && hazard["worked"][0]["opens"] == true, "{hazard}");
-        }
+    let pair = Pair::scanned(dir.path(), "door-edge", near, 144);
+    for sentence in pair.causes() {
+        assert!(
+            sentence.starts_with("The person opens door at ") && sentence.contains("the person presses reset at"),
+            "{sentence}"
+        );
+    }
+    for hazard in pair.hazards() {
+        assert!(hazard["worked"][0]["opens"] == true, "{hazard}");
     }
     let page = std::fs::read_to_string(dir.path().join("flawed/report.html")).unwrap();
     assert!(page.contains("\"opened_by\":\"door\""));
     // What helps is a parameter of the FMU.
-    let worst = scan_json(&dir.path().join("flawed"))["hazards"][0]["id"].as_str().unwrap().to_owned();
-    let mut explain = fmi_hazard(dir.path());
-    let ran = explain.args(["explain", "flawed", &worst, "--max-states", "1000"]).output().unwrap();
-    let told = String::from_utf8_lossy(&ran.stdout);
+    let told = pair.worst_explained(dir.path());
     assert!(told.contains("plc.hold_while_open = true") && told.contains("the person opens door"), "{told}");
 }
 

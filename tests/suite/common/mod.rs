@@ -9,6 +9,7 @@ pub mod guarded;
 pub mod hostile;
 pub mod instant;
 pub mod meshes;
+pub mod pair;
 pub mod scanned;
 pub mod started;
 pub mod twin;
