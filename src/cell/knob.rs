@@ -10,7 +10,7 @@ use self::parameter::{Parameter, Quantity, Setting, parameters};
 use self::room::Room;
 use super::{Zone, binding::BoundUnit};
 use crate::cell::file::format::{ControlledBy, ParameterLimits};
-use crate::cell::workcell::Workcell;
+use crate::cell::workcell::{Obstacle, Workcell};
 use crate::fmi;
 use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
@@ -150,7 +150,7 @@ impl Knobs {
         for name in explain.parameters.keys().filter(|name| parameters.iter().all(|known| known.name != **name)) {
             knobs.hold(name, "it is no speed, length, time or truth value, and is never changed");
         }
-        for ((name, _), table) in cell.obstacles.iter().zip(&cell.obstacle_tables) {
+        for Obstacle { name, table, .. } in &cell.obstacles {
             // Meshes are as high as they are.
             let Some(number) = *table else { continue };
             let Some((centre, size)) = upright_box(text, number) else { continue };

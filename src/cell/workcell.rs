@@ -41,12 +41,8 @@ pub struct Workcell {
     pub warnings: Vec<String>,
     /// Robot collision shapes, robot after robot.
     pub links: Vec<Link>,
-    /// Static boxes by name.
-    pub obstacles: Vec<(String, Cuboid)>,
-    /// For each of them the obstacle of the cell file that says it; none for boxes in a mesh.
-    pub obstacle_tables: Vec<Option<usize>>,
-    /// For each of them the control that opens it, if it is the leaf of a door.
-    pub opened_by: Vec<Option<usize>>,
+    /// Boxes that are in the way.
+    pub obstacles: Vec<Obstacle>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// For each of them what its safety distance depends on besides.
@@ -94,6 +90,19 @@ pub struct Workcell {
     pub baseline: Option<String>,
     /// The file itself, for binding variables.
     pub(super) file: Arc<CellFile>,
+}
+
+/// A box that is in the way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Its name, different for each box of a mesh.
+    pub name: String,
+    /// Where it stands.
+    pub cuboid: Cuboid,
+    /// The obstacle of the cell file that says it; none for boxes in a mesh.
+    pub table: Option<usize>,
+    /// The control that opens it, if it is the leaf of a door.
+    pub opened_by: Option<usize>,
 }
 
 /// A second person in a cell.
@@ -377,10 +386,12 @@ impl Workcell {
     /// What is in the way while some doors are open, in the order of the obstacles: each keeps its number.
     #[must_use]
     pub fn standing(&self, open: Presses) -> Vec<Cuboid> {
-        let is_open = |control: &Option<usize>| control.is_some_and(|control| open.has(control));
-        let each = self.obstacles.iter().zip(&self.opened_by);
         let below = |cuboid: &Cuboid| Cuboid { centre: cuboid.centre - Vec3::Z * OUT_OF_THE_WAY_M, ..*cuboid };
-        each.map(|((_, cuboid), control)| if is_open(control) { below(cuboid) } else { *cuboid }).collect()
+        let where_it_is = |Obstacle { cuboid, opened_by, .. }: &Obstacle| {
+            let is_open = opened_by.is_some_and(|control| open.has(control));
+            if is_open { below(cuboid) } else { *cuboid }
+        };
+        self.obstacles.iter().map(where_it_is).collect()
     }
 
     /// Communication steps after which arms are anywhere, where they take their time.

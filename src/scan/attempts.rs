@@ -83,7 +83,7 @@ pub(super) fn attempts(
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors, prepared.cell.names());
             hazard.worked = worked(prepared, &hazard.actions);
-            hazard.name_obstacles(|number| prepared.cell.obstacles[number].0.clone());
+            hazard.name_obstacles(|number| prepared.cell.obstacles[number].name.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;
             for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {

@@ -10,6 +10,7 @@ use super::outline::{flat, heights, outline};
 use super::prepare::Prepared;
 use super::there::Runs;
 use crate::cell::Zone;
+use crate::cell::workcell::Obstacle;
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::{capsule_cuboid, segment_hits_cuboid};
 use crate::geometry::{Capsule, Cuboid, Vec3};
@@ -137,17 +138,16 @@ fn past(prepared: &Prepared, hazard: &Hazard) -> (Option<String>, Option<String>
         let moved = hazard.worked.iter().filter(|working| working.control.name == control);
         moved.filter_map(|working| working.opens).next_back() == Some(true)
     };
-    let is_there = |opened_by: &Option<usize>| !opened_by.is_some_and(|n| is_open(&prepared.cell.controls[n].name));
+    let is_there = |o: &&Obstacle| !o.opened_by.is_some_and(|n| is_open(&prepared.cell.controls[n].name));
     let highest = |passes: &dyn Fn(f64, [f64; 2]) -> bool| {
         let passed = |c: &Cuboid| {
             let (floor, between) = (outline(c), heights(c));
             points.iter().any(|point| contains(&floor, flat(*point)) && passes(point.z, between))
         };
         let extent = |c: &Cuboid| heights(c)[1] - heights(c)[0];
-        let standing = prepared.cell.obstacles.iter().zip(&prepared.cell.opened_by);
-        let standing = standing.filter(|(_, opened_by)| is_there(opened_by)).map(|(obstacle, _)| obstacle);
-        let all = standing.filter(|(_, c)| passed(c));
-        all.max_by(|(_, a), (_, b)| extent(a).total_cmp(&extent(b))).map(|(name, _)| name.clone())
+        let standing = prepared.cell.obstacles.iter().filter(is_there);
+        let all = standing.filter(|o| passed(&o.cuboid));
+        all.max_by(|a, b| extent(&a.cuboid).total_cmp(&extent(&b.cuboid))).map(|o| o.name.clone())
     };
     (highest(&|z, [_, top]| z > top), highest(&|z, [bottom, _]| z < bottom))
 }

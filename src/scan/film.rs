@@ -37,8 +37,8 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
         step_s: cell.step_s,
         obstacles: {
             let control = |number: usize| cell.controls[number].name.clone();
-            let all = cell.obstacles.iter().zip(&cell.opened_by);
-            all.map(|((name, cuboid), opened_by)| obstacle(name, cuboid, opened_by.map(control))).collect()
+            let all = cell.obstacles.iter();
+            all.map(|o| obstacle(&o.name, &o.cuboid, o.opened_by.map(control))).collect()
         },
         sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
         zones: {

@@ -42,7 +42,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
                 _ => hazard.measure_words(),
             }
         ),
-        obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
+        obstacles: cell.obstacles.iter().map(|o| (o.name.clone(), outline(&o.cuboid), top(&o.cuboid))).collect(),
         zones: zones(cell),
         unseen: Vec::new(),
         reachable: Vec::new(),
@@ -81,7 +81,7 @@ pub fn plan(prepared: &Prepared) -> Plan {
             subject.cell_sha256,
             fmus.join(", ")
         ),
-        obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c))).collect(),
+        obstacles: cell.obstacles.iter().map(|o| (o.name.clone(), outline(&o.cuboid))).collect(),
         zones: zones(cell),
         robots: based.map(|robot| (robot.name.clone(), flat(robot.world_from_base.translation))).collect(),
     }
@@ -110,7 +110,7 @@ pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>)
     let mut starts = all.iter().map(|one| one.cell.start.xy_m());
     Scene {
         title: format!("{}: the cell from above", cell.name),
-        obstacles: cell.obstacles.iter().map(|(name, c)| (name.clone(), outline(c), top(c))).collect(),
+        obstacles: cell.obstacles.iter().map(|o| (o.name.clone(), outline(&o.cuboid), top(&o.cuboid))).collect(),
         zones: zones(cell),
         unseen: map::unseen(prepared, &frames),
         reachable: reachable(&all),

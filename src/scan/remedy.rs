@@ -222,7 +222,7 @@ impl<'a> Bench<'a> {
             sensors: cell.sensors.iter().map(|sensor| sensor.name.as_str()).collect(),
             robots: cell.robots.iter().map(|robot| robot.name.as_str()).collect(),
             named_links: cell.links.iter().map(|link| link.name.as_str()).collect(),
-            obstacles: cell.obstacles.iter().map(|(name, _)| name.as_str()).collect(),
+            obstacles: cell.obstacles.iter().map(|o| o.name.as_str()).collect(),
             probes,
             rest,
             before,

@@ -219,7 +219,7 @@ fn planes_with_room_for_legs(cell: &Workcell) -> Vec<&str> {
     if cell.repertoire.low().is_empty() {
         return Vec::new();
     }
-    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, obstacle)| *obstacle).collect();
+    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let curtains = Curtain::all(cell, Vec3::ZERO, &obstacles);
     let some = curtains.iter().filter(|c| !c.hands_only && !c.lets_below && c.closed.has_room_below());
     some.map(|curtain| cell.sensors[curtain.sensor].name.as_str()).collect()

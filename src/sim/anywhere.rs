@@ -263,8 +263,8 @@ impl<'a> Anywhere<'a> {
         stop: Stop,
     ) -> Self {
         // Doors are taken to be open.
-        let fixed = cell.obstacles.iter().zip(&cell.opened_by).filter(|(_, opened_by)| opened_by.is_none());
-        let obstacles = merged(&fixed.map(|((_, cuboid), _)| *cuboid).collect::<Vec<_>>());
+        let fixed = cell.obstacles.iter().filter(|obstacle| obstacle.opened_by.is_none());
+        let obstacles = merged(&fixed.map(|obstacle| obstacle.cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = ArmModel::default();
         let reach_m = cell.body.reach_from_one_metre(arm.reach(), &[]);
@@ -493,8 +493,8 @@ impl<'a> Anywhere<'a> {
         let mut pending: Vec<PoseBox> = cells.map(first).collect();
         let mut is_known = true;
         // Runs begin with all doors closed.
-        let leaves = self.cell.obstacles.iter().zip(&self.cell.opened_by).filter(|(_, opened_by)| opened_by.is_some());
-        let leaves: Vec<Cuboid> = leaves.map(|((_, leaf), _)| *leaf).collect();
+        let leaves = self.cell.obstacles.iter().filter(|obstacle| obstacle.opened_by.is_some());
+        let leaves: Vec<Cuboid> = leaves.map(|leaf| leaf.cuboid).collect();
         let in_a_leaf = |at: &PoseBox| {
             !leaves.is_empty()
                 && is_without_room(&self.cell.body, &leaves, &PoseBox { half_m: 0.0, half_rad: 0.0, ..*at })

@@ -192,7 +192,7 @@ fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
     let mut history = instant.history(&search, asked.reading, ANYWHERE);
     let once = history.seen[0].clone();
     history.seen = asked.depths_m.iter().map(|depth_m| AnInstant { depth_m: *depth_m, ..once.clone() }).collect();
-    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let from = cell.beginnings[0].start.xy_m();
     let curtains = Curtain::all(cell, Vec3::new(from[0], from[1], 0.0), &obstacles);
     let arm = ArmModel::default();

@@ -49,7 +49,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     assert!(found.between.is_empty() && !found.stopped);
     let told: BTreeSet<[i64; 2]> =
         found.harms.iter().map(|harm| told_in(harm.xy_m)).chain(found.open.iter().map(|at| told_in(*at))).collect();
-    let obstacles: Vec<_> = cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+    let obstacles: Vec<_> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let encounter = Encounter {
         judge: Judge::Ending,
         clamping: None,

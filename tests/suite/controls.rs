@@ -97,7 +97,7 @@ fn a_hand_that_gets_there_is_not_missed() {
     let prepared = prepare(&dir.path().join("reset-inside/cell.toml"), None).unwrap();
     let world = World::new(prepared.cell.clone(), prepared.binding.clone());
     assert!(matches!(prepared.binding.sensors[0], SensorBinding::Input(0)));
-    let obstacles: Vec<Cuboid> = prepared.cell.obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+    let obstacles: Vec<Cuboid> = prepared.cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let button = prepared.cell.controls[0].place.unwrap();
     let (arm, mut rng) = (ArmModel::default(), Rng::new(5));
     let mut uniform = |(low, high): (f64, f64)| low + (high - low) * rng.below(1 << 30) as f64 / f64::from(1 << 30);

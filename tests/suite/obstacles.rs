@@ -79,10 +79,11 @@ fn a_box_comes_out_of_every_format_where_it_is() {
         "file = \"a.obj\", metres_per_unit = 1, up = \"y\", at = { xyz_m = [1, -2, 0.7], rpy_deg = [0, 0, 30] }",
     ] {
         let cell = cell(dir.path(), &format!("{}{OBSTACLE_BY_HAND}", obstacle(mesh))).unwrap();
-        let [(name, found), (_, expected)] = cell.obstacles.as_slice() else { panic!("{mesh}: {:?}", cell.obstacles) };
+        let [first, second] = cell.obstacles.as_slice() else { panic!("{mesh}: {:?}", cell.obstacles) };
+        let (name, found, expected) = (&first.name, &first.cuboid, &second.cuboid);
         assert_eq!(name, "thing");
         same_box(found, expected);
-        assert_eq!(cell.obstacle_tables, [None, Some(1)]);
+        assert_eq!((first.table, second.table), (None, Some(1)));
         assert_eq!(cell.files.len(), 1);
         assert_eq!(cell.warnings.len(), 1, "{:?}", cell.warnings);
         assert!(
@@ -115,10 +116,13 @@ fn parts_are_boxes_filled_hollow_or_left_out_and_told() {
     let cell = cell(dir.path(), &obstacle("file = \"all.stl\", metres_per_unit = 1")).unwrap();
     let inside = |x: f64, y: f64, z: f64| {
         let at = Vec3::new(x, y, z);
-        cell.obstacles.iter().any(|(_, c)| (c.rotation.inverse() * (at - c.centre)).abs().cmple(c.half).all())
+        cell.obstacles
+            .iter()
+            .map(|o| &o.cuboid)
+            .any(|c| (c.rotation.inverse() * (at - c.centre)).abs().cmple(c.half).all())
     };
     assert!(inside(0.1, 0.5, 0.5) && !inside(0.5, 0.5, 0.5) && inside(4.2, 0.2, 0.2) && !inside(2.2, 0.2, 0.2));
-    let names: Vec<&str> = cell.obstacles.iter().map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = cell.obstacles.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names[..3], ["thing", "thing/2", "thing/3"]);
     let told = cell.warnings.join("\n");
     assert!(told.contains("all.stl has 6 parts"), "{told}");

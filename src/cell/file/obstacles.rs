@@ -12,7 +12,7 @@ use super::format::{CellFile, ControlKind, ObstacleTable, PoseTable, StaticMeshT
 use crate::cell::CellError;
 use crate::cell::foreign::mesh::{Mesh, ending};
 use crate::cell::foreign::{gltf, mesh};
-use crate::cell::workcell::Control;
+use crate::cell::workcell::{Control, Obstacle};
 use crate::fmi;
 use crate::geometry::boxes::{self, TooMany};
 use crate::geometry::roll_pitch_yaw;
@@ -45,20 +45,9 @@ struct Filled {
     told: Vec<String>,
 }
 
-/// All boxes of a cell.
-#[derive(Default)]
-pub(super) struct Obstacles {
-    /// With their names.
-    pub(super) boxes: Vec<(String, Cuboid)>,
-    /// For each the obstacle's table, if that says the box itself.
-    pub(super) tables: Vec<Option<usize>>,
-    /// For each the control that opens it, if it is the leaf of a door.
-    pub(super) opened_by: Vec<Option<usize>>,
-}
-
 impl Checker<'_> {
     /// All boxes of a cell that has these controls, and planes or none.
-    pub(super) fn obstacles(&self, file: &CellFile, controls: &[Control], planes: bool) -> Obstacles {
+    pub(super) fn obstacles(&self, file: &CellFile, controls: &[Control], planes: bool) -> Vec<Obstacle> {
         let each = file.obstacles.iter().enumerate().map(|(number, table)| {
             let opened_by = self.opened_by(table, controls, planes)?;
             let boxes = match self.form(table)? {
@@ -67,13 +56,11 @@ impl Checker<'_> {
             };
             Ok((table.name.get_ref(), boxes, opened_by))
         });
-        let mut all = Obstacles::default();
+        let mut all = Vec::new();
         for (name, boxes, opened_by) in self.problems.keep_all(each) {
-            for (box_number, (cuboid, table)) in boxes.into_iter().enumerate() {
-                let name = if box_number == 0 { name.clone() } else { format!("{name}/{}", box_number + 1) };
-                all.boxes.push((name, cuboid));
-                all.tables.push(table);
-                all.opened_by.push(opened_by);
+            for (number, (cuboid, table)) in boxes.into_iter().enumerate() {
+                let name = if number == 0 { name.clone() } else { format!("{name}/{}", number + 1) };
+                all.push(Obstacle { name, cuboid, table, opened_by });
             }
         }
         all

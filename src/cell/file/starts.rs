@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::checker::Checker;
 use super::format::{HumanTable, StartAreaTable, StartTable};
 use crate::cell::CellError;
-use crate::cell::workcell::{Beginning, StartArea};
+use crate::cell::workcell::{Beginning, Obstacle, StartArea};
 use crate::fmi::number;
 use crate::geometry::Cuboid;
 use crate::geometry::polygon::{contains, distance_to_edge};
@@ -35,7 +35,7 @@ pub(super) struct Starts {
 
 impl Checker<'_> {
     /// Every start, each once: those by themselves, then those of areas.
-    pub(super) fn starts(&self, human: &HumanTable, body: Option<&Body>, obstacles: &[(String, Cuboid)]) -> Starts {
+    pub(super) fn starts(&self, human: &HumanTable, body: Option<&Body>, obstacles: &[Obstacle]) -> Starts {
         let some =
             self.that(human.start.is_some() || !human.start_areas.is_empty(), self.source.table("human"), || {
                 (
@@ -53,7 +53,7 @@ impl Checker<'_> {
         let mut areas = Vec::new();
         // Who stands there is not known: that is told already.
         let Some(body) = body else { return Starts { tables, areas } };
-        let obstacles: Vec<Cuboid> = obstacles.iter().map(|(_, cuboid)| *cuboid).collect();
+        let obstacles: Vec<Cuboid> = obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
         let bits = |table: &StartTable| [table.xy_m[0], table.xy_m[1], table.heading_deg].map(f64::to_bits);
         let mut known: BTreeSet<[u64; 3]> = tables.iter().map(bits).collect();
         for area in &human.start_areas {

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::checker::Checker;
 use super::format::{CellFile, FailOnTable, SearchTable};
-use super::obstacles::Obstacles;
 use super::reading::read;
 use super::starts::Starts;
 use crate::cell::CellError;
@@ -63,9 +62,9 @@ impl Checker<'_> {
         let chosen = self.criteria(&file);
         let (sensors, placings) = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let mut controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
-        let Obstacles { boxes: obstacles, tables: obstacle_tables, opened_by } =
-            self.obstacles(&file, &controls, sensors.iter().any(|sensor| sensor.zone.plane().is_some()));
-        opened_by.iter().flatten().for_each(|number| controls[*number].door = true);
+        let planes = sensors.iter().any(|sensor| sensor.zone.plane().is_some());
+        let obstacles = self.obstacles(&file, &controls, planes);
+        obstacles.iter().filter_map(|obstacle| obstacle.opened_by).for_each(|number| controls[number].door = true);
         let human = &file.human.first;
         let body = self.problems.keep(self.body(&human.into()));
         let arm_speed = self.problems.keep(self.arm_speed(human));
@@ -103,8 +102,6 @@ impl Checker<'_> {
             travel_after_contact_m: vec![chosen.clamping.stated_m; links.len()],
             links,
             obstacles,
-            obstacle_tables,
-            opened_by,
             sensors,
             placings,
             controls,

@@ -4,6 +4,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::cell::workcell::Obstacle;
 use crate::geometry::sampled::surface_points;
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
 use crate::geometry::{Cuboid, Solid, Vec3};
@@ -108,7 +109,7 @@ impl Behaviour {
             }
         }
         let mut run_into = BTreeSet::new();
-        for (number, (_, obstacle)) in cell.obstacles.iter().enumerate() {
+        for (number, Obstacle { cuboid: obstacle, .. }) in cell.obstacles.iter().enumerate() {
             for link in 0..cell.links.len() {
                 if rest.iter().any(|instant| is_in(&instant.frame.links[link], obstacle)) {
                     run_into.insert((number, link));

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
 
+use fmi_hazard::cell::workcell::Obstacle;
 use fmi_hazard::cell::{Binding, Workcell};
 use fmi_hazard::geometry::{Capsule, Cuboid, Matrix3, Rotation, Solid, Vec3};
 use fmi_hazard::human::{Place, Posture, Start};
@@ -115,11 +116,9 @@ impl Asked {
         let boxes = case.scene.blocks.iter().enumerate();
         let boxes = boxes.map(|(i, b)| {
             let cuboid = Cuboid { centre: vec3(b.centre), half: vec3(b.half), rotation: rotation(&b.rotation) };
-            (format!("o{i}"), cuboid)
+            Obstacle { name: format!("o{i}"), cuboid, table: None, opened_by: None }
         });
         cell.obstacles = boxes.collect();
-        cell.obstacle_tables = vec![None; cell.obstacles.len()];
-        cell.opened_by = vec![None; cell.obstacles.len()];
         for (robot, m_r) in cell.robots.iter_mut().zip(case.masses) {
             robot.moving_mass_kg = 2.0 * (m_r - 2.0);
         }
