@@ -15,8 +15,11 @@ use std::collections::BTreeMap;
 
 use toml::Spanned;
 
+use self::lookup::Quantity;
 use super::error::{Problems, Source};
-use super::file::format::{CellFile, ControlTable, Literal, ParameterLimits, SensorKind, SensorTable};
+use super::file::format::{
+    CellFile, ControlTable, Literal, MovesTable, ObstacleTable, ParameterLimits, SensorKind, SensorTable, WhileTable,
+};
 use super::file::polarity;
 use super::foreign::ssp::Wiring;
 use super::{CellError, Workcell};
@@ -52,6 +55,8 @@ pub struct Binding {
     pub mirrors: Vec<(usize, UnitPort)>,
     /// Robots, in the order of the cell.
     pub robots: Vec<RobotBinding>,
+    /// What obstacles and sensors follow: of each obstacle whether it stands, then how far it is; then whether sensors count.
+    pub followed: Vec<Reader>,
     /// Things the user should know, for instance an assumed unit.
     pub warnings: Vec<String>,
 }
@@ -175,6 +180,7 @@ pub fn bind(
         sensors.push(binding);
     }
     let sensor_inputs = inputs.len();
+    let followed = problems.keep_all(followed(file).map(|followed| b.followed(&followed)));
     for name in file.pose.values() {
         let port = b.input(name, Some(PortKind::Real));
         inputs.extend(problems.keep(port.and_then(|port| b.driven_once(name, port, &inputs))));
@@ -254,6 +260,7 @@ pub fn bind(
         connections,
         mirrors,
         robots,
+        followed,
         warnings: b.warnings.into_iter().chain(unitless).collect(),
     };
     problems.take_or(binding)
@@ -360,6 +367,27 @@ impl Binding {
     }
 }
 
+/// What the cell file has something follow.
+enum Followed<'a> {
+    /// A number, as it is.
+    Number(&'a Spanned<String>),
+    /// A length.
+    Length(&'a MovesTable),
+}
+
+/// All that a cell file has something follow, in the order of [`Binding::followed`].
+fn followed(file: &CellFile) -> impl Iterator<Item = Followed<'_>> {
+    fn number(table: &Spanned<WhileTable>) -> Followed<'_> {
+        Followed::Number(&table.get_ref().variable)
+    }
+    fn of_obstacle(obstacle: &ObstacleTable) -> impl Iterator<Item = Followed<'_>> {
+        let moves = obstacle.moves_with.as_ref().map(|table| Followed::Length(table.get_ref()));
+        obstacle.stands_while.as_ref().map(number).into_iter().chain(moves)
+    }
+    let sensors = file.sensors.iter().filter_map(|sensor| sensor.counts_while.as_ref().map(number));
+    file.obstacles.iter().flat_map(of_obstacle).chain(sensors)
+}
+
 impl<'a> Binder<'a> {
     const fn new(
         source: &'a Source,
@@ -405,6 +433,21 @@ impl<'a> Binder<'a> {
             inputs.push(port);
         }
         Ok(SensorBinding::Input(index))
+    }
+
+    /// What obstacles and sensors follow.
+    fn followed(&mut self, followed: &Followed<'_>) -> Result<Reader, Box<CellError>> {
+        match followed {
+            Followed::Number(name) => {
+                let (unit, variable) = self.readable(name)?;
+                let port = self.port(name, unit, variable)?;
+                Ok(Reader::output(self.output(port), 1.0))
+            }
+            Followed::Length(MovesTable { variable, unit, .. }) => {
+                let factor = self.factor(variable, unit.as_ref(), Quantity::Length)?;
+                Ok(Reader::output(self.real_output(variable)?, factor))
+            }
+        }
     }
 
     /// The input that a control drives, and its values, released and pressed.

@@ -15,6 +15,7 @@ mod criteria;
 pub mod described;
 pub mod extended;
 pub mod files;
+mod following;
 pub mod format;
 mod inertias;
 pub mod layers;

@@ -17,6 +17,7 @@ pub mod draft;
 pub mod error;
 pub mod file;
 pub mod find;
+pub mod following;
 pub mod foreign;
 mod hash;
 pub mod knob;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use super::file::format::{CellFile, ControlKind, ControlledBy, PeopleFrom, PoseQuantity, SearchTable, StartTable};
+use super::following::Following;
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Capsule, Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
@@ -13,7 +14,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
-use crate::human::{Body, Presses, Repertoire, Start, Who};
+use crate::human::{Arrangement, Body, Presses, Repertoire, Start, Who};
 use crate::standards::iso_13855::{Detection, Opening};
 
 /// The leaf of an open door is so deep in the ground, m.
@@ -43,6 +44,8 @@ pub struct Workcell {
     pub links: Vec<Link>,
     /// Boxes that are in the way.
     pub obstacles: Vec<Obstacle>,
+    /// What follows the FMU's outputs.
+    pub following: Following,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// For each of them what its safety distance depends on besides.
@@ -103,6 +106,8 @@ pub struct Obstacle {
     pub table: Option<usize>,
     /// The control that opens it, if it is the leaf of a door.
     pub opened_by: Option<usize>,
+    /// Its number in [`Workcell::following`], if it follows the FMU.
+    pub follows: Option<usize>,
 }
 
 /// A second person in a cell.
@@ -383,13 +388,24 @@ impl Workcell {
         Some(Self { start, body, repertoire, second: None, ..self.clone() })
     }
 
-    /// What is in the way while some doors are open, in the order of the obstacles: each keeps its number.
+    /// What is in the way while some doors are open and things stand so that follow the FMU, in the order of the obstacles: each keeps
+    /// its number.
     #[must_use]
-    pub fn standing(&self, open: Presses) -> Vec<Cuboid> {
+    pub fn standing(&self, open: Presses, arrangement: Arrangement) -> Vec<Cuboid> {
         let below = |cuboid: &Cuboid| Cuboid { centre: cuboid.centre - Vec3::Z * OUT_OF_THE_WAY_M, ..*cuboid };
-        let where_it_is = |Obstacle { cuboid, opened_by, .. }: &Obstacle| {
+        let where_it_is = |Obstacle { cuboid, opened_by, follows, .. }: &Obstacle| {
             let is_open = opened_by.is_some_and(|control| open.has(control));
-            if is_open { below(cuboid) } else { *cuboid }
+            let moved = |offset: Vec3| Cuboid { centre: cuboid.centre + offset, ..*cuboid };
+            match follows {
+                None => {
+                    if is_open {
+                        below(cuboid)
+                    } else {
+                        *cuboid
+                    }
+                }
+                Some(number) => self.following.offset(*number, arrangement).map_or_else(|| below(cuboid), moved),
+            }
         };
         self.obstacles.iter().map(where_it_is).collect()
     }

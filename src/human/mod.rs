@@ -10,11 +10,12 @@
 
 pub mod action;
 pub mod arm;
+pub mod arrangement;
 pub mod body;
 pub mod field;
 pub mod floor;
 pub mod low;
-mod obstacles;
+pub(crate) mod obstacles;
 pub mod part;
 pub mod place;
 pub mod placed;
@@ -28,6 +29,7 @@ pub mod walk;
 pub mod who;
 
 pub use action::{Action, Posture, Walk};
+pub use arrangement::Arrangement;
 pub use body::{Anthropometry, Body, Radii};
 pub use field::Field;
 pub use floor::{Floor, is_without_room};

@@ -8,7 +8,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 use std::hash::{Hash, Hasher};
 
-use super::Presses;
+use super::{Arrangement, Presses};
 use crate::geometry::Vec3;
 
 /// Where the human stands at first, in the world frame. Every place is counted from here.
@@ -44,7 +44,7 @@ impl Start {
     }
 }
 
-/// A spot on the lattice of walks, a heading on it, and the doors that stand open meanwhile.
+/// A spot on the lattice of walks, a heading on it, and the doors that stand open meanwhile, and how things stand that follow the FMU.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// Sub-steps walked along 0, 45, 90 and 135 degrees from the start heading; opposite directions count down.
@@ -53,21 +53,27 @@ pub struct Place {
     heading: u8,
     /// Controls whose doors stand open.
     open: Presses,
+    /// How things stand that follow the FMU.
+    arrangement: Arrangement,
 }
 
-/// As if there were no doors, where none is open: what was written down of cells without any stays known by it.
+/// As if there were no doors, where none is open, and nothing that follows the FMU: what was written down of cells without any stays known
+/// by it.
 impl Hash for Place {
     fn hash<H: Hasher>(&self, state: &mut H) {
         (self.steps, self.heading).hash(state);
         if !self.open.is_none() {
             self.open.hash(state);
         }
+        if !self.arrangement.is_none() {
+            self.arrangement.hash(state);
+        }
     }
 }
 
 impl Place {
     /// The start itself, all doors closed.
-    pub const START: Self = Self { steps: [0; 4], heading: 0, open: Presses::NONE };
+    pub const START: Self = Self { steps: [0; 4], heading: 0, open: Presses::NONE, arrangement: Arrangement::NONE };
 
     /// Net sub-steps along 0, 45, 90 and 135 degrees from the start heading.
     #[must_use]
@@ -91,6 +97,18 @@ impl Place {
     #[must_use]
     pub const fn with_open(self, open: Presses) -> Self {
         Self { open, ..self }
+    }
+
+    /// How things stand that follow the FMU.
+    #[must_use]
+    pub const fn arrangement(&self) -> Arrangement {
+        self.arrangement
+    }
+
+    /// The same spot while they stand otherwise.
+    #[must_use]
+    pub const fn amid(self, arrangement: Arrangement) -> Self {
+        Self { arrangement, ..self }
     }
 
     /// The same spot after a turn to the left by `eighths` of a full turn.

@@ -49,7 +49,7 @@ impl Ability {
     }
 
     /// The posture that it is, if it is one.
-    const fn posture(self) -> Option<Posture> {
+    pub(crate) const fn posture(self) -> Option<Posture> {
         match self {
             Self::Kneel => Some(Posture::Kneeling),
             Self::Crouch => Some(Posture::Crouching),

@@ -51,27 +51,34 @@ impl Walker<'_> {
     /// stays there until the action ends; it does not slide along. It may still turn.
     #[must_use]
     pub fn walk(&self, from: Place, action: Action, sub_steps: usize) -> WalkTrace {
-        let walk = action.walk();
-        let mut place = from.turned(walk.turn_eighths());
+        let mut place = from.turned(action.walk().turn_eighths());
         let mut stopped = false;
         let mut trace = WalkTrace { start: place, places: vec![place; sub_steps], blocked: vec![false; sub_steps] };
-        let at_once = match walk {
-            Walk::Stop => return trace,
-            Walk::Run => self.strides,
-            _ => 1,
-        };
         for (reached, blocked) in trace.places.iter_mut().zip(&mut trace.blocked) {
-            for _ in 0..at_once {
-                let next = if walk == Walk::Back { place.stepped_back() } else { place.stepped() };
-                if !stopped && self.is_free(next, action.posture()) {
-                    place = next;
-                } else {
-                    stopped = true;
-                }
-            }
+            place = self.step(place, action, &mut stopped);
             (*reached, *blocked) = (place, stopped);
         }
         trace
+    }
+
+    /// One sub-step of an action, the turn already made: where it leads. Whoever was `stopped` stays.
+    #[must_use]
+    pub fn step(&self, mut place: Place, action: Action, stopped: &mut bool) -> Place {
+        let walk = action.walk();
+        let at_once = match walk {
+            Walk::Stop => 0,
+            Walk::Run => self.strides,
+            _ => 1,
+        };
+        for _ in 0..at_once {
+            let next = if walk == Walk::Back { place.stepped_back() } else { place.stepped() };
+            if !*stopped && self.is_free(next, action.posture()) {
+                place = next;
+            } else {
+                *stopped = true;
+            }
+        }
+        place
     }
 }
 

@@ -78,6 +78,13 @@ pub fn refusal(prepared: &Prepared) -> Option<String> {
             "two people have their starts; to look from anywhere, leave one of them out of the cell file".to_owned(),
         );
     }
+    if !prepared.cell.following.is_empty() {
+        return Some(
+            "obstacles or sensors follow the FMU, which a scan from the cell's starts looks at; from anywhere, leave \
+             stands_while, moves_with and counts_while out of the cell file"
+                .to_owned(),
+        );
+    }
     let controls = two_hand(prepared).len();
     (controls > MOST_TWO_HAND).then(|| {
         format!("the cell has {controls} two-hand controls; up to {MOST_TWO_HAND} can be looked at from anywhere")

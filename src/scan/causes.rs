@@ -138,7 +138,9 @@ fn past(prepared: &Prepared, hazard: &Hazard) -> (Option<String>, Option<String>
         let moved = hazard.worked.iter().filter(|working| working.control.name == control);
         moved.filter_map(|working| working.opens).next_back() == Some(true)
     };
-    let is_there = |o: &&Obstacle| !o.opened_by.is_some_and(|n| is_open(&prepared.cell.controls[n].name));
+    // Where they were then that follow the FMU, is not asked.
+    let is_there =
+        |o: &&Obstacle| o.follows.is_none() && !o.opened_by.is_some_and(|n| is_open(&prepared.cell.controls[n].name));
     let highest = |passes: &dyn Fn(f64, [f64; 2]) -> bool| {
         let passed = |c: &Cuboid| {
             let (floor, between) = (outline(c), heights(c));

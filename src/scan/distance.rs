@@ -17,6 +17,7 @@ use crate::cell::binding::SensorBinding;
 use crate::cell::workcell::Placing;
 use crate::geometry::{Cuboid, Vec3};
 use crate::host::PlantError;
+use crate::human::Arrangement;
 use crate::report::distance::{Distances, Placed, Safeguard, Stopped, Way, asked_mm, formula, there_mm};
 use crate::standards::iso_13855::{
     self as iso, DRAFT_ASKS_LESS_FROM_M, Detection, Edition, FINE_M, MAT_DEPTH_M, Required,
@@ -274,7 +275,7 @@ impl Measured<'_> {
         });
         let own = [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z];
         // Doors are taken to be open.
-        let boxes = self.prepared.cell.standing(self.prepared.cell.doors());
+        let boxes = self.prepared.cell.standing(self.prepared.cell.doors(), Arrangement::NONE);
         let [low_m, high_m] = closed(plane, &boxes.iter().collect::<Vec<_>>());
         // What guards it below is in nobody's way to be seen.
         not_known.extend(if low_m > GAP_M { iso::under(edition, low_m, detection) } else { None });

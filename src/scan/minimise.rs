@@ -59,7 +59,7 @@ fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<V
         }
     }
     let findings = simulation.take_findings();
-    let taken = simulation.world().as_taken(actions);
+    let taken = simulation.taken().to_vec();
     Ok(findings.into_iter().filter(|f| taken.starts_with(&f.actions)).collect())
 }
 

@@ -17,6 +17,7 @@ use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
 use crate::human::arm::ArmModel;
+use crate::human::{Arrangement, Presses};
 use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
 use crate::report::model::{
     FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
@@ -219,7 +220,7 @@ fn planes_with_room_for_legs(cell: &Workcell) -> Vec<&str> {
     if cell.repertoire.low().is_empty() {
         return Vec::new();
     }
-    let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
+    let obstacles: Vec<Cuboid> = cell.standing(Presses::NONE, Arrangement::NONE);
     let curtains = Curtain::all(cell, Vec3::ZERO, &obstacles);
     let some = curtains.iter().filter(|c| !c.hands_only && !c.lets_below && c.closed.has_room_below());
     some.map(|curtain| cell.sensors[curtain.sensor].name.as_str()).collect()

@@ -27,11 +27,12 @@ use self::joined::{Joined, Met};
 use self::situations::Situations;
 use super::Coverage;
 use super::bound::RobotBounds;
+use super::going::{Begin, Gone};
 use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
-use super::world::{Frames, Places, Sensed, Sight, Worked, World};
+use super::world::{Frames, Places, Sensed, Sight, Walks, Worked, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
@@ -82,6 +83,8 @@ struct Transition {
     node: NodeId,
     frames: Frames,
     sensed: Sensed,
+    /// Where it leads everybody, where what follows the FMU has that differ from their ways.
+    amid: Option<Walks>,
 }
 
 /// What is not known yet of what an action from a state brings somebody.
@@ -96,8 +99,16 @@ struct Pending {
     action: Action,
 }
 
-/// Numbers of the next state and of the transition, or why there is none.
-type Reached = Result<(usize, usize), String>;
+/// Where an action leads.
+#[derive(Clone, Debug)]
+enum Reached {
+    /// The numbers of the next state and of the transition.
+    To(usize, usize),
+    /// Nowhere: why the FMU could not finish it.
+    Unfinished(String),
+    /// Elsewhere than the way that it was asked along: what follows the FMU changes in it.
+    Elsewhere,
+}
 
 /// What is seen of each of the people, and what is worked.
 type Key = (usize, Option<usize>, Worked);
@@ -143,8 +154,8 @@ impl Goes<'_> {
         Places { first: self.first.walked.start, second: self.second.map(|way| way.walked.start) }
     }
 
-    fn ends(&self) -> Places {
-        Places { first: self.first.walked.end(), second: self.second.map(|way| way.walked.end()) }
+    fn walks(&self) -> Walks {
+        Walks { first: self.first.walked.clone(), second: self.second.map(|way| way.walked.clone()) }
     }
 
     /// What there is to see of everybody, of which these are the sights.
@@ -279,6 +290,8 @@ impl<P: Plant> Expander<P> {
         let last = depth + 1 == self.horizon();
         let ways = beside.map_or(1, |beside| beside.ways.len());
         let mut alike: Vec<Alike> = (0..ahead.ways.len() * ways).map(|_| Alike::default()).collect();
+        // What differs from the ways ahead, by the transition.
+        let mut amid: Vec<(Walks, Sensed, Reached)> = Vec::new();
         joined.begin();
         for index in 0..self.actions() {
             let repertoire = &self.world.cell.repertoire;
@@ -299,18 +312,25 @@ impl<P: Plant> Expander<P> {
                     let sensed = self.world.sense(&state.delays, state.switched, &sights, &key.2);
                     let to = match alike.by_inputs(&sensed) {
                         Some(to) => to,
-                        None => self.reach((state, last), &goes, &sensed, &mut expanded, &mut transitions)?,
+                        None => self.reach((state, last), &goes, (action, &sensed), &mut expanded, &mut transitions)?,
                     };
                     alike.keep(key, sensed, &to);
                     to
                 }
             };
+            let to = match to {
+                Reached::Elsewhere => {
+                    self.elsewhere((state, last), goes.walks(), action, &mut amid, &mut expanded, &mut transitions)?
+                }
+                to => to,
+            };
             let (next, transition) = match to {
-                Ok(to) => to,
-                Err(reason) => {
+                Reached::To(next, transition) => (next, transition),
+                Reached::Unfinished(reason) => {
                     expanded.effects.push(Effect::NotEvaluated(reason));
                     continue;
                 }
+                Reached::Elsewhere => continue,
             };
             expanded.effects.push(Effect::To(next));
             let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who) };
@@ -330,33 +350,84 @@ impl<P: Plant> Expander<P> {
         &mut self,
         (state, last): (&State, bool),
         goes: &Goes<'_>,
-        sensed: &Sensed,
+        (action, sensed): (Action, &Sensed),
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
     ) -> Result<Reached, PlantError> {
         let per_action = self.world.cell.steps_per_action;
         let node = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
+            // It may be elsewhere that the action leads.
+            Advanced::Fault(_) if self.world.follows() => return Ok(Reached::Elsewhere),
             Advanced::Fault(fault) => {
                 self.coverage.episodes_not_evaluated += 1;
-                return Ok(Err(fault.message.clone()));
+                return Ok(Reached::Unfinished(fault.message.clone()));
             }
             Advanced::To(node) => node,
         };
-        let places = goes.ends();
-        // Where the sequences end, nothing depends on which state it is.
-        let representative = if last { node } else { self.representative(node, &places.first, &sensed.delays)? };
-        let (delays, switched) = (sensed.delays.clone().into_boxed_slice(), sensed.switched);
-        expanded.next.push(State { places, node: representative, delays, switched });
-        let frames = self.robots.frames(node);
-        self.look(goes, sensed, &frames);
-        transitions.push(Transition { node, frames, sensed: sensed.clone() });
-        Ok(Ok((expanded.next.len() - 1, transitions.len() - 1)))
+        if self.world.follows() && self.robots.says_otherwise(&goes.walks(), action, node).is_some() {
+            return Ok(Reached::Elsewhere);
+        }
+        let blocked = goes.each().any(|way| way.walked.blocked.contains(&true));
+        let ends = Places { first: goes.first.walked.end(), second: goes.second.map(|way| way.walked.end()) };
+        let places = self.robots.amid_what_is_said(&ends, action, node);
+        let transition = Transition { node, frames: self.robots.frames(node), sensed: sensed.clone(), amid: None };
+        self.arrive((places, blocked, last), transition, expanded, transitions)
     }
 
-    fn look(&mut self, goes: &Goes<'_>, sensed: &Sensed, frames: &Frames) {
+    /// The same of an action in which what follows the FMU changes: for itself.
+    fn elsewhere(
+        &mut self,
+        (state, last): (&State, bool),
+        walks: Walks,
+        action: Action,
+        amid: &mut Vec<(Walks, Sensed, Reached)>,
+        expanded: &mut Expanded<State, Finding>,
+        transitions: &mut Vec<Transition>,
+    ) -> Result<Reached, PlantError> {
+        let from = Begin { node: state.node, places: state.places, delays: &state.delays, switched: state.switched };
+        let Gone { walks, sensed, advanced } = self.robots.go_along(&from, walks, action, &|_| {})?;
+        let node = match advanced {
+            Advanced::Fault(fault) => {
+                self.coverage.episodes_not_evaluated += 1;
+                return Ok(Reached::Unfinished(fault.message.clone()));
+            }
+            Advanced::To(node) => node,
+        };
+        let same = |(known, told, _): &&(Walks, Sensed, Reached)| *known == walks && told.same(&sensed);
+        if let Some((_, _, to)) = amid.iter().find(same) {
+            return Ok(to.clone());
+        }
+        let places = self.robots.amid_what_is_said(&walks.ends(), action, node);
+        let blocked = walks.blocked();
+        let frames = self.robots.frames(node);
+        let transition = Transition { node, frames, sensed: sensed.clone(), amid: Some(walks.clone()) };
+        let to = self.arrive((places, blocked, last), transition, expanded, transitions)?;
+        amid.push((walks, sensed, to.clone()));
+        Ok(to)
+    }
+
+    /// A new successor, and the transition to it.
+    fn arrive(
+        &mut self,
+        (places, blocked, last): (Places, bool, bool),
+        transition: Transition,
+        expanded: &mut Expanded<State, Finding>,
+        transitions: &mut Vec<Transition>,
+    ) -> Result<Reached, PlantError> {
+        let Transition { node, sensed, .. } = &transition;
+        // Where the sequences end, nothing depends on which state it is.
+        let node = if last { *node } else { self.representative(*node, &places.first, &sensed.delays)? };
+        let (delays, switched) = (sensed.delays.clone().into_boxed_slice(), sensed.switched);
+        expanded.next.push(State { places, node, delays, switched });
+        self.look(blocked, sensed, &transition.frames);
+        transitions.push(transition);
+        Ok(Reached::To(expanded.next.len() - 1, transitions.len() - 1))
+    }
+
+    fn look(&mut self, blocked: bool, sensed: &Sensed, frames: &Frames) {
         let coverage = &mut self.coverage;
         coverage.actions += 1;
-        coverage.walks_blocked += u64::from(goes.each().any(|way| way.walked.blocked.contains(&true)));
+        coverage.walks_blocked += u64::from(blocked);
         let fastest = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
         coverage.robot_top_speed_m_s = coverage.robot_top_speed_m_s.max(fastest);
         for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {
@@ -385,7 +456,7 @@ impl<P: Plant> Expansion for Expander<P> {
 
     fn start(&mut self) -> Result<State, PlantError> {
         let delays = self.world.delays_at_start().into_boxed_slice();
-        let places = self.world.starts();
+        let places = self.robots.starts();
         let node = self.representative(NodeId::ROOT, &places.first, &delays)?;
         Ok(State { places, node, delays, switched: Presses::NONE })
     }
@@ -416,7 +487,10 @@ impl<P: Plant> Expansion for Expander<P> {
         }
         let ahead = |p: &Pending| outlook.of(p.who, &states[p.state].places);
         let nowhere = WalkTrace { start: self.world.start(), places: Vec::new(), blocked: Vec::new() };
-        let walked = |p: &Pending| ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked);
+        let walked = |p: &Pending| match &transitions[p.state][p.transition].amid {
+            Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
+            None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
+        };
         let mut met = Met::of(&joined);
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {

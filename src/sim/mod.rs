@@ -29,6 +29,7 @@ pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod expansion;
+mod going;
 pub mod imagination;
 pub mod journal;
 pub mod motion;

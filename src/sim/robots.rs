@@ -113,6 +113,11 @@ impl<P: Plant> Robots<P> {
         }
     }
 
+    /// What does not change over the scan.
+    pub(super) const fn world(&self) -> &Arc<World> {
+        &self.world
+    }
+
     /// One action of the FMU from `node`.
     pub(super) fn advance(&mut self, node: NodeId, inputs: &[f64]) -> Result<Advanced, PlantError> {
         let advanced = self.recall.advance(node, self.world.cell.steps_per_action, inputs)?;
@@ -301,6 +306,7 @@ impl<P: Plant> Robots<P> {
         let parent = self.recall.parent(node);
         let earlier: Vec<Told> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
         let shadow = match self.had_told(parent, &earlier)? {
+            Shadow::Is(from) if self.strays(parent, from, usize::MAX) => self.strayed(),
             Shadow::Is(from) => {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
@@ -326,6 +332,27 @@ impl<P: Plant> Robots<P> {
         };
         self.remember_shadow(node, told, per_action, shadow.clone());
         Ok(shadow)
+    }
+
+    /// Whether what follows the FMU does so otherwise in the first steps of the action into `shadow` than in that into `node`: then the
+    /// person went elsewhere, or was seen otherwise, than in the run that it stands in for.
+    fn strays(&mut self, node: NodeId, shadow: NodeId, steps: usize) -> bool {
+        if !self.world.follows() || node == shadow {
+            return false;
+        }
+        let (own, other) = (self.frames(node), self.frames(shadow));
+        let (own, other) = (own.iter().take(steps), other.iter().take(steps));
+        own.zip(other)
+            .any(|(own, other)| self.world.arrangement(own.outputs()) != self.world.arrangement(other.outputs()))
+    }
+
+    /// Such a run is not evaluated.
+    fn strayed(&mut self) -> Shadow {
+        self.unfinished.get_or_insert_with(|| {
+            "an obstacle or a sensor that follows the FMU would have done so otherwise, which is not followed up"
+                .to_owned()
+        });
+        Shadow::Unfinished
     }
 
     fn known_shadow(&self, node: NodeId, told: &[Told], per_action: i16) -> Option<Shadow> {
@@ -421,12 +448,16 @@ impl<'a, P: Plant> Instead<'a, P> {
     /// The state of the FMU had planes told of an arm in these windows.
     pub(super) fn node_for(&mut self, windows: &[Window]) -> Result<Shadow, PlantError> {
         let told = |window: &Window| self.robots.told(window, self.i);
-        match windows {
-            [window] => self.robots.had_told(self.node, &[told(window)]),
+        let shadow = match windows {
+            [window] => self.robots.had_told(self.node, &[told(window)])?,
             _ => {
                 let told: Vec<Told> = windows.iter().map(told).collect();
-                self.robots.had_told(self.node, &told)
+                self.robots.had_told(self.node, &told)?
             }
+        };
+        match shadow {
+            Shadow::Is(other) if self.robots.strays(self.node, other, self.i) => Ok(self.robots.strayed()),
+            shadow => Ok(shadow),
         }
     }
 }

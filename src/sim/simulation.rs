@@ -11,6 +11,7 @@ use std::sync::Arc;
 use super::Coverage;
 use super::befallen::Befallen;
 use super::encounter::ArmSpace;
+use super::going::{Begin, Gone};
 use super::imagination::Imagination;
 use super::motion::Motion;
 use super::robot::RobotFrame;
@@ -23,7 +24,7 @@ use crate::hazard::Finding;
 use crate::hazard::danger::{Proximity, UNSAFE_REWARD};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, PlacedBody, Posture, Presses, Who};
+use crate::human::{Action, Arrangement, PlacedBody, Posture, Presses, Who};
 use crate::search::{End, Environment, Step};
 
 /// Settings of a simulation.
@@ -74,6 +75,8 @@ pub struct Instant {
     pub second: Option<(Vec3, PlacedBody)>,
     /// Whether each sensor reports the person.
     pub readings: Vec<bool>,
+    /// How things stand that follow the FMU.
+    pub arrangement: Arrangement,
     /// The robots.
     pub frame: RobotFrame,
 }
@@ -176,9 +179,10 @@ impl<P: Plant> Simulation<P> {
         let stop = plant.stop();
         let recall = Recall::new(plant, options.policy)?;
         let world = Arc::new(World::new(cell, binding).heeding(stop));
+        let robots = Robots::new(Arc::clone(&world), recall);
         let root = Snapshot {
             node: NodeId::ROOT,
-            places: world.starts(),
+            places: robots.starts(),
             delays: world.delays_at_start(),
             switched: Presses::NONE,
             actions: Vec::new(),
@@ -186,7 +190,7 @@ impl<P: Plant> Simulation<P> {
         };
         Ok(Self {
             coverage: Coverage::new(world.cell.sensors.len()),
-            robots: Robots::new(Arc::clone(&world), recall),
+            robots,
             imagination: Imagination::new(&world),
             world,
             options,
@@ -219,6 +223,12 @@ impl<P: Plant> Simulation<P> {
     /// Findings since the last call.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         std::mem::take(&mut self.findings)
+    }
+
+    /// Actions since the last reset, as they were taken.
+    #[must_use]
+    pub fn taken(&self) -> &[Action] {
+        &self.state.actions
     }
 
     /// What was seen so far.
@@ -283,15 +293,16 @@ impl<P: Plant> Simulation<P> {
         let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
         for (number, action) in actions.iter().enumerate() {
             let action = world.taken_by_all(&places, *action);
-            let walks = world.walks(places, action);
-            let worked = world.worked_by(&walks.starts(), action);
-            let mut sensed = world.sense(&delays, switched, &world.sights_of_all(&walks, action), &worked);
             let begun = watched.instants.len() - 1;
-            for ReachedThrough { sensor, steps } in through {
-                let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
-                world.report_arm(*sensor, steps, &mut sensed);
-            }
-            node = match self.robots.advance(node, &sensed.inputs)? {
+            let tell = |sensed: &mut Sensed| {
+                for ReachedThrough { sensor, steps } in through {
+                    let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
+                    world.report_arm(*sensor, steps, sensed);
+                }
+            };
+            let from = Begin { node, places, delays: &delays, switched };
+            let Gone { walks, sensed, advanced } = self.robots.go(&from, action, &tell)?;
+            node = match advanced {
                 Advanced::To(node) => node,
                 Advanced::Fault(fault) => return Err((*fault).clone()),
             };
@@ -307,12 +318,13 @@ impl<P: Plant> Simulation<P> {
                     body,
                     second: placed(Who::Second),
                     readings: world.readings(&sensed.readings[i], frame),
+                    arrangement: walks.first.places[i].arrangement(),
                     frame: RobotFrame::clone(frame),
                 });
             }
             watched.outputs.extend_from_slice(self.robots.recall.outputs(node));
             watched.inputs.extend(sensed.inputs);
-            places = walks.ends();
+            places = self.robots.amid_what_is_said(&walks.ends(), action, node);
             (delays, switched) = (sensed.delays, sensed.switched);
         }
         Ok(watched)
@@ -350,6 +362,7 @@ impl<P: Plant> Simulation<P> {
             body,
             second: world.of(Who::Second).map(|own| placed((Who::Second, own))),
             readings: world.readings(&world.readings_at_start(), &frame),
+            arrangement: self.root.places.first.arrangement(),
             frame,
         }
     }
@@ -426,11 +439,10 @@ impl<P: Plant> Simulation<P> {
     fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
         let mut coverage = Coverage::new(self.world.cell.sensors.len());
         coverage.actions = 1;
-        let walks = self.world.walks(self.state.places, action);
-        coverage.walks_blocked = u64::from(walks.blocked());
-        let sensed = self.sense(&walks, action);
         self.robots.take_reached();
-        let node = match self.robots.advance(self.state.node, &sensed.inputs)? {
+        let Gone { walks, sensed, advanced } = self.go(action)?;
+        coverage.walks_blocked = u64::from(walks.blocked());
+        let node = match advanced {
             Advanced::To(node) => node,
             Advanced::Fault(fault) => {
                 coverage.episodes_not_evaluated = 1;
@@ -481,16 +493,17 @@ impl<P: Plant> Simulation<P> {
             });
             (reward.fold(Proximity::Far.reward(), f64::max), Some(End::Horizon))
         };
-        let to = Some((node, walks.ends(), sensed.delays, sensed.switched));
+        let to =
+            Some((node, self.robots.amid_what_is_said(&walks.ends(), action, node), sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
         Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
     }
 
-    /// What an action from the present state has the sensors and controls tell.
-    fn sense(&self, walks: &Walks, action: Action) -> Sensed {
-        let worked = self.world.worked_by(&walks.starts(), action);
-        let sights = self.world.sights_of_all(walks, action);
-        self.world.sense(&self.state.delays, self.state.switched, &sights, &worked)
+    /// What becomes of an action from the present state.
+    fn go(&mut self, action: Action) -> Result<Gone, PlantError> {
+        let Snapshot { node, places, delays, switched, .. } = &self.state;
+        let from = Begin { node: *node, places: *places, delays, switched: *switched };
+        self.robots.go(&from, action, &|_| {})
     }
 
     /// The other postures of one of the people with the same walk. Where no light curtain sees the difference they give the FMU the
@@ -517,11 +530,9 @@ impl<P: Plant> Simulation<P> {
                 self.befallen(walks, sibling, sensed, node, coverage)?
             } else {
                 // Another posture may get to another door.
-                let walks = world.walks(self.state.places, sibling);
-                let own = self.sense(&walks, sibling);
-                let advanced = self.robots.advance(self.state.node, &own.inputs)?;
+                let Gone { walks, sensed, advanced } = self.go(sibling)?;
                 let Advanced::To(node) = advanced else { continue };
-                self.befallen(&walks, sibling, &own, node, coverage)?
+                self.befallen(&walks, sibling, &sensed, node, coverage)?
             };
             // What befalls the other one is told with their own postures.
             findings.extend(found.noted.into_iter().chain(found.ends).filter(|finding| finding.who == who));

@@ -3,6 +3,7 @@
 //!
 //! Nothing here changes over a scan, so threads may share it.
 
+mod following;
 mod passing;
 mod people;
 mod sensing;
@@ -18,6 +19,7 @@ use super::curtain::Curtain;
 use super::encounter::{ArmSpace, Clamping, Encounter, Judge, Person};
 use super::robot::RobotFrame;
 use super::threads::Memo;
+use crate::cell::following::Following;
 use crate::cell::{Binding, Workcell};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::contact::STANDSTILL_M_S;
@@ -26,7 +28,7 @@ use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};
 use crate::human::arm::ArmModel;
 use crate::human::walk::WalkTrace;
-use crate::human::{BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
+use crate::human::{Arrangement, BendFraction, Body, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop as WorkStop;
 
@@ -176,7 +178,8 @@ pub struct World {
     pub cell: Arc<Workcell>,
     /// Its variables.
     pub binding: Arc<Binding>,
-    /// Person against robot while some doors are open, by the number of their set; one where there are no doors.
+    /// Person against robot while some doors are open, by the number of their set; one where there are no doors. Each for all
+    /// arrangements of obstacles that follow the FMU; one where none does.
     encounters: Vec<Encounter>,
     /// Controls that open and close doors.
     doors: Presses,
@@ -228,8 +231,10 @@ impl World {
     fn looking_for(cell: Arc<Workcell>, binding: Arc<Binding>, judge: Judge) -> Self {
         let doors = cell.doors();
         let sets = Presses::all(if doors.is_none() { 0 } else { cell.controls.len() });
-        let with_open = |open: Presses| Encounter {
-            obstacles: cell.standing(open),
+        let arrangements = cell.following.of_obstacles();
+        let sets = sets.flat_map(|open| (0..arrangements).map(move |number| (open, Following::numbered(number))));
+        let with_open = |(open, arrangement): (Presses, Arrangement)| Encounter {
+            obstacles: cell.standing(open, arrangement),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
@@ -285,12 +290,14 @@ impl World {
         self
     }
 
-    /// Person against robot while the doors are as they are at a place.
+    /// Person against robot while the doors, and what follows the FMU, are as they are at a place.
     pub(super) fn encounter(&self, place: &Place) -> &Encounter {
-        if self.doors.is_none() { &self.encounters[0] } else { &self.encounters[place.open().index()] }
+        let following = &self.cell.following;
+        let open = if self.doors.is_none() { 0 } else { place.open().index() };
+        &self.encounters[open * following.of_obstacles() + following.standing(place.arrangement())]
     }
 
-    /// What is in the way at a place, its doors as they are.
+    /// What is in the way at a place.
     fn boxes(&self, place: &Place) -> &[Cuboid] {
         &self.encounter(place).obstacles
     }

@@ -7,7 +7,7 @@ use crate::bytes::{Reader, Writer};
 use crate::drive::{Demands, Drive, Settings};
 use crate::interface::WORKCELLS;
 use crate::interface::variables::{Interface, Value, Variant};
-use crate::interface::workcell::{Role, Safeguard, Spec, interface, parameter};
+use crate::interface::workcell::{Role, Safeguard, Spec, conveyor, interface, parameter};
 use crate::kinematics::quaternion;
 use crate::model::{Model, Outcome};
 use crate::path::{Motion, Path};
@@ -58,6 +58,10 @@ pub struct Workcell {
     feet: [f64; 4],
     reset: bool,
     drives: [Drive; ROBOTS],
+    /// Of a conveyor its parameters, whether muting ends with it, and milliseconds since the start.
+    conveyor: [f64; conveyor::COUNT],
+    until_clear: bool,
+    tick: u64,
 }
 
 impl Workcell {
@@ -79,6 +83,9 @@ impl Workcell {
             feet: [0.0; 4],
             reset: false,
             drives: [Drive::running(); ROBOTS],
+            conveyor: [0.0; conveyor::COUNT],
+            until_clear: false,
+            tick: 0,
         };
         for (place, value) in shared(cell).starts.iter().enumerate() {
             model.set(place, *value);
@@ -138,6 +145,31 @@ impl Workcell {
         self.feet.chunks(2).any(|foot| from <= foot[0] && foot[0] <= to && near <= foot[1])
     }
 
+    fn has_conveyor(&self) -> bool {
+        matches!(shared(self.cell).spec.safeguard, Safeguard::Muted { .. })
+    }
+
+    /// Seconds since the start.
+    fn now_s(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "some seconds")]
+        let milliseconds = self.tick as f64;
+        milliseconds / 1000.0
+    }
+
+    /// How far the pallet is on its way, m.
+    fn pallet_m(&self) -> f64 {
+        let c = &self.conveyor;
+        ((self.now_s() - c[conveyor::BEGINS]) * c[conveyor::SPEED]).clamp(0.0, c[conveyor::WAY])
+    }
+
+    fn in_entrance(&self) -> bool {
+        self.pallet_m() < self.conveyor[conveyor::CLEAR]
+    }
+
+    fn muted(&self) -> bool {
+        self.now_s() < self.conveyor[conveyor::MUTE] && (!self.until_clear || self.in_entrance())
+    }
+
     fn demands(&self, robot: usize) -> Demands {
         let reset = self.reset;
         match shared(self.cell).spec.safeguard {
@@ -147,6 +179,7 @@ impl Workcell {
             Safeguard::Door { .. } => {
                 Demands { stop: !self.clear && (self.hold || self.was_clear), slow: false, reset }
             }
+            Safeguard::Muted { .. } => Demands { stop: !self.clear && !self.muted(), slow: false, reset },
             Safeguard::Slow { .. } => Demands { stop: false, slow: !self.clear, reset },
             Safeguard::Fields { .. } => Demands { stop: self.occupied(robot), slow: false, reset },
         }
@@ -165,6 +198,13 @@ impl Workcell {
         for drive in &mut model.drives {
             *drive = Drive::read(input)?;
         }
+        if self.has_conveyor() {
+            for value in &mut model.conveyor {
+                *value = input.f64()?;
+            }
+            model.until_clear = input.bool()?;
+            model.tick = input.u64()?;
+        }
         Some(model)
     }
 
@@ -177,6 +217,11 @@ impl Workcell {
             Role::Time => Value::Real(f64::NAN),
             Role::Parameter(place) => Value::Real(self.parameters[place]),
             Role::Hold => Value::Boolean(self.hold),
+            Role::Conveyor(place) => Value::Real(self.conveyor[place]),
+            Role::UntilClear => Value::Boolean(self.until_clear),
+            Role::Pallet => Value::Real(self.pallet_m()),
+            Role::InEntrance => Value::Boolean(self.in_entrance()),
+            Role::Muted => Value::Boolean(self.muted()),
             Role::Clear => Value::Boolean(self.clear),
             Role::Foot(place) => Value::Real(self.feet[place]),
             Role::Reset => Value::Boolean(self.reset),
@@ -213,6 +258,8 @@ impl Model for Workcell {
             (Some(&Role::Parameter(place)), Value::Real(x)) => self.parameters[place] = x,
             (Some(&Role::Foot(place)), Value::Real(x)) => self.feet[place] = x,
             (Some(Role::Hold), Value::Boolean(x)) => self.hold = x,
+            (Some(&Role::Conveyor(place)), Value::Real(x)) => self.conveyor[place] = x,
+            (Some(Role::UntilClear), Value::Boolean(x)) => self.until_clear = x,
             (Some(Role::Clear), Value::Boolean(x)) => self.clear = x,
             (Some(Role::Reset), Value::Boolean(x)) => self.reset = x,
             _ => {}
@@ -228,6 +275,12 @@ impl Model for Workcell {
     }
 
     fn step(&mut self, ticks: u64) -> Outcome {
+        // Muting may end in any millisecond.
+        if self.has_conveyor() && ticks > 1 {
+            (0..ticks).for_each(|_| _ = self.step(1));
+            return Outcome::Done;
+        }
+        self.tick = self.tick.saturating_add(ticks);
         for robot in 0..shared(self.cell).paths.len() {
             let (demands, settings) = (self.demands(robot), self.settings_of(robot));
             self.drives[robot].advance(ticks, demands, &settings);
@@ -248,6 +301,13 @@ impl Model for Workcell {
         out.bool(self.reset);
         for drive in &self.drives {
             drive.write(out);
+        }
+        if self.has_conveyor() {
+            for value in self.conveyor {
+                out.f64(value);
+            }
+            out.bool(self.until_clear);
+            out.u64(self.tick);
         }
     }
 }

@@ -120,6 +120,16 @@ pub enum Safeguard {
         /// Its description.
         about: &'static str,
     },
+    /// The signal of a light curtain in an entrance, true while it is clear; false demands a protective stop, latched until the reset
+    /// button. A pallet stands in the entrance and is conveyed out of it; meanwhile the curtain is muted.
+    Muted {
+        /// Variable name.
+        input: &'static str,
+        /// Its description.
+        about: &'static str,
+        /// Start values of the parameters in [`conveyor`].
+        start: [f64; conveyor::COUNT],
+    },
     /// Two laser scanners that are part of the FMU and see the person's feet; each stops its robot, latched.
     Fields {
         /// Start values of the rectangles: x from and to of field A, the same of field B, and y from, m.
@@ -150,6 +160,17 @@ pub mod parameter {
     pub const COUNT: usize = 12;
 }
 
+/// Places in the array of a conveyor's parameters.
+#[allow(missing_docs, reason = "each is described in the table below; in the build script the lint is silent")]
+pub mod conveyor {
+    pub const BEGINS: usize = 0;
+    pub const SPEED: usize = 1;
+    pub const WAY: usize = 2;
+    pub const CLEAR: usize = 3;
+    pub const MUTE: usize = 4;
+    pub const COUNT: usize = 5;
+}
+
 /// What a variable of a workcell stands for; the first number of an output is the robot's place in the spec.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the descriptions stand in the table below")]
@@ -157,6 +178,8 @@ pub enum Role {
     Time,
     Parameter(usize),
     Hold,
+    Conveyor(usize),
+    UntilClear,
     Clear,
     Foot(usize),
     Reset,
@@ -170,6 +193,9 @@ pub enum Role {
     StopState(usize),
     Payload(usize),
     Occupied(usize),
+    Pallet,
+    InEntrance,
+    Muted,
 }
 
 /// Names and units of the 13 numbers that describe a link, in the order of [`Role::Link`].
@@ -231,6 +257,22 @@ pub fn interface(spec: &Spec, variant: Variant) -> (Interface, Vec<Role>) {
             );
         }
     }
+    if let Safeguard::Muted { .. } = spec.safeguard {
+        let flag = Kind::Boolean { start: true };
+        table.output(
+            "conveyor.pallet_m",
+            "How far the pallet is on its way",
+            Role::Pallet,
+            Kind::real_in("m", 0.0, 0.0, 20.0),
+        );
+        table.output(
+            "conveyor.in_entrance",
+            "Whether the pallet has still to leave the entrance",
+            Role::InEntrance,
+            flag,
+        );
+        table.output("plc.muted", "Whether the light curtain is muted", Role::Muted, flag);
+    }
     let (identifier, name) = variant.names(spec.identifier, spec.name);
     let interface = Interface { identifier, name, description: spec.description, variant, variables: table.variables };
     (interface, table.roles)
@@ -291,6 +333,26 @@ fn parameters(table: &mut Table, spec: &Spec) {
             table.variables.push(Variable::new("plc.hold_while_open", about, Parameter, kind));
             table.roles.push(Role::Hold);
         }
+        Safeguard::Muted { start, .. } => {
+            for (place, (name, about, unit, max)) in [
+                ("conveyor.begins_s", "When the pallet begins to move out", "s", 60.0),
+                ("conveyor.speed", "Its speed", "m/s", 2.0),
+                ("conveyor.way_m", "How far it goes", "m", 20.0),
+                ("conveyor.clear_m", "After so much of its way it has left the entrance", "m", 20.0),
+                ("plc.mute_s", "The curtain is muted from the start on for no longer than this", "s", 60.0),
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                let kind = Kind::real_in(unit, start[place], 0.0, max);
+                table.variables.push(Variable::new(name, about, Parameter, kind));
+                table.roles.push(Role::Conveyor(place));
+            }
+            let about = "Whether muting ends as soon as the pallet has left the entrance; otherwise only its time ends it";
+            let kind = Kind::Boolean { start: false };
+            table.variables.push(Variable::new("plc.mute_until_clear", about, Parameter, kind));
+            table.roles.push(Role::UntilClear);
+        }
         Safeguard::Slow { v_reduced, .. } => table.parameter(
             "plc.v_reduced",
             "Speed of the tool centre point while the signal is false: safely limited speed, 0 for a safe operating stop",
@@ -324,6 +386,7 @@ fn inputs(table: &mut Table, spec: &Spec) {
     match spec.safeguard {
         Safeguard::Stop { input, about }
         | Safeguard::Door { input, about }
+        | Safeguard::Muted { input, about, .. }
         | Safeguard::Slow { input, about, .. }
         | Safeguard::AlwaysLimited { input, about, .. } => {
             table.input(input, about, Role::Clear, Kind::Boolean { start: true });

@@ -28,7 +28,8 @@ pub use robot::{
     VariableTable,
 };
 pub use surroundings::{
-    ControlKind, ControlTable, ControlledBy, ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ZoneTable,
+    ControlKind, ControlTable, ControlledBy, MovesTable, ObstacleTable, SensorKind, SensorTable, StaticMeshTable,
+    WhileTable, ZoneTable,
 };
 
 /// The whole file.

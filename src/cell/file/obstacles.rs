@@ -46,21 +46,26 @@ struct Filled {
 }
 
 impl Checker<'_> {
-    /// All boxes of a cell that has these controls, and planes or none.
-    pub(super) fn obstacles(&self, file: &CellFile, controls: &[Control], planes: bool) -> Vec<Obstacle> {
+    /// All boxes of a cell that has these controls, and planes or none; for each obstacle of the file, what it follows.
+    pub(super) fn obstacles(
+        &self,
+        file: &CellFile,
+        (controls, planes): (&[Control], bool),
+        follows: &[Option<usize>],
+    ) -> Vec<Obstacle> {
         let each = file.obstacles.iter().enumerate().map(|(number, table)| {
             let opened_by = self.opened_by(table, controls, planes)?;
             let boxes = match self.form(table)? {
                 Some(mesh) => self.boxes_of(table, mesh)?.into_iter().map(|cuboid| (cuboid, None)).collect(),
                 None => vec![(self.given(table)?, Some(number))],
             };
-            Ok((table.name.get_ref(), boxes, opened_by))
+            Ok((table.name.get_ref(), boxes, (opened_by, follows.get(number).copied().flatten())))
         });
         let mut all = Vec::new();
-        for (name, boxes, opened_by) in self.problems.keep_all(each) {
+        for (name, boxes, (opened_by, follows)) in self.problems.keep_all(each) {
             for (number, (cuboid, table)) in boxes.into_iter().enumerate() {
                 let name = if number == 0 { name.clone() } else { format!("{name}/{}", number + 1) };
-                all.push(Obstacle { name, cuboid, table, opened_by });
+                all.push(Obstacle { name, cuboid, table, opened_by, follows });
             }
         }
         all

@@ -53,7 +53,8 @@ impl Checker<'_> {
         let mut areas = Vec::new();
         // Who stands there is not known: that is told already.
         let Some(body) = body else { return Starts { tables, areas } };
-        let obstacles: Vec<Cuboid> = obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
+        let obstacles: Vec<Cuboid> =
+            obstacles.iter().filter(|obstacle| obstacle.follows.is_none()).map(|obstacle| obstacle.cuboid).collect();
         let bits = |table: &StartTable| [table.xy_m[0], table.xy_m[1], table.heading_deg].map(f64::to_bits);
         let mut known: BTreeSet<[u64; 3]> = tables.iter().map(bits).collect();
         for area in &human.start_areas {

@@ -63,7 +63,9 @@ impl Checker<'_> {
         let (sensors, placings) = self.sensors(&file, step.map_or(0.02, |(step_s, _)| step_s));
         let mut controls = self.controls(&file, step.map_or(10, |(_, steps)| steps));
         let planes = sensors.iter().any(|sensor| sensor.zone.plane().is_some());
-        let obstacles = self.obstacles(&file, &controls, planes);
+        let following = self.following(&file, &sensors, controls.len());
+        let (following, follows) = following.map_or_else(Default::default, |(all, numbers)| (Some(all), numbers));
+        let obstacles = self.obstacles(&file, (&controls, planes), &follows);
         obstacles.iter().filter_map(|obstacle| obstacle.opened_by).for_each(|number| controls[number].door = true);
         let human = &file.human.first;
         let body = self.problems.keep(self.body(&human.into()));
@@ -102,6 +104,7 @@ impl Checker<'_> {
             travel_after_contact_m: vec![chosen.clamping.stated_m; links.len()],
             links,
             obstacles,
+            following: following?,
             sensors,
             placings,
             controls,

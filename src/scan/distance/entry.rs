@@ -4,7 +4,7 @@
 use crate::cell::Workcell;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::{Cuboid, Vec3};
-use crate::human::Floor;
+use crate::human::{Arrangement, Floor};
 use crate::standards::iso_13855::MAT_DEPTH_M;
 
 /// Longest piece of an edge that is looked at as one, m.
@@ -85,8 +85,8 @@ fn depth_m(edge: [f64; 2], inwards: [f64; 2], seen: &dyn Fn([f64; 2]) -> bool, f
 
 /// The floor that people come to before any of some polygons tells of them.
 fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) -> bool) -> Floor {
-    // Doors are taken to be open.
-    let obstacles: Vec<Cuboid> = cell.standing(cell.doors());
+    // Doors are taken to be open, and nothing to be there that follows the FMU.
+    let obstacles: Vec<Cuboid> = cell.standing(cell.doors(), Arrangement::NONE);
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     let mut hold = |at: [f64; 2], far: f64| {
         for axis in 0..2 {

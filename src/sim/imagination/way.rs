@@ -74,9 +74,10 @@ impl<P: Plant> Imagine for Simulation<P> {
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
         let Self { robots, imagination, .. } = self;
         let world = &Arc::clone(&imagination.world);
-        let mut imagined = Imagined { visions: Vec::new(), exact: true };
+        // What follows the FMU changes here from action to action only.
+        let mut imagined = Imagined { visions: Vec::new(), exact: !world.follows() };
         let mut person = Imaginary {
-            places: world.starts(),
+            places: robots.starts(),
             delays: world.delays_at_start(),
             switched: Presses::NONE,
             at: Some(NodeId::ROOT),
@@ -118,15 +119,20 @@ impl<P: Plant> Imagine for Simulation<P> {
                     let actions = person.taken.iter().copied().chain([index]).collect();
                     imagined.visions.push(Vision { actions, niche });
                 } else if goes_on.is_none() {
-                    goes_on = Some((index, sensed, known.then_some(node)));
+                    goes_on = Some((
+                        index,
+                        sensed,
+                        known.then_some(node),
+                        robots.amid_what_is_said(&walks.ends(), tried, node),
+                    ));
                 }
             }
-            let Some((index, sensed, at)) = goes_on else {
+            let Some((index, sensed, at, ends)) = goes_on else {
                 // Every posture tried is unsafe, or no episode was so long.
                 imagined.exact &= !imagined.visions.is_empty();
                 return imagined;
             };
-            person.places = walks.ends();
+            person.places = ends;
             person.delays.clone_from(&sensed.delays);
             person.switched = sensed.switched;
             person.at = at;

@@ -129,12 +129,16 @@ impl World {
     #[must_use]
     pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
         let steps = walked.places.len();
-        let sight = |place: &Place| {
-            let seen = self.seen(place, bent);
-            let raw = self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect();
+        let sight = |(place, during): (&Place, &Place)| {
+            let arrangement = during.arrangement();
+            let seen = self.seen(&place.amid(arrangement), bent);
+            let counts = |number: usize| self.cell.following.counts(number, arrangement);
+            let sensors = self.cell.sensors.iter().enumerate();
+            let raw = sensors.map(|(number, sensor)| sees(sensor, &seen) && counts(number)).collect();
             Sight { seen: Seen { body: None, ..seen }, raw }
         };
-        std::iter::once(&walked.start).chain(&walked.places).take(steps).map(sight).collect()
+        let begins = std::iter::once(&walked.start).chain(&walked.places).take(steps);
+        begins.zip(&walked.places).map(sight).collect()
     }
 
     /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.

@@ -93,6 +93,7 @@ struct Passage {
 
 /// Arms of a person whose shoulders are on the same sides of all planes.
 struct Arms {
+    place: Place,
     person: Person,
     sides: Vec<ArmSide>,
     ways: Vec<Ways>,
@@ -169,7 +170,7 @@ impl World {
             let person = Person { arms, ..person.clone() };
             let ways: Vec<Ways> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
             let shoulders = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
-            Arms { passages: self.passages(&ways), person, sides, ways, shoulders }
+            Arms { place: stance.place, passages: self.passages(&ways), person, sides, ways, shoulders }
         };
         AtPlanes(groups.into_iter().map(arms).collect())
     }
@@ -260,8 +261,7 @@ impl World {
         let mut groups = frames.chunks(MOST_TOGETHER).zip(links.chunks(MOST_TOGETHER * per_frame.max(1)));
         groups.all(|(frames, links)| {
             let space = ArmSpace { walls: &walls, links: Some(links) };
-            // No doors open and close where there are planes.
-            self.encounters[0].no_arm_harmed(&arms.person, frames, &space, coverage)
+            self.encounter(&arms.place).no_arm_harmed(&arms.person, frames, &space, coverage)
         })
     }
 
@@ -305,7 +305,7 @@ impl World {
             if let [run] = group {
                 let (walls, links) = (self.walls_past(passage, &run.ways), self.links_within(arms, passage, run));
                 let space = ArmSpace { walls: &walls, links: Some(&links) };
-                let found = self.encounters[0].unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
+                let found = self.encounter(&arms.place).unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
                 if let Some(found) = found {
                     return Some((run, found));
                 }

@@ -64,7 +64,8 @@ impl World {
             taken
         };
         let nobody_is_low = self.people().all(|(_, world)| world.cell.repertoire.low().is_empty());
-        if nobody_is_low { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
+        // What follows the FMU is not known here.
+        if nobody_is_low || self.follows() { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
     }
 
     /// Whether there is room for a posture at a place; as much for every one of who stands.

@@ -37,6 +37,58 @@ pub struct ObstacleTable {
     #[serde(default)]
     #[schemars(with = "Option<String>")]
     pub opened_by: Option<Spanned<String>>,
+    /// It is there only while an output of the FMU says so, such as a pallet in an entrance.
+    #[serde(default)]
+    #[schemars(with = "Option<WhileTable>")]
+    pub stands_while: Option<Spanned<WhileTable>>,
+    /// It moves along a straight line with an output of the FMU.
+    #[serde(default)]
+    #[schemars(with = "Option<MovesTable>")]
+    pub moves_with: Option<Spanned<MovesTable>>,
+}
+
+/// While an output of the FMU has a value, or is in a range: read after each communication step, in effect in the next.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WhileTable {
+    /// The output: Boolean, Integer or Real.
+    #[schemars(with = "String")]
+    pub variable: Spanned<String>,
+    /// Its value, in the FMU's own unit; `true` or 1 unless told otherwise.
+    #[serde(default)]
+    pub is: Option<Literal>,
+    /// Or the least value of a range.
+    #[serde(default)]
+    pub from: Option<f64>,
+    /// And the largest one.
+    #[serde(default)]
+    pub to: Option<f64>,
+}
+
+/// How an obstacle moves with an output of the FMU. Where the output says 0, it is where `centre_m` or `mesh` has it.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MovesTable {
+    /// The output, a length: how far it is along `direction`.
+    #[schemars(with = "String")]
+    pub variable: Spanned<String>,
+    /// Unit of the FMU's value, when its modelDescription does not say (m, mm, cm).
+    #[serde(default)]
+    #[schemars(with = "Option<String>")]
+    pub unit: Option<Spanned<String>>,
+    /// Along which way, world frame; its length does not matter.
+    pub direction: [f64; 3],
+    /// Where its way begins, m; before it stays there.
+    pub from_m: f64,
+    /// Where its way ends, m; beyond it stays there.
+    pub to_m: f64,
+    /// It is taken to be at the nearest of positions that are no farther apart, m; 0.05 unless told otherwise.
+    #[serde(default = "every_m")]
+    pub every_m: f64,
+}
+
+const fn every_m() -> f64 {
+    0.05
 }
 
 /// A mesh file of what stands still: STL, OBJ, glTF or GLB.
@@ -95,6 +147,11 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<ZoneTable>")]
     pub zone: Option<Spanned<ZoneTable>>,
+    /// Mats and scanner fields: it counts only while an output of the FMU says so, such as one of several fields that the FMU switches
+    /// between. Several sensors may drive one input: it is active when any of those that count sees somebody.
+    #[serde(default)]
+    #[schemars(with = "Option<WhileTable>")]
+    pub counts_while: Option<Spanned<WhileTable>>,
     /// FMU input it drives, or for `reported` the output that tells it (Boolean).
     #[schemars(with = "String")]
     pub variable: Spanned<String>,

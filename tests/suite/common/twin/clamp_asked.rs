@@ -116,7 +116,7 @@ impl Asked {
         let boxes = case.scene.blocks.iter().enumerate();
         let boxes = boxes.map(|(i, b)| {
             let cuboid = Cuboid { centre: vec3(b.centre), half: vec3(b.half), rotation: rotation(&b.rotation) };
-            Obstacle { name: format!("o{i}"), cuboid, table: None, opened_by: None }
+            Obstacle { name: format!("o{i}"), cuboid, table: None, opened_by: None, follows: None }
         });
         cell.obstacles = boxes.collect();
         for (robot, m_r) in cell.robots.iter_mut().zip(case.masses) {
