@@ -158,19 +158,21 @@ impl Following {
         }
     }
 
-    /// The same arrangement without an obstacle.
+    /// The number of a sensor, if there are times at which it does not count.
+    fn of_sensor(&self, sensor: usize) -> Option<usize> {
+        self.all.iter().position(|(follower, _)| matches!(follower, Follower::Sensor(of, _) if *of == sensor))
+    }
+
+    /// Whether there are times at which a sensor does not count.
     #[must_use]
-    pub fn without(&self, number: usize, arrangement: Arrangement) -> Arrangement {
-        let state = usize::from(self.state(number, arrangement));
-        let stride = self.all.get(number).map_or(0, |(_, stride)| *stride);
-        Self::numbered(usize::from(arrangement.number()) - state * stride)
+    pub fn has_sensor(&self, sensor: usize) -> bool {
+        self.of_sensor(sensor).is_some()
     }
 
     /// Whether a sensor counts.
     #[must_use]
     pub fn counts(&self, sensor: usize, arrangement: Arrangement) -> bool {
-        let follows = |(follower, _): &(Follower, usize)| matches!(follower, Follower::Sensor(of, _) if *of == sensor);
-        self.all.iter().position(follows).is_none_or(|number| self.state(number, arrangement) == 0)
+        self.of_sensor(sensor).is_none_or(|number| self.state(number, arrangement) == 0)
     }
 }
 
@@ -206,11 +208,9 @@ mod tests {
                         assert!(offset.is_none_or(|offset| (offset - Vec3::Y * expected).length() < 1e-12));
                         assert_eq!(following.offset(1, arrangement).is_some(), lid == 1.0);
                         assert_eq!(following.counts(7, arrangement), zone == 1.0);
-                        assert!(following.counts(6, arrangement));
-                        let without = following.without(0, arrangement);
-                        assert_eq!(following.offset(0, without), None);
-                        assert_eq!(following.offset(1, without), following.offset(1, arrangement));
-                        assert_eq!(following.counts(7, without), zone == 1.0);
+                        assert!(
+                            following.counts(6, arrangement) && !following.has_sensor(6) && following.has_sensor(7)
+                        );
                         assert_eq!(following.standing(arrangement), usize::from(arrangement.number()) % 8);
                     }
                 }

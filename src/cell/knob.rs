@@ -150,7 +150,9 @@ impl Knobs {
         for name in explain.parameters.keys().filter(|name| parameters.iter().all(|known| known.name != **name)) {
             knobs.hold(name, "it is no speed, length, time or truth value, and is never changed");
         }
-        for Obstacle { name, table, .. } in &cell.obstacles {
+        // What the programme moves is as high as it is.
+        let still = cell.obstacles.iter().filter(|obstacle| obstacle.follows.is_none());
+        for Obstacle { name, table, .. } in still {
             // Meshes are as high as they are.
             let Some(number) = *table else { continue };
             let Some((centre, size)) = upright_box(text, number) else { continue };

@@ -388,24 +388,24 @@ impl Workcell {
         Some(Self { start, body, repertoire, second: None, ..self.clone() })
     }
 
+    /// Where an obstacle is while things stand so that follow the FMU; nothing if it is not there.
+    #[must_use]
+    pub fn amid(&self, obstacle: &Obstacle, arrangement: Arrangement) -> Option<Cuboid> {
+        let Obstacle { cuboid, follows, .. } = obstacle;
+        let Some(number) = follows else { return Some(*cuboid) };
+        let offset = self.following.offset(*number, arrangement)?;
+        Some(Cuboid { centre: cuboid.centre + offset, ..*cuboid })
+    }
+
     /// What is in the way while some doors are open and things stand so that follow the FMU, in the order of the obstacles: each keeps
     /// its number.
     #[must_use]
     pub fn standing(&self, open: Presses, arrangement: Arrangement) -> Vec<Cuboid> {
         let below = |cuboid: &Cuboid| Cuboid { centre: cuboid.centre - Vec3::Z * OUT_OF_THE_WAY_M, ..*cuboid };
-        let where_it_is = |Obstacle { cuboid, opened_by, follows, .. }: &Obstacle| {
-            let is_open = opened_by.is_some_and(|control| open.has(control));
-            let moved = |offset: Vec3| Cuboid { centre: cuboid.centre + offset, ..*cuboid };
-            match follows {
-                None => {
-                    if is_open {
-                        below(cuboid)
-                    } else {
-                        *cuboid
-                    }
-                }
-                Some(number) => self.following.offset(*number, arrangement).map_or_else(|| below(cuboid), moved),
-            }
+        let is_open = |obstacle: &Obstacle| obstacle.opened_by.is_some_and(|control| open.has(control));
+        let where_it_is = |obstacle: &Obstacle| match self.amid(obstacle, arrangement) {
+            Some(cuboid) if !is_open(obstacle) => cuboid,
+            _ => below(&obstacle.cuboid),
         };
         self.obstacles.iter().map(where_it_is).collect()
     }

@@ -377,8 +377,14 @@ mod tests {
                     || 5.0 * (f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)) - 2.5;
                 let xy = [at(), at()];
                 let start = Start::new(xy[0], xy[1], 0.0);
-                let walker =
-                    Walker { body: &body, start: &start, sub_step_len_m: 0.032, obstacles: &obstacles, strides: 1 };
+                let walker = Walker {
+                    body: &body,
+                    start: &start,
+                    sub_step_len_m: 0.032,
+                    obstacles: &obstacles,
+                    moving: &[],
+                    strides: 1,
+                };
                 let open = floor.any_open(xy, 0.0);
                 assert!(open || !walker.is_free(Place::START, Posture::Upright), "{xy:?} with {cell_m} m");
                 shut += usize::from(!open);

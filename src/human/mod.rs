@@ -15,7 +15,7 @@ pub mod body;
 pub mod field;
 pub mod floor;
 pub mod low;
-pub(crate) mod obstacles;
+mod obstacles;
 pub mod part;
 pub mod place;
 pub mod placed;

@@ -131,8 +131,14 @@ fn conforming_slot_keeps_the_trunk_outside() {
         for start_y in [-0.75, -0.74, -0.73] {
             for heading_deg in [45.0, 90.0, 135.0] {
                 let start = Start::new(x, start_y, heading_deg);
-                let walker =
-                    Walker { body: &body, start: &start, sub_step_len_m: 0.032, obstacles: &fence, strides: 1 };
+                let walker = Walker {
+                    body: &body,
+                    start: &start,
+                    sub_step_len_m: 0.032,
+                    obstacles: &fence,
+                    moving: &[],
+                    strides: 1,
+                };
                 let mut place = Place::START;
                 for _ in 0..4 {
                     let trace = walker.walk(place, Action::new(Walk::Forward, Posture::Upright), 10);

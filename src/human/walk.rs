@@ -1,8 +1,11 @@
 //! The walking of one action: sub-step after sub-step from place to place, stopped by obstacles.
 
-use super::obstacles::capsule_hits;
+use super::obstacles::{TOUCHING_M, capsule_hits};
 use super::{Action, Body, Place, Posture, Start, Walk};
-use crate::geometry::Cuboid;
+use crate::geometry::{Cuboid, Vec3};
+
+/// Sides of an obstacle are those whose normals have less of the vertical than this.
+const UPRIGHT: f64 = 0.7;
 
 /// Walks one body in one cell.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +18,8 @@ pub struct Walker<'a> {
     pub sub_step_len_m: f64,
     /// What the human cannot walk through, world frame.
     pub obstacles: &'a [Cuboid],
+    /// Which of them move by themselves: one that has come to stand on the human lets them out, and no deeper in.
+    pub moving: &'a [usize],
     /// How many sub-steps at once who runs gets ahead.
     pub strides: u8,
 }
@@ -47,6 +52,17 @@ impl Walker<'_> {
         !self.obstacles.iter().any(|obstacle| capsule_hits(&capsule, obstacle))
     }
 
+    /// Whether nothing is in the way from one place to the next.
+    fn may_go(&self, from: Place, to: Place, posture: Posture) -> bool {
+        let at = |place: Place| place.position(self.start, self.sub_step_len_m);
+        let [before, then] = [from, to].map(|place| self.body.blocking_capsule(at(place), posture));
+        self.obstacles.iter().enumerate().all(|(number, obstacle)| {
+            let leads_out = || outside_m(at(to), obstacle) >= outside_m(at(from), obstacle) - TOUCHING_M;
+            let lets = || self.moving.contains(&number) && capsule_hits(&before, obstacle) && leads_out();
+            !capsule_hits(&then, obstacle) || lets()
+        })
+    }
+
     /// Walks one action of `sub_steps` sub-steps, as fast in every posture. The human stops at the last free place before an obstacle and
     /// stays there until the action ends; it does not slide along. It may still turn.
     #[must_use]
@@ -72,7 +88,7 @@ impl Walker<'_> {
         };
         for _ in 0..at_once {
             let next = if walk == Walk::Back { place.stepped_back() } else { place.stepped() };
-            if !*stopped && self.is_free(next, action.posture()) {
+            if !*stopped && self.may_go(place, next, action.posture()) {
                 place = next;
             } else {
                 *stopped = true;
@@ -82,10 +98,19 @@ impl Walker<'_> {
     }
 }
 
+/// How far a place is outside the sides of an obstacle, seen from above, m; inside less than 0: how far it is to the nearest.
+fn outside_m(place: Vec3, obstacle: &Cuboid) -> f64 {
+    let from_middle = (place - obstacle.centre).with_z(0.0);
+    let sides = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| (obstacle.rotation * axis, obstacle.half.dot(axis)));
+    let upright = |(across, _): &(Vec3, f64)| across.z.abs() < UPRIGHT;
+    let distances = sides.into_iter().filter(upright).map(|(across, half)| from_middle.dot(across).abs() - half);
+    distances.fold(f64::NEG_INFINITY, f64::max)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Rotation, Vec3, rotation_about};
+    use crate::geometry::{Rotation, rotation_about};
     use crate::human::Anthropometry;
     use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
@@ -94,7 +119,7 @@ mod tests {
 
     fn walked(start: &Start, obstacles: &[Cuboid], walks: &[Walk]) -> Vec<WalkTrace> {
         let body = Body::new(&Anthropometry::default()).unwrap();
-        let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles, strides: 2 };
+        let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles, moving: &[], strides: 2 };
         assert!(walker.is_free(Place::START, Posture::Upright));
         let mut place = Place::START;
         let mut traces = Vec::new();
@@ -211,7 +236,8 @@ mod tests {
         let start = Start::new(0.0, -0.5, 90.0);
         let beam = Cuboid { centre: Vec3::new(0.0, 0.0, 1.2), ..panel(0.4, Rotation::IDENTITY) };
         let body = Body::new(&Anthropometry::default()).unwrap();
-        let walker = Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &[beam], strides: 1 };
+        let walker =
+            Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &[beam], moving: &[], strides: 1 };
         for posture in Posture::ALL {
             let through = matches!(posture, Posture::Crouching | Posture::Crawling);
             let trace = walker.walk(Place::START, Action::new(Walk::Forward, posture), 30);
@@ -237,8 +263,38 @@ mod tests {
         for (y, free) in [(0.0, false), (-0.1, false), (-0.149, false), (-0.151, true), (0.2, true)] {
             let walls = [panel(2.0, Rotation::IDENTITY)];
             let start = Start::new(0.3, y, 90.0);
-            let walker = Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &walls, strides: 1 };
+            let walker =
+                Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &walls, moving: &[], strides: 1 };
             assert_eq!(walker.is_free(Place::START, Posture::Upright), free, "y = {y}");
         }
+    }
+
+    /// A box 0.6 m deep has come to stand on the human, 0.1 m in from its front: they walk out of it and along it, not through it, and not
+    /// into it again; one that stands still holds whoever is in it.
+    #[test]
+    fn a_box_that_has_come_lets_out_and_no_deeper_in() {
+        let (body, start) = (Body::new(&Anthropometry::default()).unwrap(), Start::new(0.0, 0.0, 0.0));
+        let block =
+            Cuboid { centre: Vec3::new(0.2, 0.0, 0.5), half: Vec3::new(0.3, 2.0, 0.5), rotation: Rotation::IDENTITY };
+        let (obstacles, place) = ([block], Place::START);
+        let ways = |moving: &[usize], turn: i8| {
+            let walker =
+                Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &obstacles, moving, strides: 2 };
+            let walked = walker.walk(place.turned(turn), Action::new(Walk::Forward, Posture::Upright), 30);
+            (walked.end().position(&start, LEN), walked.blocked[0])
+        };
+        let far = 30.0 * LEN;
+        for (turn, expected) in [(4, [-far, 0.0]), (2, [0.0, far]), (6, [0.0, -far]), (0, [0.0, 0.0]), (1, [0.0, 0.0])]
+        {
+            let (end, blocked) = ways(&[0], turn);
+            assert!((end - Vec3::new(expected[0], expected[1], 0.0)).length() < 1e-9, "{turn}: {end}");
+            assert_eq!(blocked, expected == [0.0, 0.0], "{turn}");
+            assert_eq!(ways(&[], turn), (Vec3::ZERO, true), "{turn}");
+        }
+        let walker =
+            Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &obstacles, moving: &[0], strides: 2 };
+        let out = walker.walk(place.turned(4), Action::new(Walk::Forward, Posture::Upright), 30).end();
+        let back = walker.walk(out.turned(4), Action::new(Walk::Forward, Posture::Upright), 60).end();
+        assert!(walker.is_free(back, Posture::Upright) && back.position(&start, LEN).x < 0.0);
     }
 }

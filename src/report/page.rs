@@ -78,6 +78,9 @@ pub struct Obstacle {
     /// The control that opens it, if it is the leaf of a door.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub opened_by: Option<String>,
+    /// Whether it follows the FMU: where it is, the replays say.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub follows: bool,
 }
 
 /// Where a sensor sees, or where a control is.
@@ -217,6 +220,9 @@ pub struct Replay {
     pub links: Floats,
     /// Frames x parts x 6: end points.
     pub body: Floats,
+    /// Where obstacles are that follow the FMU.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub moved: Vec<Moved>,
     /// The same of another person, who is not hit; empty if there is none.
     #[serde(skip_serializing_if = "Floats::is_empty")]
     pub beside: Floats,
@@ -254,6 +260,17 @@ pub struct ArmPose {
     pub side: String,
     /// Shoulder, elbow, wrist.
     pub points_m: [[f64; 3]; 3],
+}
+
+/// An obstacle that follows the FMU.
+#[derive(Clone, Debug, Serialize)]
+pub struct Moved {
+    /// Its number among the obstacles.
+    pub obstacle: usize,
+    /// A digit a frame: 1 where it is there.
+    pub there: String,
+    /// Frames x 3: its middle.
+    pub centre_m: Floats,
 }
 
 /// A sensor's reports.

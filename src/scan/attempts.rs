@@ -12,14 +12,14 @@ use super::searched::{AUTO, Searched};
 use crate::hazard::{Finding, Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
-use crate::host::{Effort, Hosted, Plant as _, PlantError, Unlike};
+use crate::host::{Effort, Hosted, Plant as _, PlantError, Policy, Unlike};
 use crate::human::Action;
 use crate::report::model::Hazard;
 use crate::report::worked::Working;
-use crate::sim::World;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 use crate::sim::replay::replay_watched;
+use crate::sim::{Options, Simulation, World};
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;
@@ -82,7 +82,7 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors, prepared.cell.names());
-            hazard.worked = worked(prepared, &hazard.actions);
+            hazard.worked = worked(prepared, &mut plain, &hazard.actions);
             hazard.name_obstacles(|number| prepared.cell.obstacles[number].name.clone());
             let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;
@@ -234,7 +234,20 @@ fn once(
 }
 
 /// What is really worked in a sequence: not where a hand presses into the air.
-pub(super) fn worked(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
+pub(super) fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<Working> {
+    if prepared.cell.following.is_empty() || actions.iter().all(|action| action.presses().is_none()) {
+        return worked_alone(prepared, actions);
+    }
+    // Where people get to, the FMU has a say in.
+    let options = Options { policy: Policy::Replay, posture_sweep: false };
+    let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+    let watched = Simulation::new(cell, binding, plant, options).and_then(|mut s| s.watch(actions, &[]));
+    let worked = watched.map(|watched| watched.worked).unwrap_or_default();
+    Working::all(worked, &prepared.cell.controls, prepared.cell.second.is_some())
+}
+
+/// The same where nothing follows the FMU.
+pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
     if actions.iter().all(|action| action.presses().is_none()) {
         return Vec::new();
     }

@@ -2,7 +2,7 @@
 
 use num_bigint::BigUint;
 
-use super::attempts::worked as worked_in;
+use super::attempts::worked_alone;
 use super::explain::outside;
 use super::film;
 use super::hosting::StateChoice;
@@ -33,7 +33,13 @@ pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     let reporting = hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.clone()).collect();
     let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).fold(0.0, f64::max);
     let mut worked: Vec<String> = Vec::new();
-    for Working { control, .. } in worked_in(prepared, &hazard.shortest.actions) {
+    // Where people get to, the FMU has a say in if something follows it: then that of the worst counts.
+    let own = if cell.following.is_empty() {
+        worked_alone(prepared, &hazard.shortest.actions)
+    } else {
+        hazard.worked.clone()
+    };
+    for Working { control, .. } in own {
         if !worked.contains(&control.name) {
             worked.push(control.name);
         }

@@ -101,6 +101,14 @@ impl Measured<'_> {
             );
             return safeguard;
         }
+        if cell.following.has_sensor(number) {
+            safeguard.not_known.push(
+                "it counts only while the FMU says so, and when that is, is not asked here. Measure it in a cell file without counts_while \
+                 that holds the robots in the part of the programme in which it counts"
+                    .to_owned(),
+            );
+            return safeguard;
+        }
         match self.stop(number) {
             Ok(moments) => {
                 safeguard.stop_s = moments.iter().filter_map(|moment| moment.still_after_s).reduce(f64::max);
@@ -311,8 +319,13 @@ impl Measured<'_> {
     /// The mats and fields that tell the FMU the same as one of them, which is the first.
     fn with(&self, number: usize) -> Vec<&[[f64; 2]]> {
         let (sensors, bound) = (&self.prepared.cell.sensors, &self.prepared.binding.sensors);
+        // One that counts at times only tells nothing at others.
+        let always = |other: usize| !self.prepared.cell.following.has_sensor(other);
         let same = |other: &usize| {
-            *other != number && matches!(bound[*other], SensorBinding::Input(_)) && bound[*other] == bound[number]
+            *other != number
+                && always(*other)
+                && matches!(bound[*other], SensorBinding::Input(_))
+                && bound[*other] == bound[number]
         };
         let polygon = |other: usize| match &sensors[other].zone {
             Zone::Mat(polygon) | Zone::Field(polygon) => Some(polygon.as_slice()),

@@ -319,9 +319,13 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     }
     let runs = expander.coverage().arm_runs_not_evaluated;
     if runs > 0 {
-        reasons.push(format!(
-            "the FMU could not finish {runs} runs in which a plane tells of an arm: what the arm meets there is not known"
-        ));
+        let why = match (expander.arm_run_strayed(), expander.arm_run_unfinished().is_some()) {
+            (true, false) => "an obstacle or a sensor that follows the FMU would do so otherwise in",
+            (true, true) => "the FMU could not finish, or something that follows it would do so otherwise in,",
+            _ => "the FMU could not finish",
+        };
+        reasons
+            .push(format!("{why} {runs} runs in which a plane tells of an arm: what the arm meets there is not known"));
     }
     let unfinished = expander.coverage().arm_checks_incomplete;
     if unfinished > 0 {

@@ -6,7 +6,7 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
-use crate::cell::{Control, Zone, looks};
+use crate::cell::{self, Control, Zone, looks};
 use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -16,8 +16,8 @@ use crate::human::arm::ArmModel;
 use crate::human::{Action, BendFraction, Posture, Who};
 use crate::report::model::{Hazard, Through};
 use crate::report::page::{
-    ArmPose, ArmShape, Begun, Floats, LinkLook, LinkShape, Obstacle, PartShape, Replay, RobotBase, Scenery, StartPlace,
-    Strip, ZoneOutline,
+    ArmPose, ArmShape, Begun, Floats, LinkLook, LinkShape, Moved, Obstacle, PartShape, Replay, RobotBase, Scenery,
+    StartPlace, Strip, ZoneOutline,
 };
 use crate::report::trace::Trace;
 use crate::sim::simulation::{Instant, ReachedThrough, Watched};
@@ -38,7 +38,7 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
         obstacles: {
             let control = |number: usize| cell.controls[number].name.clone();
             let all = cell.obstacles.iter();
-            all.map(|o| obstacle(&o.name, &o.cuboid, o.opened_by.map(control))).collect()
+            all.map(|o| obstacle(o, o.opened_by.map(control))).collect()
         },
         sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
         zones: {
@@ -108,14 +108,15 @@ fn tenth_of_a_millimetre(length_m: f64) -> f64 {
     (length_m * 1e4).round() / 1e4
 }
 
-fn obstacle(name: &str, cuboid: &Cuboid, opened_by: Option<String>) -> Obstacle {
-    let Cuboid { centre, half, rotation } = cuboid;
+fn obstacle(obstacle: &cell::workcell::Obstacle, opened_by: Option<String>) -> Obstacle {
+    let Cuboid { centre, half, rotation } = obstacle.cuboid;
     Obstacle {
-        name: name.to_owned(),
+        name: obstacle.name.clone(),
         centre_m: centre.to_array(),
-        size_m: (*half * 2.0).to_array(),
+        size_m: (half * 2.0).to_array(),
         quaternion: rotation.to_array(),
         opened_by,
+        follows: obstacle.follows.is_some(),
     }
 }
 
@@ -170,6 +171,22 @@ fn reached_through(prepared: &Prepared, hazard: &Hazard, through: &Through) -> O
     Some(ReachedThrough { sensor, steps: first..until })
 }
 
+/// Where the obstacles are that follow the FMU.
+fn moved(prepared: &Prepared, instants: &[Instant]) -> Vec<Moved> {
+    let cell = &prepared.cell;
+    let following = cell.obstacles.iter().enumerate().filter(|(_, obstacle)| obstacle.follows.is_some());
+    let one = |(number, obstacle): (usize, &cell::workcell::Obstacle)| {
+        let places: Vec<Option<Cuboid>> = instants.iter().map(|i| cell.amid(obstacle, i.arrangement)).collect();
+        let middle = |cuboid: &Option<Cuboid>| cuboid.unwrap_or(obstacle.cuboid).centre.to_array();
+        Moved {
+            obstacle: number,
+            there: places.iter().map(|place| if place.is_some() { '1' } else { '0' }).collect(),
+            centre_m: Floats(places.iter().flat_map(middle).collect()),
+        }
+    };
+    following.map(one).collect()
+}
+
 /// Whole steps in a time, s.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few steps after the start")]
 pub(super) fn steps(prepared: &Prepared, time_s: f64) -> usize {
@@ -220,7 +237,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         })
         .collect();
     let curve = |of: usize| Floats(curves.iter().map(|values| values[of]).collect());
-    let sensor = |(number, sensor): (usize, &crate::cell::workcell::Sensor)| Strip {
+    let sensor = |(number, sensor): (usize, &cell::workcell::Sensor)| Strip {
         name: sensor.name.clone(),
         detected: instants.iter().map(|instant| if instant.readings[number] { '1' } else { '0' }).collect(),
     };
@@ -232,6 +249,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         contact_frame,
         links: Floats(instants.iter().flat_map(|instant| instant.frame.links.iter().flat_map(place)).collect()),
         body: Floats(instants.iter().flat_map(|i| i.body.parts().iter().flat_map(|(_, part)| ends(part))).collect()),
+        moved: moved(prepared, instants),
         beside_arms: Floats(if instants.iter().any(|instant| instant.second.is_some()) {
             let others = arms::arms(&watched.clone().by(Who::Second).instants, contact_frame, None, step_s);
             others.iter().flatten().flatten().flat_map(|joint| joint.to_array()).collect()

@@ -28,6 +28,8 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
     // A few instants of each action, and the contact.
     let shown = |frame: usize| frame == contact || ((frame - 1) % cell.steps_per_action).is_multiple_of(3);
     let robot = (1..=contact).filter(|&frame| shown(frame)).map(|frame| &until[frame].frame.links);
+    let amid = until[contact].arrangement;
+    let there = cell.obstacles.iter().filter_map(|obstacle| Some((obstacle, cell.amid(obstacle, amid)?)));
     Scene {
         title: format!(
             "{}: {} meets {}, {:.2} s, {}",
@@ -42,7 +44,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
                 _ => hazard.measure_words(),
             }
         ),
-        obstacles: cell.obstacles.iter().map(|o| (o.name.clone(), outline(&o.cuboid), top(&o.cuboid))).collect(),
+        obstacles: there.map(|(obstacle, cuboid)| (obstacle.name.clone(), outline(&cuboid), top(&cuboid))).collect(),
         zones: zones(cell),
         unseen: Vec::new(),
         reachable: Vec::new(),

@@ -215,7 +215,12 @@ fn fit(
     let setup = SystemSetup { lead_in_steps: cell.lead_in_steps(), ..setup };
     let start = world.position(&world.start());
     let second = world.of(Who::Second).filter(|second| !second.start_is_free());
-    let free_start = if let Some(second) = second {
+    let at_times = world.seen_at_start_at_times();
+    let free_start = if let Some(sensor) = at_times.first() {
+        let message = format!("somebody begins where `{sensor}` sees them, which counts only while the FMU says so");
+        let help = "begin where it sees nobody: whether it counts as the FMU begins is not known".to_owned();
+        Err(PrepareError::Bind(source.error(source.table("human"), "here", message, Some(help))))
+    } else if let Some(second) = second {
         let start = second.position(&second.start());
         let message = format!(
             "the second person's start ({:.2}, {:.2}) m is inside an obstacle or touches one",

@@ -126,9 +126,18 @@ pub fn scan_with(
             coverage.arm_checks_incomplete
         ));
     }
+    // An arm's run in which what follows the FMU does otherwise is not the FMU's failure.
+    let strayed = coverage.not_evaluated() && faults.is_empty() && !prepared.cell.following.is_empty();
+    if strayed {
+        warnings.push(
+            "something that follows the FMU would do so otherwise in runs in which a plane tells of an arm: what the arm \
+             meets there was not looked at"
+                .to_owned(),
+        );
+    }
     let verdict = if !hazards.is_empty() {
         Verdict::HazardsFound
-    } else if broken.is_some() || (doubt.is_some() && !interrupted) || coverage.not_evaluated() {
+    } else if broken.is_some() || (doubt.is_some() && !interrupted) || (coverage.not_evaluated() && !strayed) {
         Verdict::FmuFailed
     } else if interrupted && !timed_out {
         Verdict::Interrupted
@@ -136,6 +145,7 @@ pub fn scan_with(
         || (timed_out && quick_cut)
         || vacuous.is_some()
         || unsteady.is_some()
+        || strayed
         || speeds.refusal().is_some()
     {
         Verdict::Inconclusive

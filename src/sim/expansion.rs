@@ -242,6 +242,12 @@ impl<P: Plant> Expander<P> {
         self.robots.unfinished()
     }
 
+    /// Whether in such a run something that follows the FMU would have done so otherwise: it is not followed up.
+    #[must_use]
+    pub const fn arm_run_strayed(&self) -> bool {
+        self.robots.has_strayed()
+    }
+
     /// Whether equal states of the FMU are told by their serialised bytes, else by the inputs.
     #[must_use]
     pub const fn merges_by_bytes(&self) -> bool {
@@ -312,7 +318,7 @@ impl<P: Plant> Expander<P> {
                     let sensed = self.world.sense(&state.delays, state.switched, &sights, &key.2);
                     let to = match alike.by_inputs(&sensed) {
                         Some(to) => to,
-                        None => self.reach((state, last), &goes, (action, &sensed), &mut expanded, &mut transitions)?,
+                        None => self.reach((state, last), &goes, &sensed, &mut expanded, &mut transitions)?,
                     };
                     alike.keep(key, sensed, &to);
                     to
@@ -350,26 +356,24 @@ impl<P: Plant> Expander<P> {
         &mut self,
         (state, last): (&State, bool),
         goes: &Goes<'_>,
-        (action, sensed): (Action, &Sensed),
+        sensed: &Sensed,
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
     ) -> Result<Reached, PlantError> {
         let per_action = self.world.cell.steps_per_action;
         let node = match self.robots.recall.advance(state.node, per_action, &sensed.inputs)? {
-            // It may be elsewhere that the action leads.
-            Advanced::Fault(_) if self.world.follows() => return Ok(Reached::Elsewhere),
             Advanced::Fault(fault) => {
                 self.coverage.episodes_not_evaluated += 1;
                 return Ok(Reached::Unfinished(fault.message.clone()));
             }
             Advanced::To(node) => node,
         };
-        if self.world.follows() && self.robots.says_otherwise(&goes.walks(), action, node).is_some() {
+        if self.world.follows() && self.robots.says_otherwise(&goes.walks(), node).is_some() {
             return Ok(Reached::Elsewhere);
         }
         let blocked = goes.each().any(|way| way.walked.blocked.contains(&true));
         let ends = Places { first: goes.first.walked.end(), second: goes.second.map(|way| way.walked.end()) };
-        let places = self.robots.amid_what_is_said(&ends, action, node);
+        let places = self.robots.amid_what_is_said(&ends, node);
         let transition = Transition { node, frames: self.robots.frames(node), sensed: sensed.clone(), amid: None };
         self.arrive((places, blocked, last), transition, expanded, transitions)
     }
@@ -397,7 +401,7 @@ impl<P: Plant> Expander<P> {
         if let Some((_, _, to)) = amid.iter().find(same) {
             return Ok(to.clone());
         }
-        let places = self.robots.amid_what_is_said(&walks.ends(), action, node);
+        let places = self.robots.amid_what_is_said(&walks.ends(), node);
         let blocked = walks.blocked();
         let frames = self.robots.frames(node);
         let transition = Transition { node, frames, sensed: sensed.clone(), amid: Some(walks.clone()) };
@@ -532,6 +536,7 @@ impl<P: Plant> Expansion for Expander<P> {
     fn release_before(&mut self, depth: usize) {
         // What an arm meets that passes two planes at once is worked out from the beginning.
         if !self.world.neighbours.is_empty() {
+            self.robots.forget_motions();
             return;
         }
         let recall = &self.robots.recall;
@@ -560,7 +565,7 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn bytes(&self) -> usize {
-        self.robots.recall.bytes()
+        self.robots.bytes()
     }
 
     /// A person who is not there takes none.

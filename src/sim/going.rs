@@ -1,7 +1,10 @@
 //! An action from a state: where it leads everybody, what is sensed on the way, and what the FMU answers.
 //!
 //! Where something follows the FMU, what it says in a step changes the next one. So the action is gone as if nothing changed in it; and
-//! where the FMU says otherwise, again amid what it said, until it says the same ([`World::walks_amid`](super::World::walks_amid)).
+//! where the FMU says otherwise, again amid what it said, until it says the same ([`World::walks_amid`](super::World::walks_amid)). An
+//! FMU that cannot finish an action tried so is not asked further: the action counts as not evaluated.
+
+use std::sync::Arc;
 
 use super::robots::Robots;
 use super::sensors::DelayLine;
@@ -39,16 +42,15 @@ impl<P: Plant> Robots<P> {
     pub(super) fn starts(&self) -> Places {
         let (world, outputs) = (self.world(), self.recall.outputs(NodeId::ROOT));
         let row = world.binding.rows(outputs, None, world.cell.step_s);
-        world.all_arranged(&world.starts(), Action::REST, &row)
+        world.starts().amid(world.arrangement(&row))
     }
 
     /// Where everybody is after the action into `node` that has led them to these places: amid what the FMU says then.
-    pub(super) fn amid_what_is_said(&mut self, ends: &Places, action: Action, node: NodeId) -> Places {
+    pub(super) fn amid_what_is_said(&mut self, ends: &Places, node: NodeId) -> Places {
         if !self.world().follows() {
             return *ends;
         }
-        let frames = self.frames(node);
-        frames.last().map_or(*ends, |last| self.world().all_arranged(ends, action, last.outputs()))
+        self.said(node).last().map_or(*ends, |said| ends.amid(*said))
     }
 
     /// An action, as everybody takes it; what the FMU is told besides, `tell` adds.
@@ -82,7 +84,7 @@ impl<P: Plant> Robots<P> {
             tell(&mut sensed);
             let advanced = self.advance(from.node, &sensed.inputs)?;
             let Advanced::To(node) = advanced else { return Ok(Gone { walks, sensed, advanced }) };
-            let Some(said) = self.says_otherwise(&walks, action, node) else {
+            let Some(said) = self.says_otherwise(&walks, node) else {
                 return Ok(Gone { walks, sensed, advanced });
             };
             walks = self.world().walks_amid(from.places, action, &said);
@@ -91,12 +93,11 @@ impl<P: Plant> Robots<P> {
     }
 
     /// What the FMU said after each step of the action into `node`, if everybody does not walk amid that.
-    pub(super) fn says_otherwise(&mut self, walks: &Walks, action: Action, node: NodeId) -> Option<Vec<Arrangement>> {
+    pub(super) fn says_otherwise(&mut self, walks: &Walks, node: NodeId) -> Option<Arc<[Arrangement]>> {
         if !self.world().follows() {
             return None;
         }
-        let frames = self.frames(node);
-        let said = self.world().arrangements(frames.iter().map(|frame| &**frame));
-        (!self.world().is_amid(walks, action, &said)).then_some(said)
+        let said = self.said(node);
+        (!World::is_amid(walks, &said)).then_some(said)
     }
 }

@@ -13,7 +13,7 @@ use crate::cell::binding::SensorBinding;
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
-use crate::human::Place;
+use crate::human::{Arrangement, Place};
 
 /// Most motions of robots that are remembered at a time, and most frames that differ, some hundred MB each; beyond
 /// that all are forgotten and worked out again when they are needed.
@@ -85,6 +85,12 @@ pub(super) struct Robots<P: Plant> {
     of_several: BTreeMap<(NodeId, Box<[Told]>), Shadow>,
     /// What the FMU said when it first could not finish such a run.
     unfinished: Option<String>,
+    /// Whether in such a run something that follows the FMU would have done so otherwise.
+    strayed: bool,
+    /// States, each with one that stands in for it in such a run.
+    astray: BTreeSet<(NodeId, NodeId)>,
+    /// How everything that follows the FMU stands after each step of the action into a state.
+    said: BTreeMap<NodeId, Arc<[Arrangement]>>,
     /// What stops take, by the state and the step of the action into it.
     stops: BTreeMap<(NodeId, usize), Arc<Stopping>>,
     /// States that were reached since they were last taken.
@@ -106,6 +112,9 @@ impl<P: Plant> Robots<P> {
             shadows: Vec::new(),
             of_several: BTreeMap::new(),
             unfinished: None,
+            strayed: false,
+            astray: BTreeSet::new(),
+            said: BTreeMap::new(),
             stops: BTreeMap::new(),
             reached: BTreeSet::new(),
             comparison,
@@ -283,6 +292,11 @@ impl<P: Plant> Robots<P> {
         Some(format!("while a plane told of an arm: {message}"))
     }
 
+    /// Whether in such a run something that follows the FMU would have done so otherwise: it is not followed up.
+    pub(super) const fn has_strayed(&self) -> bool {
+        self.strayed
+    }
+
     /// The state after the action into `node` had planes told of an arm besides.
     fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Shadow, PlantError> {
         let per_action = i16::try_from(self.world.cell.steps_per_action).unwrap_or(i16::MAX);
@@ -306,7 +320,7 @@ impl<P: Plant> Robots<P> {
         let parent = self.recall.parent(node);
         let earlier: Vec<Told> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
         let shadow = match self.had_told(parent, &earlier)? {
-            Shadow::Is(from) if self.strays(parent, from, usize::MAX) => self.strayed(),
+            Shadow::Is(from) if self.astray.contains(&(parent, from)) => self.strayed(),
             Shadow::Is(from) => {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
@@ -330,6 +344,11 @@ impl<P: Plant> Robots<P> {
             }
             none => none,
         };
+        if let Shadow::Is(other) = &shadow
+            && self.strays(node, *other, usize::MAX)
+        {
+            self.astray.insert((node, *other));
+        }
         self.remember_shadow(node, told, per_action, shadow.clone());
         Ok(shadow)
     }
@@ -340,18 +359,32 @@ impl<P: Plant> Robots<P> {
         if !self.world.follows() || node == shadow {
             return false;
         }
-        let (own, other) = (self.frames(node), self.frames(shadow));
-        let (own, other) = (own.iter().take(steps), other.iter().take(steps));
-        own.zip(other)
-            .any(|(own, other)| self.world.arrangement(own.outputs()) != self.world.arrangement(other.outputs()))
+        let (own, other) = (self.said(node), self.said(shadow));
+        own.is_empty() || !own.iter().take(steps).eq(other.iter().take(steps))
+    }
+
+    /// How everything that follows the FMU stands after each step of the action into `node`. Known for good once it was asked for while its
+    /// outputs were.
+    pub(super) fn said(&mut self, node: NodeId) -> Arc<[Arrangement]> {
+        if let Some(known) = self.said.get(&node) {
+            return Arc::clone(known);
+        }
+        let frames = self.frames(node);
+        let said: Arc<[Arrangement]> = frames.iter().map(|frame| self.world.arrangement(frame.outputs())).collect();
+        if !said.is_empty() {
+            self.said.insert(node, Arc::clone(&said));
+        }
+        said
+    }
+
+    /// Whether it does so before step `i` of the action: then the person would be elsewhere in that step.
+    fn is_astray_before(&mut self, node: NodeId, shadow: NodeId, i: usize) -> bool {
+        self.astray.contains(&(node, shadow)) && self.strays(node, shadow, i)
     }
 
     /// Such a run is not evaluated.
-    fn strayed(&mut self) -> Shadow {
-        self.unfinished.get_or_insert_with(|| {
-            "an obstacle or a sensor that follows the FMU would have done so otherwise, which is not followed up"
-                .to_owned()
-        });
+    const fn strayed(&mut self) -> Shadow {
+        self.strayed = true;
         Shadow::Unfinished
     }
 
@@ -412,7 +445,12 @@ impl<P: Plant> Robots<P> {
     ) -> Result<Vec<Shadow>, PlantError> {
         let last = self.world.cell.steps_per_action - 1;
         let windows = self.world.windows_that_will_matter(place, curtain, since);
-        windows.into_iter().map(|window| self.had_told(node, &[self.told(&window, last)])).collect()
+        let shadow = |window: Window| match self.had_told(node, &[self.told(&window, last)])? {
+            // The person would go elsewhere from here on.
+            Shadow::Is(other) if self.astray.contains(&(node, other)) => Ok(Shadow::Unfinished),
+            shadow => Ok(shadow),
+        };
+        windows.into_iter().map(shadow).collect()
     }
 
     /// Forgets what belongs to states before those that `keep` names.
@@ -423,11 +461,26 @@ impl<P: Plant> Robots<P> {
             self.shadows.resize_with(node + 1, Vec::new);
             self.shadows[node] = std::mem::take(of_node);
         }
+        self.forget_motions();
+        self.recall.release_before(depth);
+    }
+
+    /// Forgets what can be worked out again from the FMU's states.
+    pub(super) fn forget_motions(&mut self) {
         self.motions.clear();
         self.different.clear();
         self.stops.clear();
         self.reached.clear();
-        self.recall.release_before(depth);
+    }
+
+    /// Memory for states, and for what stands in for them had several planes told of an arm.
+    pub(super) fn bytes(&self) -> usize {
+        /// A pair of windows on the heap, and its share of the map's nodes.
+        const OF_SEVERAL: usize = size_of::<((NodeId, Box<[Told]>), Shadow)>() + 2 * size_of::<Told>() + 32;
+        let said = size_of::<(NodeId, Arc<[Arrangement]>)>()
+            + 32
+            + size_of::<Arrangement>() * self.world.cell.steps_per_action;
+        self.recall.bytes() + self.of_several.len() * OF_SEVERAL + self.said.len() * said
     }
 }
 
@@ -456,7 +509,7 @@ impl<'a, P: Plant> Instead<'a, P> {
             }
         };
         match shadow {
-            Shadow::Is(other) if self.robots.strays(self.node, other, self.i) => Ok(self.robots.strayed()),
+            Shadow::Is(other) if self.robots.is_astray_before(self.node, other, self.i) => Ok(self.robots.strayed()),
             shadow => Ok(shadow),
         }
     }

@@ -90,6 +90,8 @@ pub struct Watched {
     pub inputs: Vec<f64>,
     /// Its outputs, one row a step.
     pub outputs: Vec<f64>,
+    /// The controls that are really worked in each action.
+    pub worked: Vec<Presses>,
 }
 
 impl Watched {
@@ -290,7 +292,8 @@ impl<P: Plant> Simulation<P> {
     pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<Watched, PlantError> {
         let world = Arc::clone(&self.world);
         let Snapshot { mut node, mut places, mut delays, mut switched, .. } = self.root.clone();
-        let mut watched = Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new() };
+        let mut watched =
+            Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new(), worked: Vec::new() };
         for (number, action) in actions.iter().enumerate() {
             let action = world.taken_by_all(&places, *action);
             let begun = watched.instants.len() - 1;
@@ -324,7 +327,8 @@ impl<P: Plant> Simulation<P> {
             }
             watched.outputs.extend_from_slice(self.robots.recall.outputs(node));
             watched.inputs.extend(sensed.inputs);
-            places = self.robots.amid_what_is_said(&walks.ends(), action, node);
+            watched.worked.push(world.worked_by(&walks.starts(), action).presses);
+            places = self.robots.amid_what_is_said(&walks.ends(), node);
             (delays, switched) = (sensed.delays, sensed.switched);
         }
         Ok(watched)
@@ -493,8 +497,7 @@ impl<P: Plant> Simulation<P> {
             });
             (reward.fold(Proximity::Far.reward(), f64::max), Some(End::Horizon))
         };
-        let to =
-            Some((node, self.robots.amid_what_is_said(&walks.ends(), action, node), sensed.delays, sensed.switched));
+        let to = Some((node, self.robots.amid_what_is_said(&walks.ends(), node), sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
         Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
     }

@@ -183,6 +183,8 @@ pub struct World {
     encounters: Vec<Encounter>,
     /// Controls that open and close doors.
     doors: Presses,
+    /// Obstacles that follow the FMU.
+    moving_obstacles: Vec<usize>,
     /// Light curtains, doors, two-hand controls.
     pub(super) curtains: Vec<Curtain>,
     /// Those of which an arm may pass two at once.
@@ -255,11 +257,14 @@ impl World {
             _ => None,
         };
         let (curtains, neighbours) = (Vec::new(), Vec::new());
+        let obstacles = cell.obstacles.iter().enumerate();
+        let moving_obstacles = obstacles.filter(|(_, o)| o.follows.is_some()).map(|(number, _)| number).collect();
         let mut world = Self {
             cell,
             binding,
             encounters,
             doors,
+            moving_obstacles,
             curtains,
             neighbours,
             body_reach_m,

@@ -1,19 +1,13 @@
 //! The exhaustive search at light curtains against plain enumeration. There, states that are merged have to be equal as well in where the
 //! robots would be had the curtain told of an arm.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::common::exhausted::{BUDGET, Few, Unsafe, exhausted, key};
-use crate::common::guarded::every_sequence;
+use crate::common::enumerated::{Enumeration, whole_scan_as_enumerated};
+use crate::common::exhausted::{BUDGET, Few, exhausted, key};
 use crate::common::{examples, write};
-use fmi_hazard::hazard::{Finding, Identity};
-use fmi_hazard::host::Hosted;
 use fmi_hazard::human::{Action, Posture, Presses, Walk};
-use fmi_hazard::report::model::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
-use fmi_hazard::search::{End, Environment as _};
-use fmi_hazard::sim::Simulation;
 
 /// An example with something else in it, started nearer, of so many actions.
 fn cell(dir: &Path, (example, base): (&str, &str), more: &str, [x, y]: [f64; 2], actions: u32) -> Prepared {
@@ -23,54 +17,6 @@ fn cell(dir: &Path, (example, base): (&str, &str), more: &str, [x, y]: [f64; 2],
     prepare(&write(&dir.join(example), &format!("near-{base}.toml"), &text), None).unwrap()
 }
 
-/// Every sequence, taken one action after the other, and no state compared with another. By replay, what an action does is worked out each
-/// time; else it is remembered, by all inputs of the FMU until then, where the person stands and what the sensors have seen.
-struct Enumeration<'a> {
-    simulation: Simulation<Hosted>,
-    actions: &'a [Action],
-    name: &'a dyn Fn(&Finding) -> String,
-    found: Unsafe,
-    harmless: u128,
-}
-
-impl<'a> Enumeration<'a> {
-    /// Of these actions; with what is found called by `name`.
-    fn of(
-        prepared: &Prepared,
-        state: StateChoice,
-        actions: &'a [Action],
-        name: &'a dyn Fn(&Finding) -> String,
-    ) -> Self {
-        let simulation = prepared.simulation(state, false).unwrap();
-        let left = u32::try_from(simulation.horizon()).unwrap();
-        let mut all = Self { simulation, actions, name, found: Unsafe::new(), harmless: 0 };
-        all.simulation.reset().unwrap();
-        all.below(left);
-        all
-    }
-
-    fn below(&mut self, left: u32) {
-        let here = self.simulation.save();
-        for &action in self.actions {
-            self.simulation.restore(&here).unwrap();
-            let end = self.simulation.take(action).unwrap().end;
-            match (end, self.simulation.take_findings().as_slice()) {
-                (Some(End::Unsafe), [finding]) => {
-                    let rest = u128::try_from(self.actions.len()).unwrap().pow(left - 1);
-                    *self.found.entry((self.name)(finding)).or_default() += rest;
-                }
-                (Some(End::Horizon), []) => self.harmless += 1,
-                (None, []) => self.below(left - 1),
-                (end, findings) => panic!("{end:?}: {findings:?}"),
-            }
-        }
-    }
-
-    fn hazardous(&self) -> u128 {
-        self.found.values().sum()
-    }
-}
-
 /// The example whose curtain has room below, three of the cell's own 48 actions from just before it: a whole scan against every sequence
 /// from a fresh instance of the FMU, without a saved state.
 #[test]
@@ -78,31 +24,9 @@ fn a_curtain_with_room_below_as_in_plain_enumeration() {
     let dir = examples();
     let of_one = |base: &str| {
         let prepared = cell(dir.path(), ("under-curtain", base), "", [0.1, -0.1], 3);
-        let all: Vec<Action> = prepared.cell.repertoire.all().collect();
-        let report = every_sequence(&prepared, false);
-        let links: Vec<String> = prepared.cell.links.iter().map(|link| link.name.clone()).collect();
-        let name = |finding: &Finding| {
-            let (id, contact) = (Identity::of(finding, &links).id(), &finding.contact);
-            format!("{id}: {} {}", contact.region, links[contact.link])
-        };
-        let plain = Enumeration::of(&prepared, StateChoice::Replay, &all, &name);
-        let counted = |hazard: &Hazard| {
-            let sequences: u128 = hazard.sequences.as_ref().unwrap().parse().unwrap();
-            (format!("{}: {} {}", hazard.id, hazard.body_region, hazard.robot_link), sequences)
-        };
-        let found: BTreeMap<String, u128> = report.hazards.iter().map(counted).collect();
-        assert_eq!(found, plain.found, "{base}");
-        let certificate = report.certificate.as_ref().unwrap();
-        let [total, hazardous, harmless, excluded] =
-            [&certificate.sequences, &certificate.hazardous, &certificate.harmless, &certificate.excluded]
-                .map(|count| count.parse::<u128>().unwrap());
-        assert_eq!(total, 48_u128.pow(3), "{base}");
-        assert_eq!(hazardous, plain.hazardous(), "{base}");
-        // What cannot meet the robot any more is dropped, and harmless.
-        assert_eq!(harmless + excluded, plain.harmless, "{base}");
-        assert_eq!(hazardous + harmless + excluded, total, "{base}");
-        assert!(certificate.merged > 0, "{base}: no state is merged");
-        (hazardous, found.len())
+        assert_eq!(prepared.cell.repertoire.all().count(), 48);
+        let (hazardous, report) = whole_scan_as_enumerated(&prepared, StateChoice::Replay, base);
+        (hazardous, report.hazards.len())
     };
     let of_one = &of_one;
     let [flawed, fixed] = std::thread::scope(|scope| {

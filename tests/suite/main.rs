@@ -36,6 +36,7 @@ mod exporter_zoo;
 mod first_cell;
 mod fmi3_fmus;
 mod fmpy_agrees;
+mod following;
 mod hostile_deeds;
 mod hostile_fmus;
 mod hostile_model;

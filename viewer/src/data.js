@@ -26,6 +26,7 @@ function decode(replay, cell) {
     links: floats(replay.links),
     body: floats(replay.body),
     arms: floats(replay.arms),
+    ...(replay.moved ? { moved: replay.moved.map((item) => ({ ...item, centre_m: floats(item.centre_m) })) } : {}),
     ...(replay.beside ? { beside: floats(replay.beside), beside_arms: floats(replay.beside_arms) } : {}),
   };
   for (const key of ["time_s", "distance_m", "speed_m_s", "force_ratio"]) {

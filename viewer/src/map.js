@@ -157,11 +157,13 @@ export function map(data, selection, setBin) {
     const [px, py] = at([x, y]);
     return svg("text", { x: px, y: py, class: `name ${kind}` }, text);
   };
-  const obstacles = cell.obstacles.map((o) => svg("polygon", { points: points(outline(o)), class: "obstacle" }, svg("title", {}, o.name)));
+  // What the programme moves is in the replay alone.
+  const still = cell.obstacles.filter((o) => !o.follows);
+  const obstacles = still.map((o) => svg("polygon", { points: points(outline(o)), class: "obstacle" }, svg("title", {}, o.name)));
   const zones = cell.zones.map((z) => svg(z.polygon_m.length > 2 ? "polygon" : "polyline", { points: points(z.polygon_m), class: `zone ${z.kind}` }, svg("title", {}, `${z.kind} ${z.name}`)));
   /** Names of zones stand at their lower left corner: in the middle are the bins. */
   const names = [
-    ...cell.obstacles.map((o) => label(o.name, middleOf(outline(o), bounds), "obstacle-name")),
+    ...still.map((o) => label(o.name, middleOf(outline(o), bounds), "obstacle-name")),
     ...cell.zones.map((z) => {
       const [from, edge] = [0, 1].map((axis) => Math.max(bounds[axis][0] + 0.05, Math.min(...z.polygon_m.map((p) => p[axis]))));
       return label(zoneName(z), [from + 0.05, edge + 0.05], `zone-name ${z.kind}`);
@@ -197,7 +199,7 @@ export function map(data, selection, setBin) {
     },
     svg("defs", {}, clip),
     svg("g", { "clip-path": "url(#map-frame)" }, sweep, zones, obstacles, robot, bins, mark, start),
-    names.filter((_, index) => inView(middleOf(index < cell.obstacles.length ? outline(cell.obstacles[index]) : cell.zones[index - cell.obstacles.length].polygon_m, bounds))),
+    names.filter((_, index) => inView(middleOf(index < still.length ? outline(still[index]) : cell.zones[index - still.length].polygon_m, bounds))),
     places,
     ruler,
   );

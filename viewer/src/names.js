@@ -37,10 +37,16 @@ export function namesFor({ replay, cell, hazard, hitting, marks, colours, frame 
     return { text: zoneName(zone), kind: "zone", colour: colours[zone.kind], anchors: still(points) };
   });
   const obstacles = cell.obstacles
-    .map((item) => ({ item, polygon: outline(item), distance: toOutline(contact, outline(item)) }))
+    .map((item, index) => ({ item, index, polygon: outline(item), distance: toOutline(contact, outline(item)) }))
     .sort((a, b) => a.distance - b.distance)
     .slice(0, OBSTACLES)
-    .map(({ item, polygon }) => {
+    .map(({ item, index, polygon }) => {
+      const moved = (replay.moved ?? []).find(({ obstacle }) => obstacle === index);
+      if (moved) {
+        // Where it is now, if it is there.
+        const now = () => [...moved.centre_m.slice(3 * frame(), 3 * frame() + 3)];
+        return { text: item.name, kind: "obstacle", anchors: () => (moved.there[frame()] === "1" ? [now()] : []) };
+      }
       const heights = [0.5, 0, -0.45].map((part) => item.centre_m[2] + part * item.size_m[2]);
       const points = heights.flatMap((z) => along(polygon, z, contact));
       return { text: item.name, kind: "obstacle", anchors: still([[...item.centre_m.slice(0, 2), heights[0]], ...points]) };

@@ -281,6 +281,10 @@ export function makeScene(canvas, cell, labels, tellName) {
         const control = cell.obstacles[index].opened_by;
         shape.visible = control === undefined || worked.filter((item) => item.name === control).length % 2 === 0;
       });
+      for (const { obstacle: index, there, centre_m: centres } of replay.moved ?? []) {
+        obstacles[index].visible = there[frame] === "1";
+        obstacles[index].position.fromArray(centres, 3 * frame);
+      }
       const touching = frame >= replay.contact_frame;
       mark.materials.forEach((material) => (material.opacity = touching ? 1 : 0.35));
       zones.forEach((zone, index) => {

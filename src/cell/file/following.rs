@@ -17,7 +17,10 @@ type Result<T> = std::result::Result<T, Box<CellError>>;
 const MOST_POSITIONS: f64 = 1000.0;
 
 /// Most ways in which doors and obstacles that follow the FMU may stand together: the search has each ready.
-const MOST_TOGETHER: usize = 4096;
+const MOST_TOGETHER: usize = 1024;
+
+/// Most boxes in all those ways together, some hundred bytes each.
+const MOST_BOXES: usize = 500_000;
 
 impl Checker<'_> {
     /// What follows the FMU, and for each obstacle of the file its number there. Nothing, if that cannot be said.
@@ -46,16 +49,30 @@ impl Checker<'_> {
         let together = |following: &Following| following.of_obstacles() * Presses::all(doors).count();
         let following = Following::new(all).filter(|following| together(following) <= MOST_TOGETHER);
         if following.is_none() {
-            let span = file.obstacles.iter().find_map(|table| Some(table.moves_with.as_ref()?.span())).unwrap_or(0..0);
+            let moving = file.obstacles.iter().find_map(|table| Some(table.moves_with.as_ref()?.span()));
+            let standing = || file.obstacles.iter().find_map(|table| Some(table.stands_while.as_ref()?.span()));
+            let counting = || file.sensors.iter().find_map(|table| Some(table.counts_while.as_ref()?.span()));
+            let span = moving.or_else(standing).or_else(counting).unwrap_or(0..0);
             let message = format!(
-                "doors and obstacles that follow the FMU stand in more than {MOST_TOGETHER} ways, or with the sensors in \
-                 more than {}",
+                "obstacles that follow the FMU stand in more than {MOST_TOGETHER} ways (each control doubles them in a cell \
+                 with doors), or with the sensors in more than {}",
                 Arrangement::MOST
             );
-            let help = "a larger every_m, or a shorter way from from_m to to_m".to_owned();
+            let help = "a larger every_m, a shorter way, or fewer obstacles and sensors that follow the FMU".to_owned();
             self.problems.tell(self.source.error(span, "here", message, Some(help)));
         }
         Some((following?, numbers))
+    }
+
+    /// Whether so many boxes stand in so few ways that all can be kept ready.
+    pub(super) fn kept_ready(&self, file: &CellFile, following: &Following, boxes: usize) {
+        let ways = following.of_obstacles();
+        let meshes = file.obstacles.iter().find(|table| table.mesh.is_some());
+        let span = meshes.map_or(0..0, |table| table.name.span());
+        let _ = self.problems.keep(self.that(ways <= 1 || ways * boxes <= MOST_BOXES, span, || {
+            let message = format!("{boxes} boxes of obstacles in {ways} ways are more than can be kept ready");
+            (message, "a larger every_m; or boxes instead of meshes, or a larger resolution_m".to_owned())
+        }));
     }
 
     fn of_obstacle(&self, file: &CellFile, table: &ObstacleTable, reading: &mut usize) -> Result<Option<Follower>> {
@@ -88,8 +105,7 @@ impl Checker<'_> {
         let zone = sensors.iter().find(|sensor| sensor.name == table.name).map(|sensor| &sensor.zone);
         self.that(matches!(zone, None | Some(Zone::Mat(_) | Zone::Field(_))), counts.span(), || {
             let message = format!("sensor `{}` is no mat and no scanner field, so it always counts", table.name);
-            let help =
-                "remove counts_while: an FMU that mutes a light curtain is told what the curtain sees, and mutes it";
+            let help = "remove counts_while: an FMU that mutes a safeguard is told what that sees, and mutes it itself";
             (message, help.to_owned())
         })?;
         self.band(counts, reading)
@@ -127,7 +143,7 @@ impl Checker<'_> {
             let message = format!("obstacle `{name}` moves from {} to {} m", number(from_m), number(to_m));
             (message, "from_m is the smaller one; turn `direction` round for the other way".to_owned())
         })?;
-        let positions = ((to_m - from_m) / every_m - 1e-9).ceil() + 1.0;
+        let positions = ((to_m - from_m) / every_m - 1e-9).ceil().max(1.0) + 1.0;
         self.that(positions <= MOST_POSITIONS, span, || {
             let message = format!("obstacle `{name}` has {positions:.0} positions, {MOST_POSITIONS:.0} at most");
             (message, "a larger every_m, or a shorter way".to_owned())

@@ -129,7 +129,7 @@ impl Checker<'_> {
                     continue;
                 }
                 let start = Start::new(place[0], place[1], 0.0);
-                let walker = Walker { body, start: &start, sub_step_len_m: 0.0, obstacles, strides: 1 };
+                let walker = Walker { body, start: &start, sub_step_len_m: 0.0, obstacles, moving: &[], strides: 1 };
                 if walker.is_free(Place::START, Posture::Upright) { free.push(place) } else { left_out += 1 }
             }
         }

@@ -66,6 +66,9 @@ impl Checker<'_> {
         let following = self.following(&file, &sensors, controls.len());
         let (following, follows) = following.map_or_else(Default::default, |(all, numbers)| (Some(all), numbers));
         let obstacles = self.obstacles(&file, (&controls, planes), &follows);
+        if let Some(following) = &following {
+            self.kept_ready(&file, following, obstacles.len());
+        }
         obstacles.iter().filter_map(|obstacle| obstacle.opened_by).for_each(|number| controls[number].door = true);
         let human = &file.human.first;
         let body = self.problems.keep(self.body(&human.into()));

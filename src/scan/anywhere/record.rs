@@ -193,7 +193,7 @@ fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Wa
     let mut plain = footing.plain(&there);
     let (confirmed, since) = confirm(&there, &mut plain, &group.worst, &mut None);
     hazard.confirmed = confirmed;
-    hazard.worked = worked(&there, &hazard.actions);
+    hazard.worked = worked(&there, &mut plain, &hazard.actions);
     for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
         sensor.since_s = since_s;
     }

@@ -4,7 +4,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::cell::workcell::Obstacle;
 use crate::geometry::sampled::surface_points;
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
 use crate::geometry::{Cuboid, Solid, Vec3};
@@ -109,9 +108,10 @@ impl Behaviour {
             }
         }
         let mut run_into = BTreeSet::new();
-        for (number, Obstacle { cuboid: obstacle, .. }) in cell.obstacles.iter().enumerate() {
+        for (number, obstacle) in cell.obstacles.iter().enumerate() {
             for link in 0..cell.links.len() {
-                if rest.iter().any(|instant| is_in(&instant.frame.links[link], obstacle)) {
+                let there = |instant: &Instant| cell.amid(obstacle, instant.arrangement);
+                if rest.iter().any(|i| there(i).is_some_and(|cuboid| is_in(&i.frame.links[link], &cuboid))) {
                     run_into.insert((number, link));
                 }
             }

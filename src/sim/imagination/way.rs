@@ -119,12 +119,8 @@ impl<P: Plant> Imagine for Simulation<P> {
                     let actions = person.taken.iter().copied().chain([index]).collect();
                     imagined.visions.push(Vision { actions, niche });
                 } else if goes_on.is_none() {
-                    goes_on = Some((
-                        index,
-                        sensed,
-                        known.then_some(node),
-                        robots.amid_what_is_said(&walks.ends(), tried, node),
-                    ));
+                    goes_on =
+                        Some((index, sensed, known.then_some(node), robots.amid_what_is_said(&walks.ends(), node)));
                 }
             }
             let Some((index, sensed, at, ends)) = goes_on else {

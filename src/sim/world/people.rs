@@ -6,7 +6,7 @@
 
 use super::{Sight, Stance, World};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Place, Posture, Who};
+use crate::human::{Action, Arrangement, Place, Posture, Who};
 
 /// Where everybody is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,6 +18,12 @@ pub struct Places {
 }
 
 impl Places {
+    /// The same while things stand so that follow the FMU.
+    #[must_use]
+    pub fn amid(&self, arrangement: Arrangement) -> Self {
+        Self { first: self.first.amid(arrangement), second: self.second.map(|place| place.amid(arrangement)) }
+    }
+
     /// Where one of them is.
     #[must_use]
     pub const fn of(&self, who: Who) -> Option<&Place> {

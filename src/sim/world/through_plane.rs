@@ -439,11 +439,12 @@ impl World {
         // What was sensed and has not taken effect will.
         let delay = self.cell.sensors[curtain.sensor].delay_steps;
         let first_seen = if curtain.hands_only { depth.max(reach) } else { reach };
-        let longest = samples(first_seen + reach) + delay;
+        // Who runs may get farther behind the plane than a hand does in that time: any window may matter later.
+        let runs = self.fastest_m_s() > HAND_SPEED_M_S;
+        let longest = samples(first_seen + reach).max(if runs { LONG_AGO } else { 0 }) + delay;
         let through = (1..=longest).map(|from| Window { curtain: c, from, until: 0 });
         let is_tracked = since > 0 && since < LONG_AGO;
-        // Who runs may get farther behind the plane than a hand does in that time: any window may matter later.
-        let ahead = if self.fastest_m_s() > HAND_SPEED_M_S { LONG_AGO } else { samples(depth + reach) };
+        let ahead = if runs { LONG_AGO } else { samples(depth + reach) };
         let longest = if is_tracked { ahead } else { 0 };
         let ahead = (since + 1..=longest).map(|from| Window { curtain: c, from, until: since });
         through.chain(ahead).collect()

@@ -64,8 +64,8 @@ impl World {
             taken
         };
         let nobody_is_low = self.people().all(|(_, world)| world.cell.repertoire.low().is_empty());
-        // What follows the FMU is not known here.
-        if nobody_is_low || self.follows() { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
+        // Nobody is low where obstacles follow the FMU, which is not asked here.
+        if nobody_is_low { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
     }
 
     /// Whether there is room for a posture at a place; as much for every one of who stands.
@@ -104,6 +104,7 @@ impl World {
             start: &self.cell.start,
             sub_step_len_m: self.sub_step_m(),
             obstacles: self.boxes(place),
+            moving: &self.moving_obstacles,
             strides: self.cell.repertoire.strides(),
         }
     }

@@ -2,6 +2,8 @@
 
 pub mod anywhere;
 pub mod archives;
+pub mod by_hand;
+pub mod enumerated;
 pub mod exhausted;
 pub mod fmpy;
 pub mod formats;

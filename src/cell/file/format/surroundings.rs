@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::{Literal, PoseTable, UpAxis};
 
-/// What stands still: a box, or the parts of a mesh file, taken as boxes that lie inside them.
+/// What is in the way: a box, or the parts of a mesh file, taken as boxes that lie inside them.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(transform = box_or_mesh)]

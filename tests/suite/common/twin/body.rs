@@ -55,7 +55,7 @@ impl Place {
         self
     }
 
-    fn ahead(mut self) -> Self {
+    pub fn ahead(mut self) -> Self {
         let along = usize::try_from(self.heading % 4).expect("not negative");
         self.ways[along] += if self.heading < 4 { 1 } else { -1 };
         self
@@ -79,9 +79,14 @@ impl Place {
     }
 
     fn blocked(&self, cell: &Cell) -> bool {
+        cell.obstacles.iter().any(|o| self.is_in(cell, o))
+    }
+
+    /// Whether the upright capsule that walks with the person overlaps this.
+    pub fn is_in(&self, cell: &Cell, solid: &Solid) -> bool {
         let [x, y] = self.xy(cell);
         let (r, top) = (0.14, PIVOT + 0.72 + 0.105);
-        cell.obstacles.iter().any(|o| o.gap([[x, y, 0.05 + r], [x, y, top - r]]) < r - NANOMETRE)
+        solid.gap([[x, y, 0.05 + r], [x, y, top - r]]) < r - NANOMETRE
     }
 }
 
