@@ -158,6 +158,14 @@ impl Following {
         }
     }
 
+    /// The same arrangement without an obstacle.
+    #[must_use]
+    pub fn without(&self, number: usize, arrangement: Arrangement) -> Arrangement {
+        let state = usize::from(self.state(number, arrangement));
+        let stride = self.all.get(number).map_or(0, |(_, stride)| *stride);
+        Self::numbered(usize::from(arrangement.number()) - state * stride)
+    }
+
     /// The number of a sensor, if there are times at which it does not count.
     fn of_sensor(&self, sensor: usize) -> Option<usize> {
         self.all.iter().position(|(follower, _)| matches!(follower, Follower::Sensor(of, _) if *of == sensor))
@@ -211,6 +219,10 @@ mod tests {
                         assert!(
                             following.counts(6, arrangement) && !following.has_sensor(6) && following.has_sensor(7)
                         );
+                        let without = following.without(0, arrangement);
+                        assert_eq!(following.offset(0, without), None);
+                        assert_eq!(following.offset(1, without), following.offset(1, arrangement));
+                        assert_eq!(following.counts(7, without), zone == 1.0);
                         assert_eq!(following.standing(arrangement), usize::from(arrangement.number()) % 8);
                     }
                 }

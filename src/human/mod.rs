@@ -33,6 +33,7 @@ pub use arrangement::Arrangement;
 pub use body::{Anthropometry, Body, Radii};
 pub use field::Field;
 pub use floor::{Floor, is_without_room};
+pub(crate) use obstacles::capsule_hits;
 pub use obstacles::is_kept_from;
 pub use part::{BodyPart, Side};
 pub use place::{Place, Start};

@@ -9,7 +9,7 @@ use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
 pub(super) const TOUCHING_M: f64 = 1e-9;
 
 /// Whether the capsule overlaps the obstacle; touching is not overlapping. A capsule of radius 0 is its core line.
-pub(super) fn capsule_hits(capsule: &Capsule, obstacle: &Cuboid) -> bool {
+pub(crate) fn capsule_hits(capsule: &Capsule, obstacle: &Cuboid) -> bool {
     let half = (obstacle.half - TOUCHING_M).max(Vec3::ZERO);
     let box_from_world = obstacle.rotation.inverse();
     let a = box_from_world * (capsule.a - obstacle.centre);

@@ -4,9 +4,6 @@ use super::obstacles::{TOUCHING_M, capsule_hits};
 use super::{Action, Body, Place, Posture, Start, Walk};
 use crate::geometry::{Cuboid, Vec3};
 
-/// Sides of an obstacle are those whose normals have less of the vertical than this.
-const UPRIGHT: f64 = 0.7;
-
 /// Walks one body in one cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Walker<'a> {
@@ -18,8 +15,8 @@ pub struct Walker<'a> {
     pub sub_step_len_m: f64,
     /// What the human cannot walk through, world frame.
     pub obstacles: &'a [Cuboid],
-    /// Which of them move by themselves: one that has come to stand on the human lets them out, and no deeper in.
-    pub moving: &'a [usize],
+    /// Those that move by themselves, each with all its boxes: one that has come to stand on the human lets them out, and no deeper in.
+    pub moving: &'a [Vec<usize>],
     /// How many sub-steps at once who runs gets ahead.
     pub strides: u8,
 }
@@ -55,12 +52,42 @@ impl Walker<'_> {
     /// Whether nothing is in the way from one place to the next.
     fn may_go(&self, from: Place, to: Place, posture: Posture) -> bool {
         let at = |place: Place| place.position(self.start, self.sub_step_len_m);
-        let [before, then] = [from, to].map(|place| self.body.blocking_capsule(at(place), posture));
-        self.obstacles.iter().enumerate().all(|(number, obstacle)| {
-            let leads_out = || outside_m(at(to), obstacle) >= outside_m(at(from), obstacle) - TOUCHING_M;
-            let lets = || self.moving.contains(&number) && capsule_hits(&before, obstacle) && leads_out();
-            !capsule_hits(&then, obstacle) || lets()
-        })
+        let then = self.body.blocking_capsule(at(to), posture);
+        let mut hit =
+            self.obstacles.iter().enumerate().filter(|(_, obstacle)| capsule_hits(&then, obstacle)).peekable();
+        if hit.peek().is_none() {
+            return true;
+        }
+        // Out of what stands on them, of several out of what they are deepest in: so nobody is held by them.
+        let on = self.on_the_human(from, posture);
+        let deepest_m =
+            |place: Place| on.iter().map(|boxes| self.outside_m(at(place), boxes)).fold(f64::INFINITY, f64::min);
+        hit.all(|(number, _)| on.iter().any(|boxes| boxes.contains(&number)))
+            && deepest_m(to) >= deepest_m(from) - TOUCHING_M
+    }
+
+    /// What moves by itself and has come to stand on somebody here.
+    fn on_the_human(&self, place: Place, posture: Posture) -> Vec<&[usize]> {
+        let capsule = self.body.blocking_capsule(place.position(self.start, self.sub_step_len_m), posture);
+        let is_on = |boxes: &&Vec<usize>| boxes.iter().any(|number| capsule_hits(&capsule, &self.obstacles[*number]));
+        self.moving.iter().filter(is_on).map(Vec::as_slice).collect()
+    }
+
+    /// How far a place is outside of the rectangle around some boxes, seen from above, m; inside less than 0: how far it is to the nearest
+    /// side.
+    fn outside_m(&self, place: Vec3, boxes: &[usize]) -> f64 {
+        let around = boxes.iter().map(|number| {
+            let Cuboid { centre, half, rotation } = self.obstacles[*number];
+            let reach = [Vec3::X * half.x, Vec3::Y * half.y, Vec3::Z * half.z].map(|edge| (rotation * edge).abs());
+            let reach = reach[0] + reach[1] + reach[2];
+            (centre - reach, centre + reach)
+        });
+        let (low, high) = around
+            .fold((Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY)), |(low, high), (from, to)| {
+                (low.min(from), high.max(to))
+            });
+        let beyond = (low - place).max(place - high);
+        beyond.x.max(beyond.y)
     }
 
     /// Walks one action of `sub_steps` sub-steps, as fast in every posture. The human stops at the last free place before an obstacle and
@@ -96,15 +123,6 @@ impl Walker<'_> {
         }
         place
     }
-}
-
-/// How far a place is outside the sides of an obstacle, seen from above, m; inside less than 0: how far it is to the nearest.
-fn outside_m(place: Vec3, obstacle: &Cuboid) -> f64 {
-    let from_middle = (place - obstacle.centre).with_z(0.0);
-    let sides = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| (obstacle.rotation * axis, obstacle.half.dot(axis)));
-    let upright = |(across, _): &(Vec3, f64)| across.z.abs() < UPRIGHT;
-    let distances = sides.into_iter().filter(upright).map(|(across, half)| from_middle.dot(across).abs() - half);
-    distances.fold(f64::NEG_INFINITY, f64::max)
 }
 
 #[cfg(test)]
@@ -277,7 +295,8 @@ mod tests {
         let block =
             Cuboid { centre: Vec3::new(0.2, 0.0, 0.5), half: Vec3::new(0.3, 2.0, 0.5), rotation: Rotation::IDENTITY };
         let (obstacles, place) = ([block], Place::START);
-        let ways = |moving: &[usize], turn: i8| {
+        let moves = [vec![0]];
+        let ways = |moving: &[Vec<usize>], turn: i8| {
             let walker =
                 Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &obstacles, moving, strides: 2 };
             let walked = walker.walk(place.turned(turn), Action::new(Walk::Forward, Posture::Upright), 30);
@@ -286,15 +305,56 @@ mod tests {
         let far = 30.0 * LEN;
         for (turn, expected) in [(4, [-far, 0.0]), (2, [0.0, far]), (6, [0.0, -far]), (0, [0.0, 0.0]), (1, [0.0, 0.0])]
         {
-            let (end, blocked) = ways(&[0], turn);
+            let (end, blocked) = ways(&moves, turn);
             assert!((end - Vec3::new(expected[0], expected[1], 0.0)).length() < 1e-9, "{turn}: {end}");
             assert_eq!(blocked, expected == [0.0, 0.0], "{turn}");
             assert_eq!(ways(&[], turn), (Vec3::ZERO, true), "{turn}");
         }
-        let walker =
-            Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &obstacles, moving: &[0], strides: 2 };
+        let walker = Walker {
+            body: &body,
+            start: &start,
+            sub_step_len_m: LEN,
+            obstacles: &obstacles,
+            moving: &moves,
+            strides: 2,
+        };
         let out = walker.walk(place.turned(4), Action::new(Walk::Forward, Posture::Upright), 30).end();
         let back = walker.walk(out.turned(4), Action::new(Walk::Forward, Posture::Upright), 60).end();
         assert!(walker.is_free(back, Posture::Upright) && back.position(&start, LEN).x < 0.0);
+    }
+
+    /// Two boxes of one thing that adjoin, turned by some degrees: from anywhere in them some of the eight directions lead out, and walking
+    /// on along them does.
+    #[test]
+    fn what_has_come_in_several_boxes_holds_nobody() {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        for degrees in [0.0, 10.0, 30.0, 45.0, 80.0] {
+            let rotation = rotation_about(Vec3::Z, f64::to_radians(degrees));
+            let half = |x: f64| Cuboid {
+                centre: rotation * Vec3::new(x, 0.0, 0.5),
+                half: Vec3::new(0.25, 1.0, 0.5),
+                rotation,
+            };
+            let (obstacles, moves) = ([half(-0.25), half(0.25)], [vec![0, 1]]);
+            for x in [-0.4, -0.05, 0.0, 0.05, 0.3] {
+                let start = Start::new(x, 0.2, 5.0);
+                let walker = Walker {
+                    body: &body,
+                    start: &start,
+                    sub_step_len_m: LEN,
+                    obstacles: &obstacles,
+                    moving: &moves,
+                    strides: 2,
+                };
+                let gets_out = |turn: i8| {
+                    let end =
+                        walker.walk(Place::START.turned(turn), Action::new(Walk::Forward, Posture::Upright), 60).end();
+                    walker.is_free(end, Posture::Upright)
+                };
+                assert!((0..8).any(gets_out), "{degrees} degrees, x = {x}");
+                // Near the middle of it any way is one out.
+                assert!(degrees > 0.0 || f64::abs(x) < 0.3 || !(0..8).all(gets_out), "x = {x}: through it, too");
+            }
+        }
     }
 }

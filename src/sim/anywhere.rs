@@ -301,6 +301,7 @@ impl<'a> Anywhere<'a> {
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
         let curtains = Curtain::all(cell, from, &obstacles);
         let encounter = Encounter {
+            number: 0,
             obstacles,
             arm,
             reach_tolerance_m: cell.search.reach_tolerance_m,

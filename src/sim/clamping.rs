@@ -4,6 +4,9 @@
 //! The rule is in `docs/src/howto/criteria.md`. Surfaces are looked at by points that are no farther apart than the tolerance
 //! of the arm search: a clamping that ends when its point is moved by that may be missed.
 
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
 use super::encounter::Encounter;
 use super::robot::RobotFrame;
 use crate::geometry::distance::point_segment;
@@ -33,6 +36,26 @@ pub struct Pinch {
     pub clamped: Clamped,
 }
 
+/// Where the links of a frame may clamp an arm, by the number of the encounter, whose obstacles decide it, and the link: each once it was
+/// asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Pinches(Arc<Mutex<ByEncounter>>);
+
+/// By the number of the encounter and the link.
+type ByEncounter = BTreeMap<(usize, usize), Arc<[Pinch]>>;
+
+impl Pinches {
+    fn of(&self, encounter: usize, link: usize, work: impl FnOnce() -> Vec<Pinch>) -> Arc<[Pinch]> {
+        let known = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = known().get(&(encounter, link)) {
+            return Arc::clone(known);
+        }
+        let worked_out: Arc<[Pinch]> = work().into();
+        known().insert((encounter, link), Arc::clone(&worked_out));
+        worked_out
+    }
+}
+
 impl Pinch {
     /// How unsafe a contact of this region is there: nothing where the gap is wide enough for it.
     #[must_use]
@@ -58,7 +81,7 @@ struct Met {
 
 impl Encounter {
     /// Where links may clamp an arm that has its shoulder at one of these points.
-    pub(super) fn pinches_near<'a>(&self, frame: &'a RobotFrame, shoulders: &[Vec3]) -> Vec<&'a Pinch> {
+    pub(super) fn pinches_near(&self, frame: &RobotFrame, shoulders: &[Vec3]) -> Vec<Pinch> {
         let Some(clamping) = &self.clamping else { return Vec::new() };
         let within = |at: Vec3, around: f64| {
             shoulders.iter().any(|shoulder| (at - *shoulder).length() - around <= self.arm.reach())
@@ -67,10 +90,12 @@ impl Encounter {
             let (centre, radius) = solid.bounding_sphere();
             within(centre, radius)
         });
-        let all = links.flat_map(|(link, _)| {
-            frame.pinches[link].get_or_init(|| self.pinches_of(frame, link, clamping.travel_m[link]))
-        });
-        all.filter(|pinch| within(pinch.clamped.at, 0.0)).collect()
+        let mut near = Vec::new();
+        for (link, _) in links {
+            let all = frame.pinches.of(self.number, link, || self.pinches_of(frame, link, clamping.travel_m[link]));
+            near.extend(all.iter().copied().filter(|pinch| within(pinch.clamped.at, 0.0)));
+        }
+        near
     }
 
     fn pinches_of(&self, frame: &RobotFrame, link: usize, travel_m: f64) -> Vec<Pinch> {

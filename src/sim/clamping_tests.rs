@@ -42,3 +42,23 @@ fn gaps_hold_what_needs_more_room() {
     assert!(ratio(0.14, 0.05, BodyRegion::Hand) > 1.0 && ratio(0.14, 0.0, BodyRegion::Hand) == 0.0);
     assert!(ratio(0.49, 0.0, BodyRegion::Chest) > 0.0 && ratio(0.51, 0.0, BodyRegion::Chest) == 0.0);
 }
+
+/// What is in the way decides where a link clamps: a frame remembers it for each set of obstacles by itself.
+#[test]
+fn places_that_clamp_are_remembered_by_what_is_in_the_way() {
+    let clamped = Clamped {
+        at: Vec3::ZERO,
+        toward: Vec3::Z,
+        against: Against::Floor,
+        gap_m: 0.1,
+        travel_m: 0.0,
+        closing_m_s: 0.2,
+    };
+    let (pinches, pinch) = (Pinches::default(), Pinch { link: 3, clamped });
+    assert!(pinches.of(0, 3, Vec::new).is_empty());
+    assert_eq!(*pinches.of(1, 3, || vec![pinch]), [pinch]);
+    assert!(pinches.of(1, 2, Vec::new).is_empty());
+    // None is worked out twice.
+    assert!(pinches.of(0, 3, || vec![pinch]).is_empty());
+    assert_eq!(*pinches.clone().of(1, 3, Vec::new), [pinch]);
+}

@@ -68,6 +68,8 @@ pub struct Person {
 /// What stays the same over a scan.
 #[derive(Clone, Debug)]
 pub struct Encounter {
+    /// Its number among those of a cell: each has other obstacles.
+    pub number: usize,
     /// Static obstacles.
     pub obstacles: Vec<Cuboid>,
     /// The person's arm.
@@ -427,7 +429,7 @@ impl Encounter {
             robot_velocity: frame.velocity(link, found.on_link),
             human_velocity: person.velocity,
         };
-        let clamped = target.pinch.map(|pinch| &pinch.clamped);
+        let clamped = target.pinch.as_ref().map(|pinch| &pinch.clamped);
         self.as_judged(frame.weighed(Contact::judged(&touch, clamped, frame.strike(link))))
     }
 

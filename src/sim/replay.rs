@@ -41,20 +41,22 @@ pub fn replay_watched<P: Plant>(
     let options = Options { policy: Policy::Replay, posture_sweep: false };
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
     simulation.reset()?;
+    let mut end = None;
     for action in actions {
-        match simulation.take(*action)?.end {
-            Some(End::NotEvaluated) => return Err(simulation.not_evaluated()),
-            Some(_) => break,
-            None => {}
+        end = simulation.take(*action)?.end;
+        if end.is_some() {
+            break;
         }
     }
+    // What was found before it is known all the same.
+    let not_evaluated = end == Some(End::NotEvaluated) || !simulation.is_evaluated();
     let mut found = simulation.take_findings();
     found.retain(|finding| who.is_none_or(|who| finding.who == who));
     // Of those in the last action the worst, where several people are hit at once.
     let last = found.last().map(|finding| finding.actions.len());
     found.retain(|finding| Some(finding.actions.len()) == last);
     match found.into_iter().reduce(|a, b| if a.contact.ratio() > b.contact.ratio() { a } else { b }) {
-        None if !simulation.is_evaluated() => Err(simulation.not_evaluated()),
+        None if not_evaluated => Err(simulation.not_evaluated()),
         None => Ok((None, Vec::new())),
         Some(found) => {
             // What the FMU did is known by now: nothing is stepped again.

@@ -1,8 +1,8 @@
 //! The robots at one instant: placed link shapes, their velocities, and how hard they would strike.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
-use super::clamping::Pinch;
+use super::clamping::Pinches;
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
 use crate::cell::workcell::{Kinematics, Link, Robot};
 use crate::cell::{Binding, Workcell};
@@ -43,7 +43,7 @@ pub struct RobotFrame {
     /// The FMU's outputs behind all this.
     outputs: Vec<f64>,
     /// Where each link may clamp an arm, once it was asked for.
-    pub(super) pinches: Box<[OnceLock<Vec<Pinch>>]>,
+    pub(super) pinches: Pinches,
 }
 
 /// A robot whose inertias are known, in one pose.
@@ -96,7 +96,7 @@ impl RobotFrame {
         let harms = |(link, bound): (usize, &f64)| strikes[strike_of[link]].may_harm(*bound);
         Self {
             may_harm: speed_bounds.iter().enumerate().any(harms),
-            pinches: links.iter().map(|_| OnceLock::new()).collect(),
+            pinches: Pinches::default(),
             links,
             twists,
             speed_bounds,
@@ -117,7 +117,7 @@ impl RobotFrame {
         let links: Vec<Solid> = self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect();
         let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
-        let pinches = links.iter().map(|_| OnceLock::new()).collect();
+        let pinches = Pinches::default();
         Self { fastest, links, speed_bounds, pinches, ..self.clone() }
     }
 

@@ -268,7 +268,11 @@ impl<P: Plant> Simulation<P> {
     /// Why the last action that the FMU could not finish was not evaluated.
     #[must_use]
     pub fn not_evaluated(&self) -> PlantError {
-        let why = self.faults.last().map_or("the FMU could not finish an action", |fault| &fault.message);
+        let otherwise = match self.robots.has_strayed() {
+            true => "what follows the FMU would stand otherwise had a plane told of an arm, which is not followed up",
+            false => "the FMU could not finish an action",
+        };
+        let why = self.faults.last().map_or(otherwise, |fault| &fault.message);
         PlantError::of(why)
     }
 

@@ -11,6 +11,7 @@ mod through_plane;
 mod walking;
 mod working;
 
+use std::collections::BTreeSet;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
@@ -183,8 +184,10 @@ pub struct World {
     encounters: Vec<Encounter>,
     /// Controls that open and close doors.
     doors: Presses,
-    /// Obstacles that follow the FMU.
-    moving_obstacles: Vec<usize>,
+    /// Obstacles that follow the FMU, each with all its boxes.
+    moving_obstacles: Vec<Vec<usize>>,
+    /// How things stand that follow the FMU, but for those that stand on the person.
+    beside: Memo<Place, Arrangement>,
     /// Light curtains, doors, two-hand controls.
     pub(super) curtains: Vec<Curtain>,
     /// Those of which an arm may pass two at once.
@@ -235,7 +238,8 @@ impl World {
         let sets = Presses::all(if doors.is_none() { 0 } else { cell.controls.len() });
         let arrangements = cell.following.of_obstacles();
         let sets = sets.flat_map(|open| (0..arrangements).map(move |number| (open, Following::numbered(number))));
-        let with_open = |(open, arrangement): (Presses, Arrangement)| Encounter {
+        let with_open = |(number, (open, arrangement)): (usize, (Presses, Arrangement))| Encounter {
+            number,
             obstacles: cell.standing(open, arrangement),
             arm: ArmModel::default(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
@@ -245,7 +249,7 @@ impl World {
                 .then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
             stop: WorkStop::default(),
         };
-        let encounters: Vec<Encounter> = sets.map(with_open).collect();
+        let encounters: Vec<Encounter> = sets.enumerate().map(with_open).collect();
         let [body_reach_m, reach_m] = [0.0, ArmModel::default().reach()]
             .map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
         let stop_command = match &cell.separation {
@@ -257,14 +261,19 @@ impl World {
             _ => None,
         };
         let (curtains, neighbours) = (Vec::new(), Vec::new());
-        let obstacles = cell.obstacles.iter().enumerate();
-        let moving_obstacles = obstacles.filter(|(_, o)| o.follows.is_some()).map(|(number, _)| number).collect();
+        let boxes_of = |follower: usize| {
+            let boxes = cell.obstacles.iter().enumerate().filter(|(_, obstacle)| obstacle.follows == Some(follower));
+            boxes.map(|(number, _)| number).collect()
+        };
+        let followers: BTreeSet<usize> = cell.obstacles.iter().filter_map(|obstacle| obstacle.follows).collect();
+        let moving_obstacles = followers.into_iter().map(boxes_of).collect();
         let mut world = Self {
             cell,
             binding,
             encounters,
             doors,
             moving_obstacles,
+            beside: Memo::new(),
             curtains,
             neighbours,
             body_reach_m,
@@ -295,14 +304,19 @@ impl World {
         self
     }
 
-    /// Person against robot while the doors, and what follows the FMU, are as they are at a place.
+    /// Person against robot while the doors, and what follows the FMU, are as they are at a place; but for what stands on the person.
     pub(super) fn encounter(&self, place: &Place) -> &Encounter {
-        let following = &self.cell.following;
-        let open = if self.doors.is_none() { 0 } else { place.open().index() };
-        &self.encounters[open * following.of_obstacles() + following.standing(place.arrangement())]
+        &self.encounters[self.number(place, self.beside(place))]
     }
 
-    /// What is in the way at a place.
+    /// The number of the encounter while the doors are as they are at a place, and what follows the FMU stands so.
+    fn number(&self, place: &Place, arrangement: Arrangement) -> usize {
+        let following = &self.cell.following;
+        let open = if self.doors.is_none() { 0 } else { place.open().index() };
+        open * following.of_obstacles() + following.standing(arrangement)
+    }
+
+    /// What is in the way of arms and bends at a place.
     fn boxes(&self, place: &Place) -> &[Cuboid] {
         &self.encounter(place).obstacles
     }

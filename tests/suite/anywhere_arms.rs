@@ -197,6 +197,7 @@ fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
     let curtains = Curtain::all(cell, Vec3::new(from[0], from[1], 0.0), &obstacles);
     let arm = ArmModel::default();
     let encounter = Encounter {
+        number: 0,
         judge: Judge::Ending,
         clamping: None,
         obstacles: obstacles.clone(),

@@ -51,6 +51,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
         found.harms.iter().map(|harm| told_in(harm.xy_m)).chain(found.open.iter().map(|at| told_in(*at))).collect();
     let obstacles: Vec<_> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let encounter = Encounter {
+        number: 0,
         judge: Judge::Ending,
         clamping: None,
         obstacles: obstacles.clone(),

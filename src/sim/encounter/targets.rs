@@ -23,7 +23,7 @@ pub enum Judge {
 pub(super) struct Target<'a> {
     pub(super) frame: &'a RobotFrame,
     pub(super) link: usize,
-    pub(super) pinch: Option<&'a Pinch>,
+    pub(super) pinch: Option<Pinch>,
     /// Whether it is looked at.
     counts: bool,
 }
@@ -48,7 +48,7 @@ pub(super) const fn arm_region(segment: ArmSegment) -> BodyRegion {
 impl<'a> Targets<'a> {
     /// All links of some instants, of which those count that are named so, one instant after the other; and where they clamp arms.
     pub(super) fn all(
-        frames: &[(&'a RobotFrame, Vec<&'a Pinch>)],
+        frames: &[(&'a RobotFrame, Vec<Pinch>)],
         counts: Option<&[bool]>,
         velocity: Vec3,
         judge: Judge,

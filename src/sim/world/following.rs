@@ -1,13 +1,14 @@
 //! What follows the FMU's outputs ([`Following`](crate::cell::following::Following)): read after each step, in effect in the next.
 //!
-//! An obstacle that has come to stand on somebody lets them walk out of it, and no deeper in ([`Walker`](crate::human::walk::Walker)).
+//! An obstacle that has come to stand on somebody lets them walk out of it, and no deeper in ([`Walker`](crate::human::walk::Walker));
+//! their arms and bends pass it meanwhile.
 //!
 //! Where an action leads depends on what the FMU says in it, and that on where it leads. A step of the FMU depends on nothing later, so
 //! [`World::walks_amid`] what it last said, again and again, ends after as many rounds as an action has steps, mostly at once.
 
 use super::{Places, Walks, World};
 use crate::human::walk::WalkTrace;
-use crate::human::{Action, Arrangement, Place, Who};
+use crate::human::{Action, Arrangement, Place, Posture, Who, capsule_hits};
 
 impl World {
     /// Whether anything follows the FMU.
@@ -20,6 +21,23 @@ impl World {
     #[must_use]
     pub fn arrangement(&self, outputs: &[f64]) -> Arrangement {
         self.cell.following.arrangement(|reading| self.binding.followed[reading].read(outputs))
+    }
+
+    /// How things stand that follow the FMU at a place, but for what stands on the person there: arms and bends pass that, as somebody whom
+    /// it pushes along has them free.
+    pub(super) fn beside(&self, place: &Place) -> Arrangement {
+        if self.moving_obstacles.is_empty() || place.arrangement().is_none() {
+            return place.arrangement();
+        }
+        self.beside.of(*place, || {
+            let capsule = self.body().blocking_capsule(self.position(place), Posture::Upright);
+            let on_the_person = self.cell.obstacles.iter().filter_map(|obstacle| {
+                let (number, cuboid) = (obstacle.follows?, self.cell.amid(obstacle, place.arrangement())?);
+                capsule_hits(&capsule, &cuboid).then_some(number)
+            });
+            let following = &self.cell.following;
+            on_the_person.fold(place.arrangement(), |arrangement, number| following.without(number, arrangement))
+        })
     }
 
     /// The sensors that see somebody at their start and do not always count: whether they do then, the FMU would have to say before it

@@ -103,7 +103,7 @@ impl World {
             body: self.body(),
             start: &self.cell.start,
             sub_step_len_m: self.sub_step_m(),
-            obstacles: self.boxes(place),
+            obstacles: &self.encounters[self.number(place, place.arrangement())].obstacles,
             moving: &self.moving_obstacles,
             strides: self.cell.repertoire.strides(),
         }

@@ -19,7 +19,7 @@ use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
-use crate::human::walk::WalkTrace;
+use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
 
 /// Boxes of joint angles after which a hand is taken to get there.
@@ -118,7 +118,8 @@ impl World {
     fn closes_on(&self, place: &Place, action: Action, control: usize) -> bool {
         let (closed, posture) = (place.with_open(place.open().either(Presses::one(control))), action.posture());
         let has_room = || {
-            self.walker(&closed).is_free(closed, posture) && self.bend(&closed, posture) == self.bend(place, posture)
+            let walker = Walker { obstacles: self.boxes(&closed), ..self.walker(&closed) };
+            walker.is_free(closed, posture) && self.bend(&closed, posture) == self.bend(place, posture)
         };
         place.open().has(control) && !has_room()
     }

@@ -194,7 +194,11 @@ impl ByHand {
             place = place.turned(eighths);
             let begun = self.standing(&row);
             for _ in 0..self.cell.steps() {
-                let now = Cell { obstacles: self.standing(&row), ..self.cell.clone() };
+                // What stands on the person lets them out, of several out of what they are deepest in; bends pass it.
+                let standing = self.standing(&row);
+                let (on, obstacles): (Vec<Solid>, Vec<Solid>) =
+                    standing.iter().cloned().partition(|solid| place.is_in(&self.cell, solid));
+                let now = Cell { obstacles, ..self.cell.clone() };
                 let sees = samples(&now, &Body::new(&now, place, posture));
                 let counts = |sensor: &usize| self.counts[*sensor].as_ref().is_none_or(|band| band.holds(&row));
                 let counted = sensors.clone().filter(counts).map(|sensor| sees & (1 << sensor)).sum();
@@ -206,17 +210,16 @@ impl ByHand {
                 step(&inputs, &mut row);
                 if free {
                     let next = place.ahead();
-                    // What stands on the person already lets them out of it, and no deeper in.
-                    let is_on = |solid: &Solid| place.is_in(&now, solid);
-                    let out = |solid: &Solid| outside(solid, next.xy(&now)) > outside(solid, place.xy(&now)) - 1e-9;
-                    let (on, others): (Vec<&Solid>, Vec<&Solid>) =
-                        now.obstacles.iter().filter(|solid| next.is_in(&now, solid)).partition(|solid| is_on(solid));
-                    free = others.is_empty() && on.iter().all(|solid| out(solid));
+                    let deepest = |at: [f64; 2]| on.iter().map(|o| outside(o, at)).fold(f64::INFINITY, f64::min);
+                    let still_on = on.iter().any(|solid| next.is_in(&now, solid));
+                    let others = now.obstacles.iter().any(|solid| next.is_in(&now, solid));
+                    let out = deepest(next.xy(&now)) > deepest(place.xy(&now)) - 1e-9;
+                    free = !others && (!still_on || out);
                     let as_begun = begun.iter().any(|o| !place.is_in(&now, o) && next.is_in(&now, o));
                     went.mattered.stopped += u32::from(!free && !as_begun);
                     went.mattered.let_through += u32::from(free && as_begun);
-                    went.mattered.walked_out += u32::from(free && !on.is_empty());
-                    went.mattered.held += u32::from(!free && others.is_empty());
+                    went.mattered.walked_out += u32::from(free && still_on);
+                    went.mattered.held += u32::from(!free && !others);
                     place = if free { next } else { place };
                 }
                 went.places.push(place.xy(&now));
