@@ -135,6 +135,11 @@ mod tests {
     const LEN: f64 = 0.032;
     const SUB_STEPS: usize = 10;
 
+    /// Somebody who walks among boxes, of which these move by themselves.
+    fn amid<'a>(body: &'a Body, start: &'a Start, obstacles: &'a [Cuboid], moving: &'a [Vec<usize>]) -> Walker<'a> {
+        Walker { body, start, sub_step_len_m: LEN, obstacles, moving, strides: 2 }
+    }
+
     fn walked(start: &Start, obstacles: &[Cuboid], walks: &[Walk]) -> Vec<WalkTrace> {
         let body = Body::new(&Anthropometry::default()).unwrap();
         let walker = Walker { body: &body, start, sub_step_len_m: LEN, obstacles, moving: &[], strides: 2 };
@@ -297,8 +302,7 @@ mod tests {
         let (obstacles, place) = ([block], Place::START);
         let moves = [vec![0]];
         let ways = |moving: &[Vec<usize>], turn: i8| {
-            let walker =
-                Walker { body: &body, start: &start, sub_step_len_m: LEN, obstacles: &obstacles, moving, strides: 2 };
+            let walker = amid(&body, &start, &obstacles, moving);
             let walked = walker.walk(place.turned(turn), Action::new(Walk::Forward, Posture::Upright), 30);
             (walked.end().position(&start, LEN), walked.blocked[0])
         };
@@ -310,14 +314,7 @@ mod tests {
             assert_eq!(blocked, expected == [0.0, 0.0], "{turn}");
             assert_eq!(ways(&[], turn), (Vec3::ZERO, true), "{turn}");
         }
-        let walker = Walker {
-            body: &body,
-            start: &start,
-            sub_step_len_m: LEN,
-            obstacles: &obstacles,
-            moving: &moves,
-            strides: 2,
-        };
+        let walker = amid(&body, &start, &obstacles, &moves);
         let out = walker.walk(place.turned(4), Action::new(Walk::Forward, Posture::Upright), 30).end();
         let back = walker.walk(out.turned(4), Action::new(Walk::Forward, Posture::Upright), 60).end();
         assert!(walker.is_free(back, Posture::Upright) && back.position(&start, LEN).x < 0.0);
@@ -338,14 +335,7 @@ mod tests {
             let (obstacles, moves) = ([half(-0.25), half(0.25)], [vec![0, 1]]);
             for x in [-0.4, -0.05, 0.0, 0.05, 0.3] {
                 let start = Start::new(x, 0.2, 5.0);
-                let walker = Walker {
-                    body: &body,
-                    start: &start,
-                    sub_step_len_m: LEN,
-                    obstacles: &obstacles,
-                    moving: &moves,
-                    strides: 2,
-                };
+                let walker = amid(&body, &start, &obstacles, &moves);
                 let gets_out = |turn: i8| {
                     let end =
                         walker.walk(Place::START.turned(turn), Action::new(Walk::Forward, Posture::Upright), 60).end();
