@@ -2313,6 +2313,10 @@ class Anywhere(TypedDict):
     """
     What it took.
     """
+    step_tolerance_m: float
+    """
+    Contacts between two communication steps that are harmless with links that are smaller by this may be missed, m.
+    """
     subject: Subject
     """
     What was looked at.

@@ -142,6 +142,26 @@ impl PlacedTree<'_> {
         jacobian
     }
 
+    /// No point of the link moved by joint `link` that is no farther than `radius_m` from the segment between two points goes
+    /// farther from where it is here, m, while no joint's position differs by more than `by`, rad or m. A lever changes by no more than
+    /// that itself: with levers `l` it is `sum(l by) / (1 - sum(by))`, sums over joints that turn; infinite where they turn by a radian.
+    #[must_use]
+    pub fn moves_m(&self, link: usize, (a, b): (Vec3, Vec3), radius_m: f64, by: &[f64]) -> f64 {
+        let (mut moves_m, mut turned, mut next) = (0.0, 0.0, Some(link));
+        while let Some(i) = next {
+            match self.joints[i].motion {
+                Motion::Revolute => {
+                    let lever = |point: Vec3| self.axes[i].cross(point - self.world_from_link[i].translation).length();
+                    moves_m += (lever(a).max(lever(b)) + radius_m) * by[i];
+                    turned += by[i];
+                }
+                Motion::Prismatic => moves_m += by[i],
+            }
+            next = self.joints[i].parent;
+        }
+        if turned < 1.0 { moves_m / (1.0 - turned) } else { f64::INFINITY }
+    }
+
     /// Twist of every link for joint `speeds`, rad/s or m/s.
     #[must_use]
     pub fn twists(&self, speeds: &[f64]) -> Vec<Twist> {

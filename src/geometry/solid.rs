@@ -103,6 +103,18 @@ impl Solid {
         }
     }
 
+    /// Whether some of the link may be no farther than `reach_m` from a point, m: of others than capsules, some of what is around them.
+    #[must_use]
+    pub fn is_nearer_than(&self, reach_m: f64, point: Vec3) -> bool {
+        match self {
+            Self::Capsule(link) => point_segment(point, link.a, link.b).distance <= reach_m + link.radius,
+            solid @ (Self::Hull(_) | Self::Mesh(_)) => {
+                let (middle, radius) = solid.bounding_sphere();
+                (middle - point).length() <= reach_m + radius
+            }
+        }
+    }
+
     /// No point of the link is farther from where it is in another placement of the same shape, m.
     #[must_use]
     pub fn moved_from(&self, other: &Self) -> f64 {

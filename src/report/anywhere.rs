@@ -39,6 +39,8 @@ pub struct Anywhere {
     pub body_tolerance_m: f64,
     /// The same of contacts of arms, and those with less room for the arm, m.
     pub arm_tolerance_m: f64,
+    /// Contacts between two communication steps that are harmless with links that are smaller by this may be missed, m.
+    pub step_tolerance_m: f64,
     /// How often controls were worked at most, all together, if the cell has any that are.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub presses: Option<u32>,

@@ -34,9 +34,11 @@ use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Means, Moment, told_in};
+use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Histories, Means, Moment, told_in};
+use crate::sim::between::STEP_TOLERANCE_M;
 use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
+use crate::sim::robot::RobotFrame;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
@@ -186,6 +188,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         cell_m: 2.0 * CELL_M,
         body_tolerance_m: BODY_TOLERANCE_M,
         arm_tolerance_m: 2.0 * cell.search.reach_tolerance_m,
+        step_tolerance_m: STEP_TOLERANCE_M,
         presses: works(cell).then_some(effort.presses),
         changes: None,
         histories: Vec::new(),
@@ -315,15 +318,18 @@ impl<'a> Looking<'a> {
         let (histories, between) = (machine.histories(), machine.histories_between());
         let all: usize = between.iter().map(|history| history.seen.len()).sum();
         let mut done = 0;
-        let each = histories.iter().zip(&between).zip(&zones.ways);
-        for ((history, between), way) in each.filter(|((_, between), _)| !between.seen.is_empty()) {
+        let each = histories.iter().zip(&between).zip(&zones.ways).enumerate();
+        for (number, ((history, between), way)) in each.filter(|(_, ((_, between), _))| !between.seen.is_empty()) {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
             let known = self.found.hazards.len();
             let Effort { workers, ledger, .. } = self.effort;
             let (means, span) = (Means { workers, ledger }, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
-            let outcome = search.search([history, between], span, means, &mut self.rest.coverage, &mut told);
+            let in_parts =
+                |parts: usize, near: &dyn Fn(&RobotFrame) -> bool| machine.history_in_parts(number, parts, near);
+            let histories = Histories { at_instants: history, around: between, in_parts: &in_parts };
+            let outcome = search.search(histories, span, means, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
                 sensors: sensors(prepared, &history.readings),
                 unseen: way.unchanged,

@@ -47,7 +47,7 @@ use super::sensors::{self, sees};
 use crate::cell::file::format::ControlledBy;
 use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::joined::{joined, joined_two, merged};
-use crate::geometry::{Cuboid, Vec3};
+use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::hazard::Contact;
 use crate::human::arm::ArmModel;
 use crate::human::posture::{cut_back, may_be_cut_back};
@@ -70,8 +70,17 @@ const LEVER_M: f64 = 0.8;
 const AROUND_M: f64 = 0.5;
 /// Boxes of a cell of the floor and a posture after which it is left open.
 const MOST_BOXES: u64 = 20_000;
-/// The same where somebody is hit elsewhere.
+/// The same where somebody is hit elsewhere; what is open then is looked at again, up to more of them, if that is no more than so many
+/// cells.
 const FEW_BOXES: u64 = 60;
+const MORE_BOXES: u64 = 2_000;
+const FEW_OPEN: usize = 60;
+/// Parts of a step in which cells are looked at, first and then, in which nobody is hit but between two instants, where somebody is hit
+/// elsewhere: so many cells at most. Where nobody is hit at all it stays not known, whatever tolerances would allow.
+const PARTS: [usize; 2] = [8, 32];
+const MOST_DOUBTFUL: usize = 8;
+/// How near robots are that count then, beyond what they and arms reach, m.
+const NEAR_M: f64 = 0.1;
 
 /// The robots at an instant, and where somebody may be then.
 #[derive(Clone, Debug)]
@@ -197,6 +206,20 @@ impl Outcome {
         self.boxes += other.boxes;
         self.stopped |= other.stopped;
     }
+}
+
+/// A history with steps in so many parts, of robots that are where it says.
+pub type InParts<'a> = &'a dyn Fn(usize, &dyn Fn(&RobotFrame) -> bool) -> History;
+
+/// What the robots do while the sensors report the same, more and less closely.
+#[derive(Clone, Copy)]
+pub struct Histories<'a> {
+    /// At its instants.
+    pub at_instants: &'a History,
+    /// With what is between them: links as large as what they may sweep in half a step.
+    pub around: &'a History,
+    /// In parts of steps.
+    pub in_parts: InParts<'a>,
 }
 
 /// What a search is done with.
@@ -520,11 +543,11 @@ impl<'a> Anywhere<'a> {
     }
 
     /// Every pose in which the sensors report what they do in a history, on so many threads, at its instants and with what is
-    /// between them; what is hit is looked at again in each span of so many steps. `tell` hears of the share that is done, and may end
-    /// it.
+    /// between them; where somebody may be hit between two only, in parts of steps. What is hit is looked at again in each span of so
+    /// many steps. `tell` hears of the share that is done, and may end it.
     pub fn search(
         &self,
-        [history, between]: [&History; 2],
+        Histories { at_instants: history, around: between, in_parts }: Histories<'_>,
         span: usize,
         Means { workers, ledger }: Means<'_>,
         coverage: &mut Coverage,
@@ -558,9 +581,7 @@ impl<'a> Anywhere<'a> {
         }
         // Where there are hazards, what is not decided yet is of less interest.
         let is_hit = !all.harms.is_empty();
-        let most = if is_hit { FEW_BOXES } else { MOST_BOXES };
-        let mut closely = |share: f64| tell(0.5 + 0.5 * share);
-        let look_closely = |cell: &Undecided, coverage: &mut Coverage| {
+        let look_closely = |cell: &Undecided, most: u64, coverage: &mut Coverage| {
             // First what is more likely to answer both.
             if is_hit {
                 let at_instants = within.closely(cell, most, coverage);
@@ -574,11 +595,49 @@ impl<'a> Anywhere<'a> {
                 if wide.is_settled() { wide } else { wide.narrowed(within.closely(cell, most, coverage)) }
             }
         };
-        let stage = format!("closely, {most}");
-        let second = within.in_parallel(workers, &left, &mut closely, |cell, coverage| {
-            questions.answer((&stage, cell), coverage, || within.is_over(), |c| look_closely(cell, c))
-        });
-        for (part, seen) in second {
+        let mut closely = |cells: &[Undecided], most: u64, from: f64| {
+            let stage = format!("closely, {most}");
+            let tell = &mut |share: f64| tell(from + (1.0 - from) * share);
+            within.in_parallel(workers, cells, tell, |cell, coverage| {
+                questions.answer((&stage, cell), coverage, || within.is_over(), |c| look_closely(cell, most, c))
+            })
+        };
+        let mut looked = closely(&left, if is_hit { FEW_BOXES } else { MOST_BOXES }, 0.5);
+        let open: Vec<usize> = (0..looked.len()).filter(|number| !looked[*number].0.open.is_empty()).collect();
+        if is_hit && (1..=FEW_OPEN).contains(&open.len()) && !looked.iter().any(|(part, _)| part.stopped) {
+            let cells: Vec<Undecided> = open.iter().map(|number| left[*number].clone()).collect();
+            for (number, (mut part, seen)) in open.iter().zip(closely(&cells, MORE_BOXES, 0.7)) {
+                part.boxes += looked[*number].0.boxes;
+                looked[*number].0 = part;
+                looked[*number].1.merge(&seen);
+            }
+        }
+        for parts in PARTS {
+            let is_doubtful = |number: &usize| !looked[*number].0.between.is_empty();
+            let doubtful: Vec<usize> = (0..looked.len()).filter(is_doubtful).collect();
+            let is_asked = is_hit && (1..=MOST_DOUBTFUL).contains(&doubtful.len());
+            if !is_asked || looked.iter().any(|(part, _)| part.stopped) {
+                break;
+            }
+            let cells: Vec<Undecided> = doubtful.iter().map(|number| left[*number].clone()).collect();
+            let near = |frame: &RobotFrame| self.is_near_any(frame, &history.links, &cells);
+            let steps = in_parts(parts, &near);
+            let finely = Within::new(self, &steps, &end);
+            let again = finely.in_parallel(workers, &cells, &mut |_| tell(0.9), |cell, coverage| {
+                finely.closely(cell, MOST_BOXES, coverage)
+            });
+            for (number, (part, seen)) in doubtful.iter().zip(again) {
+                let known = &mut looked[*number];
+                if part.is_settled() {
+                    known.0.between.clear();
+                }
+                known.0.boxes += part.boxes;
+                known.0.stopped |= part.stopped;
+                // What is not decided so stays between two instants.
+                known.1.arm_checks += seen.arm_checks;
+            }
+        }
+        for (part, seen) in looked {
             coverage.merge(&seen);
             all.add(part);
         }
@@ -638,6 +697,14 @@ impl<'a> Anywhere<'a> {
             y += 1.0;
         }
         boxes
+    }
+
+    /// Whether any of the links that count is near enough to any of these cells that somebody there might meet it a step later.
+    fn is_near_any(&self, frame: &RobotFrame, links: &[bool], cells: &[Undecided]) -> bool {
+        let around: Vec<(Vec3, f64)> = cells.iter().map(|(at, _)| at.around(1.0, self.reach_m)).collect();
+        let is_near =
+            |link: &Solid| around.iter().any(|(centre, reach_m)| link.is_nearer_than(reach_m + NEAR_M, *centre));
+        frame.links.iter().zip(links).any(|(link, counts)| *counts && is_near(link))
     }
 
     /// What else than obstacles nobody's arm passes: planes while their sensors are clear, and what they are together with what they

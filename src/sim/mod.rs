@@ -12,6 +12,7 @@
 //! - [`answers`]: the same of several machines that share one search out
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
+//! - [`between`]: where they may be in a part of a communication step
 //! - `befallen`: what befalls two people in one action
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
@@ -23,6 +24,7 @@
 pub mod answers;
 pub mod anywhere;
 mod befallen;
+pub mod between;
 pub mod bound;
 pub mod clamping;
 pub mod coverage;

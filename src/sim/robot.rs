@@ -114,7 +114,11 @@ impl RobotFrame {
     /// The same with every link as large as everything that is no farther than so from it, m.
     #[must_use]
     pub fn grown(&self, by_m: &[f64]) -> Self {
-        let links: Vec<Solid> = self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect();
+        self.with_links(self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect())
+    }
+
+    /// The same robots, moving as they do, with other shapes.
+    pub(super) fn with_links(&self, links: Vec<Solid>) -> Self {
         let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
         let pinches = Pinches::default();
@@ -275,7 +279,12 @@ fn place(robot: &Robot, binding: &RobotBinding, outputs: &[f64]) -> Vec<(Pose, T
 }
 
 /// Positions and speeds of all joints.
-fn joints(kinematics: &Kinematics, positions: &[Reader], speeds: &[Reader], outputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
+pub(super) fn joints(
+    kinematics: &Kinematics,
+    positions: &[Reader],
+    speeds: &[Reader],
+    outputs: &[f64],
+) -> (Vec<f64>, Vec<f64>) {
     let read = |readers: &[Reader]| -> Vec<f64> { readers.iter().map(|r| r.read(outputs)).collect() };
     kinematics.all(&read(positions), &read(speeds))
 }

@@ -21,7 +21,7 @@ use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::anywhere::ledger::Ledger;
 use fmi_hazard::sim::anywhere::told::{ARCS, Asking, Told, arc};
 use fmi_hazard::sim::anywhere::zones::Zones;
-use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Means, told_in};
+use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Histories, Means, told_in};
 use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Judge, Person};
 use fmi_hazard::sim::sensors::{Seen, sees};
 
@@ -45,7 +45,13 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     let mut coverage = Coverage::new(cell.sensors.len());
     let tell = &mut |_| ControlFlow::Continue(());
     let means = Means { workers: 2, ledger: &Ledger::default() };
-    let found = search.search([&history, &history], 5, means, &mut coverage, tell);
+    let found = search.search(
+        Histories { at_instants: &history, around: &history, in_parts: &|_, _| history.clone() },
+        5,
+        means,
+        &mut coverage,
+        tell,
+    );
     assert!(found.between.is_empty() && !found.stopped);
     let told: BTreeSet<[i64; 2]> =
         found.harms.iter().map(|harm| told_in(harm.xy_m)).chain(found.open.iter().map(|at| told_in(*at))).collect();
@@ -146,7 +152,13 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
             let history = instant.history(&search, None, ANYWHERE);
             let means = Means { workers: 2, ledger: &Ledger::default() };
             let tell = &mut |_| ControlFlow::Continue(());
-            let found = search.search([&history, &history], 5, means, &mut Coverage::new(0), tell);
+            let found = search.search(
+                Histories { at_instants: &history, around: &history, in_parts: &|_, _| history.clone() },
+                5,
+                means,
+                &mut Coverage::new(0),
+                tell,
+            );
             let is_met = !found.harms.is_empty() || !found.open.is_empty() || !found.between.is_empty();
             assert_eq!(is_met, sides < 4, "{half_m} m, cells of {floor_m} m: {found:?}");
         }

@@ -12,7 +12,7 @@ use super::walk_in::WalkIn;
 use crate::cell::Workcell;
 use crate::cell::file::format::ControlledBy;
 use crate::human::action::ACTION_S;
-use crate::human::{Action, Posture, Presses, Start, Walk};
+use crate::human::{Action, Field, Posture, Presses, Start, Walk};
 use crate::scan::prepare::Prepared;
 use crate::sim::World;
 use crate::sim::anywhere::{Anywhere, Harm, History, Story, known};
@@ -20,18 +20,23 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// So much longer than it was harm is waited for, in actions: what is worked a little later comes a little later.
 const LONGER: usize = 3;
+/// So much later others work a control at most, in communication steps, where the person is not there yet.
+const LATER: usize = 40;
 /// Most actions from the control to where somebody is harmed, and on the way to the control.
 const MOST_AFTER: usize = 5;
 const MOST_BEFORE: usize = 10;
 /// Most stances of which it is tried whether a hand gets there.
 const MOST_TRIED: usize = 300;
 /// Ways to a control that are kept.
-const MOST_WAYS: usize = 4;
+const MOST_WAYS: usize = 6;
 /// Starts of walks that are tried, and how far they are apart, m.
-const MOST_STARTS: usize = 3;
-const APART_M: f64 = 0.15;
-/// Stances that are no farther from each other than this, m, count as one.
-const ALIKE_M: f64 = 0.08;
+const MOST_STARTS: usize = 6;
+const APART_M: f64 = 0.1;
+/// Stances that are no farther from each other than this, m, count as one, on the way to a control and on the way from there.
+const ALIKE_BEFORE_M: f64 = 0.04;
+const ALIKE_AFTER_M: f64 = 0.08;
+/// A walk that comes to where sensors see it too early or too late is tried as a whole so many steps farther on, or back.
+const MOVED: [i8; 7] = [0, 1, -1, 2, -2, 3, -3];
 /// Steps of an action at which there has to be room.
 const LOOKED_AT: u32 = 4;
 
@@ -51,11 +56,12 @@ pub(super) fn all(
     (history, harm): (&History, &Harm),
     standing: impl FnOnce() -> Vec<WalkIn>,
 ) -> Vec<WalkIn> {
+    let cell = &prepared.cell;
     let seen = &history.seen[harm.instant];
     let Story { changed, pressed } = &*seen.story;
-    let ways = Backwards { prepared, of, first, harm };
+    let ways = Backwards { prepared, of, first, harm, origin: &history.fields[1] };
     let mut others = pressed.clone();
-    let walks = match (own(pressed, &prepared.cell), changed) {
+    let walks = match (own(pressed, cell), changed) {
         (None, None) => standing(),
         (None, Some(changed)) => ways.unworked(*changed),
         (Some((step, presses)), changed) => {
@@ -67,7 +73,15 @@ pub(super) fn all(
             ways.working(presses, step - 1, *changed)
         }
     };
-    walks.iter().filter_map(|walk| worked_by_others(walk, &others, seen.step, &prepared.cell)).collect()
+    let walks = walks.iter().filter_map(|walk| {
+        // What is worked once sensors have seen them waits until they get to where they are harmed.
+        let arrives = walk.lead_in + walk.actions.len() * cell.steps_per_action;
+        let later = arrives.saturating_sub(seen.step).min(LATER);
+        let after = |step: usize| changed.is_some_and(|changed| step > changed);
+        let others = others.iter().map(|(step, presses)| (step + if after(*step) { later } else { 0 }, *presses));
+        worked_by_others(walk, &others.collect::<Vec<_>>(), seen.step + later, cell)
+    });
+    walks.collect()
 }
 
 /// The same walk with controls worked as others do, at the beginning of the next action, and until after an instant; nothing if it
@@ -93,28 +107,43 @@ fn worked_by_others(walk: &WalkIn, pressed: &[(usize, Presses)], last: usize, ce
 #[derive(Clone, Copy, Debug)]
 struct Stance {
     xy_m: [f64; 2],
-    heading_rad: f64,
+    /// Where they look at the end of the walk, rad.
+    last_rad: f64,
+    /// How many eighths of a turn they turn until then.
+    eighths: i8,
 }
 
 impl Stance {
-    /// Stances that count as one.
-    #[expect(clippy::cast_possible_truncation, reason = "some thousand cells to a side")]
-    fn cell(&self) -> [i64; 3] {
-        let turned = (self.heading_rad.rem_euclid(TAU) / FRAC_PI_4).round() as i64 % 8;
-        let [x, y] = self.xy_m.map(|at| (at / ALIKE_M).round() as i64);
-        [x, y, turned]
+    /// At the end of a walk.
+    const fn last(xy_m: [f64; 2], heading_rad: f64) -> Self {
+        Self { xy_m, last_rad: heading_rad, eighths: 0 }
     }
 
-    /// A place so far ahead, m.
-    fn ahead(&self, far_m: f64) -> [f64; 2] {
-        let (sin, cos) = libm::sincos(self.heading_rad);
-        [self.xy_m[0] + far_m * cos, self.xy_m[1] + far_m * sin]
+    fn heading_rad(&self) -> f64 {
+        self.last_rad - f64::from(self.eighths) * FRAC_PI_4
+    }
+
+    /// Stances that count as one.
+    #[expect(clippy::cast_possible_truncation, reason = "some thousand cells to a side")]
+    fn cell(&self, alike_m: f64) -> ([i64; 2], i8) {
+        (self.xy_m.map(|at| (at / alike_m).round() as i64), self.eighths)
+    }
+
+    /// The same a way ahead, m.
+    fn ahead(&self, far_m: f64) -> Self {
+        let (sin, cos) = libm::sincos(self.heading_rad());
+        Self { xy_m: [self.xy_m[0] + far_m * cos, self.xy_m[1] + far_m * sin], ..*self }
+    }
+
+    /// After a turn.
+    fn turned(&self, walk: Walk) -> Self {
+        Self { eighths: (self.eighths - walk.turn_eighths()).rem_euclid(8), ..*self }
     }
 
     /// Where an action began that ends here: the same place, or one an action's walk back, looking elsewhere.
     fn before(&self, walk: Walk) -> Self {
         let far_m = if walk == Walk::Stop { 0.0 } else { WALKING_SPEED_M_S * ACTION_S };
-        Self { xy_m: self.ahead(-far_m), heading_rad: self.heading_rad - f64::from(walk.turn_eighths()) * FRAC_PI_4 }
+        Self { eighths: (self.eighths + walk.turn_eighths()).rem_euclid(8), ..self.ahead(-far_m) }
     }
 }
 
@@ -124,7 +153,7 @@ fn apart_m(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 fn walk(start: Stance, actions: Vec<Action>, lead_in: usize) -> WalkIn {
-    WalkIn { xy_m: start.xy_m, heading_deg: start.heading_rad.rem_euclid(TAU).to_degrees(), lead_in, actions }
+    WalkIn { xy_m: start.xy_m, heading_deg: start.heading_rad().rem_euclid(TAU).to_degrees(), lead_in, actions }
 }
 
 /// A stance, and what leads on from it, the last action first.
@@ -134,20 +163,29 @@ struct Reached {
     then: Vec<Action>,
 }
 
+/// A walk from where people begin, and after how many of its steps sensors report something else, if that matters.
+struct Begun {
+    start: Stance,
+    actions: Vec<Action>,
+    entered: usize,
+}
+
 /// See the top of this file.
 struct Backwards<'a, 'b> {
     prepared: &'a Prepared,
     of: &'a Anywhere<'b>,
     first: &'a [bool],
     harm: &'a Harm,
+    /// How far it is at least from where people are whom no sensor has seen.
+    origin: &'a Field,
 }
 
 impl Backwards<'_, '_> {
     /// Walks on which sensors report something else from a communication step on.
     fn unworked(&self, changed: usize) -> Vec<WalkIn> {
         let Harm { xy_m, heading_rad, posture, .. } = *self.harm;
-        let ways = self.starts(&Stance { xy_m, heading_rad }, posture);
-        ways.into_iter().filter_map(|(start, actions)| self.aligned(start, actions, changed)).collect()
+        let ways = self.starts(&Stance::last(xy_m, heading_rad), posture, Some(changed));
+        ways.into_iter().map(|Begun { start, actions, entered }| walk(start, actions, changed - 1 - entered)).collect()
     }
 
     /// The same on which the person works controls, `pressed` steps after the start of the FMU or as soon as may be after that:
@@ -156,12 +194,13 @@ impl Backwards<'_, '_> {
         let steps = self.prepared.cell.steps_per_action;
         let mut all = Vec::new();
         for (after, press) in self.presses_from(presses) {
-            for (start, before) in self.starts(&press, Posture::Upright) {
-                let walk = match changed {
-                    Some(changed) => self.aligned(start, before, changed),
-                    None => pressed.checked_sub(steps * before.len()).map(|lead_in| walk(start, before, lead_in)),
+            for Begun { start, actions, entered } in self.starts(&press, Posture::Upright, changed) {
+                let lead_in = match changed {
+                    Some(changed) => Some(changed - 1 - entered),
+                    None => pressed.checked_sub(steps * actions.len()),
                 };
-                let Some(mut walk) = walk else { continue };
+                let Some(lead_in) = lead_in else { continue };
+                let mut walk = walk(start, actions, lead_in);
                 let there = walk.lead_in + steps * walk.actions.len();
                 let waits = pressed.saturating_sub(there).div_ceil(steps);
                 walk.actions.extend(vec![Action::REST; waits]);
@@ -172,31 +211,37 @@ impl Backwards<'_, '_> {
         all
     }
 
-    /// A walk that begins so that sensors report something else from that step on.
-    fn aligned(&self, start: Stance, actions: Vec<Action>, changed: usize) -> Option<WalkIn> {
+    /// After how many of its steps a walk comes to where sensors report something else, if after no more than so many.
+    fn entered(&self, start: &Stance, actions: &[Action], most: usize) -> Option<usize> {
         let cell = &self.prepared.cell;
-        let mut at = start;
-        let mut entered = None;
-        for (number, action) in actions.iter().enumerate() {
-            at.heading_rad += f64::from(action.walk().turn_eighths()) * FRAC_PI_4;
-            for step in 0..cell.steps_per_action {
-                if !self.of.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(self.first)) {
-                    entered = entered.or(Some(number * cell.steps_per_action + step));
+        let mut at = *start;
+        let first = known(self.first);
+        let mut taken = 0;
+        for action in actions {
+            at = at.turned(action.walk());
+            for _ in 0..cell.steps_per_action {
+                if taken > most {
+                    return None;
                 }
+                if !self.of.is_possible(at.xy_m, at.heading_rad(), Posture::Upright, &first) {
+                    return Some(taken);
+                }
+                taken += 1;
                 if action.walk() != Walk::Stop {
-                    at.xy_m = at.ahead(WALKING_SPEED_M_S * cell.step_s);
+                    at = at.ahead(WALKING_SPEED_M_S * cell.step_s);
                 }
             }
         }
-        let lead_in = (changed - 1).checked_sub(entered.unwrap_or(actions.len() * cell.steps_per_action))?;
-        Some(walk(start, actions, lead_in))
+        // There it is seen at last: where it ends.
+        (taken <= most).then_some(taken)
     }
 
     /// Actions from working the controls to the harm, the calmest first, and from where.
     fn presses_from(&self, presses: Presses) -> Vec<(Vec<Action>, Stance)> {
-        let harm = Stance { xy_m: self.harm.xy_m, heading_rad: self.harm.heading_rad };
+        let harm = Stance::last(self.harm.xy_m, self.harm.heading_rad);
         let (mut tried, mut ways) = (0, Vec::new());
-        self.back_from(harm, self.harm.posture, MOST_AFTER, &mut |reached| {
+        let anywhere = |_: &Stance, _: usize| true;
+        self.back_from(harm, self.harm.posture, (MOST_AFTER, ALIKE_AFTER_M), &anywhere, &mut |reached| {
             let Some(walk) = reached.then.last().map(|action| action.walk()) else { return true };
             if !self.of.may_work(presses, reached.at.xy_m) {
                 return true;
@@ -207,7 +252,7 @@ impl Backwards<'_, '_> {
                 after.pop();
                 after.push(Action::new(walk, posture).pressing(presses));
                 after.reverse();
-                ways.push((after, reached.at));
+                ways.push((after, Stance::last(reached.at.xy_m, reached.at.heading_rad())));
             }
             tried < MOST_TRIED && ways.len() < MOST_WAYS
         });
@@ -217,7 +262,7 @@ impl Backwards<'_, '_> {
     /// How somebody bends there who gets their hands to the controls.
     fn hand(&self, presses: Presses, at: &Stance, walk: Walk) -> Option<Posture> {
         let [x, y] = at.xy_m;
-        let there = self.prepared.standing(Start::new(x, y, at.heading_rad.to_degrees()), 0, 1).ok()?;
+        let there = self.prepared.standing(Start::new(x, y, at.heading_rad().to_degrees()), 0, 1).ok()?;
         let world = World::new(there.cell.clone(), there.binding.clone());
         Posture::USUAL.into_iter().find(|posture| {
             let action = Action::new(walk, *posture).pressing(presses);
@@ -225,23 +270,54 @@ impl Backwards<'_, '_> {
         })
     }
 
-    /// Walks to a stance from where people begin, the last action bent so.
-    fn starts(&self, to: &Stance, posture: Posture) -> Vec<(Stance, Vec<Action>)> {
-        let mut found: Vec<(Stance, Vec<Action>)> = Vec::new();
-        self.back_from(*to, posture, MOST_BEFORE, &mut |reached| {
-            let Stance { xy_m, heading_rad } = reached.at;
-            let is_other = |(start, _): &(Stance, Vec<Action>)| apart_m(start.xy_m, xy_m) > APART_M;
-            if found.iter().all(is_other) && self.of.may_begin(xy_m, heading_rad, &known(self.first)) {
-                found.push((reached.at, reached.then.iter().rev().copied().collect()));
+    /// Walks to a stance from where people begin, the last action bent so; sensors report something else of them for the first time no
+    /// later than at a step after the FMU's start, if one is given.
+    fn starts(&self, to: &Stance, posture: Posture, changed: Option<usize>) -> Vec<Begun> {
+        let stride_m = WALKING_SPEED_M_S * self.prepared.cell.step_s;
+        let moves_m = f64::from(MOVED.into_iter().max().unwrap_or(0)) * stride_m;
+        let near = |at: &Stance, far_m: f64| self.origin.least(at.xy_m, 0.0) <= far_m + moves_m;
+        let in_reach = |at: &Stance, left: usize| {
+            #[expect(clippy::cast_precision_loss, reason = "a few actions")]
+            let far_m = left as f64 * WALKING_SPEED_M_S * ACTION_S;
+            near(at, far_m)
+        };
+        let mut found: Vec<(usize, Begun)> = Vec::new();
+        self.back_from(*to, posture, (MOST_BEFORE, ALIKE_BEFORE_M), &in_reach, &mut |reached| {
+            let is_other = |(_, begun): &(usize, Begun)| apart_m(begun.start.xy_m, reached.at.xy_m) > APART_M;
+            if near(&reached.at, 0.0) && found.iter().all(is_other) {
+                let actions: Vec<Action> = reached.then.iter().rev().copied().collect();
+                let ahead = actions.first().map_or(reached.at, |action| reached.at.turned(action.walk()));
+                let moved = MOVED.into_iter().enumerate().find_map(|(number, steps)| {
+                    let start = Stance { xy_m: ahead.ahead(f64::from(steps) * stride_m).xy_m, ..reached.at };
+                    if !self.of.may_begin(start.xy_m, start.heading_rad(), &known(self.first)) {
+                        return None;
+                    }
+                    let entered = match changed {
+                        Some(changed) => self.entered(&start, &actions, changed - 1)?,
+                        None => 0,
+                    };
+                    Some((number, Begun { start, actions: actions.clone(), entered }))
+                });
+                found.extend(moved);
             }
             found.len() < MOST_STARTS
         });
-        found
+        // Those first that end where they were to end.
+        found.sort_by_key(|(moved, _)| *moved);
+        found.into_iter().map(|(_, begun)| begun).collect()
     }
 
-    /// Stances from which actions lead to one, those first from which the fewest do; `visit` says whether to go on.
-    fn back_from(&self, to: Stance, posture: Posture, most: usize, visit: &mut dyn FnMut(&Reached) -> bool) {
-        let mut known = BTreeSet::from([to.cell()]);
+    /// Stances from which actions lead to one, those first from which the fewest do, where so many actions that are left `may` lead
+    /// on; `visit` says whether to go on.
+    fn back_from(
+        &self,
+        to: Stance,
+        posture: Posture,
+        (most, alike_m): (usize, f64),
+        may: &dyn Fn(&Stance, usize) -> bool,
+        visit: &mut dyn FnMut(&Reached) -> bool,
+    ) {
+        let mut known = BTreeSet::from([to.cell(alike_m)]);
         let mut layer = vec![Reached { at: to, then: Vec::new() }];
         if !visit(&layer[0]) {
             return;
@@ -255,7 +331,10 @@ impl Backwards<'_, '_> {
                         continue;
                     }
                     let at = reached.at.before(walk);
-                    if !self.has_room(&at, &reached.at) || (walk != Walk::Stop && !known.insert(at.cell())) {
+                    if !may(&at, most - number - 1)
+                        || !self.has_room(&at, &reached.at)
+                        || (walk != Walk::Stop && !known.insert(at.cell(alike_m)))
+                    {
                         continue;
                     }
                     // The last one ends bent as somebody is harmed.

@@ -16,11 +16,13 @@ use crate::sim::anywhere::zones::Way;
 use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
 
 /// Places of one region and link of which a run of their own is tried, at most.
-const MOST_SHOWN: usize = 8;
+const MOST_WORST: usize = 8;
+/// The same of those to which there is most time to walk.
+const MOST_EASY: usize = 8;
 /// Walks to each that are tried.
 const MOST_WALKS: usize = 24;
 /// Runs of those of a region and link.
-const MOST_RUNS: usize = 120;
+const MOST_RUNS: usize = 200;
 
 impl Looking<'_> {
     /// Shows with runs of their own what harms there are.
@@ -52,7 +54,7 @@ impl Looking<'_> {
             };
             let unseen = is_unseen.then_some(first);
             let mut tried = 0;
-            let shown = alike.iter().take(MOST_SHOWN).find_map(|harm| {
+            let shown = shown_first(history, &alike).into_iter().find_map(|harm| {
                 ways(harm).into_iter().take(MOST_WALKS).find_map(|way| {
                     tried += 1;
                     (tried <= MOST_RUNS)
@@ -145,6 +147,19 @@ fn alike(harms: Vec<Harm>) -> Vec<Vec<Harm>> {
         alike.sort_by(|a, b| b.contact.ratio().total_cmp(&a.contact.ratio()));
     }
     by.into_values().collect()
+}
+
+/// Of harms, the worst first, those that are tried: the worst of them, and those that are farthest within what bounds on the way there
+/// allow.
+fn shown_first<'h>(history: &History, harms: &'h [Harm]) -> Vec<&'h Harm> {
+    let (worst, others) = harms.split_at(harms.len().min(MOST_WORST));
+    let left_m = |harm: &&Harm| {
+        let within_m = history.seen[harm.instant].within_m;
+        (0..2).map(|n| within_m[n] - history.fields[n].least(harm.xy_m, 0.0)).fold(f64::INFINITY, f64::min)
+    };
+    let mut easy: Vec<&Harm> = others.iter().collect();
+    easy.sort_by(|a, b| left_m(b).total_cmp(&left_m(a)));
+    worst.iter().chain(easy.into_iter().take(MOST_EASY)).collect()
 }
 
 /// The first harm that a walk leads to; while sensors report `readings`, if given.

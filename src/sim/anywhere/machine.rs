@@ -6,6 +6,7 @@
 //! that (`Swept`). People have the readings of the sample that the step began with in all of it.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 use super::controls::Controls;
@@ -14,6 +15,7 @@ use super::{History, Seen, Story};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::search::tracks::{Lasting, Taken, Watch};
+use crate::sim::between::{self, in_part_of_step};
 use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{self, DelayLine, input_row};
@@ -53,8 +55,10 @@ pub struct Machine<'a, P: Plant> {
     seen: Vec<BTreeMap<Bits, Seen>>,
     /// The same of what is between the instants.
     swept: Vec<BTreeMap<Bits, Swept>>,
+    /// The same step by step.
+    steps: Vec<BTreeMap<[Number; 2], Step>>,
     /// Robots at instants, by the bits of the outputs.
-    frames: BTreeMap<Bits, Arc<RobotFrame>>,
+    frames: BTreeMap<Bits, (Number, Arc<RobotFrame>)>,
     /// How told speeds are compared with the motion, and what was seen of that in all steps.
     comparison: Comparison,
     motion: Motion,
@@ -62,6 +66,17 @@ pub struct Machine<'a, P: Plant> {
 
 /// The bits of outputs.
 type Bits = Box<[u64]>;
+
+/// Which of the robots at instants.
+type Number = u32;
+
+/// Who may be there in a step.
+struct Step {
+    /// In its first half, unless only its end is known.
+    begins: Option<Seen>,
+    /// In its second half.
+    ends: Seen,
+}
 
 /// The robots within half a step of an instant.
 struct Swept {
@@ -112,6 +127,7 @@ impl<'a, P: Plant> Machine<'a, P> {
             fault: None,
             seen: vec![BTreeMap::new(); zones.ways.len()],
             swept: zones.ways.iter().map(|_| BTreeMap::new()).collect(),
+            steps: zones.ways.iter().map(|_| BTreeMap::new()).collect(),
             frames: BTreeMap::new(),
             comparison: Comparison::new(cell, binding),
             motion: Motion::default(),
@@ -139,6 +155,7 @@ impl<'a, P: Plant> Machine<'a, P> {
     pub fn begin(&mut self) {
         self.seen.iter_mut().for_each(BTreeMap::clear);
         self.swept.iter_mut().for_each(BTreeMap::clear);
+        self.steps.iter_mut().for_each(BTreeMap::clear);
         self.stories.clear();
     }
 
@@ -160,7 +177,7 @@ impl<'a, P: Plant> Machine<'a, P> {
         let after = self.binding.rows(self.recall.outputs(node), Some(before), step_s).into_owned();
         // What follows from both ends of a step is that of its beginning, too.
         let before = [before, &after[before.len()..]].concat();
-        let (begins, ends) = (self.frame(&before), self.frame(&after));
+        let ((from, begins), (to, ends)) = (self.frame(&before), self.frame(&after));
         self.compare_speeds(taken.step);
         self.motion.look_at_links(std::slice::from_ref(&ends.1), taken.step);
         let may_harm = |frame: &RobotFrame| frame.may_harm_by(&self.part.links);
@@ -172,14 +189,32 @@ impl<'a, P: Plant> Machine<'a, P> {
         }
         let by_m = begins.1.swept_m(&ends.1, step_s);
         let is_jump = taken.step <= self.binding.settled_steps() && ends.1.jumps_from(&begins.1, step_s);
-        let halves = [(begins, 0.5), (ends, 1.0)].into_iter().skip(usize::from(is_jump));
-        for ((bits, frame), part) in halves.filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
+        let in_step = Step {
+            begins: (!is_jump).then(|| self.seen_at(taken, &begins.1, 0.5)),
+            ends: self.seen_at(taken, &ends.1, 1.0),
+        };
+        let halves = [(begins, in_step.begins.clone()), (ends, Some(in_step.ends.clone()))];
+        for ((bits, frame), seen) in halves.into_iter().filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
+            let Some(seen) = seen else { continue };
             let by_m = if is_jump { frame.swept_m(&frame, step_s) } else { by_m.clone() };
-            let seen = self.seen_at(taken, &frame, part);
             let known = self.swept[taken.way].entry(bits);
             let known = known.or_insert_with(|| Swept { seen: seen.clone(), by_m: by_m.clone() });
             take_in(&mut known.seen, &seen);
             known.by_m.iter_mut().zip(by_m).for_each(|(known, by_m)| *known = known.max(by_m));
+        }
+        match self.steps[taken.way].entry([from, to]) {
+            Entry::Vacant(entry) => {
+                entry.insert(in_step);
+            }
+            Entry::Occupied(mut known) => {
+                let known = known.get_mut();
+                take_in(&mut known.ends, &in_step.ends);
+                match (&mut known.begins, in_step.begins) {
+                    (Some(known), Some(seen)) => take_in(known, &seen),
+                    (known @ None, seen) => *known = seen,
+                    (Some(_), None) => {}
+                }
+            }
         }
     }
 
@@ -195,11 +230,13 @@ impl<'a, P: Plant> Machine<'a, P> {
     }
 
     /// The robots by these rows.
-    fn frame(&mut self, rows: &[f64]) -> (Bits, Arc<RobotFrame>) {
+    #[expect(clippy::cast_possible_truncation, reason = "fewer than the states of an FMU")]
+    fn frame(&mut self, rows: &[f64]) -> (Number, (Bits, Arc<RobotFrame>)) {
         let bits: Bits = rows.iter().map(|value| value.to_bits()).collect();
-        let of = || Arc::new(RobotFrame::new(self.cell, self.binding, rows));
-        let frame = Arc::clone(self.frames.entry(bits.clone()).or_insert_with(of));
-        (bits, frame)
+        let number = self.frames.len() as Number;
+        let of = || (number, Arc::new(RobotFrame::new(self.cell, self.binding, rows)));
+        let (number, frame) = self.frames.entry(bits.clone()).or_insert_with(of);
+        (*number, (bits, Arc::clone(frame)))
     }
 
     /// Who may be there so much of a step into it.
@@ -236,6 +273,32 @@ impl<'a, P: Plant> Machine<'a, P> {
         let grown = |swept: &Swept| Seen { frame: Arc::new(swept.seen.frame.grown(&swept.by_m)), ..swept.seen.clone() };
         let seen = self.swept.iter().map(|swept| swept.values().map(grown).collect());
         self.zones.ways.iter().zip(seen).map(|(way, seen)| self.history(way, seen)).collect()
+    }
+
+    /// One of these with steps in so many parts, an even number, of which only those count in which robots are where `near` says.
+    #[must_use]
+    pub fn history_in_parts(&self, way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool) -> History {
+        let mut all = Vec::new();
+        for Step { begins, ends } in self.steps[way].values() {
+            let Some(begins) = begins else {
+                let by_m = ends.frame.swept_m(&ends.frame, self.cell.step_s);
+                all.push(Seen { frame: Arc::new(ends.frame.grown(&by_m)), ..ends.clone() });
+                continue;
+            };
+            if !near(&begins.frame) && !near(&ends.frame) {
+                continue;
+            }
+            for number in 0..parts {
+                let seen = if 2 * number < parts { begins } else { ends };
+                if !seen.frame.may_harm_by(&self.part.links) {
+                    continue;
+                }
+                let part = between::Part { number, of: parts, step_s: self.cell.step_s };
+                let frame = in_part_of_step(self.cell, self.binding, [&begins.frame, &ends.frame], &part);
+                all.push(Seen { frame: Arc::new(frame), ..seen.clone() });
+            }
+        }
+        self.history(&self.zones.ways[way], all)
     }
 
     fn history(&self, way: &Way, mut seen: Vec<Seen>) -> History {

@@ -222,7 +222,9 @@ impl<'a> Within<'a> {
         let near = |number: &usize| {
             let pair = &self.pairs[*number];
             let (centre, reach_m) = at.around(1.0, if pair.arms { self.of.reach_m } else { self.of.body_m });
-            pair.is_within(least) && pair.is_near(centre, reach_m)
+            pair.is_within(least)
+                && pair.is_near(centre, reach_m)
+                && self.history.seen[pair.n].frame.links[pair.link].is_nearer_than(reach_m, centre)
         };
         pairs.filter(near).collect()
     }

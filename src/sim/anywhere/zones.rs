@@ -112,7 +112,7 @@ impl Zones {
         let areas: Vec<(usize, Vec<bool>)> = (0..)
             .zip(&zones)
             .flat_map(|(reading, zone)| {
-                let parts = if in_hand.is_empty() { vec![zone.clone()] } else { parts(ground, zone, step_m) };
+                let parts = if presses == 0 { vec![zone.clone()] } else { parts(ground, zone, step_m) };
                 parts.into_iter().map(move |part| (reading, part))
             })
             .collect();
