@@ -208,8 +208,8 @@ impl Outcome {
     }
 }
 
-/// A history with steps in so many parts, of robots that are where it says.
-pub type InParts<'a> = &'a dyn Fn(usize, &dyn Fn(&RobotFrame) -> bool) -> History;
+/// A history with steps in so many parts, of robots that are where it says; none where that is not known, or too much.
+pub type InParts<'a> = &'a dyn Fn(usize, &dyn Fn(&RobotFrame) -> bool) -> Option<History>;
 
 /// What the robots do while the sensors report the same, more and less closely.
 #[derive(Clone, Copy)]
@@ -621,7 +621,7 @@ impl<'a> Anywhere<'a> {
             }
             let cells: Vec<Undecided> = doubtful.iter().map(|number| left[*number].clone()).collect();
             let near = |frame: &RobotFrame| self.is_near_any(frame, &history.links, &cells);
-            let steps = in_parts(parts, &near);
+            let Some(steps) = in_parts(parts, &near) else { break };
             let finely = Within::new(self, &steps, &end);
             let again = finely.in_parallel(workers, &cells, &mut |_| tell(0.9), |cell, coverage| {
                 finely.closely(cell, MOST_BOXES, coverage)

@@ -9,11 +9,13 @@
 //! A point that is `d` from where it was, and goes no farther than `w`, is never farther from the straight way between both than
 //! `hypot(w - d, sqrt(w^2 - d^2) / 2)`: its ways from both ends are no longer than `w` together.
 
+use std::f64::consts::PI;
+
 use super::robot::{RobotFrame, joints};
 use crate::cell::binding::MotionBinding;
 use crate::cell::workcell::Kinematics;
 use crate::cell::{Binding, Workcell};
-use crate::geometry::kinematics::PlacedTree;
+use crate::geometry::kinematics::{Motion, PlacedTree};
 use crate::geometry::{Capsule, Solid, Vec3};
 
 /// Links are looked at smaller by this, m, but not smaller than they are: of a contact between two instants that is gone then it is not
@@ -27,7 +29,8 @@ const JUMP: f64 = 0.02;
 /// How far a joint may be from where a steady one is in the middle of a part, in half of which it takes that share of a step: one that
 /// moves by so much, and could by `fastest`.
 fn off(moved: f64, fastest: f64, half: f64) -> f64 {
-    (fastest - moved.abs()).max(0.0) + half * moved.abs()
+    // Where it came farther than it is told to go, that was off by as much.
+    (fastest - moved.abs()).abs() + half * moved.abs()
 }
 
 /// How far a point may be from the straight way between two places so far apart, at the same share of the step, if it can go so far, m.
@@ -40,6 +43,9 @@ fn beside_m(far_m: f64, way_m: f64) -> f64 {
 fn smaller(by_m: f64) -> f64 {
     (by_m - STEP_TOLERANCE_M).max(0.0)
 }
+
+/// More than what rounding does to a way, m.
+const ROUNDING_M: f64 = 1e-6;
 
 /// One of some equal parts of a communication step.
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +82,8 @@ impl<'a> Steady<'a> {
         for joint in 0..from.len() {
             let moved = to[joint] - from[joint];
             let fastest = before[joint].abs().max(after[joint].abs()) * part.step_s;
-            if moved.abs() > fastest + JUMP {
+            let is_turn = kinematics.tree.joints[joint].motion == Motion::Revolute && moved.abs() > PI;
+            if moved.abs() > fastest + JUMP || is_turn {
                 return None;
             }
             at.push(from[joint] + middle * moved);
@@ -85,8 +92,8 @@ impl<'a> Steady<'a> {
         Some(Self { placed: kinematics.tree.place(&at), by })
     }
 
-    /// A link that a joint carries.
-    fn link(&self, joint: usize, shape: &Solid) -> Solid {
+    /// A link that a joint carries, unless it may be farther from there than so, m.
+    fn link(&self, joint: usize, shape: &Solid, most_m: f64) -> Option<Solid> {
         let link = shape.placed(self.placed.world_from_link[joint]);
         let (core, radius_m) = match &link {
             Solid::Capsule(capsule) => ((capsule.a, capsule.b), 0.0),
@@ -95,7 +102,8 @@ impl<'a> Steady<'a> {
                 ((middle, middle), radius_m)
             }
         };
-        link.grown(smaller(self.placed.moves_m(joint, core, radius_m, &self.by)))
+        let by_m = self.placed.moves_m(joint, core, radius_m, &self.by);
+        (by_m <= most_m).then(|| link.grown(smaller(by_m)))
     }
 }
 
@@ -111,28 +119,30 @@ pub fn in_part_of_step(cell: &Workcell, binding: &Binding, [from, to]: [&RobotFr
     let swept_m = from.swept_m(to, part.step_s);
     let link = |number: usize| {
         let link = &cell.links[number];
-        if let Some(steady) = &robots[link.robot] {
-            return steady.link(link.joint, &link.shape);
-        }
         let is_placed = matches!(binding.robots[link.robot].motion, MotionBinding::Frames(_));
-        match (&from.links[number], &to.links[number]) {
-            (Solid::Capsule(a), Solid::Capsule(b)) if is_placed => straight(number, [from, to], [a, b], part),
-            _ => nearer.links[number].grown(smaller(swept_m[number])),
-        }
+        let closely = match (&robots[link.robot], &from.links[number], &to.links[number]) {
+            (Some(steady), ..) => steady.link(link.joint, &link.shape, swept_m[number]),
+            (None, Solid::Capsule(a), Solid::Capsule(b)) if is_placed => straight(number, [from, to], [a, b], part),
+            _ => None,
+        };
+        // What holds for half a step holds for parts of it.
+        closely.unwrap_or_else(|| nearer.links[number].grown(smaller(swept_m[number])))
     };
     nearer.with_links((0..cell.links.len()).map(link).collect())
 }
 
-/// A capsule on the straight ways of both ends of its core: between them every point of the core is off as both ends are.
-fn straight(link: usize, [from, to]: [&RobotFrame; 2], [a, b]: [&Capsule; 2], part: &Part) -> Solid {
+/// A capsule on the straight ways of both ends of its core: between them every point of the core is off as both ends are. None where
+/// they come farther than their speeds take them.
+fn straight(link: usize, [from, to]: [&RobotFrame; 2], [a, b]: [&Capsule; 2], part: &Part) -> Option<Solid> {
     let (middle, half) = part.middle();
     let end = |before: Vec3, after: Vec3| {
         let speed = from.velocity(link, before).length().max(to.velocity(link, after).length());
-        let far_m = (after - before).length();
-        (before + (after - before) * middle, beside_m(far_m, speed * part.step_s) + half * far_m)
+        let (far_m, way_m) = ((after - before).length(), speed * part.step_s);
+        let off_m = (far_m <= way_m + ROUNDING_M).then(|| beside_m(far_m, way_m) + half * far_m);
+        Some((before + (after - before) * middle, off_m?))
     };
-    let ((first, off), (last, other)) = (end(a.a, b.a), end(a.b, b.b));
-    Solid::Capsule(Capsule { a: first, b: last, radius: a.radius.max(b.radius) + smaller(off.max(other)) })
+    let ((first, off), (last, other)) = (end(a.a, b.a)?, end(a.b, b.b)?);
+    Some(Solid::Capsule(Capsule { a: first, b: last, radius: a.radius.max(b.radius) + smaller(off.max(other)) }))
 }
 
 #[cfg(test)]

@@ -46,7 +46,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     let tell = &mut |_| ControlFlow::Continue(());
     let means = Means { workers: 2, ledger: &Ledger::default() };
     let found = search.search(
-        Histories { at_instants: &history, around: &history, in_parts: &|_, _| history.clone() },
+        Histories { at_instants: &history, around: &history, in_parts: &|_, _| Some(history.clone()) },
         5,
         means,
         &mut coverage,
@@ -153,7 +153,7 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
             let means = Means { workers: 2, ledger: &Ledger::default() };
             let tell = &mut |_| ControlFlow::Continue(());
             let found = search.search(
-                Histories { at_instants: &history, around: &history, in_parts: &|_, _| history.clone() },
+                Histories { at_instants: &history, around: &history, in_parts: &|_, _| Some(history.clone()) },
                 5,
                 means,
                 &mut Coverage::new(0),

@@ -27,6 +27,8 @@ const MOST_AFTER: usize = 5;
 const MOST_BEFORE: usize = 10;
 /// Most stances of which it is tried whether a hand gets there.
 const MOST_TRIED: usize = 300;
+/// Most places of which it is tried whether people begin there.
+const MOST_BEGINNINGS: usize = 1_000;
 /// Ways to a control that are kept.
 const MOST_WAYS: usize = 6;
 /// Starts of walks that are tried, and how far they are apart, m.
@@ -281,10 +283,11 @@ impl Backwards<'_, '_> {
             let far_m = left as f64 * WALKING_SPEED_M_S * ACTION_S;
             near(at, far_m)
         };
-        let mut found: Vec<(usize, Begun)> = Vec::new();
+        let (mut tried, mut found): (usize, Vec<(usize, Begun)>) = (0, Vec::new());
         self.back_from(*to, posture, (MOST_BEFORE, ALIKE_BEFORE_M), &in_reach, &mut |reached| {
             let is_other = |(_, begun): &(usize, Begun)| apart_m(begun.start.xy_m, reached.at.xy_m) > APART_M;
             if near(&reached.at, 0.0) && found.iter().all(is_other) {
+                tried += 1;
                 let actions: Vec<Action> = reached.then.iter().rev().copied().collect();
                 let ahead = actions.first().map_or(reached.at, |action| reached.at.turned(action.walk()));
                 let moved = MOVED.into_iter().enumerate().find_map(|(number, steps)| {
@@ -300,7 +303,7 @@ impl Backwards<'_, '_> {
                 });
                 found.extend(moved);
             }
-            found.len() < MOST_STARTS
+            found.len() < MOST_STARTS && tried < MOST_BEGINNINGS && !self.prepared.stop().is_asked()
         });
         // Those first that end where they were to end.
         found.sort_by_key(|(moved, _)| *moved);

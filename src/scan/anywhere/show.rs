@@ -54,15 +54,17 @@ impl Looking<'_> {
             };
             let unseen = is_unseen.then_some(first);
             let mut tried = 0;
-            let shown = shown_first(history, &alike).into_iter().find_map(|harm| {
-                ways(harm).into_iter().take(MOST_WALKS).find_map(|way| {
+            let mut shown = None;
+            for harm in shown_first(history, &alike) {
+                let left = MOST_RUNS.saturating_sub(tried).min(MOST_WALKS);
+                if left == 0 || shown.is_some() {
+                    break;
+                }
+                shown = ways(harm).into_iter().take(left).find_map(|way| {
                     tried += 1;
-                    (tried <= MOST_RUNS)
-                        .then(|| shown(prepared, &way, unseen))
-                        .flatten()
-                        .map(|finding| (*harm, way, finding))
-                })
-            });
+                    shown_by(prepared, &way, unseen).map(|finding| (*harm, way, finding))
+                });
+            }
             let (harm, way, finding) = match shown {
                 Some((harm, way, finding)) => (harm, way, Some(finding)),
                 None => {
@@ -163,7 +165,7 @@ fn shown_first<'h>(history: &History, harms: &'h [Harm]) -> Vec<&'h Harm> {
 }
 
 /// The first harm that a walk leads to; while sensors report `readings`, if given.
-fn shown(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
+fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
     let actions = u32::try_from(way.actions.len()).ok()?;
     let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
     let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;

@@ -55,8 +55,8 @@ pub struct Machine<'a, P: Plant> {
     seen: Vec<BTreeMap<Bits, Seen>>,
     /// The same of what is between the instants.
     swept: Vec<BTreeMap<Bits, Swept>>,
-    /// The same step by step.
-    steps: Vec<BTreeMap<[Number; 2], Step>>,
+    /// The same step by step: the robots at both ends, and whether only the second half counts as they jumped there.
+    steps: Vec<BTreeMap<([Number; 2], bool), Step>>,
     /// Robots at instants, by the bits of the outputs.
     frames: BTreeMap<Bits, (Number, Arc<RobotFrame>)>,
     /// How told speeds are compared with the motion, and what was seen of that in all steps.
@@ -67,13 +67,16 @@ pub struct Machine<'a, P: Plant> {
 /// The bits of outputs.
 type Bits = Box<[u64]>;
 
+/// Most parts of steps that are looked at.
+const MOST_PARTS: usize = 60_000;
+
 /// Which of the robots at instants.
 type Number = u32;
 
 /// Who may be there in a step.
 struct Step {
-    /// In its first half, unless only its end is known.
-    begins: Option<Seen>,
+    /// In its first half.
+    begins: Seen,
     /// In its second half.
     ends: Seen,
 }
@@ -189,31 +192,24 @@ impl<'a, P: Plant> Machine<'a, P> {
         }
         let by_m = begins.1.swept_m(&ends.1, step_s);
         let is_jump = taken.step <= self.binding.settled_steps() && ends.1.jumps_from(&begins.1, step_s);
-        let in_step = Step {
-            begins: (!is_jump).then(|| self.seen_at(taken, &begins.1, 0.5)),
-            ends: self.seen_at(taken, &ends.1, 1.0),
-        };
-        let halves = [(begins, in_step.begins.clone()), (ends, Some(in_step.ends.clone()))];
-        for ((bits, frame), seen) in halves.into_iter().filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
-            let Some(seen) = seen else { continue };
+        let in_step = Step { begins: self.seen_at(taken, &begins.1, 0.5), ends: self.seen_at(taken, &ends.1, 1.0) };
+        let halves = [(begins, in_step.begins.clone()), (ends, in_step.ends.clone())];
+        let halves = halves.into_iter().skip(usize::from(is_jump));
+        for ((bits, frame), seen) in halves.filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
             let by_m = if is_jump { frame.swept_m(&frame, step_s) } else { by_m.clone() };
             let known = self.swept[taken.way].entry(bits);
             let known = known.or_insert_with(|| Swept { seen: seen.clone(), by_m: by_m.clone() });
             take_in(&mut known.seen, &seen);
             known.by_m.iter_mut().zip(by_m).for_each(|(known, by_m)| *known = known.max(by_m));
         }
-        match self.steps[taken.way].entry([from, to]) {
+        match self.steps[taken.way].entry(([from, to], is_jump)) {
             Entry::Vacant(entry) => {
                 entry.insert(in_step);
             }
             Entry::Occupied(mut known) => {
                 let known = known.get_mut();
+                take_in(&mut known.begins, &in_step.begins);
                 take_in(&mut known.ends, &in_step.ends);
-                match (&mut known.begins, in_step.begins) {
-                    (Some(known), Some(seen)) => take_in(known, &seen),
-                    (known @ None, seen) => *known = seen,
-                    (Some(_), None) => {}
-                }
             }
         }
     }
@@ -275,17 +271,31 @@ impl<'a, P: Plant> Machine<'a, P> {
         self.zones.ways.iter().zip(seen).map(|(way, seen)| self.history(way, seen)).collect()
     }
 
-    /// One of these with steps in so many parts, an even number, of which only those count in which robots are where `near` says.
+    /// One of these with steps in so many parts, an even number, of which only those count in which links may be where `near` says. None
+    /// where that are too many, where it is not known how far links get in a step, or where speeds are worked out from the motion: then
+    /// no joint seems ever faster than at a steady speed.
     #[must_use]
-    pub fn history_in_parts(&self, way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool) -> History {
+    pub fn history_in_parts(&self, way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool) -> Option<History> {
+        if !self.binding.derived.is_empty() {
+            return None;
+        }
+        let step_s = self.cell.step_s;
         let mut all = Vec::new();
-        for Step { begins, ends } in self.steps[way].values() {
-            let Some(begins) = begins else {
-                let by_m = ends.frame.swept_m(&ends.frame, self.cell.step_s);
-                all.push(Seen { frame: Arc::new(ends.frame.grown(&by_m)), ..ends.clone() });
-                continue;
+        for ((_, is_jump), Step { begins, ends }) in &self.steps[way] {
+            let by_m = if *is_jump {
+                ends.frame.swept_m(&ends.frame, step_s)
+            } else {
+                begins.frame.swept_m(&ends.frame, step_s)
             };
-            if !near(&begins.frame) && !near(&ends.frame) {
+            if !by_m.iter().all(|by_m| by_m.is_finite()) {
+                return None;
+            }
+            let [first, last] = [begins, ends].map(|seen| Arc::new(seen.frame.grown(&by_m)));
+            if !near(&first) && !near(&last) {
+                continue;
+            }
+            if *is_jump {
+                all.push(Seen { frame: last, ..ends.clone() });
                 continue;
             }
             for number in 0..parts {
@@ -293,12 +303,15 @@ impl<'a, P: Plant> Machine<'a, P> {
                 if !seen.frame.may_harm_by(&self.part.links) {
                     continue;
                 }
-                let part = between::Part { number, of: parts, step_s: self.cell.step_s };
+                let part = between::Part { number, of: parts, step_s };
                 let frame = in_part_of_step(self.cell, self.binding, [&begins.frame, &ends.frame], &part);
                 all.push(Seen { frame: Arc::new(frame), ..seen.clone() });
             }
+            if all.len() > MOST_PARTS {
+                return None;
+            }
         }
-        self.history(&self.zones.ways[way], all)
+        Some(self.history(&self.zones.ways[way], all))
     }
 
     fn history(&self, way: &Way, mut seen: Vec<Seen>) -> History {

@@ -112,7 +112,7 @@ impl Zones {
         let areas: Vec<(usize, Vec<bool>)> = (0..)
             .zip(&zones)
             .flat_map(|(reading, zone)| {
-                let parts = if presses == 0 { vec![zone.clone()] } else { parts(ground, zone, step_m) };
+                let parts = if presses == 0 { vec![zone.clone()] } else { parts(ground, zone, &entrances, step_m) };
                 parts.into_iter().map(move |part| (reading, part))
             })
             .collect();
@@ -224,8 +224,8 @@ impl Zones {
     }
 }
 
-/// The parts of some cells between which there is more than a step.
-fn parts(floor: &Floor, cells: &[bool], step_m: f64) -> Vec<Vec<bool>> {
+/// The parts of some cells between which there is more than a step; who gets to one over an entrance may have left another over one.
+fn parts(floor: &Floor, cells: &[bool], entrances: &[bool], step_m: f64) -> Vec<Vec<bool>> {
     let mut left = cells.to_vec();
     let mut parts = Vec::new();
     while let Some(seed) = left.iter().position(|is| *is) {
@@ -233,6 +233,10 @@ fn parts(floor: &Floor, cells: &[bool], step_m: f64) -> Vec<Vec<bool>> {
         part[seed] = true;
         loop {
             part = floor.spread(&part, cells);
+            if part.iter().zip(entrances).any(|(own, entrance)| *own && *entrance) {
+                let all = part.iter_mut().zip(cells).zip(entrances);
+                all.for_each(|((own, is), entrance)| *own |= *is && *entrance);
+            }
             let more: Vec<bool> = floor.grown(&part, step_m).iter().zip(cells).map(|(near, is)| *near && *is).collect();
             if more == part {
                 break;
