@@ -622,7 +622,7 @@ impl<'a> Anywhere<'a> {
             let cells: Vec<Undecided> = doubtful.iter().map(|number| left[*number].clone()).collect();
             let near = |frame: &RobotFrame| self.is_near_any(frame, &history.links, &cells);
             let Some(steps) = in_parts(parts, &near) else { break };
-            let finely = Within::new(self, &steps, &end);
+            let finely = around.with(&steps);
             let again = finely.in_parallel(workers, &cells, &mut |_| tell(0.9), |cell, coverage| {
                 finely.closely(cell, MOST_BOXES, coverage)
             });

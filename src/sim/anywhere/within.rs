@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::rc::Rc;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
@@ -132,19 +133,28 @@ pub(super) struct Within<'a> {
     pairs: Vec<Pair>,
     walls: Vec<Cuboid>,
     /// Where arms get to a robot at any instant.
-    arms: ArmCells,
+    arms: Arc<ArmCells>,
     /// Set where it has to end.
     end: &'a AtomicBool,
 }
 
 impl<'a> Within<'a> {
     pub(super) fn new(of: &'a Anywhere<'a>, history: &'a History, end: &'a AtomicBool) -> Self {
-        let pairs: Vec<Pair> =
-            history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen, &history.links)).collect();
+        let pairs = Self::pairs(history);
         let walls = of.walls(history);
         let targets: Vec<Target<'_>> = pairs.iter().filter(|pair| pair.arms).map(|pair| pair.target(history)).collect();
-        let arms = ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls);
+        let arms = Arc::new(ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls));
         Self { of, history, pairs, walls, arms, end }
+    }
+
+    /// The same history with other bounds on where links are: arms get to a robot only where by both they do.
+    pub(super) fn with<'b>(&'b self, history: &'b History) -> Within<'b> {
+        let Self { of, end, walls, arms, .. } = self;
+        Within { of, history, pairs: Self::pairs(history), walls: walls.clone(), arms: Arc::clone(arms), end }
+    }
+
+    fn pairs(history: &History) -> Vec<Pair> {
+        history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen, &history.links)).collect()
     }
 
     /// Does `work` for each of some items, on so many threads: the results in the order of the items.
