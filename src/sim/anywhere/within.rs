@@ -153,6 +153,11 @@ impl<'a> Within<'a> {
         Within { of, history, pairs: Self::pairs(history), walls: walls.clone(), arms: Arc::clone(arms), end }
     }
 
+    /// Which links count.
+    pub(super) fn links(&self) -> &[bool] {
+        &self.history.links
+    }
+
     fn pairs(history: &History) -> Vec<Pair> {
         history.seen.iter().enumerate().flat_map(|(n, seen)| Pair::all(n, seen, &history.links)).collect()
     }
