@@ -68,6 +68,42 @@ pub enum SensorBinding {
     Input(usize),
     /// The output that tells it.
     Output(Reader),
+    /// The FMU evaluates it as far as it knows the person's pose, and is told of the rest.
+    Both {
+        /// Index of the input that tells of arms, and of bodies that bend.
+        input: usize,
+        /// The output that tells what the FMU sees.
+        output: Reader,
+        /// The value of that output while it sees somebody.
+        active: bool,
+    },
+}
+
+impl SensorBinding {
+    /// Index of the input that it drives, if it drives one.
+    #[must_use]
+    pub const fn input(&self) -> Option<usize> {
+        match self {
+            Self::Input(input) | Self::Both { input, .. } => Some(*input),
+            Self::Output(_) => None,
+        }
+    }
+
+    /// Whether the FMU evaluates it, wholly or in part.
+    #[must_use]
+    pub const fn is_evaluated(&self) -> bool {
+        !matches!(self, Self::Input(_))
+    }
+
+    /// Whether the FMU itself reports somebody in a row of its outputs; `active` is the sensor's own.
+    #[must_use]
+    pub fn reports(&self, row: &[f64], active: bool) -> bool {
+        match self {
+            Self::Input(_) => false,
+            Self::Output(reader) => (reader.read(row) != 0.0) == active,
+            Self::Both { output, active, .. } => (output.read(row) != 0.0) == *active,
+        }
+    }
 }
 
 /// How a robot's state is read.
@@ -167,8 +203,9 @@ pub fn bind(
     for (number, sensor) in file.sensors.iter().enumerate() {
         let binding = problems.keep(b.sensor(sensor, &mut inputs));
         let twin = (0..number).find(|&other| {
-            matches!(binding, Some(SensorBinding::Input(_)))
-                && sensors[other] == binding
+            let input = binding.as_ref().and_then(SensorBinding::input);
+            input.is_some()
+                && sensors[other].as_ref().and_then(SensorBinding::input) == input
                 && polarity(&file.sensors[other]) != polarity(sensor)
         });
         if let Some(other) = twin {
@@ -272,7 +309,7 @@ impl Binding {
     #[must_use]
     pub fn command(&self, cell: &Workcell, name: &str) -> Option<(usize, f64)> {
         if let Some(sensor) = cell.sensors.iter().position(|sensor| sensor.name == name) {
-            let SensorBinding::Input(column) = self.sensors[sensor] else { return None };
+            let column = self.sensors[sensor].input()?;
             return Some((column, f64::from(u8::from(cell.sensors[sensor].active))));
         }
         let held = cell.file().inputs.keys().position(|input| input == name)?;
@@ -432,7 +469,12 @@ impl<'a> Binder<'a> {
         if index == inputs.len() {
             inputs.push(port);
         }
-        Ok(SensorBinding::Input(index))
+        let Some(evaluated) = sensor.evaluated.as_ref().map(Spanned::get_ref) else {
+            return Ok(SensorBinding::Input(index));
+        };
+        let output = self.whole_number(&evaluated.variable, "a sensor that the FMU evaluates")?;
+        let active = evaluated.active.or_else(|| polarity(sensor)).unwrap_or_default();
+        Ok(SensorBinding::Both { input: index, output, active })
     }
 
     /// What obstacles and sensors follow.

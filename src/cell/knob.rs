@@ -231,6 +231,8 @@ impl Knobs {
             let room = |allowed| Room::new(STEP, f64::INFINITY, FARTHEST, allowed);
             match &sensor.zone {
                 _ if limits.fixed => self.hold(&sensor.name, FIXED),
+                // Moved in the cell file alone, it would not be where the FMU sees people.
+                _ if cell.file().sensors[number].evaluated.is_some() => self.hold(&sensor.name, EVALUATED),
                 Zone::Mat(_) | Zone::Field(_) => {
                     self.add(Turn::Wider { sensor: number }, &sensor.name, room(own(limits.most_wider_m, 0.0)));
                 }
@@ -253,6 +255,9 @@ impl Knobs {
         }
     }
 }
+
+/// Why a plane is left where it is.
+const EVALUATED: &str = "the FMU has it where it is";
 
 /// Why something is not turned one way.
 const SMALLER: &str = "the cell file says that it is never smaller";

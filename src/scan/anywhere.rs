@@ -20,6 +20,7 @@ use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
+use crate::cell::binding::SensorBinding;
 use crate::cell::file::format::ControlledBy;
 use crate::cell::{Workcell, Zone};
 use crate::hazard::Criterion;
@@ -86,6 +87,14 @@ pub fn refusal(prepared: &Prepared) -> Option<String> {
              stands_while, moves_with and counts_while out of the cell file"
                 .to_owned(),
         );
+    }
+    let evaluated = prepared.binding.sensors.iter().position(|bound| matches!(bound, SensorBinding::Both { .. }));
+    if let Some(sensor) = evaluated {
+        let name = &prepared.cell.sensors[sensor].name;
+        return Some(format!(
+            "the FMU evaluates `{name}` in part, which a scan from the cell's starts looks at; from anywhere, leave `evaluated` out of \
+             the cell file, and connect its `variable` to the whole signal"
+        ));
     }
     let controls = two_hand(prepared).len();
     (controls > MOST_TWO_HAND).then(|| {

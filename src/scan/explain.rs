@@ -3,7 +3,6 @@
 use super::film::contact_frame;
 use super::prepare::Prepared;
 use crate::cell::Zone;
-use crate::cell::binding::SensorBinding;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
@@ -25,7 +24,7 @@ pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Optio
             if instant.readings[number] != reported {
                 reported = !reported;
                 // The FMU is told at the start of a step what its end shows; of its own sensors it tells at the end.
-                let told = matches!(prepared.binding.sensors[number], SensorBinding::Input(_));
+                let told = !prepared.binding.sensors[number].is_evaluated();
                 #[expect(clippy::cast_precision_loss, reason = "a few steps after the start")]
                 changes_s.push(frame.saturating_sub(usize::from(told)) as f64 * cell.step_s);
             }

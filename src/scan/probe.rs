@@ -15,7 +15,6 @@ use serde::Serialize;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::stop_time;
-use crate::cell::binding::SensorBinding;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;
 use crate::sim::World;
@@ -349,10 +348,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let world = World::new(Arc::clone(cell), Arc::clone(binding));
     let mut inputs = world.initial_inputs();
-    let driven = |sensor: usize| match binding.sensors[sensor] {
-        SensorBinding::Input(column) => Some(column),
-        SensorBinding::Output(_) => None,
-    };
+    let driven = |sensor: usize| binding.sensors[sensor].input();
     for (number, sensor) in cell.sensors.iter().enumerate() {
         if let Some(column) = driven(number) {
             inputs[column] = f64::from(u8::from(!sensor.active));
@@ -382,7 +378,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
         not_tried: Vec::new(),
         together: None,
         reported: Vec::new(),
-        warnings: places::starts_seen(prepared, &idle.rows),
+        warnings: [places::starts_seen(prepared, &idle.rows), places::evaluated(prepared)?].concat(),
         idle_sensors: Vec::new(),
         rows: idle.rows.clone(),
         run_s,

@@ -19,7 +19,6 @@ use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, HadTold, Hit, Places, Sensed, Walks, Window, Worked, World};
-use crate::cell::binding::SensorBinding;
 use crate::geometry::Vec3;
 use crate::hazard::Class;
 use crate::hazard::group::place_cell;
@@ -261,7 +260,7 @@ impl Imagination {
         sensor: usize,
         first: isize,
     ) -> Shadow {
-        let SensorBinding::Input(column) = world.binding.sensors[sensor] else { return Shadow::Never };
+        let Some(column) = world.binding.sensors[sensor].input() else { return Shadow::Never };
         if node == NodeId::ROOT {
             return Shadow::Never;
         }

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::simulation::Watched;
 use super::{Options, Simulation};
-use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Plant, PlantError, Policy};
@@ -77,7 +76,7 @@ fn reported<P: Plant>(simulation: &Simulation<P>, watched: &Watched, found: &Fin
         let reports = |step: &usize| watched.instants.get(*step).is_some_and(|instant| instant.readings[sensor]);
         let first = (0..=found.step).rev().take_while(reports).last()?;
         // The FMU is told at the start of a step what its end shows; of its own sensors it tells at the end.
-        let told = matches!(world.binding.sensors[sensor], SensorBinding::Input(_));
+        let told = !world.binding.sensors[sensor].is_evaluated();
         #[expect(clippy::cast_precision_loss, reason = "a few steps")]
         let steps = (found.step - first.saturating_sub(usize::from(told))) as f64;
         Some(steps * world.cell.step_s)

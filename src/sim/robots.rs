@@ -9,7 +9,6 @@ use std::sync::Arc;
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
 use super::world::{Command, Earlier, Frames, HadTold, Window, World};
-use crate::cell::binding::SensorBinding;
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
@@ -324,9 +323,7 @@ impl<P: Plant> Robots<P> {
             Shadow::Is(from) => {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
-                    let SensorBinding::Input(column) = self.world.binding.sensors[usize::from(t.sensor)] else {
-                        continue;
-                    };
+                    let Some(column) = self.world.binding.sensors[usize::from(t.sensor)].input() else { continue };
                     let active = f64::from(u8::from(self.world.cell.sensors[usize::from(t.sensor)].active));
                     let step = |s: i16| usize::try_from(s.clamp(0, per_action)).unwrap_or(0);
                     let rows = inputs.chunks_mut(self.world.binding.inputs.len());

@@ -5,7 +5,6 @@
 //! changes `delay_steps` later. Feet and legs do not move with the bends, so all readings but those of light curtains
 //! depend on the walk alone.
 
-use crate::cell::binding::SensorBinding;
 use crate::cell::file::format::PoseQuantity;
 use crate::cell::{Binding, Sensor, Workcell, Zone};
 use crate::geometry::polygon::contains;
@@ -33,6 +32,12 @@ impl DelayLine {
         if raw { Self { recent: Self::kept(delay_steps), seen: Self::LONGEST } } else { Self { recent: 0, seen: 0 } }
     }
 
+    /// The same where the FMU has been `told` for long what is not seen of the body.
+    #[must_use]
+    pub const fn settled_apart(told: bool, raw: bool, delay_steps: usize) -> Self {
+        Self { recent: Self::settled(told, delay_steps).recent, seen: Self::settled(raw, delay_steps).seen }
+    }
+
     /// Bits still on their way after a reading has taken effect.
     const fn kept(delay_steps: usize) -> u64 {
         if delay_steps >= 64 { u64::MAX } else { (1 << delay_steps) - 1 }
@@ -48,13 +53,12 @@ impl DelayLine {
         (line >> delay_steps) & 1 == 1
     }
 
-    /// The same where a hand that works a control is in the plane: it is told of like the body, but whose body is there, it does
-    /// not say.
-    pub const fn push_with_arm(&mut self, raw: bool, delay_steps: usize) -> bool {
-        let seen = Self { recent: 0, ..*self };
-        let told = self.push(true, delay_steps);
-        let mut body = seen;
+    /// The same where what is `told` is not what is seen of the body: a hand that works a control is in the plane, or the FMU sees
+    /// the body itself.
+    pub const fn push_apart(&mut self, told: bool, raw: bool, delay_steps: usize) -> bool {
+        let mut body = *self;
         body.push(raw, delay_steps);
+        let told = self.push(told, delay_steps);
         self.seen = body.seen;
         told
     }
@@ -135,8 +139,8 @@ pub fn input_row(
     // An input is active when any of its sensors is.
     row.resize(start + binding.sensor_inputs, 0.0);
     for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
-        let SensorBinding::Input(input) = bound else { continue };
-        let any = binding.sensors.iter().zip(readings).any(|(other, &reading)| other == bound && reading);
+        let Some(input) = bound.input() else { continue };
+        let any = binding.sensors.iter().zip(readings).any(|(other, &reading)| other.input() == Some(input) && reading);
         row[start + input] = f64::from(u8::from(any == sensor.active));
     }
     row.extend(cell.pose.iter().map(|quantity| match quantity {

@@ -28,6 +28,7 @@ mod criteria;
 mod criteria_cells;
 mod distance;
 mod doors;
+mod evaluated;
 mod every_scan_ends;
 mod exhaustive;
 mod exhaustive_planes;

@@ -340,6 +340,13 @@ fn a_door_that_does_not_latch() {
     gantry(&cells::door_that_does_not_latch()).agree();
 }
 
+#[test]
+fn a_curtain_that_the_fmu_evaluates_itself() {
+    let found = gantry(&cells::curtain_inside());
+    found.agree();
+    assert!(found.twin.certain > 0 && !found.arms.is_empty(), "{found:?}");
+}
+
 /// What an arm meets in a run that the FMU cannot finish is not known: nothing is certified, nothing is fixed.
 #[test]
 fn a_door_that_an_arm_opens_before_the_controller_is_ready() {

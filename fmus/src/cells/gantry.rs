@@ -45,6 +45,8 @@ pub struct Gantry {
     curtain_clear: bool,
     door_clear: bool,
     reset: bool,
+    /// Where the curtain is that sees people itself, how near, and where the person is.
+    own: [f64; 3],
     /// Milliseconds since the start.
     tick: u64,
     /// How long the demand has lasted, ms; 0 without one.
@@ -72,6 +74,7 @@ impl Gantry {
             curtain_clear: true,
             door_clear: true,
             reset: false,
+            own: [0.0, 0.0, -1e3],
             tick: 0,
             demanded: 0,
             stop_since: None,
@@ -95,6 +98,9 @@ impl Gantry {
         model.curtain_clear = input.bool()?;
         model.door_clear = input.bool()?;
         model.reset = input.bool()?;
+        for value in &mut model.own {
+            *value = input.f64()?;
+        }
         model.tick = input.u64()?;
         model.demanded = input.u64()?;
         let (stops, since) = (input.bool()?, input.u64()?);
@@ -105,9 +111,15 @@ impl Gantry {
         Some(model)
     }
 
+    /// Whether the curtain itself sees the person.
+    fn interrupted(&self) -> bool {
+        let [at, depth, person] = self.own;
+        depth > 0.0 && (person - at).abs() <= depth
+    }
+
     fn millisecond(&mut self) {
         let muted = self.muting[0] <= self.tick && self.tick < self.muting[1];
-        let demand = !self.door_clear || (!self.curtain_clear && !muted);
+        let demand = !self.door_clear || ((!self.curtain_clear || self.interrupted()) && !muted);
         self.demanded = if demand { self.demanded.saturating_add(1) } else { 0 };
         let pressed = self.reset && !self.reset_was_pressed;
         self.reset_was_pressed = self.reset;
@@ -156,6 +168,7 @@ impl Model for Gantry {
             (vr::CURTAIN_CLEAR, Value::Boolean(x)) => self.curtain_clear = x,
             (vr::DOOR_CLEAR, Value::Boolean(x)) => self.door_clear = x,
             (vr::RESET, Value::Boolean(x)) => self.reset = x,
+            (vr::OWN_Y..=vr::PERSON_Y, Value::Real(x)) => self.own[variable - vr::OWN_Y] = x,
             _ => {}
         }
     }
@@ -182,6 +195,10 @@ impl Model for Gantry {
         #[expect(clippy::cast_precision_loss, reason = "as above")]
         let (_, towards) = self.slides[0].at(self.programme as f64 / SECOND);
         values[vr::LEG] = Value::Integer(i32::from(towards < 0.0));
+        for (place, value) in self.own.into_iter().enumerate() {
+            values[vr::OWN_Y + place] = Value::Real(value);
+        }
+        values[vr::INTERRUPTED] = Value::Boolean(self.interrupted());
     }
 
     fn step(&mut self, ticks: u64) -> Outcome {
@@ -207,6 +224,9 @@ impl Model for Gantry {
         }
         for value in [self.curtain_clear, self.door_clear, self.reset] {
             out.bool(value);
+        }
+        for value in self.own {
+            out.f64(value);
         }
         out.u64(self.tick);
         out.u64(self.demanded);

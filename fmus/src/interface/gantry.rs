@@ -25,6 +25,10 @@ pub mod vr {
     pub const POSITION: usize = 17;
     pub const VELOCITY: usize = 19;
     pub const LEG: usize = 21;
+    pub const OWN_Y: usize = 22;
+    pub const OWN_DEPTH: usize = 23;
+    pub const PERSON_Y: usize = 24;
+    pub const INTERRUPTED: usize = 25;
 }
 
 /// The longest time of a parameter, ms.
@@ -82,6 +86,13 @@ fn variables() -> Vec<Variable> {
     all.extend(of_axes("axis.velocity", "Velocity of the slide", Output, [Kind::real("m/s"); AXES]));
     let leg = "0 while the first slide moves away from its near end, 1 while it comes back";
     all.push(Variable::new("ctrl.leg", leg, Output, Kind::integer_in(0, 0, 1)));
+    let at = "Where the curtain is, along x";
+    all.push(Variable::new("curtain.own_y", at, Parameter, Kind::real_in("m", 0.0, -1e3, 1e3)));
+    let depth = "The curtain itself sees who is no farther from it; nobody, if that is 0";
+    all.push(Variable::new("curtain.own_depth", depth, Parameter, Kind::real_in("m", 0.0, 0.0, 10.0)));
+    all.push(Variable::new("person.y", "Where the person is", Input, Kind::real_in("m", -1e3, -1e3, 1e3)));
+    let interrupted = "Whether the curtain itself sees a person";
+    all.push(Variable::new("curtain.interrupted", interrupted, Output, Kind::Boolean { start: false }));
     all
 }
 

@@ -8,6 +8,7 @@ use crate::cell::CellError;
 use crate::cell::workcell::{Placing, Sensor, Zone};
 use crate::fmi;
 use crate::geometry::{Cuboid, Vec3, rotation_about};
+use crate::human::Ability;
 use crate::standards::iso_13855::{Detection, Opening};
 
 /// Longest sensor response in steps: the delay line is one 64-bit word.
@@ -29,7 +30,7 @@ impl Checker<'_> {
                 (format!("two sensors are called `{}`", s.name), "give each sensor its own name".to_owned())
             }));
         }
-        let all = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, step_s)));
+        let all = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, file, step_s)));
         let (sensors, placings): (Vec<Sensor>, Vec<Placing>) = all.into_iter().unzip();
         let planes: Vec<&str> = sensors.iter().filter(|s| s.zone.plane().is_some()).map(|s| s.name.as_str()).collect();
         let enough = self.that(planes.is_empty() || step_s >= SHORTEST_S, file.time.step_s.span(), || {
@@ -47,7 +48,7 @@ impl Checker<'_> {
         (sensors, placings)
     }
 
-    fn sensor(&self, s: &SensorTable, step_s: f64) -> Result<(Sensor, Placing), Box<CellError>> {
+    fn sensor(&self, s: &SensorTable, file: &CellFile, step_s: f64) -> Result<(Sensor, Placing), Box<CellError>> {
         let active = self.problems.keep(self.active(s)).unwrap_or_default();
         let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
         let zone = match (s.kind, &s.zone) {
@@ -98,8 +99,35 @@ impl Checker<'_> {
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;
+        self.evaluated(s, file)?;
         let placing = self.placing(s)?;
         Ok((Sensor { name: s.name.clone(), zone, active, delay_steps }, placing))
+    }
+
+    /// Whether the FMU can evaluate a sensor as far as it knows the person's pose: where the feet are, and not how they stand.
+    fn evaluated(&self, s: &SensorTable, file: &CellFile) -> Result<(), Box<CellError>> {
+        let Some(table) = &s.evaluated else { return Ok(()) };
+        let span = table.span();
+        self.belongs(s, "evaluated", &span, &[SensorKind::LightCurtain, SensorKind::InterlockedDoor])?;
+        self.that(!file.pose.is_empty(), span.clone(), || {
+            let message = format!("the FMU evaluates sensor `{}` and is not told where the person is", s.name);
+            (message, "add [pose] with the inputs that tell it".to_owned())
+        })?;
+        let low_m = s.zone.as_ref().and_then(|zone| zone.get_ref().heights_m).map_or(0.0, |[low, _]| low);
+        self.that(low_m <= LEGS_M, span.clone(), || {
+            let message = format!(
+                "the FMU evaluates sensor `{}`, which begins at {} m, and does not know who bends below it",
+                s.name,
+                fmi::number(low_m)
+            );
+            (message, format!("leave `evaluated` out, or have it begin at {LEGS_M} m or lower, where legs are in it"))
+        })?;
+        let low = file.human.first.also.get_ref().iter().any(|ability| LOW.contains(ability));
+        self.that(!low, span, || {
+            let message =
+                format!("the FMU evaluates sensor `{}` and does not know who crouches, kneels or crawls", s.name);
+            (message, "leave `evaluated` out, or those abilities of [human]".to_owned())
+        })
     }
 
     /// What the safety distance alone depends on.
@@ -241,6 +269,12 @@ impl Checker<'_> {
 
 /// Height of a scanner field above the floor unless told otherwise, m.
 const FIELD_HEIGHT_M: f64 = 0.2;
+
+/// What people do of which where their feet are says little.
+const LOW: [Ability; 3] = [Ability::Kneel, Ability::Crouch, Ability::Crawl];
+
+/// A plane that begins no higher has the legs of everybody in it who stands in it, bent or not, m.
+const LEGS_M: f64 = 0.5;
 
 /// Shortest step with a light curtain, a door or a two-hand control, s: in 64 of them a hand gets as far as an arm is long.
 const SHORTEST_S: f64 = 0.01;

@@ -2,7 +2,6 @@
 //! start values.
 
 use super::{Prober, Reaction};
-use crate::cell::binding::SensorBinding;
 use crate::fmi::Causality;
 use crate::host::port::{PortKind, ports};
 use crate::host::system::UnitPort;
@@ -23,8 +22,7 @@ pub(super) fn tried(
     let all: Vec<&UnitPort> = binding.inputs.iter().chain(left.iter().map(|(port, _)| port)).collect();
     let inputs: Vec<f64> = inputs.iter().copied().chain(left.iter().map(|(_, start)| *start)).collect();
     let driven = |column: usize| {
-        let by_sensor =
-            binding.sensors.iter().any(|sensor| matches!(sensor, SensorBinding::Input(own) if *own == column));
+        let by_sensor = binding.sensors.iter().any(|sensor| sensor.input() == Some(column));
         by_sensor || (binding.sensor_inputs..binding.inputs.len() - binding.constants.len()).contains(&column)
     };
     let name = |port: &UnitPort| match prepared.names[port.unit].as_str() {

@@ -1,7 +1,8 @@
-//! Sensors and where the person stands: sensors inside the FMU are tried with a person at many places, and starts that a
-//! sensor reports at once are told.
+//! Sensors and where the person stands: sensors inside the FMU are tried with a person at many places, planes that it evaluates
+//! itself with one in them, and starts that a sensor reports at once are told.
 
 use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_2;
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -28,6 +29,12 @@ const FAR_M: f64 = 20.0;
 
 /// How long the person stands at each place, s: longer than scanners and their controllers take to tell.
 const STAY_S: f64 = 0.4;
+
+/// Where nobody is in a plane any more, m from it.
+const AWAY_M: f64 = 3.0;
+
+/// Half of what is at least as wide as people are, m.
+const HALF_BODY_M: f64 = 0.3;
 
 /// What a sensor inside the FMU did while the person stood at many places, one after the other.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -75,6 +82,60 @@ fn area(cell: &Workcell, binding: &Binding, rows: &[f64]) -> [f64; 4] {
     })
 }
 
+/// Communication steps for which somebody stands at a place.
+fn stay(cell: &Workcell) -> usize {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds")]
+    let steps = (STAY_S / cell.step_s).round().max(1.0) as usize;
+    steps
+}
+
+/// What the FMU is told while somebody stands there of whom no sensor outside of it tells.
+fn standing(prepared: &Prepared, position: Vec3, heading_rad: f64) -> Vec<f64> {
+    let (cell, binding) = (&prepared.cell, &prepared.binding);
+    let feet = cell.body.feet(position, heading_rad);
+    let seen = Seen { feet, besides: None, body: None, position, heading_rad };
+    let mut row = Vec::new();
+    input_row(cell, binding, &vec![false; cell.sensors.len()], &seen, Presses::NONE, &mut row);
+    row
+}
+
+/// What is odd about planes that the FMU evaluates itself: somebody stands in each as the cell file has it, facing along it or
+/// across, whom it has to report; and well away from it, whom it has not.
+pub(super) fn evaluated(prepared: &Prepared) -> Result<Vec<String>, PlantError> {
+    let (cell, binding) = (&prepared.cell, &prepared.binding);
+    let mut told = Vec::new();
+    for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
+        let (SensorBinding::Both { active, .. }, Some((plane, _))) = (bound, sensor.zone.plane()) else { continue };
+        let [along, across] = [Vec3::X, Vec3::Y].map(|axis| plane.rotation * axis);
+        let middle = plane.centre.with_z(0.0);
+        let heading_rad = libm::atan2(across.y, across.x);
+        let away = [-AWAY_M, AWAY_M].map(|by| (middle + across * by, heading_rad, false));
+        // Whole bodies, as far as there is room for them between its ends.
+        let to_end = (plane.half.x - HALF_BODY_M).max(0.0);
+        let within = [-1.0, 0.0, 1.0].map(|part| middle + along * (part * to_end));
+        let within = within.into_iter().flat_map(|at| [0.0, FRAC_PI_2].map(|turn| (at, heading_rad + turn, true)));
+        for (at, heading_rad, is_in) in away.into_iter().chain(within) {
+            let (inputs, stay) = (standing(prepared, at, heading_rad), stay(cell));
+            let mut plant = prepared.plant_from(StateChoice::Replay, &inputs);
+            let _ = plant.restart()?;
+            let rows = plant.advance(stay, &inputs.repeat(stay))?;
+            let reports = bound.reports(&rows[rows.len() - binding.outputs.len()..], sensor.active);
+            if reports != is_in {
+                let (name, does) = (&sensor.name, if is_in { "does not report" } else { "reports" });
+                let place = if is_in { "in its plane".to_owned() } else { format!("{AWAY_M} m away from it") };
+                told.push(format!(
+                    "sensor `{name}`: the FMU {does} a person who stands {place}, at ({:.2}, {:.2}) m. Either the cell file is wrong \
+                     (its zone is not where the FMU has it, [pose] names other variables, or the polarity is the other way round: then \
+                     evaluated.active = {}), or the FMU's sensor really does that, which is a flaw of the cell",
+                    at.x, at.y, !active
+                ));
+                break;
+            }
+        }
+    }
+    Ok(told)
+}
+
 /// Tries the sensors inside the FMU; `idle_rows` tell where the robots are. None are told where the FMU does not know where
 /// the person is. No run is longer than `run_s`.
 pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Result<Vec<Reported>, PlantError> {
@@ -93,21 +154,8 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Re
     let mut places: Vec<Vec3> = grid.map(|(i, j)| Vec3::new(part(x, to_x, i), part(y, to_y, j), 0.0)).collect();
     places.push(Vec3::new(to_x + BEYOND_M + FAR_M, to_y + BEYOND_M + FAR_M, 0.0));
     let heading_rad = cell.start.heading_deg().to_radians();
-    let row = |position: &Vec3| {
-        let seen = Seen {
-            feet: cell.body.feet(*position, heading_rad),
-            besides: None,
-            body: None,
-            position: *position,
-            heading_rad,
-        };
-        let mut row = Vec::new();
-        input_row(cell, binding, &vec![false; cell.sensors.len()], &seen, Presses::NONE, &mut row);
-        row
-    };
-    let inputs: Vec<Vec<f64>> = places.iter().map(row).collect();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "hundreds")]
-    let stay = (STAY_S / cell.step_s).round().max(1.0) as usize;
+    let inputs: Vec<Vec<f64>> = places.iter().map(|place| standing(prepared, *place, heading_rad)).collect();
+    let stay = stay(cell);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "tens")]
     let in_a_run = (run_s / STAY_S + 1e-6).floor().max(1.0) as usize;
     let mut plant = prepared.plant_from(StateChoice::Replay, &inputs[0]);
@@ -120,9 +168,7 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Re
         // What is told at the end of the stay, so that the place before does not count.
         let last = &rows[rows.len() - binding.outputs.len()..];
         for (fired, &sensor) in fired.iter_mut().zip(&inside) {
-            if let SensorBinding::Output(reader) = &binding.sensors[sensor]
-                && (reader.read(last) != 0.0) == cell.sensors[sensor].active
-            {
+            if binding.sensors[sensor].reports(last, cell.sensors[sensor].active) {
                 fired.insert(place);
             }
         }
@@ -155,10 +201,10 @@ pub(super) fn starts_seen(prepared: &Prepared, idle_rows: &[f64]) -> Vec<String>
                 // Who begins elsewhere has not let go of anything.
                 (Zone::TwoHand { .. }, _) => false,
                 (_, SensorBinding::Input(_)) => readings[sensor],
-                (_, SensorBinding::Output(reader)) => {
+                (_, bound) => {
                     // Some steps on, where the person of this run still stands.
                     let row = idle_rows.chunks(prepared.binding.outputs.len()).nth(cell.steps_per_action * 2);
-                    let says = |row: &[f64]| (reader.read(row) != 0.0) == cell.sensors[sensor].active;
+                    let says = |row: &[f64]| bound.reports(row, cell.sensors[sensor].active);
                     number == cell.beginning && row.is_some_and(says)
                 }
             })

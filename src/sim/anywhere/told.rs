@@ -91,10 +91,7 @@ impl<'a, P: Plant> Asking<'a, P> {
         let rows = self.plant.advance(self.steps, &inputs.repeat(self.steps))?;
         let told = |row: &[f64]| -> Vec<bool> {
             let sensors = self.cell.sensors.iter().zip(&self.binding.sensors);
-            let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| match bound {
-                SensorBinding::Output(reader) => (reader.read(row) != 0.0) == sensor.active,
-                SensorBinding::Input(_) => false,
-            };
+            let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| bound.reports(row, sensor.active);
             sensors.map(reads).collect()
         };
         Ok(rows.chunks(self.plant.output_count()).map(told).collect())

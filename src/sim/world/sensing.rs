@@ -21,15 +21,19 @@ pub struct Sight {
     seen: Seen,
     /// What each sensor sees.
     raw: Vec<bool>,
+    /// What of that the FMU does not see itself.
+    unknown: Vec<bool>,
 }
 
 impl Sight {
     /// What there is to see of two people: a sensor sees either.
     #[must_use]
     pub fn of_either(first: &[Self], second: &[Self]) -> Vec<Self> {
-        let either = |(first, second): (&Self, &Self)| {
-            let raw = first.raw.iter().zip(&second.raw).map(|(first, second)| *first || *second).collect();
-            Self { seen: first.seen.clone(), raw }
+        let both = |a: &[bool], b: &[bool]| a.iter().zip(b).map(|(first, second)| *first || *second).collect();
+        let either = |(first, second): (&Self, &Self)| Self {
+            seen: first.seen.clone(),
+            raw: both(&first.raw, &second.raw),
+            unknown: both(&first.unknown, &second.unknown),
         };
         first.iter().zip(second).map(either).collect()
     }
@@ -67,14 +71,18 @@ impl World {
     /// Sensors that have been reading for long what they read at the start.
     #[must_use]
     pub fn delays_at_start(&self) -> Vec<DelayLine> {
-        let settled = |(s, raw): (&Sensor, bool)| remembered(s, DelayLine::settled(raw, s.delay_steps));
-        self.cell.sensors.iter().zip(self.seen_at_start()).map(settled).collect()
+        let told = self.readings_at_start();
+        let settled = |((s, raw), told): ((&Sensor, bool), bool)| {
+            remembered(s, DelayLine::settled_apart(told, raw, s.delay_steps))
+        };
+        self.cell.sensors.iter().zip(self.seen_at_start()).zip(told).map(settled).collect()
     }
 
-    /// What the sensors outside the FMU read at the start.
+    /// What the FMU is told of the sensors at the start. Who stands upright is seen by all that it evaluates itself.
     #[must_use]
     pub fn readings_at_start(&self) -> Vec<bool> {
-        self.seen_at_start()
+        let told = |(raw, bound): (bool, &SensorBinding)| raw && !bound.is_evaluated();
+        self.seen_at_start().into_iter().zip(&self.binding.sensors).map(told).collect()
     }
 
     /// The input values an FMU gets at initialisation: sensors as they read at the start.
@@ -125,17 +133,31 @@ impl World {
         self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     }
 
+    /// What of `raw` the FMU does not see itself, of who is at `place`: all, where it evaluates nothing; and of what it evaluates bodies
+    /// that are in a plane only because of how they bend. It knows where the feet are.
+    fn unknown_to_fmu(&self, raw: &[bool], place: &Place) -> Vec<bool> {
+        let is_evaluated = |(seen, bound): (&bool, &SensorBinding)| *seen && bound.is_evaluated();
+        if !raw.iter().zip(&self.binding.sensors).any(is_evaluated) {
+            return raw.to_vec();
+        }
+        let upright = self.seen(place, Posture::Upright);
+        let sensors = raw.iter().zip(&self.binding.sensors).zip(&self.cell.sensors);
+        sensors.map(|((seen, bound), sensor)| *seen && !(bound.is_evaluated() && sees(sensor, &upright))).collect()
+    }
+
     /// What there is for the sensors to see of this person at the start of each step.
     #[must_use]
     pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
         let steps = walked.places.len();
         let sight = |(place, during): (&Place, &Place)| {
             let arrangement = during.arrangement();
-            let seen = self.seen(&place.amid(arrangement), bent);
+            let place = place.amid(arrangement);
+            let seen = self.seen(&place, bent);
             let counts = |number: usize| self.cell.following.counts(number, arrangement);
             let sensors = self.cell.sensors.iter().enumerate();
-            let raw = sensors.map(|(number, sensor)| sees(sensor, &seen) && counts(number)).collect();
-            Sight { seen: Seen { body: None, ..seen }, raw }
+            let raw: Vec<bool> = sensors.map(|(number, sensor)| sees(sensor, &seen) && counts(number)).collect();
+            let unknown = self.unknown_to_fmu(&raw, &place);
+            Sight { seen: Seen { body: None, ..seen }, raw, unknown }
         };
         let begins = std::iter::once(&walked.start).chain(&walked.places).take(steps);
         begins.zip(&walked.places).map(sight).collect()
@@ -152,12 +174,12 @@ impl World {
             readings: Vec::with_capacity(steps),
             broken: Vec::with_capacity(steps),
         };
-        for (step, Sight { seen, raw }) in sights.iter().enumerate() {
+        for (step, Sight { seen, raw, unknown }) in sights.iter().enumerate() {
             let by_arm: Vec<usize> =
                 self.arm_in_planes(step, worked).map(|plane| self.curtains[plane].sensor).collect();
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).zip(raw).enumerate();
-            let reading = |(number, ((sensor, line), raw)): (usize, ((&Sensor, &mut DelayLine), &bool))| {
-                told(sensor, line, *raw, by_arm.contains(&number))
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).enumerate();
+            let reading = |(number, (sensor, line)): (usize, (&Sensor, &mut DelayLine))| {
+                told(sensor, line, [raw[number], unknown[number]], by_arm.contains(&number))
             };
             let readings: Vec<bool> = sensors.map(reading).collect();
             let on = self.on_in_step(step, switched, worked);
@@ -173,7 +195,7 @@ impl World {
 
     /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
     pub(in crate::sim) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
-        let SensorBinding::Input(column) = self.binding.sensors[sensor] else { return };
+        let Some(column) = self.binding.sensors[sensor].input() else { return };
         let active = f64::from(u8::from(self.cell.sensors[sensor].active));
         let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
         for (row, readings) in rows.zip(&mut sensed.readings).take(steps.end).skip(steps.start) {
@@ -182,14 +204,12 @@ impl World {
         }
     }
 
-    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says of its
-    /// own one at the step's end.
+    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says at the step's
+    /// end of one that it evaluates.
     #[must_use]
     pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
-        match &self.binding.sensors[sensor] {
-            SensorBinding::Input(_) => readings[sensor],
-            SensorBinding::Output(reader) => (reader.read(frame.outputs()) != 0.0) == self.cell.sensors[sensor].active,
-        }
+        // Of one that the FMU evaluates alone nothing is read outside of it.
+        readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].active)
     }
 
     /// Whether each sensor reports the person, see [`World::reading`].
@@ -205,13 +225,13 @@ impl World {
     }
 }
 
-/// The reading of a sensor that takes effect when it next sees `raw` of the body, or an arm on its way to a control.
-const fn told(sensor: &Sensor, line: &mut DelayLine, raw: bool, by_arm: bool) -> bool {
+/// The reading of a sensor that takes effect when it next sees `raw` of the body, of which the FMU does not know `unknown`, or an
+/// arm on its way to a control: of that it is told like of the body, but whose body is there, it does not say.
+const fn told(sensor: &Sensor, line: &mut DelayLine, [raw, unknown]: [bool; 2], by_arm: bool) -> bool {
     match sensor.zone {
         // Hands that are back on it were never away.
         Zone::TwoHand { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
-        _ if by_arm => line.push_with_arm(raw, sensor.delay_steps),
-        _ => line.push(raw, sensor.delay_steps),
+        _ => line.push_apart(unknown || by_arm, raw, sensor.delay_steps),
     }
 }
 

@@ -10,7 +10,7 @@ use toml::{Table, Value};
 use super::twin::body::{self, Body, Place, WALKS};
 use super::twin::cell::Cell;
 use super::twin::geometry::{Solid, V3, add, length, scaled};
-use super::twin::planes::samples;
+use super::twin::planes::seen as seen_by;
 
 /// While this output is in a range.
 struct Band {
@@ -182,7 +182,7 @@ impl ByHand {
         let sensors = 0..self.cell.sensors.len();
         // Before the first sample all sensors have long read what they see at the start, and count.
         let mut place = Place::START;
-        let at_start = samples(&self.cell, &Body::new(&self.cell, place, 0));
+        let at_start = seen_by(&self.cell, &Body::new(&self.cell, place, 0));
         let mut seen = vec![at_start; 64];
         let at_first: Vec<bool> = sensors.clone().map(|sensor| bit(at_start, sensor)).collect();
         for _ in 0..self.cell.lead_in {
@@ -199,7 +199,7 @@ impl ByHand {
                 let (on, obstacles): (Vec<Solid>, Vec<Solid>) =
                     standing.iter().cloned().partition(|solid| place.is_in(&self.cell, solid));
                 let now = Cell { obstacles, ..self.cell.clone() };
-                let sees = samples(&now, &Body::new(&now, place, posture));
+                let sees = seen_by(&now, &Body::new(&now, place, posture));
                 let counts = |sensor: &usize| self.counts[*sensor].as_ref().is_none_or(|band| band.holds(&row));
                 let counted = sensors.clone().filter(counts).map(|sensor| sees & (1 << sensor)).sum();
                 seen.push(counted);

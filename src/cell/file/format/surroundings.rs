@@ -155,6 +155,11 @@ pub struct SensorTable {
     /// FMU input it drives, or for `reported` the output that tells it (Boolean).
     #[schemars(with = "String")]
     pub variable: Spanned<String>,
+    /// Light curtains and doors that the FMU evaluates itself, from where `[pose]` says that the person is: the output with which it
+    /// says so. Then `variable` is an input with which the FMU is told of the rest: arms, and bodies that bend; `delay_ms` is of that.
+    #[serde(default)]
+    #[schemars(with = "Option<EvaluatedTable>")]
+    pub evaluated: Option<Spanned<EvaluatedTable>>,
     /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals. May be left out where
     /// the name says that it is one (`S_...` of PLCopen, `...OSSD...`): then it is `false`.
     #[serde(default)]
@@ -186,6 +191,18 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
     pub supplement_mm: Option<Spanned<f64>>,
+}
+
+/// What an FMU says of a light curtain or a door that it evaluates itself.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EvaluatedTable {
+    /// FMU output that tells it (Boolean).
+    #[schemars(with = "String")]
+    pub variable: Spanned<String>,
+    /// Its value while a person is detected; that of the sensor, unless told otherwise.
+    #[serde(default)]
+    pub active: Option<bool>,
 }
 
 /// Who can work a control.

@@ -53,6 +53,8 @@ pub struct Sensor {
     pub zone: Zone,
     pub variable: String,
     pub active: bool,
+    /// Whether the FMU sees upright bodies itself.
+    pub evaluated: bool,
     pub delay: usize,
 }
 
@@ -74,6 +76,8 @@ pub struct Cell {
     pub payload: Option<String>,
     pub obstacles: Vec<Solid>,
     pub sensors: Vec<Sensor>,
+    /// Inputs that tell where the person is: x (0) or y (1).
+    pub pose: Vec<(String, usize)>,
     pub start: [f64; 2],
     pub heading: f64,
     pub lead_in: usize,
@@ -170,6 +174,7 @@ fn sensor(table: &Value, step: f64) -> Sensor {
         zone,
         variable: text(table, "variable"),
         active: table["active"].as_bool().expect("true or false"),
+        evaluated: table.get("evaluated").is_some(),
         delay: usize::try_from(delay).expect("not negative"),
     }
 }
@@ -177,6 +182,12 @@ fn sensor(table: &Value, step: f64) -> Sensor {
 fn literals(file: &Table, key: &str) -> Vec<(String, f64)> {
     let table = file.get(key).and_then(Value::as_table);
     table.into_iter().flatten().map(|(name, value)| (name.clone(), number(value))).collect()
+}
+
+fn told_of_pose(file: &Table) -> Vec<(String, usize)> {
+    let pose = file.get("pose").and_then(Value::as_table);
+    let axis = |key: &str| ["x", "y"].iter().position(|axis| *axis == key).expect("x or y");
+    pose.into_iter().flatten().map(|(key, name)| (name.as_str().expect("a text").to_owned(), axis(key))).collect()
 }
 
 impl Cell {
@@ -214,6 +225,7 @@ impl Cell {
             payload: robot.get("payload").map(|_| text(&robot["payload"], "variable")),
             obstacles: list(&whole, "obstacle").iter().map(obstacle).collect(),
             sensors: list(&whole, "sensor").iter().map(|s| sensor(s, step)).collect(),
+            pose: told_of_pose(&file),
             start: numbers(&start["xy_m"]),
             heading: number(&start["heading_deg"]),
             lead_in: usize::try_from(lead_in).expect("not negative"),

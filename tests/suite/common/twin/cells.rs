@@ -180,6 +180,17 @@ pub const fn palletiser() -> Gantry {
     Gantry { base: [-1.1, 0.0, 0.0], slides, start: [0.0, -0.35], ..behind_a_plane(CURTAIN, PARAMETERS) }
 }
 
+/// A curtain that the FMU evaluates itself, from where the person is; it is told of arms, and of who bends into it. Its stop is not
+/// latched: who is through it meets the tool again.
+pub const fn curtain_inside() -> Gantry {
+    const EVALUATED: &str = "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\n\
+         zone = { line_m = [[-3, 0], [3, 0]], heights_m = [0, 2.6] }\nvariable = \"plc.curtain_clear\"\nactive = false\n\
+         evaluated = { variable = \"curtain.interrupted\", active = true }\n[pose]\ny = \"person.y\"\n";
+    const PARAMETERS: &str = "\"plc.latched\" = false\n\"plc.reaction_ms\" = 20\n\"plc.ramp_ms\" = 100\n\
+         \"curtain.own_depth\" = 0.137\n";
+    Gantry { start: [0.0, -0.35], ..behind_a_plane(EVALUATED, PARAMETERS) }
+}
+
 /// The stop ends when the door is clear again, behind the person.
 pub const fn door_that_does_not_latch() -> Gantry {
     Gantry {

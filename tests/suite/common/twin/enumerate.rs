@@ -8,7 +8,7 @@ use super::body::{Body, NECK_BASE, POSTURES, Place, WALKS, shoulder, walk};
 use super::cell::Cell;
 use super::force::{Criterion, Forces, Speeds, class};
 use super::geometry::{Solid, V3, add, dot, length, nearest, scaled, sub};
-use super::planes::{inputs, samples, too_deep, ways};
+use super::planes::{Sample, inputs, samples, too_deep, ways};
 use super::robot::{Link, Robot, Runs};
 
 /// An unsafe contact of head, trunk or legs.
@@ -29,7 +29,7 @@ pub struct Instant {
     pub posture: usize,
     /// The velocity at which the person walked in this step: none where they stand, or an obstacle stopped them.
     pub walking: V3,
-    pub raw: Vec<u8>,
+    pub raw: Vec<Sample>,
     pub robot: Rc<Robot>,
     pub body: Option<Hit>,
     /// The arms, where the body meets nothing.
@@ -54,7 +54,7 @@ pub struct Twin {
     pub runs: Runs,
     bodies: BTreeMap<(Place, usize), Rc<Body>>,
     verdicts: BTreeMap<Asked, Verdict>,
-    counts: BTreeMap<(usize, Place, Vec<u8>), Count>,
+    counts: BTreeMap<(usize, Place, Vec<Sample>), Count>,
     pub kinds: Kinds,
     pub questions: u64,
 }
@@ -91,13 +91,13 @@ impl Twin {
     }
 
     /// Samples before the person begins.
-    pub fn before(&mut self) -> Vec<u8> {
+    pub fn before(&mut self) -> Vec<Sample> {
         let body = self.body(Place::START, 0);
-        vec![samples(&self.cell, &body); self.cell.lead_in]
+        vec![samples(&self.cell, &body, &body, Place::START.xy(&self.cell)); self.cell.lead_in]
     }
 
     /// The contact of head, trunk and legs that is told, if one is unsafe; and the harmless ones.
-    pub fn body_contacts(&self, body: &Body, robot: &Robot, raw: &[u8], walking: V3) -> Vec<(Hit, bool)> {
+    pub fn body_contacts(&self, body: &Body, robot: &Robot, raw: &[Sample], walking: V3) -> Vec<(Hit, bool)> {
         let (criterion, mass) = (self.cell.criterion, robot.effective_mass);
         let mut all = Vec::new();
         // Links first: that is the order in which equals are told.
@@ -136,7 +136,7 @@ impl Twin {
         SIDES.into_iter().map(|side| (side, body.in_world(shoulder(side)))).filter(|(_, s)| free(s)).collect()
     }
 
-    fn arm_verdict(&mut self, place: Place, posture: usize, walking: V3, raw: &[u8]) -> Verdict {
+    fn arm_verdict(&mut self, place: Place, posture: usize, walking: V3, raw: &[Sample]) -> Verdict {
         let body = self.body(place, posture);
         let criterion = self.cell.criterion;
         let walks = criterion == Criterion::Approach && walking != [0.0; 3];
@@ -190,7 +190,7 @@ impl Twin {
     }
 
     /// An action from a place, after these samples: all its instants up to the first that is certainly unsafe.
-    pub fn act(&mut self, from: Place, raw: &[u8], action: usize) -> (Vec<Instant>, Place, Vec<u8>) {
+    pub fn act(&mut self, from: Place, raw: &[Sample], action: usize) -> (Vec<Instant>, Place, Vec<Sample>) {
         let (walked, posture) = (action / 6, action % 6);
         let places = walk(&self.cell, from, walked);
         let mut before = from.turned(WALKS[walked].1);
@@ -199,7 +199,8 @@ impl Twin {
         let mut walks = Vec::new();
         for place in &places {
             let body = self.body(before, posture);
-            raw.push(samples(&self.cell, &body));
+            let upright = self.body(before, 0);
+            raw.push(samples(&self.cell, &body, &upright, before.xy(&self.cell)));
             walks.push(if *place == before { [0.0; 3] } else { place.walking(&self.cell) });
             before = *place;
         }
@@ -227,7 +228,7 @@ impl Twin {
         self.below(0, Place::START, &raw)
     }
 
-    fn below(&mut self, depth: usize, place: Place, raw: &[u8]) -> Count {
+    fn below(&mut self, depth: usize, place: Place, raw: &[Sample]) -> Count {
         let mut count = Count { certain: 0, at_most: 0 };
         if depth == self.cell.actions {
             return count;

@@ -1,7 +1,6 @@
 //! Sensors, and the table of arms and planes: which run, and how deep.
 //!
-//! The front of a plane is the side of the start. Samples are kept from the FMU's own start on, one byte each, with a bit
-//! for each sensor.
+//! The front of a plane is the side of the start. Samples are kept from the FMU's own start on, with a bit for each sensor.
 
 use super::body::{Body, Place};
 use super::cell::{Cell, Sensor, Zone};
@@ -16,13 +15,32 @@ const ARM: f64 = 0.85;
 /// A plane as a wall is so thick.
 const THICK: f64 = 0.01;
 
+/// What is known at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Sample {
+    /// Sensors that see the body.
+    pub seen: u8,
+    /// Sensors of which the FMU is told: those, but of what it evaluates itself what it does not know; and of arms.
+    pub told: u8,
+    /// Bits of where the person is, for an FMU that is told.
+    pub at: [u64; 2],
+}
+
 /// What all sensors see of this body.
-pub fn samples(cell: &Cell, body: &Body) -> u8 {
+pub fn seen(cell: &Cell, body: &Body) -> u8 {
     let sees = |sensor: &Sensor| match &sensor.zone {
         Zone::Floor(polygon) => body.feet.iter().any(|foot| inside(polygon, *foot)),
         Zone::Plane(_) => in_plane(sensor, body),
     };
     cell.sensors.iter().enumerate().map(|(i, s)| u8::from(sees(s)) << i).sum()
+}
+
+/// What is known of this body there; `upright` is that of the same person who does not bend.
+pub fn samples(cell: &Cell, body: &Body, upright: &Body, at: [f64; 2]) -> Sample {
+    let (seen, if_upright) = (seen(cell, body), seen(cell, upright));
+    let evaluated: u8 = cell.sensors.iter().enumerate().map(|(i, sensor)| u8::from(sensor.evaluated) << i).sum();
+    let at = if cell.pose.is_empty() { [0; 2] } else { at.map(f64::to_bits) };
+    Sample { seen, told: seen & !(evaluated & if_upright), at }
 }
 
 fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
@@ -43,9 +61,9 @@ pub fn in_plane(sensor: &Sensor, body: &Body) -> bool {
 }
 
 /// What the FMU gets at each step: samples when the response time is over. Before the first, the person stood at the start.
-pub fn inputs(cell: &Cell, raw: &[u8]) -> History {
-    let at = |t: usize, i: usize| raw[t.saturating_sub(cell.sensors[i].delay)] & (1 << i);
-    (0..raw.len()).map(|t| (0..cell.sensors.len()).map(|i| at(t, i)).sum()).collect()
+pub fn inputs(cell: &Cell, raw: &[Sample]) -> History {
+    let told = |t: usize, i: usize| raw[t.saturating_sub(cell.sensors[i].delay)].told & (1 << i);
+    (0..raw.len()).map(|t| ((0..cell.sensors.len()).map(|i| told(t, i)).sum(), raw[t].at)).collect()
 }
 
 /// The planes of a cell: number of the sensor, axis and place along it, and 1 where behind is towards more.
@@ -61,12 +79,12 @@ fn planes(cell: &Cell) -> Vec<(usize, usize, f64, f64)> {
 }
 
 /// Samples since the body was first seen by a sensor, that one included; 0 for never, 64 for long ago.
-pub fn seen_for(raw: &[u8], sensor: usize) -> usize {
-    raw.iter().position(|r| r & (1 << sensor) != 0).map_or(0, |first| (raw.len() - first).min(LONG_AGO))
+pub fn seen_for(raw: &[Sample], sensor: usize) -> usize {
+    raw.iter().position(|r| r.seen & (1 << sensor) != 0).map_or(0, |first| (raw.len() - first).min(LONG_AGO))
 }
 
 /// Whether a contact of head, trunk or legs is too deep behind a plane that the body is in.
-pub fn too_deep(cell: &Cell, body: &Body, raw: &[u8], point: V3) -> bool {
+pub fn too_deep(cell: &Cell, body: &Body, raw: &[Sample], point: V3) -> bool {
     planes(cell).into_iter().any(|(i, axis, at, behind)| {
         let k = seen_for(raw, i);
         k < LONG_AGO && in_plane(&cell.sensors[i], body) && behind * (point[axis] - at) > depth(cell, k + 1)
@@ -81,7 +99,7 @@ fn depth(cell: &Cell, samples: usize) -> f64 {
 #[derive(Debug, Clone)]
 pub struct Way {
     /// Samples with what the arm has broken.
-    pub raw: Vec<u8>,
+    pub raw: Vec<Sample>,
     pub walls: Vec<Solid>,
     /// Depths that the walls stand for; what is less deep in all of them at the same robot need not be asked.
     pub kind: Vec<(u8, f64)>,
@@ -100,7 +118,7 @@ struct Row {
 }
 
 /// All combinations of rows for an arm with this shoulder.
-pub fn ways(cell: &Cell, body: &Body, raw: &[u8], shoulder: V3) -> Vec<Way> {
+pub fn ways(cell: &Cell, body: &Body, raw: &[Sample], shoulder: V3) -> Vec<Way> {
     let mut all = vec![Way { raw: raw.to_vec(), walls: Vec::new(), kind: Vec::new(), unsure: false }];
     for (i, axis, at, behind) in planes(cell) {
         let mut rows = rows(cell, body, raw, i, behind * (shoulder[axis] - at));
@@ -113,7 +131,7 @@ pub fn ways(cell: &Cell, body: &Body, raw: &[u8], shoulder: V3) -> Vec<Way> {
         for way in &all {
             for row in &rows {
                 let mut way = way.clone();
-                way.raw[row.broken.clone()].iter_mut().for_each(|r| *r |= 1 << i);
+                way.raw[row.broken.clone()].iter_mut().for_each(|r| r.told |= 1 << i);
                 way.unsure |= row.unsure;
                 way.kind.push((row.kind, row.depth));
                 if row.depth < f64::MAX {
@@ -135,7 +153,7 @@ pub fn ways(cell: &Cell, body: &Body, raw: &[u8], shoulder: V3) -> Vec<Way> {
 }
 
 /// The rows of one plane. `behind` is the depth of the shoulder.
-fn rows(cell: &Cell, body: &Body, raw: &[u8], sensor: usize, behind: f64) -> Vec<Row> {
+fn rows(cell: &Cell, body: &Body, raw: &[Sample], sensor: usize, behind: f64) -> Vec<Row> {
     let now = raw.len();
     let k = seen_for(raw, sensor);
     let first = now - k;

@@ -76,14 +76,15 @@ pub struct Runs {
     inputs: Vec<String>,
     outputs: Vec<String>,
     fmu: Fmu,
-    after: BTreeMap<Vec<u8>, Rc<Robot>>,
+    after: BTreeMap<History, Rc<Robot>>,
     numbers: BTreeMap<Vec<u64>, Rc<Robot>>,
     /// Fresh instances made.
     pub instances: u64,
 }
 
-/// Bit `i` is set where the input of sensor `i` reads "person".
-pub type History = Vec<u8>;
+/// Bit `i` is set where the input of sensor `i` reads "person"; and the bits of where the person is.
+pub type History = Vec<Input>;
+pub type Input = (u8, [u64; 2]);
 
 impl Runs {
     pub fn new(cell: &Cell) -> Self {
@@ -91,6 +92,7 @@ impl Runs {
         let mut inputs: Vec<String> = cell.sensors.iter().map(|s| s.variable.clone()).collect();
         inputs.sort();
         inputs.dedup();
+        inputs.extend(cell.pose.iter().map(|(name, _)| name.clone()));
         let of_joints = cell.joints.iter().flat_map(|j| [j.value.variable.clone(), j.speed.variable.clone()]);
         let of_frames = cell.frames.iter().flat_map(|f| f.variables.iter().cloned());
         let outputs = of_joints.chain(of_frames).chain(cell.payload.clone()).collect();
@@ -99,7 +101,7 @@ impl Runs {
     }
 
     /// The robot at the end of the last step of a history.
-    pub fn after(&mut self, cell: &Cell, history: &[u8]) -> Rc<Robot> {
+    pub fn after(&mut self, cell: &Cell, history: &[Input]) -> Rc<Robot> {
         if let Some(known) = self.after.get(history) {
             return known.clone();
         }
@@ -112,7 +114,7 @@ impl Runs {
         Plan::new(&self.slave, &names.iter().map(handle).collect::<Vec<_>>())
     }
 
-    fn run(&mut self, cell: &Cell, history: &[u8]) {
+    fn run(&mut self, cell: &Cell, history: &[Input]) {
         self.instances += 1;
         let of = |list: &[(String, f64)]| -> (Vec<String>, Vec<f64>) { list.iter().cloned().unzip() };
         let (names, values) = of(&cell.parameters);
@@ -125,8 +127,11 @@ impl Runs {
         let (mut write, mut read) = (self.plan(&self.inputs), self.plan(&self.outputs));
         let mut row = vec![0.0; self.outputs.len()];
         let mut time = 0.0;
-        for (i, seen) in history.iter().enumerate() {
-            let values: Vec<f64> = self.inputs.iter().map(|name| value(cell, name, *seen)).collect();
+        let of_sensors = self.inputs.len() - cell.pose.len();
+        for (i, (told, at)) in history.iter().enumerate() {
+            let sensors = self.inputs[..of_sensors].iter().map(|name| value(cell, name, *told));
+            let pose = cell.pose.iter().map(|(_, axis)| f64::from_bits(at[*axis]));
+            let values: Vec<f64> = sensors.chain(pose).collect();
             write.write(&mut instance, &values).expect("inputs");
             instance.do_step(time, cell.step).expect("a step");
             time = f64::from(u32::try_from(i + 1).expect("few steps")) * cell.step;
