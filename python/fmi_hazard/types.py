@@ -80,6 +80,10 @@ class Arm(TypedDict):
     """
     Elbow, m.
     """
+    held_m: NotRequired[float | None]
+    """
+    Where what the hand holds is hit: how far beyond the finger tips, m.
+    """
     shoulder_m: list[float]
     """
     Shoulder joint, m.
@@ -625,6 +629,10 @@ class Line(TypedDict):
     """
     Their ids, worst first.
     """
+    held: NotRequired[bool]
+    """
+    Whether that is what the hand holds.
+    """
     ratio: float
     """
     The highest force over its limit.
@@ -1001,6 +1009,10 @@ class SecondRecord(TypedDict):
     heading_deg: float
     """
     Where they look then, degrees from +x towards +y.
+    """
+    held_m: NotRequired[float | None]
+    """
+    How far what they hold reaches beyond the finger tips, m, if they hold something.
     """
     names: list[str]
     """
@@ -2153,6 +2165,10 @@ class Settings(TypedDict):
     criteria: NotRequired[CriteriaRecord | None]
     """
     What counts as unsafe, where that is more or other than the transient force.
+    """
+    held_m: NotRequired[float | None]
+    """
+    How far what the person holds reaches beyond the finger tips, m, if they hold something.
     """
     iterations: int
     """

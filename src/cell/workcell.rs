@@ -74,6 +74,8 @@ pub struct Workcell {
     pub body: Body,
     /// How fast hands move, m/s, where arms take their time.
     pub arm_speed_m_s: Option<f64>,
+    /// How far what the person holds reaches beyond the finger tips, m; 0 for nothing.
+    pub held_m: f64,
     /// What the person does, and a second one beside it.
     pub repertoire: Repertoire,
     /// A second person.
@@ -121,6 +123,8 @@ pub struct SecondPerson {
     pub body: Body,
     /// What the person does.
     pub repertoire: Repertoire,
+    /// How far what the person holds reaches beyond the finger tips, m; 0 for nothing.
+    pub held_m: f64,
 }
 
 /// What became of a start area.
@@ -384,8 +388,14 @@ impl Workcell {
     #[must_use]
     pub fn of_second(&self) -> Option<Self> {
         let second = self.second.as_ref()?;
-        let (start, body, repertoire) = (second.start, second.body.clone(), second.repertoire.clone());
-        Some(Self { start, body, repertoire, second: None, ..self.clone() })
+        let SecondPerson { start, body, repertoire, held_m, .. } = second.clone();
+        Some(Self { start, body, repertoire, held_m, second: None, ..self.clone() })
+    }
+
+    /// The person's arm, with what it holds.
+    #[must_use]
+    pub fn arm(&self) -> ArmModel {
+        ArmModel::holding(self.held_m)
     }
 
     /// Where an obstacle is while things stand so that follow the FMU; nothing if it is not there.
@@ -414,7 +424,7 @@ impl Workcell {
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred steps at most")]
     pub fn raising_steps(&self) -> Option<usize> {
-        let farthest_m = ArmModel::default().farthest_from_hanging_m();
+        let farthest_m = self.arm().farthest_from_hanging_m();
         self.arm_speed_m_s.map(|speed| (farthest_m / (speed * self.step_s)).ceil() as usize)
     }
 

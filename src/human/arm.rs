@@ -19,7 +19,7 @@ pub struct ArmModel {
     pub upper_arm_m: f64,
     /// Elbow to wrist.
     pub forearm_m: f64,
-    /// Sphere around the wrist that every point of the hand stays in.
+    /// Sphere around the wrist that every point of the hand, and of what it holds, stays in.
     pub hand_radius_m: f64,
     /// Capsule radius of the upper arm.
     pub upper_arm_radius_m: f64,
@@ -39,6 +39,12 @@ impl Default for ArmModel {
         }
     }
 }
+
+/// The part of the length of what is held that its contacts are looked for to.
+const HELD_TOLERANCE: f64 = 0.1;
+
+/// What rounding puts a finger tip beyond itself, m.
+const ROUNDING_M: f64 = 1e-6;
 
 const DEG: f64 = std::f64::consts::PI / 180.0;
 
@@ -73,6 +79,32 @@ pub fn clamped([abduction, flexion, rotation, elbow]: Config) -> Config {
 }
 
 impl ArmModel {
+    /// The arm of somebody who holds a thing that reaches so far beyond the finger tips, m, in whatever direction the hand turns it.
+    #[must_use]
+    pub fn holding(held_m: f64) -> Self {
+        Self { hand_radius_m: HAND_RADIUS_M + held_m, ..Self::default() }
+    }
+
+    /// How far what the hand holds reaches beyond the finger tips, m; 0 for nothing.
+    #[must_use]
+    pub fn held_m(&self) -> f64 {
+        self.hand_radius_m - HAND_RADIUS_M
+    }
+
+    /// How deep a contact of the hand, and of what it holds, may be and still be missed where one of the arm may be missed that is no
+    /// deeper than `tolerance_m`, m: how long a thing is, and how it is held, is known to a tenth.
+    #[must_use]
+    pub fn hand_tolerance_m(&self, tolerance_m: f64) -> f64 {
+        tolerance_m + HELD_TOLERANCE * self.held_m()
+    }
+
+    /// How far beyond the finger tips of a hand with this wrist a point is, m; nothing for a point that fingers get to.
+    #[must_use]
+    pub fn beyond_fingers_m(wrist: Vec3, point: Vec3) -> Option<f64> {
+        let beyond_m = (point - wrist).length() - HAND_RADIUS_M;
+        (beyond_m > ROUNDING_M).then_some(beyond_m)
+    }
+
     /// Farthest distance of a hand point from the shoulder joint, m.
     #[must_use]
     pub fn reach(&self) -> f64 {

@@ -167,6 +167,8 @@ struct Open {
     beyond_elbow: Vec<u16>,
     /// For elbow and upper arm; looked at only where the others are settled.
     near_shoulder: Vec<u16>,
+    /// A hand that holds something was tried where no point of it moves by more than its tolerance.
+    hand_was_tried: bool,
 }
 
 /// Drops pieces from the end of the list up to the first that may matter.
@@ -271,7 +273,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn run(&mut self) -> (bool, u32) {
         let whole = JointBox::whole();
         let all: Vec<u16> = (0..self.pieces.len()).filter_map(|i| u16::try_from(i).ok()).collect();
-        let open = Open { beyond_elbow: all.clone(), near_shoulder: all };
+        let open = Open { beyond_elbow: all.clone(), near_shoulder: all, hand_was_tried: false };
         let mut stack = vec![(whole, self.place(whole.middle), open)];
         let mut boxes = 0;
         while let Some((next, placed, mut open)) = stack.pop() {
@@ -350,7 +352,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
         if self.is_known_beyond_elbow(placed, &movement) {
             open.beyond_elbow.clear();
         }
-        settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(&self.pieces[i], placed, &movement));
+        let hand = !open.hand_was_tried;
+        settle(&mut open.beyond_elbow, |i| self.hand_or_forearm_may_matter(hand, &self.pieces[i], placed, &movement));
         let beyond_elbow = !open.beyond_elbow.is_empty();
         if !beyond_elbow {
             settle(&mut open.near_shoulder, |i| self.elbow_or_upper_arm_may_matter(&self.pieces[i], placed, &movement));
@@ -364,6 +367,9 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let config = clamped(b.middle);
         let candidate = if config == b.middle { *placed } else { self.place(config) };
         self.try_configuration(config, &candidate);
+        let holds = self.hand_tolerance_m() > self.query.tolerance_m;
+        open.hand_was_tried |=
+            holds && self.query.carried_m <= 0.0 && movement.wrist.max(movement.elbow) <= self.hand_tolerance_m();
         // What joints move far less than the arm is carried settles nothing.
         let fine = self.query.tolerance_m.max(0.5 * self.query.carried_m);
         let [elbow, wrist] = [movement.elbow, movement.wrist].map(|by| by - movement.shoulder);
@@ -383,18 +389,24 @@ impl<'a, S: ContactScore> Search<'a, S> {
             && self.query.known.is_some_and(|known| !known.may_touch_from_elbow(placed.elbow, movement.elbow))
     }
 
-    /// Whether some contact of hand or forearm with a piece could score above the cutoff within the box.
-    fn hand_or_forearm_may_matter(&self, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
+    /// How deep a contact of the hand may be and still be missed, m.
+    fn hand_tolerance_m(&self) -> f64 {
+        self.query.arm.hand_tolerance_m(self.query.tolerance_m)
+    }
+
+    /// Whether some contact of the hand, if that is asked, or of the forearm with a piece could score above the cutoff within the box.
+    fn hand_or_forearm_may_matter(&self, asked: bool, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
         let (cutoff, arm, link) = (self.cutoff(), self.query.arm, &piece.solid);
         let [_, _, fore, hand] = piece.bounds;
+        let tolerance_m = self.hand_tolerance_m();
         // Contacts no deeper than the tolerance are not looked for.
-        let gap = |distance: f64| distance - arm.hand_radius_m + self.query.tolerance_m;
-        if hand > cutoff && gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
+        let gap = |distance: f64| distance - arm.hand_radius_m + tolerance_m;
+        if asked && hand > cutoff && gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
             let near = link.point_distance(placed.wrist);
             let bound = || {
                 let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
                 // Above the limit only where the link's points are no farther than the tolerance: not looked for.
-                let less = |by: f64| (by - self.query.tolerance_m).max(0.0);
+                let less = |by: f64| (by - tolerance_m).max(0.0);
                 if !link.is_convex() {
                     let (centre, radius) = link.nearest_within(placed.wrist, &near, movement.wrist);
                     bound(&Neighbourhood::ball(centre, less(radius)))

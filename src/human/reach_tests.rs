@@ -155,7 +155,7 @@ fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 
     let pose = &scene.world_from_shoulder;
     let (elbow, wrist) = arm.forward(side, config);
     let (shoulder, elbow, wrist) = (pose.translation, pose.transform_point(elbow), pose.transform_point(wrist));
-    let mut worst: f64 = 0.0;
+    let (mut worst, tolerance): (f64, f64) = (0.0, arm.hand_tolerance_m(TOLERANCE));
     for (i, link) in scene.links.iter().enumerate() {
         let Solid::Capsule(c) = link else { unreachable!("capsule scenes") };
         let to = query::distance(
@@ -170,12 +170,15 @@ fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 
         assert!((to.unwrap().distance - fore.max(0.0)).abs() < 1e-4, "kernel and parry disagree");
         let near = link.point_distance(wrist);
         let line_free = near.distance <= 0.0 || !scene.obstacles.iter().any(|o| line_meets(wrist, near.on_second, o));
+        // A line that has no more room than what is held moves by is not looked for.
+        let narrow = |o: &Cuboid| parry_clearance(wrist, near.on_second, 0.001, o) <= tolerance;
+        let line_free = line_free && (arm.held_m() <= 0.0 || !scene.obstacles.iter().any(narrow));
         let hand = if line_free { near.distance - arm.hand_radius_m } else { f64::MAX };
         let upper = core(shoulder, elbow) - arm.upper_arm_radius_m;
         for (distance, segment) in
             [(hand, ArmSegment::Hand), (fore, ArmSegment::Forearm), (upper, ArmSegment::UpperArm)]
         {
-            if distance <= -TOLERANCE {
+            if distance <= -tolerance {
                 worst = worst.max(scene.score.score(segment, i, wrist));
             }
         }
@@ -185,9 +188,9 @@ fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 
     }
     let from = shoulder + (elbow - shoulder) * ((arm.upper_arm_radius_m + SHOULDER_CLEARANCE_M) / arm.upper_arm_m);
     let clear = scene.obstacles.iter().all(|o| {
-        parry_clearance(elbow, wrist, arm.forearm_radius_m, o) > TOLERANCE
-            && parry_clearance(from, elbow, arm.upper_arm_radius_m, o) > TOLERANCE
-            && parry_clearance(shoulder, elbow, 0.001, o) > TOLERANCE
+        parry_clearance(elbow, wrist, arm.forearm_radius_m, o) > tolerance
+            && parry_clearance(from, elbow, arm.upper_arm_radius_m, o) > tolerance
+            && parry_clearance(shoulder, elbow, 0.001, o) > tolerance
     });
     if clear { worst } else { 0.0 }
 }
@@ -218,8 +221,7 @@ fn verify(scene: &Scene, arm: &ArmModel, side: Side, found: &ArmContact) {
 }
 
 /// Compares one scene; whether there was anything to find. A search that ended at its work limit promises nothing.
-fn compare(scene: &Scene, n: [u32; 4], name: &str) -> bool {
-    let arm = ArmModel::default();
+fn compare(arm: ArmModel, scene: &Scene, n: [u32; 4], name: &str) -> bool {
     let mut any = false;
     for side in Side::BOTH {
         let expected = grid_best(scene, &arm, side, n);
@@ -240,8 +242,11 @@ fn compare(scene: &Scene, n: [u32; 4], name: &str) -> bool {
 #[test]
 fn finds_whatever_a_grid_finds_in_random_scenes() {
     let mut rng = Rng::new(11);
-    let hits = (0..60).filter(|i| compare(&random_scene(&mut rng, i % 8), [7, 7, 5, 5], &format!("scene {i}"))).count();
-    assert!((10..60).contains(&hits), "{hits} of 60 scenes with contacts: too easy or too hard to mean much");
+    for arm in [ArmModel::default(), ArmModel::holding(0.3)] {
+        let found = |i: &usize| compare(arm, &random_scene(&mut rng, i % 8), [7, 7, 5, 5], &format!("scene {i}"));
+        let hits = (0..60).filter(found).count();
+        assert!((10..60).contains(&hits), "{hits} of 60 scenes with contacts: too easy or too hard to mean much");
+    }
 }
 
 /// With the wrist kept near where it hangs: what is found is there, and no worse contact there is missed that random arms have.
@@ -282,8 +287,11 @@ fn a_wrist_that_is_kept_near_is_looked_for_there() {
 #[test]
 fn finds_whatever_a_grid_finds_at_a_fence() {
     let mut rng = Rng::new(5);
-    let hits = (0..30).filter(|i| compare(&fence_scene(&mut rng), [14, 14, 8, 8], &format!("fence {i}"))).count();
-    assert!((3..28).contains(&hits), "{hits} fences with contacts");
+    for arm in [ArmModel::default(), ArmModel::holding(0.3)] {
+        let found = |i: &u32| compare(arm, &fence_scene(&mut rng), [14, 14, 8, 8], &format!("fence {i}"));
+        let hits = (0..30).filter(found).count();
+        assert!((3..28).contains(&hits), "{hits} fences with contacts");
+    }
 }
 
 #[test]
@@ -357,8 +365,10 @@ impl ContactScore for Turning {
 #[test]
 fn no_promised_contact_is_in_a_box_that_is_dropped() {
     let scene = |rng: &mut Rng, i| if i % 2 == 0 { random_scene(rng, 3) } else { fence_scene(rng) };
-    let [dropped, kept, dropped_in_touch] = dropped_boxes(120, &scene);
-    assert!(dropped > 60_000 && kept > 10_000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
+    for (arm, scenes) in [(ArmModel::default(), 120), (ArmModel::holding(0.3), 60)] {
+        let [dropped, kept, dropped_in_touch] = dropped_boxes(arm, scenes, &scene);
+        assert!(dropped > 30_000 && kept > 10_000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
+    }
 }
 
 /// Meshes with a notch instead of capsules: what holds for convex shapes alone would drop too much.
@@ -379,7 +389,7 @@ fn no_promised_contact_with_a_mesh_is_in_a_box_that_is_dropped() {
             .collect();
         scene
     };
-    let [dropped, kept, dropped_in_touch] = dropped_boxes(40, &scene);
+    let [dropped, kept, dropped_in_touch] = dropped_boxes(ArmModel::default(), 40, &scene);
     assert!(dropped > 40_000 && kept > 4000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
 }
 
@@ -449,8 +459,8 @@ fn carried<S: ContactScore>(rng: &mut Rng, query: &ReachQuery<'_, S>) -> Pose {
 
 /// Boxes of all sizes that are dropped, and configurations in them: none has a contact that was promised to be found. How
 /// many boxes were dropped, how many promised contacts were kept, and how many others are in boxes that were dropped.
-fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [usize; 3] {
-    let (mut rng, arm) = (Rng::new(21), ArmModel::default());
+fn dropped_boxes(arm: ArmModel, scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [usize; 3] {
+    let mut rng = Rng::new(21);
     let (mut dropped, mut kept, mut dropped_in_touch) = (0, 0, 0);
     for i in 0..scenes {
         let scene = scene(&mut rng, i);
@@ -492,7 +502,7 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
             let elsewhere = ReachQuery { world_from_shoulder: carried(&mut rng, &query), carried_m: 0.0, ..query };
             let elsewhere = Search::new(&elsewhere);
             let open = search.pieces.iter().any(|p| {
-                search.hand_or_forearm_may_matter(p, &placed, &movement)
+                search.hand_or_forearm_may_matter(true, p, &placed, &movement)
                     || search.elbow_or_upper_arm_may_matter(p, &placed, &movement)
             });
             let drop = !open || search.certainly_blocked(&placed, &movement);
@@ -513,8 +523,10 @@ fn dropped_boxes(scenes: usize, scene: &dyn Fn(&mut Rng, usize) -> Scene) -> [us
                 elsewhere.each_contact(config, &there, |contact| {
                     dropped_in_touch += usize::from(drop);
                     // Promised: deeper, in more room, and faster by what the tolerance makes of speeds.
-                    let least = query.threshold + TENDER[0] * score.0[contact.link].angular.length() * TOLERANCE;
-                    if contact.signed_distance < -TOLERANCE && contact.score > least && has_room {
+                    let tolerance =
+                        if contact.segment == ArmSegment::Hand { arm.hand_tolerance_m(TOLERANCE) } else { TOLERANCE };
+                    let least = query.threshold + TENDER[0] * score.0[contact.link].angular.length() * tolerance;
+                    if contact.signed_distance < -tolerance && contact.score > least && has_room {
                         assert!(!drop, "scene {i}: {contact:?} in {:?} +- {:?}", b.middle, b.half);
                         kept += 1;
                     }
@@ -602,7 +614,7 @@ fn a_box_is_done_with_when_the_whole_arm_hardly_moves() {
                 b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -0.9, 0.9) * whole.half[joint];
             }
             let placed = search.place(b.middle);
-            let mut left = Open { beyond_elbow: open.clone(), near_shoulder: open.clone() };
+            let mut left = Open { beyond_elbow: open.clone(), near_shoulder: open.clone(), hand_was_tried: false };
             search.best = None;
             let next = search.look_at(&b, &placed, &mut left);
             if left.beyond_elbow.is_empty() || next.is_some() {

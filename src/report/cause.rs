@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::advice::{Outcome, Remedy};
 use super::judged::{Judged, measure_words};
-use super::model::{Hazard, SensorState};
+use super::model::{HELD_WORDS, Hazard, SensorState};
 use super::paragraph::wrapped;
 use super::worked::worked_words;
 use crate::hazard::Class;
@@ -66,12 +66,23 @@ pub struct Cause {
 pub struct Line {
     /// What is hit.
     pub body_region: BodyRegion,
+    /// Whether that is what the hand holds.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub held: bool,
     /// By what.
     pub robot_link: String,
     /// The highest force over its limit.
     pub ratio: f64,
     /// Their ids, worst first.
     pub hazards: Vec<String>,
+}
+
+impl Line {
+    /// What is hit, in words.
+    #[must_use]
+    pub const fn words(&self) -> &'static str {
+        if self.held { HELD_WORDS } else { self.body_region.words() }
+    }
 }
 
 /// What was found against a cause.
@@ -132,12 +143,15 @@ impl Cause {
         let worst = hazards[0];
         let mut lines: Vec<Line> = Vec::new();
         for hazard in hazards {
-            let same =
-                |line: &&mut Line| line.body_region == hazard.body_region && line.robot_link == hazard.robot_link;
+            let held = hazard.arm.as_ref().is_some_and(|arm| arm.held_m.is_some());
+            let same = |line: &&mut Line| {
+                (line.body_region, line.held) == (hazard.body_region, held) && line.robot_link == hazard.robot_link
+            };
             match lines.iter_mut().find(same) {
                 Some(line) => line.hazards.push(hazard.id.clone()),
                 None => lines.push(Line {
                     body_region: hazard.body_region,
+                    held,
                     robot_link: hazard.robot_link.clone(),
                     ratio: hazard.ratio,
                     hazards: vec![hazard.id.clone()],
@@ -247,8 +261,8 @@ fn capitalised(text: &str) -> String {
 
 fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
     let region = match &hazard.person {
-        Some(name) => format!("{} of {name}", hazard.body_region.words()),
-        None => hazard.body_region.words().to_owned(),
+        Some(name) => format!("{} of {name}", hazard.struck_words()),
+        None => hazard.struck_words().to_owned(),
     };
     // A sensor does not tell who it is.
     let person = if hazard.person.is_some() { "somebody" } else { "the person" };

@@ -21,6 +21,8 @@ pub struct Looks {
     pub criteria: Option<CriteriaRecord>,
     /// How fast hands move, m/s, if arms take their time.
     pub arm_speed_m_s: Option<f64>,
+    /// How far what the person holds reaches beyond the finger tips, m.
+    pub held_m: Option<f64>,
     /// What the person does besides walking, bending and reaching.
     #[serde(default)]
     pub also: Vec<Ability>,
@@ -49,6 +51,7 @@ impl From<&Settings> for Looks {
             speed_criterion: settings.speed_criterion,
             criteria: settings.criteria.clone(),
             arm_speed_m_s: settings.arm_speed_m_s,
+            held_m: settings.held_m,
             also: settings.also.clone(),
             run_m_s: settings.run_m_s,
             second: settings.second.clone(),
@@ -120,7 +123,8 @@ impl Looks {
             (None, None) => true,
             _ => false,
         };
-        beside && (&self.also, self.run_m_s) == (&earlier.also, earlier.run_m_s)
+        let own = |looks: &Self| (looks.run_m_s, looks.held_m);
+        beside && self.also == earlier.also && own(self) == own(earlier)
     }
 
     fn works(&self, earlier: &Self, control: usize) -> bool {
@@ -185,6 +189,7 @@ mod tests {
                 separation: Some(separation),
             }),
             arm_speed_m_s: Some(2.0),
+            held_m: None,
             also: Vec::new(),
             run_m_s: None,
             second: None,
@@ -209,6 +214,7 @@ mod tests {
             (&crawls, &walks, false),
             (&runs(3.2), &runs(3.2), true),
             (&runs(4.8), &runs(3.2), false),
+            (&Looks { held_m: Some(0.3), ..looks() }, &walks, false),
         ] {
             assert_eq!(after.does_the_same_as(before), same, "{after:?} {before:?}");
         }

@@ -15,6 +15,7 @@ use crate::hazard::{Class, Criterion, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::Ability;
 use crate::human::action::Action;
+use crate::human::arm::ArmModel;
 use crate::search::residual::Figures;
 use crate::sim::Coverage;
 use crate::standards::BodyRegion;
@@ -240,6 +241,9 @@ pub struct Settings {
     /// How fast hands move, m/s, if arms take their time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arm_speed_m_s: Option<f64>,
+    /// How far what the person holds reaches beyond the finger tips, m, if they hold something.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_m: Option<f64>,
     /// What the person does besides walking, bending and reaching.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub also: Vec<Ability>,
@@ -566,6 +570,9 @@ pub struct Arm {
     pub elbow_m: [f64; 3],
     /// Wrist, m.
     pub wrist_m: [f64; 3],
+    /// Where what the hand holds is hit: how far beyond the finger tips, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_m: Option<f64>,
 }
 
 /// A sensor's output.
@@ -581,6 +588,9 @@ pub struct SensorState {
     pub since_s: Option<f64>,
 }
 
+/// What is hit where it is not the hand itself.
+pub const HELD_WORDS: &str = "thing in the hand";
+
 impl Hazard {
     /// The record of a group; names by index.
     #[must_use]
@@ -592,6 +602,7 @@ impl Hazard {
             shoulder_m: a.shoulder.to_array(),
             elbow_m: a.elbow.to_array(),
             wrist_m: a.wrist.to_array(),
+            held_m: (c.region == BodyRegion::Hand).then(|| ArmModel::beyond_fingers_m(a.wrist, c.on_robot)).flatten(),
         });
         let sensor =
             |(name, &on): (&String, &bool)| SensorState { name: name.clone(), person_detected: on, since_s: None };
@@ -692,7 +703,7 @@ impl Hazard {
              {:.2}){sensors}{worked}{begins}",
             self.time_s,
             self.robot_link,
-            self.body_region.words(),
+            self.struck_words(),
             self.speed_m_s,
             self.contact_point_m[0],
             self.contact_point_m[1],
@@ -700,6 +711,12 @@ impl Hazard {
             self.person_xy_m[0],
             self.person_xy_m[1],
         )
+    }
+
+    /// What is hit: a region of the body, or what the hand holds.
+    #[must_use]
+    pub fn struck_words(&self) -> &'static str {
+        if self.arm.as_ref().is_some_and(|arm| arm.held_m.is_some()) { HELD_WORDS } else { self.body_region.words() }
     }
 
     /// The same with what it means.
@@ -710,28 +727,28 @@ impl Hazard {
             Class::Force => format!(
                 "{:.0} N on the {} (limit {:.0} N, {:.2}x): {described}",
                 self.deciding_force_n(),
-                self.body_region.words(),
+                self.struck_words(),
                 self.limit_n,
                 self.ratio
             ),
             Class::HeadContact => format!(
                 "{:.0} N on the {}, where no contact with a moving robot is allowed: {described}",
                 self.deciding_force_n(),
-                self.body_region.words()
+                self.struck_words()
             ),
             Class::Clamping => {
                 let against = self.clamping().map_or_else(String::new, |c| {
                     format!(", held against {} {:.0} mm away", c.against, 1000.0 * c.gap_m)
                 });
-                format!("{} on the {}{against}: {described}", self.measure_words(), self.body_region.words())
+                format!("{} on the {}{against}: {described}", self.measure_words(), self.struck_words())
             }
-            Class::Pressure => format!("{} on the {}: {described}", self.measure_words(), self.body_region.words()),
+            Class::Pressure => format!("{} on the {}: {described}", self.measure_words(), self.struck_words()),
             Class::MovingContact => {
-                format!("the {} is {}: {described}", self.body_region.words(), self.measure_words())
+                format!("the {} is {}: {described}", self.struck_words(), self.measure_words())
             }
             Class::Separation => format!(
                 "the {} is {}, and the robot's {} moves: {}",
-                self.body_region.words(),
+                self.struck_words(),
                 self.measure_words(),
                 self.robot_link,
                 self.described()

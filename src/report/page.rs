@@ -158,8 +158,17 @@ pub struct ArmShape {
     pub upper_arm_radius_m: f64,
     /// Radius of the forearm.
     pub forearm_radius_m: f64,
-    /// Radius of the sphere around the wrist that the hand stays in.
+    /// Radius of the sphere around the wrist that the hand, and what it holds, stays in.
     pub hand_radius_m: f64,
+    /// How far what it holds reaches beyond the finger tips; 0 for nothing.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub held_m: f64,
+}
+
+/// Nothing that is told.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde wants it so")]
+fn is_zero(length_m: &f64) -> bool {
+    *length_m <= 0.0
 }
 
 /// Where a robot stands.

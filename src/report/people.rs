@@ -21,6 +21,9 @@ pub struct SecondRecord {
     /// How fast they run, m/s, if they do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_m_s: Option<f64>,
+    /// How far what they hold reaches beyond the finger tips, m, if they hold something.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_m: Option<f64>,
 }
 
 impl SecondRecord {
@@ -28,7 +31,8 @@ impl SecondRecord {
     #[must_use]
     pub fn does_the_same_as(&self, other: &Self) -> bool {
         let figures = |of: &Self| [of.xy_m[0], of.xy_m[1], of.heading_deg].map(f64::to_bits);
-        figures(self) == figures(other) && (&self.also, self.run_m_s) == (&other.also, other.run_m_s)
+        let does = |of: &Self| (of.also.clone(), of.run_m_s, of.held_m);
+        figures(self) == figures(other) && does(self) == does(other)
     }
 
     /// That of a cell, if it has one.
@@ -41,6 +45,7 @@ impl SecondRecord {
             heading_deg: second.start.heading_deg(),
             also: second.repertoire.abilities().to_vec(),
             run_m_s: second.repertoire.run_m_s(),
+            held_m: Some(second.held_m).filter(|held_m| *held_m > 0.0),
         })
     }
 }

@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::cause::{Cause, Change, Line};
+use super::cause::{Cause, Change};
 use super::judged::measure_cell;
 use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
 use super::paragraph::{WIDTH, wrapped_to};
 use crate::human::Action;
+use crate::human::arm::ArmModel;
 
 /// How the result is shown.
 #[derive(Clone, Copy, Debug)]
@@ -145,10 +146,10 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
         *out += &wrapped_to(view.width, "   ", &begins);
     }
     let mut regions: Vec<(String, Vec<&str>)> = Vec::new();
-    for Line { body_region, robot_link, .. } in &cause.lines {
-        match regions.iter_mut().find(|(region, _)| *region == body_region.words()) {
-            Some((_, links)) => links.push(robot_link),
-            None => regions.push((body_region.words().to_owned(), vec![robot_link])),
+    for line in &cause.lines {
+        match regions.iter_mut().find(|(region, _)| *region == line.words()) {
+            Some((_, links)) => links.push(&line.robot_link),
+            None => regions.push((line.words().to_owned(), vec![&line.robot_link])),
         }
     }
     let hit = |(region, links): &(String, Vec<&str>)| format!("{region} by {}", links.join(", "));
@@ -289,8 +290,12 @@ fn certified(report: &ScanReport, c: &Certificate, view: View, out: &mut String)
     let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
     say("  Covered   ", &format!("{} of {} sequences", grouped(&c.covered), grouped(&c.sequences)));
     let what = if c.complete { "complete within:" } else { "NOT complete within:" };
+    let held = settings.held_m.map_or_else(String::new, |held_m| {
+        let tolerance_m = ArmModel::holding(held_m).hand_tolerance_m(settings.reach_tolerance_m);
+        format!(", {:.0} mm for what is held", tolerance_m * 1000.0)
+    });
     let within = format!(
-        "{what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm",
+        "{what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm{held}",
         c.actions,
         c.horizon,
         settings.action_s * 1000.0,

@@ -196,7 +196,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         speed_criterion: cell.search.criterion,
         cell_m: 2.0 * CELL_M,
         body_tolerance_m: BODY_TOLERANCE_M,
-        arm_tolerance_m: 2.0 * cell.search.reach_tolerance_m,
+        arm_tolerance_m: 2.0 * cell.arm().hand_tolerance_m(cell.search.reach_tolerance_m),
         step_tolerance_m: STEP_TOLERANCE_M,
         presses: works(cell).then_some(effort.presses),
         changes: None,

@@ -6,7 +6,7 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
-use crate::cell::{self, Control, Zone, looks};
+use crate::cell::{self, Control, Workcell, Zone, looks};
 use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -76,7 +76,7 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
             .iter()
             .map(|(part, capsule)| PartShape { region: part.name().to_owned(), radius_m: capsule.radius })
             .collect(),
-        arm: arm_shape(),
+        arm: arm_shape(cell),
         robots: cell
             .robots
             .iter()
@@ -94,9 +94,9 @@ pub fn scenery(prepared: &Prepared) -> Scenery {
     }
 }
 
-fn arm_shape() -> ArmShape {
-    let ArmModel { hand_radius_m, upper_arm_radius_m, forearm_radius_m, .. } = ArmModel::default();
-    ArmShape { upper_arm_radius_m, forearm_radius_m, hand_radius_m }
+fn arm_shape(cell: &Workcell) -> ArmShape {
+    let ArmModel { hand_radius_m, upper_arm_radius_m, forearm_radius_m, .. } = cell.arm();
+    ArmShape { upper_arm_radius_m, forearm_radius_m, hand_radius_m, held_m: cell.held_m }
 }
 
 fn drawn(Triangles { points, triangles }: &Triangles) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -210,7 +210,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
     };
     let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
     let arms = arms::arms(instants, contact_frame, hazard.arm.as_ref(), step_s);
-    let touched = Touched::new(hazard, &instants[contact_frame]);
+    let touched = Touched::new(hazard, &instants[contact_frame], &prepared.cell);
     let curves: Vec<[f64; 3]> = instants
         .iter()
         .zip(&arms)
@@ -362,8 +362,8 @@ impl Limb {
 }
 
 impl Touched {
-    fn new(hazard: &Hazard, contact: &Instant) -> Self {
-        let (at, shape) = (Vec3::from_array(hazard.body_point_m), arm_shape());
+    fn new(hazard: &Hazard, contact: &Instant, cell: &Workcell) -> Self {
+        let (at, shape) = (Vec3::from_array(hazard.body_point_m), arm_shape(cell));
         let Some(arm) = &hazard.arm else {
             let off = |part: &Capsule| (point_segment(at, part.a, part.b).distance - part.radius).abs();
             let parts = contact.body.parts().iter().enumerate();

@@ -47,7 +47,6 @@ use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
-use crate::human::arm::ArmModel;
 use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
@@ -249,7 +248,7 @@ impl<'a> Anywhere<'a> {
         let fixed = cell.obstacles.iter().filter(|obstacle| obstacle.opened_by.is_none());
         let obstacles = merged(&fixed.map(|obstacle| obstacle.cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
-        let arm = ArmModel::default();
+        let arm = cell.arm();
         let reach_m = cell.body.reach_from_one_metre(arm.reach(), &[]);
         let mut bounds: ([f64; 2], [f64; 2]) = ([-1.0; 2], [1.0; 2]);
         let mut hold = |at: [f64; 2], far: f64| {

@@ -241,7 +241,7 @@ impl World {
         let with_open = |(number, (open, arrangement)): (usize, (Presses, Arrangement))| Encounter {
             number,
             obstacles: cell.standing(open, arrangement),
-            arm: ArmModel::default(),
+            arm: cell.arm(),
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
             judge,
@@ -250,8 +250,8 @@ impl World {
             stop: WorkStop::default(),
         };
         let encounters: Vec<Encounter> = sets.enumerate().map(with_open).collect();
-        let [body_reach_m, reach_m] = [0.0, ArmModel::default().reach()]
-            .map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
+        let [body_reach_m, reach_m] =
+            [0.0, cell.arm().reach()].map(|arm_m| cell.body.reach_from_one_metre(arm_m, cell.repertoire.low()));
         let stop_command = match &cell.separation {
             Some(Separation { stop: Stop::Measured(name), .. }) => {
                 let sensor = cell.sensors.iter().find(|sensor| sensor.name == *name);

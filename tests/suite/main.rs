@@ -38,6 +38,7 @@ mod first_cell;
 mod fmi3_fmus;
 mod fmpy_agrees;
 mod following;
+mod held;
 mod hostile_deeds;
 mod hostile_fmus;
 mod hostile_model;

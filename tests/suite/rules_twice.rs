@@ -381,6 +381,20 @@ fn a_door_that_an_arm_opens_before_the_controller_is_ready() {
     assert!(told.contains("not found again") && !told.contains("fixed "), "{told}");
 }
 
+/// The same hands without the rods meet less.
+#[test]
+fn rods_that_are_held() {
+    let late = "\"plc.reaction_ms\" = 400\n";
+    for cell in [cells::within_reach_of_a_rod(), Gantry { held: 0.25, ..cells::behind_a_door(late) }] {
+        let found = gantry(&cell);
+        found.agree();
+        assert!(found.twin.certain > 0 && has(&found.arms, "force hand tool"), "{found:?}");
+        let without = gantry(&Gantry { held: 0.0, ..cell });
+        without.agree();
+        assert!(without.program < found.twin.certain, "{without:?}");
+    }
+}
+
 #[test]
 fn a_curtain_behind_a_door() {
     gantry(&cells::curtain_behind_a_door()).agree();

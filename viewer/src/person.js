@@ -11,6 +11,8 @@ export const PERSON = { skin: "#e9bd97", shirt: "#8f8467", trousers: "#4b5058", 
 const HAND = [0.095, 0.018, 0.043];
 const FOOT = [0.145, 0.05, 0.06];
 const HAND_LENGTHS_M = [0.13, 0.22];
+/** A thing that is held: where in the hand it begins, from the wrist, and its radius, m. */
+const HELD = { from: 0.08, radius: 0.014 };
 /** Time before the contact in which the arm that touches comes up, s. */
 const RAISED_IN_S = 0.4;
 
@@ -64,9 +66,12 @@ export class Person extends Group {
     this.legs = shanks(cell);
     this.feet = this.legs.map(() => name(ellipsoid(FOOT, MATERIALS.shoes), "foot"));
     this.face = name(face(), "head");
-    this.around = name(new Mesh(BALL, AROUND), "the hand may be anywhere in this sphere");
+    const holds = cell.arm.held_m > 0;
+    this.around = name(new Mesh(BALL, AROUND), `the hand${holds ? ", or what it holds," : ""} may be anywhere in this sphere`);
     this.around.scale.setScalar(around);
-    this.add(...this.parts, ...this.arms.flat(), ...this.feet, this.face, this.around);
+    this.held = name(new Capsule(HELD.radius, MATERIALS.trousers), "what the hand holds");
+    this.held.visible = false;
+    this.add(...this.parts, ...this.arms.flat(), ...this.feet, this.face, this.around, this.held);
   }
 
   /** Takes the person beside the one who is hit, or hides if there is none. */
@@ -85,6 +90,7 @@ export class Person extends Group {
     const side = replay.arm ? SIDES.indexOf(replay.arm.side) : -1;
     const limb = limbOf(hazard.body_region);
     this.touching = side >= 0 && limb !== undefined ? { side, limb } : null;
+    this.held.visible = Boolean(hazard.arm?.held_m);
     const touched = replay.arm ? -1 : touchedPart(replay, this.cell, hazard);
     const colour = (on, usual) => (on ? MATERIALS.touched : usual);
     this.parts.forEach((part, index) => (part.material = colour(index === touched, materialOf(this.cell.body[index].region))));
@@ -140,6 +146,11 @@ export class Person extends Group {
         direction.lerp(to.divideScalar(reach), turned).normalize();
         length += turned * (Math.max(HAND_LENGTHS_M[0], Math.min(HAND_LENGTHS_M[1], reach)) - length);
       }
+    }
+    if (touches && this.held.visible) {
+      const far = vector(replay.contact_m).sub(vector(armAt(replay, replay.contact_frame, this.touching.side)[2])).length();
+      const along = (by) => from.clone().addScaledVector(direction, by).toArray();
+      this.held.place(along(HELD.from), along(far));
     }
     hand.scale.x = length / 2;
     hand.position.copy(from).addScaledVector(direction, length / 2);

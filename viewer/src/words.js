@@ -151,8 +151,8 @@ export function sequence(actions, each) {
 export const byForce = ({ class: kind }) => kind === "force" || kind === "head_contact";
 
 /** What the robot does to the part of the body: "clamps the hand against table". */
-export function deed({ class: kind, judged, body_region: part, person }) {
-  const hit = `${region(part)}${person === undefined ? "" : ` of ${person}`}`;
+export function deed({ class: kind, judged, body_region: part, person, arm }) {
+  const hit = `${arm?.held_m ? "thing in the hand" : region(part)}${person === undefined ? "" : ` of ${person}`}`;
   switch (kind) {
     case "clamping":
       return `clamps the ${hit}${judged?.clamping ? ` against ${judged.clamping.against}` : ""}`;

@@ -127,6 +127,11 @@ pub struct HumanTable {
     #[serde(default = "nothing")]
     #[schemars(with = "Vec<Ability>")]
     pub also: Spanned<Vec<Ability>>,
+    /// How far what the person holds, a tool or a workpiece, reaches beyond the finger tips, m, 0.05 to 1: in either hand, and in whatever
+    /// direction the hand turns it. What hits it is taken to hit the hand. Nothing by default.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub held_m: Option<Spanned<f64>>,
     /// How fast who runs does so, m/s: two, three or four times the walking speed of 1.6 m/s. No standard counts on people who run.
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
@@ -187,6 +192,11 @@ pub struct SecondTable {
     #[serde(default = "nothing")]
     #[schemars(with = "Vec<Ability>")]
     pub also: Spanned<Vec<Ability>>,
+    /// How far what the person holds, a tool or a workpiece, reaches beyond the finger tips, m, 0.05 to 1: in either hand, and in whatever
+    /// direction the hand turns it. What hits it is taken to hit the hand. Nothing by default.
+    #[serde(default)]
+    #[schemars(with = "Option<f64>")]
+    pub held_m: Option<Spanned<f64>>,
     /// How fast who runs does so, m/s: two, three or four times the walking speed of 1.6 m/s. No standard counts on people who run.
     #[serde(default)]
     #[schemars(with = "Option<f64>")]

@@ -17,14 +17,16 @@ pub const FORE: f64 = 0.32;
 const ELBOW: f64 = 0.06;
 pub const UPPER_RADIUS: f64 = 0.055;
 const FORE_RADIUS: f64 = 0.045;
-const HAND: f64 = 0.23;
+pub const HAND: f64 = 0.23;
 const SHOULDER_FREE: f64 = 0.075;
-/// How far from the shoulder each region can touch.
-const REACHES: [(Region, f64); 3] = [
-    ("upper_arm", UPPER + ELBOW + UPPER_RADIUS),
-    ("lower_arm", UPPER + FORE + FORE_RADIUS),
-    ("hand", UPPER + FORE + HAND),
-];
+/// How far from the shoulder each region can touch, with a hand of which nothing is farther from the wrist than this.
+const fn reaches(hand: f64) -> [(Region, f64); 3] {
+    [
+        ("upper_arm", UPPER + ELBOW + UPPER_RADIUS),
+        ("lower_arm", UPPER + FORE + FORE_RADIUS),
+        ("hand", UPPER + FORE + hand),
+    ]
+}
 
 /// One angle at a time, and two that often go together.
 pub const DIRECTIONS: [[f64; 4]; 14] = [
@@ -149,6 +151,8 @@ pub struct Question<'a> {
     pub criterion: Criterion,
     pub robot: &'a Robot,
     pub solids: &'a [Solid],
+    /// Nothing of the hand, or of what it holds, is farther from the wrist, m.
+    pub hand: f64,
     /// By how much the arm may move at a certain contact, m: no less than the program's tolerance.
     pub tight: f64,
 }
@@ -208,7 +212,7 @@ impl Question<'_> {
                 }
             }
             let (point, gap) = Self::hand(link, pose.wrist);
-            if gap <= HAND && self.line_depth(pose.wrist, point) >= 0.0 {
+            if gap <= self.hand && self.line_depth(pose.wrist, point) >= 0.0 {
                 offer("hand", link, point);
             }
         }
@@ -247,11 +251,11 @@ impl Question<'_> {
     /// Whether any link that is fast enough for any part of an arm is within its reach.
     pub fn in_reach(&self) -> bool {
         let near = |(region, reach): (Region, f64)| !self.near(region, reach).is_empty();
-        REACHES.into_iter().any(near)
+        reaches(self.hand).into_iter().any(near)
     }
 
     pub fn verdict(&self) -> Verdict {
-        let near = REACHES.map(|(region, reach)| self.near(region, reach));
+        let near = reaches(self.hand).map(|(region, reach)| self.near(region, reach));
         if near.iter().all(Vec::is_empty) {
             return Verdict::None;
         }
@@ -328,7 +332,7 @@ impl Question<'_> {
                 offer(region, point, gap - radius);
             }
             let (point, gap) = Self::hand(link, pose.wrist);
-            offer("hand", point, (gap - HAND).max(-self.line_depth(pose.wrist, point)));
+            offer("hand", point, (gap - self.hand).max(-self.line_depth(pose.wrist, point)));
         }
         contact.max(limits).max(-upper).max(-fore) + self.tight
     }
@@ -361,7 +365,7 @@ impl Question<'_> {
                 && self.line_depth(pose.wrist, point) >= -wrist
                 && fast.iter().any(|core| {
                     let (p, q) = super::geometry::nearest([pose.wrist; 2], *core);
-                    length(sub(p, q)) - link.radius - HAND <= wrist
+                    length(sub(p, q)) - link.radius - self.hand <= wrist
                 })
         })
     }

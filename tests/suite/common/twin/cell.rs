@@ -81,6 +81,8 @@ pub struct Cell {
     pub start: [f64; 2],
     pub heading: f64,
     pub lead_in: usize,
+    /// How far what is held reaches beyond the finger tips.
+    pub held: f64,
     pub inputs: Vec<(String, f64)>,
     pub parameters: Vec<(String, f64)>,
 }
@@ -229,6 +231,7 @@ impl Cell {
             start: numbers(&start["xy_m"]),
             heading: number(&start["heading_deg"]),
             lead_in: usize::try_from(lead_in).expect("not negative"),
+            held: file["human"].get("held_m").map_or(0.0, number),
             inputs: literals(&file, "inputs"),
             parameters: literals(&file, "parameters"),
         }

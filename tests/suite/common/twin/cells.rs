@@ -33,6 +33,8 @@ pub struct Gantry {
     pub actions: u32,
     /// Whether the speed of approach decides.
     pub approach: bool,
+    /// How far what is held reaches beyond the finger tips; 0 for nothing.
+    pub held: f64,
 }
 
 impl Gantry {
@@ -44,7 +46,8 @@ impl Gantry {
     }
 
     fn text(&self) -> String {
-        let Self { base, slides, links, mass, tables, parameters, start, begins, actions, approach } = self;
+        let Self { base, slides, links, mass, tables, parameters, start, begins, actions, approach, held } = self;
+        let held = if *held > 0.0 { format!("held_m = {held:?}\n") } else { String::new() };
         let criterion = if *approach { "criterion = \"approach\"\n" } else { "" };
         let [mut joints, mut shapes, mut motion] = [const { String::new() }; 3];
         for (i, [stroke, speed, phase]) in (1..).zip(slides) {
@@ -68,7 +71,7 @@ impl Gantry {
             "schema = 1\nname = \"gantry\"\nfmu = \"gantry.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"gantry\"\n\
              base = {{ xyz_m = {base:?} }}\nmoving_mass_kg = {mass:?}\npayload_kg = 0\nphase = \"ctrl.leg\"\n{joints}{shapes}{tables}\n\
              [parameters]\n{motion}{parameters}\n[inputs]\n\"plc.reset\" = false\n\
-             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n[search]\nactions = {actions}\n{criterion}"
+             [human]\nstart = {{ xy_m = {start:?}, heading_deg = 90 }}\nbegins_s = [{begins:?}]\n{held}[search]\nactions = {actions}\n{criterion}"
         )
     }
 }
@@ -89,6 +92,7 @@ pub fn slow_and_fast_at_the_body() -> Gantry {
         begins: 0.0,
         actions: 2,
         approach: false,
+        held: 0.0,
     }
 }
 
@@ -106,6 +110,7 @@ pub fn comes_and_draws_back() -> Gantry {
         begins: 0.0,
         actions: 3,
         approach: false,
+        held: 0.0,
     }
 }
 
@@ -122,7 +127,15 @@ pub fn too_fast_for_limbs() -> Gantry {
         begins: 0.0,
         actions: 2,
         approach: false,
+        held: 0.0,
     }
+}
+
+/// The same, twice as fast, where no hand reaches, but a rod that it holds.
+pub fn within_reach_of_a_rod() -> Gantry {
+    let links = &[("tool", 1, [0.0, 0.97, 1.05], 0.0, 0.08)];
+    let slides = [[3.0, 2.4, 0.0], [0.0, 0.0, 0.0]];
+    Gantry { links, slides, held: 0.3, ..too_fast_for_limbs() }
 }
 
 /// The same where hands reach well, and of the limbs only the last of the forearm, beside the wrist.
@@ -144,6 +157,7 @@ pub fn fast_within_slow() -> Gantry {
         begins: 0.0,
         actions: 2,
         approach: false,
+        held: 0.0,
     }
 }
 
@@ -169,6 +183,7 @@ const fn behind_a_plane(tables: &'static str, parameters: &'static str) -> Gantr
         begins: 0.0,
         actions: 3,
         approach: false,
+        held: 0.0,
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use super::arm::{Pose, Question, Touch, Verdict};
+use super::arm::{HAND, Pose, Question, Touch, Verdict};
 use super::body::{Body, NECK_BASE, POSTURES, Place, WALKS, shoulder, walk};
 use super::cell::Cell;
 use super::force::{Criterion, Forces, Speeds, class};
@@ -162,8 +162,11 @@ impl Twin {
                     continue;
                 }
                 let question = |solids| {
-                    let tight = 1.05 * self.cell.tolerance;
-                    Question { shoulder, trunk: body.rotation, side, walking, criterion, robot: &robot, solids, tight }
+                    // What is held is known to a tenth of its length.
+                    let tight = 1.05 * (self.cell.tolerance + 0.1 * self.cell.held);
+                    let hand = HAND + self.cell.held;
+                    let trunk = body.rotation;
+                    Question { shoulder, trunk, side, walking, criterion, robot: &robot, solids, hand, tight }
                 };
                 if !question(&[]).in_reach() {
                     continue;
@@ -298,6 +301,7 @@ impl Twin {
                 criterion,
                 robot: &robot,
                 solids: &solids,
+                hand: HAND + self.cell.held,
                 tight: 0.0,
             };
             for touch in question.contacts(pose) {

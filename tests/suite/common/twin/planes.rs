@@ -174,15 +174,15 @@ fn rows(cell: &Cell, body: &Body, raw: &[Sample], sensor: usize, behind: f64) ->
         }
     };
     if in_plane(&cell.sensors[sensor], body) {
-        broken(0, 1, first, k, behind + ARM, false, false);
+        broken(0, 1, first, k, behind + ARM + cell.held, false, false);
         all.push(plain(0, limit(k + 1), false));
     } else if behind <= 0.0 {
-        broken(1, 0, now, 0, behind + ARM, false, false);
+        broken(1, 0, now, 0, behind + ARM + cell.held, false, false);
         all.push(plain(2, 0.0, true));
     } else {
-        broken(3, 0, now, 0, ARM - behind, false, true);
+        broken(3, 0, now, 0, ARM + cell.held - behind, false, true);
         if k > 0 && k < LONG_AGO {
-            broken(4, 1, first, k, behind + ARM, true, false);
+            broken(4, 1, first, k, behind + ARM + cell.held, true, false);
         }
         all.push(plain(4, if k == 0 { f64::MAX } else { limit(k + 1) }, true));
     }
