@@ -55,7 +55,8 @@ pub struct Binding {
     pub mirrors: Vec<(usize, UnitPort)>,
     /// Robots, in the order of the cell.
     pub robots: Vec<RobotBinding>,
-    /// What obstacles and sensors follow: of each obstacle whether it stands, then how far it is; then whether sensors count.
+    /// What obstacles, sensors and controls follow: of each obstacle whether it stands, then how far it is; then whether sensors count; then
+    /// whether controls can be worked.
     pub followed: Vec<Reader>,
     /// Things the user should know, for instance an assumed unit.
     pub warnings: Vec<String>,
@@ -422,7 +423,8 @@ fn followed(file: &CellFile) -> impl Iterator<Item = Followed<'_>> {
         obstacle.stands_while.as_ref().map(number).into_iter().chain(moves)
     }
     let sensors = file.sensors.iter().filter_map(|sensor| sensor.counts_while.as_ref().map(number));
-    file.obstacles.iter().flat_map(of_obstacle).chain(sensors)
+    let controls = file.controls.iter().filter_map(|control| control.works_while.as_ref().map(number));
+    file.obstacles.iter().flat_map(of_obstacle).chain(sensors).chain(controls)
 }
 
 impl<'a> Binder<'a> {

@@ -1,7 +1,8 @@
-//! What follows outputs of the FMU: obstacles that stand while one says so or move with one, and sensors that count while one says so.
+//! What follows outputs of the FMU: obstacles that stand while one says so or move with one, sensors that count and controls that can be
+//! worked while one says so.
 //!
 //! Each has few states, so all of them together are one number, an [`Arrangement`]. State 0 of an obstacle: it is not there. State 0 of a
-//! sensor: it counts.
+//! sensor: it counts. State 0 of a control: it can be worked.
 
 use crate::geometry::Vec3;
 use crate::human::Arrangement;
@@ -65,13 +66,15 @@ pub enum Follower {
     },
     /// The sensor with this number counts while the output is in the range.
     Sensor(usize, Band),
+    /// The control with this number can be worked while the output is in the range.
+    Control(usize, Band),
 }
 
 impl Follower {
     fn states(&self) -> usize {
         match self {
             Self::Obstacle { moves, .. } => 1 + moves.as_ref().map_or(1, |moves| usize::from(moves.positions)),
-            Self::Sensor(..) => 2,
+            Self::Sensor(..) | Self::Control(..) => 2,
         }
     }
 
@@ -85,7 +88,7 @@ impl Follower {
                 value if value.is_nan() => 0,
                 value => 1 + moves.position(value),
             },
-            Self::Sensor(_, band) => u16::from(!holds(band)),
+            Self::Sensor(_, band) | Self::Control(_, band) => u16::from(!holds(band)),
         }
     }
 }
@@ -98,7 +101,7 @@ pub struct Following {
 }
 
 impl Following {
-    /// Obstacles, then sensors; nothing if they have too many states together.
+    /// Obstacles, then sensors and controls; nothing if they have too many states together.
     #[must_use]
     pub fn new(all: Vec<Follower>) -> Option<Self> {
         let mut stride = 1_usize;
@@ -182,19 +185,27 @@ impl Following {
     pub fn counts(&self, sensor: usize, arrangement: Arrangement) -> bool {
         self.of_sensor(sensor).is_none_or(|number| self.state(number, arrangement) == 0)
     }
+
+    /// Whether a control can be worked.
+    #[must_use]
+    pub fn lets_work(&self, control: usize, arrangement: Arrangement) -> bool {
+        let number =
+            self.all.iter().position(|(follower, _)| matches!(follower, Follower::Control(of, _) if *of == control));
+        number.is_none_or(|number| self.state(number, arrangement) == 0)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A pallet that goes from 0.2 m to 1.0 m in steps of 0.4 m while it is there, a lid, a zone.
+    /// A pallet that goes from 0.2 m to 1.0 m in steps of 0.4 m while it is there, a lid, a zone, a door that is locked with it.
     fn following() -> Following {
         let band = |reading| Band { reading, from: 0.5, to: 1.5 };
         let moves = Moves { reading: 1, direction: Vec3::Y, from: 0.2, step_m: 0.4, positions: 3 };
         let pallet = Follower::Obstacle { stands: Some(band(0)), moves: Some(moves) };
         let lid = Follower::Obstacle { stands: Some(band(2)), moves: None };
-        Following::new(vec![pallet, lid, Follower::Sensor(7, band(3))]).unwrap()
+        Following::new(vec![pallet, lid, Follower::Sensor(7, band(3)), Follower::Control(2, band(3))]).unwrap()
     }
 
     /// Every combination of readings against what each means by itself.
@@ -216,6 +227,8 @@ mod tests {
                         assert!(offset.is_none_or(|offset| (offset - Vec3::Y * expected).length() < 1e-12));
                         assert_eq!(following.offset(1, arrangement).is_some(), lid == 1.0);
                         assert_eq!(following.counts(7, arrangement), zone == 1.0);
+                        assert_eq!(following.lets_work(2, arrangement), zone == 1.0);
+                        assert!(following.lets_work(1, arrangement));
                         assert!(
                             following.counts(6, arrangement) && !following.has_sensor(6) && following.has_sensor(7)
                         );

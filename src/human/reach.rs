@@ -10,7 +10,8 @@
 //! **Guarantee.** When [`Reach::complete`] is true, no contact above the threshold is missed that stays one when the arm
 //! moves by the tolerance: deeper than that, with more than that of clearance to obstacles and joint limits, and on a link
 //! whose points within the tolerance are above the threshold too. Others are not looked for: they lie in thin layers around
-//! shapes, and layers cost most. The bounds hold because signed distances
+//! shapes, and layers cost most. Of what a hand holds the tolerance is [`ArmModel::hand_tolerance_m`], for room past obstacles and to
+//! joint limits, too; what the bare hand touches is found as without it. The bounds hold because signed distances
 //! change by no more than their points move, depths included: so a forearm that sticks 0.2 m through a thin panel is known
 //! to cross it for every configuration that differs by less than that. Sharper bounds hold for convex shapes alone; where
 //! the nearest point of a mesh can be is told by its triangles.
@@ -167,7 +168,7 @@ struct Open {
     beyond_elbow: Vec<u16>,
     /// For elbow and upper arm; looked at only where the others are settled.
     near_shoulder: Vec<u16>,
-    /// A hand that holds something was tried where no point of it moves by more than its tolerance.
+    /// What a hand holds was tried where no point of the arm moves by more than the tolerance for that.
     hand_was_tried: bool,
 }
 
@@ -367,9 +368,10 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let config = clamped(b.middle);
         let candidate = if config == b.middle { *placed } else { self.place(config) };
         self.try_configuration(config, &candidate);
-        let holds = self.hand_tolerance_m() > self.query.tolerance_m;
-        open.hand_was_tried |=
-            holds && self.query.carried_m <= 0.0 && movement.wrist.max(movement.elbow) <= self.hand_tolerance_m();
+        open.hand_was_tried |= self.holds()
+            && self.best.is_none()
+            && self.query.carried_m <= 0.0
+            && movement.wrist.max(movement.elbow) <= self.hand_tolerance_m();
         // What joints move far less than the arm is carried settles nothing.
         let fine = self.query.tolerance_m.max(0.5 * self.query.carried_m);
         let [elbow, wrist] = [movement.elbow, movement.wrist].map(|by| by - movement.shoulder);
@@ -389,19 +391,47 @@ impl<'a, S: ContactScore> Search<'a, S> {
             && self.query.known.is_some_and(|known| !known.may_touch_from_elbow(placed.elbow, movement.elbow))
     }
 
-    /// How deep a contact of the hand may be and still be missed, m.
+    /// Whether the hand holds something.
+    fn holds(&self) -> bool {
+        self.query.arm.held_m() > 0.0
+    }
+
+    /// How deep a contact of what the hand holds may be and still be missed, m.
     fn hand_tolerance_m(&self) -> f64 {
         self.query.arm.hand_tolerance_m(self.query.tolerance_m)
     }
 
-    /// Whether some contact of the hand, if that is asked, or of the forearm with a piece could score above the cutoff within the box.
+    /// Whether some contact of the hand, or of the forearm, with a piece could score above the cutoff within the box; of what is held
+    /// only if that is asked.
     fn hand_or_forearm_may_matter(&self, asked: bool, piece: &Piece, placed: &Placed, movement: &Movement) -> bool {
-        let (cutoff, arm, link) = (self.cutoff(), self.query.arm, &piece.solid);
+        let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let [_, _, fore, hand] = piece.bounds;
-        let tolerance_m = self.hand_tolerance_m();
+        if hand > cutoff {
+            let bare = arm.hand_radius_m - arm.held_m();
+            let held =
+                || asked && self.hand_may_matter((arm.hand_radius_m, self.hand_tolerance_m()), piece, placed, movement);
+            if self.hand_may_matter((bare, self.query.tolerance_m), piece, placed, movement) || (self.holds() && held())
+            {
+                return true;
+            }
+        }
+        let ends = [self.elbow_part(), 1.0].map(Share::on_forearm);
+        let limb = Limb { ends, radius: arm.forearm_radius_m };
+        fore > cutoff && self.limb_may_matter(ArmSegment::Forearm, piece, &limb, placed, movement)
+    }
+
+    /// The same of a hand of which nothing is farther from the wrist than this, m, to a tolerance.
+    fn hand_may_matter(
+        &self,
+        (radius_m, tolerance_m): (f64, f64),
+        piece: &Piece,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> bool {
+        let (cutoff, link) = (self.cutoff(), &piece.solid);
         // Contacts no deeper than the tolerance are not looked for.
-        let gap = |distance: f64| distance - arm.hand_radius_m + tolerance_m;
-        if asked && hand > cutoff && gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
+        let gap = |distance: f64| distance - radius_m + tolerance_m;
+        if gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
             let near = link.point_distance(placed.wrist);
             let bound = || {
                 let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
@@ -438,9 +468,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
                 }
             }
         }
-        let ends = [self.elbow_part(), 1.0].map(Share::on_forearm);
-        let limb = Limb { ends, radius: arm.forearm_radius_m };
-        fore > cutoff && self.limb_may_matter(ArmSegment::Forearm, piece, &limb, placed, movement)
+        false
     }
 
     /// The same of the upper arm and of what counts as elbow.

@@ -167,7 +167,7 @@ pub fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, 
         let person = assessments.get(&cause.id).cloned().unwrap_or_default();
         let mut hit: Vec<&str> = Vec::new();
         for line in &cause.lines {
-            let region = line.body_region.words();
+            let region = line.words();
             if !hit.contains(&region) {
                 hit.push(region);
             }

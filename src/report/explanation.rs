@@ -156,7 +156,7 @@ impl Explanation {
             hazard.time_s,
             hazard.robot_link,
             hazard.speed_m_s,
-            hazard.body_region.words(),
+            hazard.struck_words(),
             hazard.contact_point_m[0],
             hazard.contact_point_m[1],
             hazard.contact_point_m[2],

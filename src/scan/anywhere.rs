@@ -83,8 +83,8 @@ pub fn refusal(prepared: &Prepared) -> Option<String> {
     }
     if !prepared.cell.following.is_empty() {
         return Some(
-            "obstacles or sensors follow the FMU, which a scan from the cell's starts looks at; from anywhere, leave \
-             stands_while, moves_with and counts_while out of the cell file"
+            "obstacles, sensors or controls follow the FMU, which a scan from the cell's starts looks at; from anywhere, leave \
+             stands_while, moves_with, counts_while and works_while out of the cell file"
                 .to_owned(),
         );
     }

@@ -101,6 +101,14 @@ impl Measured<'_> {
             );
             return safeguard;
         }
+        if let SensorBinding::Both { .. } = self.prepared.binding.sensors[number] {
+            safeguard.not_known.push(
+                "the FMU evaluates it: how long that takes until it reports somebody is not measured here. Measure it in a cell file without \
+                 evaluated, whose variable stops the robots as the whole signal does"
+                    .to_owned(),
+            );
+            return safeguard;
+        }
         if cell.following.has_sensor(number) {
             safeguard.not_known.push(
                 "it counts only while the FMU says so, and when that is, is not asked here. Measure it in a cell file without counts_while \

@@ -210,7 +210,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
     };
     let link = prepared.cell.links.iter().position(|link| link.name == hazard.robot_link);
     let arms = arms::arms(instants, contact_frame, hazard.arm.as_ref(), step_s);
-    let touched = Touched::new(hazard, &instants[contact_frame], &prepared.cell);
+    let touched = Touched::new(hazard, &instants[contact_frame]);
     let curves: Vec<[f64; 3]> = instants
         .iter()
         .zip(&arms)
@@ -362,8 +362,9 @@ impl Limb {
 }
 
 impl Touched {
-    fn new(hazard: &Hazard, contact: &Instant, cell: &Workcell) -> Self {
-        let (at, shape) = (Vec3::from_array(hazard.body_point_m), arm_shape(cell));
+    fn new(hazard: &Hazard, contact: &Instant) -> Self {
+        let held_m = hazard.arm.as_ref().and_then(|arm| arm.held_m).unwrap_or_default();
+        let (at, shape) = (Vec3::from_array(hazard.body_point_m), ArmModel::holding(held_m));
         let Some(arm) = &hazard.arm else {
             let off = |part: &Capsule| (point_segment(at, part.a, part.b).distance - part.radius).abs();
             let parts = contact.body.parts().iter().enumerate();

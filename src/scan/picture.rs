@@ -35,7 +35,7 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
             "{}: {} meets {}, {:.2} s, {}",
             hazard.id,
             hazard.robot_link,
-            hazard.body_region.words(),
+            hazard.struck_words(),
             hazard.time_s,
             match hazard.class {
                 Class::Force | Class::HeadContact => {

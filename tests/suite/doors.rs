@@ -4,7 +4,9 @@
 use std::sync::Arc;
 
 use fmi_hazard::human::{Action, Place, Posture, Presses, Walk, Who};
+use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
+use fmi_hazard::search::Rng;
 use fmi_hazard::sim::World;
 
 use crate::common::pair::Pair;
@@ -117,6 +119,64 @@ fn no_hand_is_where_a_door_moves() {
             }
         }
     }
+}
+
+/// The door is opened when the FMU says so before the action, closed always, and the reset does not care: action by action against
+/// what the same hands do without a lock, of which presses are left out by what the outputs said. A door that is locked while the robot
+/// moves keeps everybody out.
+#[test]
+fn a_locked_door_is_not_opened() {
+    let dir = examples();
+    let locked = |while_: &str, begins: &str| -> Prepared {
+        let handle = "to_m = [0.4, -1.52, 1.05]\n";
+        let text = std::fs::read_to_string(dir.path().join("door-edge/cell.toml")).unwrap();
+        assert_eq!(text.matches(handle).count(), 1);
+        let text = text.replace(handle, &format!("{handle}{while_}\n"));
+        let text =
+            text.replace("[human]\n", &format!("[human]\nbegins_s = {begins}\n")).replace("actions = 7", "actions = 5");
+        prepare(&write(dir.path(), "door-edge/locked.toml", &text), None).unwrap()
+    };
+    let (free, leg) = (locked("", "[0.0]"), "works_while = { variable = \"ctrl.leg\", is = 1 }");
+    let (world, mut rng) = (world(&free), Rng::new(3));
+    let (mut kept_out, mut opened, mut closed) = (0, 0, 0);
+    for begins in ["[0.0]", "[0.5]", "[1.0]"] {
+        let cell = locked(leg, begins);
+        let mut simulation = cell.simulation(StateChoice::Auto, false).unwrap();
+        let (width, steps) = (cell.binding.outputs.len(), cell.cell.steps_per_action);
+        let legs = cell.binding.outputs.iter().position(|output| output.port.name == "ctrl.leg").unwrap();
+        for _ in 0..60 {
+            let presses = |n: usize| [Presses::NONE, DOOR, RESET, DOOR.and(RESET)][n];
+            let mut action = |number: usize| {
+                let walk = [Walk::Forward, Walk::Stop, Walk::Left90, Walk::Right90][rng.below(4)];
+                // What the FMU says before the first action is not among its outputs here.
+                let pressed = if number == 0 { Presses::NONE } else { presses(rng.below(4)) };
+                Action::new(walk, Posture::Upright).pressing(pressed)
+            };
+            let actions: Vec<Action> = (0..5).map(&mut action).collect();
+            let watched = simulation.watch(&actions, &[]).unwrap();
+            let mut place = world.start();
+            for (number, action) in actions.iter().enumerate() {
+                let said =
+                    number.checked_sub(1).map(|before| watched.outputs[(before + 1) * steps * width - width + legs]);
+                let is_open = place.open() == DOOR;
+                let is_locked = !is_open && action.presses().has(0) && said.is_some_and(|leg| leg != 1.0);
+                let left = if is_locked { action.presses().common(RESET) } else { action.presses() };
+                let walked = world.walk(place, action.pressing(left));
+                let worked = world.worked(&walked, action.pressing(left)).presses;
+                assert_eq!(watched.worked[number], worked, "{begins} {number} {actions:?}");
+                kept_out += usize::from(is_locked && world.worked(&walked, *action).presses.has(0));
+                opened += usize::from(!is_open && worked.has(0));
+                closed += usize::from(is_open && worked.has(0) && said != Some(1.0));
+                place = walked.end();
+            }
+        }
+    }
+    assert!(kept_out > 5 && opened > 5 && closed > 0, "{kept_out} {opened} {closed}");
+    locked("works_while = { variable = \"plc.stop_state\", is = 3 }", "[0.0]");
+    let mut scan = fmi_hazard(dir.path());
+    scan.args(["scan", "door-edge/locked.toml", "--strategy", "exhaustive", "--no-advice", "--out", "locked"]);
+    scan.assert().code(0);
+    assert_eq!(scan_json(&dir.path().join("locked"))["certificate"]["complete"], true);
 }
 
 #[test]

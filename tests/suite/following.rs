@@ -300,5 +300,8 @@ fn mistakes_with_what_follows_are_told() {
     let told = String::from_utf8_lossy(&ran.stderr).replace('│', " ");
     let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(ran.status.code(), Some(2), "{told}");
-    assert!(told.contains("leave stands_while, moves_with and counts_while out of the cell file"), "{told}");
+    assert!(
+        told.contains("leave stands_while, moves_with, counts_while and works_while out of the cell file"),
+        "{told}"
+    );
 }

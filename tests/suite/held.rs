@@ -47,6 +47,22 @@ fn a_rod_reaches_as_much_farther_as_it_is_long() {
     assert!(none <= short && short <= longer && longer < long && held, "{counts:?}");
 }
 
+/// A bar that hands meet already: with a rod in them no sequence is lost that they have without.
+#[test]
+fn who_holds_something_meets_all_that_empty_hands_do() {
+    let dir = guarded();
+    let scanned = |held: &str| -> ScanReport {
+        let wall = "[[obstacle]]\nname = \"slit\"\ncentre_m = [0, -0.75, 0.65]\nsize_m = [3, 0.02, 0.7]\n[[obstacle]]\n\
+                    name = \"above\"\ncentre_m = [0, -0.75, 1.75]\nsize_m = [3, 0.02, 1.3]\n";
+        let text = cell(1.0, wall).replace("xy_m = [0, -3]", "xy_m = [0, -1.15]");
+        let text = text.replace("heading_deg = 90 }\n", &format!("heading_deg = 90 }}\n{held}"));
+        every_sequence(&prepare(&write(dir.path(), "cell.toml", &text), None).unwrap(), false)
+    };
+    let [empty, rod] = ["", "held_m = 0.6\n"].map(|held| scanned(held).certificate.unwrap());
+    let [empty, rod] = [empty, rod].map(|certificate| certificate.hazardous.parse::<u64>().unwrap());
+    assert!(empty > 0 && rod >= empty, "{empty} {rod}");
+}
+
 #[test]
 fn what_is_held_is_told_and_refused_where_it_says_nothing() {
     let dir = examples();
@@ -64,8 +80,8 @@ fn what_is_held_is_told_and_refused_where_it_says_nothing() {
     for (held, more, expected) in [
         ("held_m = 0.01", "", "held_m is 0.01"),
         ("held_m = 2", "", "held_m is 2"),
-        ("held_m = 0.3", "[criteria]\npressure = true", "`held_m` says nothing of clamping and pressure"),
-        ("held_m = 0.3", "[criteria]\nclamping = true", "says nothing of clamping and"),
+        ("held_m = 0.3", "[criteria]\npressure = true", "`held_m` says nothing of clamping, pressure and separation"),
+        ("held_m = 0.3", "[criteria]\nclamping = true", "says nothing of clamping, pressure and"),
     ] {
         let path = file("refused", held, more);
         let (code, told) = ran(&["check", path.to_str().unwrap()]);

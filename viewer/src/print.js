@@ -62,7 +62,7 @@ function causePage(data, cause, assessments) {
   const view = data.topView(cause.worst);
   const given = assessments.of(cause.id);
   const apart = cause.hazards.filter((id) => assessments.own(id) !== null);
-  const lines = cause.lines.map(({ body_region: region, robot_link: link, ratio, hazards }) => [words.region(region), link, words.ratioOf(region, ratio), words.grouped(hazards.length)]);
+  const lines = cause.lines.map(({ body_region: region, held, robot_link: link, ratio, hazards }) => [held ? words.HELD : words.region(region), link, words.ratioOf(region, ratio), words.grouped(hazards.length)]);
   return h(
     "article",
     { "data-test": "print-cause", "data-id": cause.id },

@@ -150,9 +150,12 @@ export function sequence(actions, each) {
 /** Whether a hazard or a cause is one of the transient force, on somebody who can give way. */
 export const byForce = ({ class: kind }) => kind === "force" || kind === "head_contact";
 
+/** What is hit where a hand holds it. */
+export const HELD = "thing in the hand";
+
 /** What the robot does to the part of the body: "clamps the hand against table". */
 export function deed({ class: kind, judged, body_region: part, person, arm }) {
-  const hit = `${arm?.held_m ? "thing in the hand" : region(part)}${person === undefined ? "" : ` of ${person}`}`;
+  const hit = `${arm?.held_m ? HELD : region(part)}${person === undefined ? "" : ` of ${person}`}`;
   switch (kind) {
     case "clamping":
       return `clamps the ${hit}${judged?.clamping ? ` against ${judged.clamping.against}` : ""}`;

@@ -1,4 +1,4 @@
-//! Checks of what follows the FMU's outputs in a cell file: obstacles that stand or move, sensors that count.
+//! Checks of what follows the FMU's outputs in a cell file: obstacles that stand or move, sensors that count, controls that can be worked.
 
 use toml::Spanned;
 
@@ -45,6 +45,10 @@ impl Checker<'_> {
             let number = sensors.iter().position(|sensor| sensor.name == table.name)?;
             all.push(Follower::Sensor(number, band));
         }
+        for (number, table) in file.controls.iter().enumerate() {
+            let Some(works) = &table.works_while else { continue };
+            all.push(Follower::Control(number, self.problems.keep(self.band(works, &mut reading))?));
+        }
         let doors = if file.obstacles.iter().any(|table| table.opened_by.is_some()) { controls } else { 0 };
         let together = |following: &Following| following.of_obstacles() * Presses::all(doors).count();
         let following = Following::new(all).filter(|following| together(following) <= MOST_TOGETHER);
@@ -52,10 +56,11 @@ impl Checker<'_> {
             let moving = file.obstacles.iter().find_map(|table| Some(table.moves_with.as_ref()?.span()));
             let standing = || file.obstacles.iter().find_map(|table| Some(table.stands_while.as_ref()?.span()));
             let counting = || file.sensors.iter().find_map(|table| Some(table.counts_while.as_ref()?.span()));
-            let span = moving.or_else(standing).or_else(counting).unwrap_or(0..0);
+            let working = || file.controls.iter().find_map(|table| Some(table.works_while.as_ref()?.span()));
+            let span = moving.or_else(standing).or_else(counting).or_else(working).unwrap_or(0..0);
             let message = format!(
                 "obstacles that follow the FMU stand in more than {MOST_TOGETHER} ways (each control doubles them in a cell \
-                 with doors), or with the sensors in more than {}",
+                 with doors), or with the sensors and controls in more than {}",
                 Arrangement::MOST
             );
             let help = "a larger every_m, a shorter way, or fewer obstacles and sensors that follow the FMU".to_owned();

@@ -9,7 +9,6 @@ use super::format::{CellFile, HumanTable, SecondTable, Sex};
 use crate::cell::CellError;
 use crate::cell::workcell::{Control, SecondPerson, Sensor};
 use crate::fmi::number;
-use crate::hazard::Criteria;
 use crate::human::body::BodyError;
 use crate::human::{Ability, Anthropometry, Body, Radii, Repertoire, Start};
 use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
@@ -99,15 +98,16 @@ impl Checker<'_> {
     }
 
     /// How far what a person holds reaches beyond the finger tips, m.
-    pub(super) fn held(&self, held: Option<&Spanned<f64>>, criteria: &Criteria) -> Result<f64, Box<CellError>> {
+    pub(super) fn held(&self, held: Option<&Spanned<f64>>, allows: bool) -> Result<f64, Box<CellError>> {
         let Some(held) = held else { return Ok(0.0) };
         let here = || held.span();
         self.that((0.05..=1.0).contains(held.get_ref()), here(), || {
             let help = "use 0.05 to 1 m beyond the finger tips, or leave it out".to_owned();
             (format!("held_m is {}", number(*held.get_ref())), help)
         })?;
-        self.that(!criteria.clamping && !criteria.pressure, here(), || {
-            let message = "what is held is not clamped as a hand is, and has no skin: `held_m` says nothing of clamping and pressure";
+        self.that(allows, here(), || {
+            let message = "what is held is not clamped as a hand is, has no skin, and is no part of a person: `held_m` says nothing of \
+                           clamping, pressure and separation";
             (message.to_owned(), "leave `held_m` out, or these criteria, and scan once with each".to_owned())
         })?;
         Ok(*held.get_ref())
@@ -146,7 +146,7 @@ impl Checker<'_> {
         table: &SecondTable,
         file: &CellFile,
         (sensors, controls): (&[Sensor], &[Control]),
-        criteria: &Criteria,
+        may_hold: bool,
     ) -> Result<SecondPerson, Box<CellError>> {
         let here = || table.start.span();
         let plane = sensors.iter().find(|sensor| sensor.zone.plane().is_some());
@@ -186,7 +186,7 @@ impl Checker<'_> {
             start: Start::new(x, y, heading_deg),
             body: self.body(&table.into())?,
             repertoire: self.repertoire((&table.also, table.run_m_s.as_ref()), 0)?,
-            held_m: self.held(table.held_m.as_ref(), criteria)?,
+            held_m: self.held(table.held_m.as_ref(), may_hold)?,
         })
     }
 }

@@ -9,7 +9,7 @@ use crate::cell::workcell::{Placing, Sensor, Zone};
 use crate::fmi;
 use crate::geometry::{Cuboid, Vec3, rotation_about};
 use crate::human::Ability;
-use crate::standards::iso_13855::{Detection, Opening};
+use crate::standards::iso_13855::{Detection, HAND_SPEED_M_S, Opening};
 
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
@@ -33,9 +33,12 @@ impl Checker<'_> {
         let all = self.problems.keep_all(file.sensors.iter().map(|s| self.sensor(s, file, step_s)));
         let (sensors, placings): (Vec<Sensor>, Vec<Placing>) = all.into_iter().unzip();
         let planes: Vec<&str> = sensors.iter().filter(|s| s.zone.plane().is_some()).map(|s| s.name.as_str()).collect();
-        let enough = self.that(planes.is_empty() || step_s >= SHORTEST_S, file.time.step_s.span(), || {
+        let held_m = file.human.first.held_m.as_ref().map_or(0.0, |held| *held.get_ref());
+        let shortest_s = SHORTEST_S * (1.0 + held_m / FOLLOWED_M);
+        let enough = self.that(planes.is_empty() || step_s >= shortest_s, file.time.step_s.span(), || {
             let message = format!("time.step_s is {}, too short for {}", fmi::number(step_s), planes.join(", "));
-            (message, "arms behind planes are followed for 64 steps: use 0.01 or 0.02".to_owned())
+            let use_ = if held_m > 0.0 { "with what is held use 0.02" } else { "use 0.01 or 0.02" };
+            (message, format!("arms behind planes are followed for 64 steps: {use_}"))
         });
         let _ = self.problems.keep(enough);
         if planes.len() > 2 {
@@ -278,6 +281,9 @@ const LEGS_M: f64 = 0.5;
 
 /// Shortest step with a light curtain, a door or a two-hand control, s: in 64 of them a hand gets as far as an arm is long.
 const SHORTEST_S: f64 = 0.01;
+
+/// As far as that is, m.
+const FOLLOWED_M: f64 = 64.0 * SHORTEST_S * HAND_SPEED_M_S;
 
 /// How far the plane of a two-hand control goes on beside its buttons, and half its height, m: more than any arm is long.
 const ASIDE_M: f64 = 3.0;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::checker::Checker;
+use super::criteria::Chosen;
 use super::format::{CellFile, FailOnTable, SearchTable};
 use super::reading::read;
 use super::starts::Starts;
@@ -10,7 +11,6 @@ use crate::cell::CellError;
 use crate::cell::error::Source;
 use crate::cell::workcell::{UnitFile, Workcell};
 use crate::fmi::number;
-use crate::hazard::Criteria;
 use crate::human::action::ACTION_S;
 
 /// Most communication steps of an action: contacts are checked at each of them.
@@ -75,10 +75,12 @@ impl Checker<'_> {
         let body = self.problems.keep(self.body(&human.into()));
         let arm_speed = self.problems.keep(self.arm_speed(human));
         let repertoire = self.problems.keep(self.repertoire((&human.also, human.run_m_s.as_ref()), controls.len()));
-        let criteria = chosen.as_ref().map_or_else(Criteria::default, |chosen| chosen.criteria);
-        let held = self.problems.keep(self.held(human.held_m.as_ref(), &criteria));
+        let may_hold = chosen.as_ref().is_none_or(|Chosen { criteria, separation, .. }| {
+            !criteria.clamping && !criteria.pressure && separation.is_none()
+        });
+        let held = self.problems.keep(self.held(human.held_m.as_ref(), may_hold));
         let second = file.human.second.as_ref();
-        let second = second.map(|table| self.second(table, &file, (&sensors, &controls), &criteria));
+        let second = second.map(|table| self.second(table, &file, (&sensors, &controls), may_hold));
         let second = second.map(|second| self.problems.keep(second));
         let Starts { tables: starts, areas: start_areas } = self.starts(human, body.as_ref(), &obstacles);
         let beginnings = self.beginnings(human, &starts, step.map_or(0.02, |(step_s, _)| step_s));

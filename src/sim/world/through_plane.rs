@@ -393,14 +393,16 @@ impl World {
             let in_time = move |&s: &usize| s == 0 || self.at_least_m(s) < most;
             (0..).take_while(in_time).map(move |s| told(s, 0, back)).filter(move |_| most > 0.0)
         };
-        let ahead = || {
+        let ahead = |until: usize| {
             let needed = move |j: &usize| self.at_least_m(since + j) < deepest;
-            (1..).take_while(needed).take_while(|_| is_held).map(move |j| told(since + j, since, false))
+            (1..).take_while(needed).take_while(|_| is_held).map(move |j| told(since + j, until, false))
         };
+        // The body is told of from then on, but not where the FMU sees it itself, maybe later: the arm is still there then.
+        let until = if self.is_evaluated(c) { 0 } else { since };
         let told: Vec<Way> = match side {
             ArmSide::Front | ArmSide::LeansOver => through(deepest, false).collect(),
-            ArmSide::In => ahead().collect(),
-            ArmSide::Behind => ahead().chain(through(most_before, true)).collect(),
+            ArmSide::In => ahead(until).collect(),
+            ArmSide::Behind => ahead(since).chain(through(most_before, true)).collect(),
         };
         Ways { untold: (side != ArmSide::LeansOver).then_some(untold), untold_limit_m, told }
     }
@@ -418,7 +420,8 @@ impl World {
             let near = deepest > 0.0 && depth < SHOULDER_WITHIN_M + arm;
             let through = if near { samples(deepest.max(arm + SHOULDER_WITHIN_M)) } else { 0 };
             let ahead = if since == 0 || since == LONG_AGO { 0 } else { samples(deepest).saturating_sub(since) };
-            Asked { through, ahead, since: if ahead > 0 { since } else { 0 } }
+            let until_now = ahead > 0 && self.cell_evaluates(curtain);
+            Asked { through, ahead, since: if ahead > 0 { since } else { 0 }, until_now }
         };
         self.curtains.iter().zip(broken).map(of).collect()
     }
@@ -447,7 +450,18 @@ impl World {
         let ahead = if runs { LONG_AGO } else { samples(depth + reach) };
         let longest = if is_tracked { ahead } else { 0 };
         let ahead = (since + 1..=longest).map(|from| Window { curtain: c, from, until: since });
-        through.chain(ahead).collect()
+        let until_now = (since + 1..=longest).filter(|_| self.is_evaluated(c));
+        let until_now = until_now.map(|from| Window { curtain: c, from, until: 0 });
+        through.chain(ahead).chain(until_now).collect()
+    }
+
+    /// Whether the FMU sees bodies in plane `c` itself.
+    fn is_evaluated(&self, c: usize) -> bool {
+        self.cell_evaluates(&self.curtains[c])
+    }
+
+    fn cell_evaluates(&self, curtain: &Curtain) -> bool {
+        self.binding.sensors[curtain.sensor].is_evaluated()
     }
 
     /// Whether the body could have come as far as `point` behind each plane that it is in. Who holds a two-hand control may
@@ -472,6 +486,8 @@ pub struct Asked {
     ahead: usize,
     /// How many samples ago that was.
     since: usize,
+    /// Whether those are asked for until now, too.
+    until_now: bool,
 }
 
 impl Asked {
@@ -481,7 +497,9 @@ impl Asked {
         let of = |(curtain, asked): (usize, &Self)| -> Vec<Window> {
             let through = (0..asked.through).map(|from| Window { curtain, from, until: 0 });
             let ahead = (1..=asked.ahead).map(|j| Window { curtain, from: asked.since + j, until: asked.since });
-            through.chain(ahead).collect()
+            let until_now = (1..=asked.ahead).filter(|_| asked.until_now);
+            let until_now = until_now.map(|j| Window { curtain, from: asked.since + j, until: 0 });
+            through.chain(ahead).chain(until_now).collect()
         };
         let windows: Vec<Vec<Window>> = asked.iter().enumerate().map(of).collect();
         let mut all: Vec<Vec<Window>> = windows.iter().flatten().map(|window| vec![*window]).collect();

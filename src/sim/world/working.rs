@@ -18,6 +18,7 @@ use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
+use crate::human::arm::ArmModel;
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
@@ -80,6 +81,11 @@ impl World {
         for control in doors.numbers().chain(others.numbers()).filter(|control| *control < self.cell.controls.len()) {
             let by = self.cell.controls[control].by;
             if by == ControlledBy::Nobody || (doors.has(control) && self.closes_on(start, action, control)) {
+                continue;
+            }
+            // A door is locked while it is closed.
+            let is_open = doors.has(control) && start.open().has(control);
+            if !is_open && !self.cell.following.lets_work(control, start.arrangement()) {
                 continue;
             }
             if by == ControlledBy::Person {
@@ -166,7 +172,8 @@ impl World {
         let target = Solid::Capsule(Capsule { radius: at.radius + tolerance_m, ..*at });
         let obstacles: Vec<Cuboid> = boxes.iter().chain(walls).copied().collect();
         let found = reach(&ReachQuery {
-            arm: self.arm(),
+            // Fingers work it, not what they hold.
+            arm: &ArmModel::default(),
             side,
             world_from_shoulder: body.shoulder(side),
             carried_m: 0.0,

@@ -272,6 +272,11 @@ pub struct ControlTable {
     #[serde(default)]
     #[schemars(with = "Option<Literal>")]
     pub pressed: Option<Spanned<Literal>>,
+    /// It can be worked only while an output of the FMU says so as an action begins, such as a door that is locked while the robot moves.
+    /// A door that is open can be closed at any time.
+    #[serde(default)]
+    #[schemars(with = "Option<WhileTable>")]
+    pub works_while: Option<Spanned<WhileTable>>,
 }
 
 /// Where a sensor sees.

@@ -167,7 +167,9 @@ fn rows(cell: &Cell, body: &Body, raw: &[Sample], sensor: usize, behind: f64) ->
             let unsure = end < n + cell.lead_in || in_front;
             let deep = depth(cell, known + n + 1);
             let depth = if all_of_them || deep >= reach { f64::MAX } else { deep };
-            all.push(Row { kind, depth, broken: end.saturating_sub(n)..end, plate, in_front, unsure });
+            // Of a body in the plane the FMU may tell itself, and late: the arm is there as long.
+            let until = if kind == 0 && cell.sensors[sensor].evaluated { now } else { end };
+            all.push(Row { kind, depth, broken: end.saturating_sub(n)..until, plate, in_front, unsure });
             if depth == f64::MAX {
                 break;
             }
