@@ -23,15 +23,15 @@ use fmi_hazard::sim::sensors::{Seen, input_row, sees};
 
 #[test]
 fn whatever_a_scan_from_a_random_place_finds_is_found() {
-    whatever_is_found_is_found("", 60);
+    whatever_is_found_is_found("", 60, 3);
 }
 
 #[test]
 fn whatever_a_scan_of_somebody_with_a_rod_finds_is_found() {
-    whatever_is_found_is_found("held_m = 0.3\n", 24);
+    whatever_is_found_is_found("held_m = 0.3\n", 24, 1);
 }
 
-fn whatever_is_found_is_found(held: &str, starts: usize) {
+fn whatever_is_found_is_found(held: &str, starts: usize, regions: usize) {
     let dir = guarded();
     let text = cell(0.45, "").replace("[human]\n", &format!("[human]\n{held}"));
     let found = look(dir.path(), &text, 1.2, 2);
@@ -62,7 +62,7 @@ fn whatever_is_found_is_found(held: &str, starts: usize) {
         }
         harmless += usize::from(!is_hazardous(&start));
     }
-    assert!(met.len() > 1 && harmless > 3, "{met:?} {harmless}");
+    assert!(met.len() >= regions && harmless > 3, "{met:?} {harmless}");
     // The same with one thread.
     let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
     assert_eq!(json(&look(dir.path(), &text, 1.2, 1)), json(&found));
