@@ -392,6 +392,12 @@ impl Workcell {
         Some(Self { start, body, repertoire, held_m, second: None, ..self.clone() })
     }
 
+    /// How far what the person holds reaches beyond the finger tips, m, if they hold something.
+    #[must_use]
+    pub fn holds_m(&self) -> Option<f64> {
+        Some(self.held_m).filter(|held_m| *held_m > 0.0)
+    }
+
     /// The person's arm, with what it holds.
     #[must_use]
     pub fn arm(&self) -> ArmModel {

@@ -16,6 +16,7 @@ use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
+use crate::human::arm::ArmModel;
 use crate::human::{Arrangement, Presses};
 use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
 use crate::report::model::{
@@ -237,7 +238,8 @@ fn planes_with_room_for_legs(cell: &Workcell) -> Vec<&str> {
 
 /// Names of the controls that a hand may get to through more than one plane that tells of it.
 fn controls_between_planes(cell: &Workcell) -> Vec<&str> {
-    let reach = cell.arm().reach();
+    // Fingers work them, not what they hold.
+    let reach = ArmModel::default().reach();
     let planes = || cell.sensors.iter().filter_map(|sensor| sensor.zone.plane());
     let several = |control: &&Control| {
         let Some(place) = control.place.filter(|_| control.by == ControlledBy::Person) else { return false };
@@ -303,7 +305,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         speed_criterion: prepared.cell.search.criterion,
         criteria: criteria(&prepared.cell),
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
-        held_m: Some(prepared.cell.held_m).filter(|held_m| *held_m > 0.0),
+        held_m: prepared.cell.holds_m(),
         also: prepared.cell.repertoire.abilities().to_vec(),
         run_m_s: prepared.cell.repertoire.run_m_s(),
         second: SecondRecord::of(&prepared.cell),

@@ -67,7 +67,7 @@ fn looks(cell: &Workcell) -> Looks {
         speed_criterion: cell.search.criterion,
         criteria: criteria(cell),
         arm_speed_m_s: cell.arm_speed_m_s,
-        held_m: Some(cell.held_m).filter(|held_m| *held_m > 0.0),
+        held_m: cell.holds_m(),
         also: cell.repertoire.abilities().to_vec(),
         run_m_s: cell.repertoire.run_m_s(),
         second: SecondRecord::of(cell),

@@ -137,7 +137,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         speed_criterion: search.criterion,
         criteria: None,
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
-        held_m: Some(prepared.cell.held_m).filter(|held_m| *held_m > 0.0),
+        held_m: prepared.cell.holds_m(),
         also: prepared.cell.repertoire.abilities().to_vec(),
         run_m_s: prepared.cell.repertoire.run_m_s(),
         second: None,

@@ -100,8 +100,16 @@ fn standing(prepared: &Prepared, position: Vec3, heading_rad: f64) -> Vec<f64> {
 }
 
 /// What is odd about planes that the FMU evaluates itself: somebody stands in each as the cell file has it, facing along it or
-/// across, whom it has to report; and well away from it, whom it has not.
-pub(super) fn evaluated(prepared: &Prepared) -> Result<Vec<String>, PlantError> {
+/// across, whom it has to report; and well away from it, whom it has not. Where the FMU fails in that, it is told too.
+pub(super) fn evaluated(prepared: &Prepared) -> Vec<String> {
+    misplaced(prepared).unwrap_or_else(|failed| {
+        vec![format!(
+            "whether the FMU has its planes where the cell file does could not be tried: it failed meanwhile: {failed}"
+        )]
+    })
+}
+
+fn misplaced(prepared: &Prepared) -> Result<Vec<String>, PlantError> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let mut told = Vec::new();
     for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
