@@ -89,7 +89,7 @@ pub(super) struct Arguments {
     id: String,
     #[command(flatten)]
     elsewhere: earlier::Elsewhere,
-    /// Write the hazard as a recording for Foxglove and PlotJuggler (builds with the feature mcap)
+    /// Write the hazard as a recording for Foxglove and PlotJuggler
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
     /// How to print the result

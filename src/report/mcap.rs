@@ -1,5 +1,5 @@
 //! A hazard as an MCAP recording, for Foxglove (3-D, plots) and PlotJuggler (plots): everything in it is JSON with its
-//! schema. Only with the feature `mcap`.
+//! schema.
 //!
 //! Time begins with the sequence. Topics: `/scene` (`foxglove.SceneUpdate`), `/hazard` (the curves of the report),
 //! `/sensors`, and for cells of one FMU `/fmu/inputs` and `/fmu/outputs`.

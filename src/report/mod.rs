@@ -41,7 +41,6 @@ pub mod difference;
 pub mod distance;
 pub mod explanation;
 pub mod floorplan;
-#[cfg(feature = "mcap")]
 pub mod foxglove;
 pub mod growth;
 mod immovable;
@@ -49,7 +48,6 @@ pub mod inspection;
 pub mod judged;
 pub mod junit;
 pub mod looks;
-#[cfg(feature = "mcap")]
 pub mod mcap;
 pub mod model;
 pub mod moved;
