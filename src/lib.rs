@@ -77,6 +77,8 @@ pub mod hazard;
 pub mod host;
 pub mod human;
 pub mod report;
+#[cfg(test)]
+mod sample;
 pub mod scan;
 pub mod search;
 pub mod sim;

@@ -6,6 +6,8 @@
 #[path = "suite/common/mod.rs"]
 #[allow(dead_code, reason = "this program uses little of it")]
 mod common;
+#[path = "../src/sample.rs"]
+mod sample;
 
 use common::test_fmus;
 use fmi_hazard::fmi::{Error, Fmu, Instance, Slave, Status, Stepping};

@@ -6,6 +6,8 @@
 #[path = "suite/common/mod.rs"]
 #[allow(dead_code, reason = "this program uses little of it")]
 mod common;
+#[path = "../src/sample.rs"]
+mod sample;
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -65,12 +67,14 @@ impl Drop for Raise<'_> {
 }
 
 #[test]
-fn a_hundred_workers_killed_at_any_time_change_nothing() {
+fn workers_killed_at_any_time_change_nothing() {
     let dir = examples();
     let cell = prepare_in(&dir.path().join("safety-fence/cell.toml"), None, &hosting()).unwrap();
     let (kills, over) = (AtomicU64::new(0), AtomicBool::new(false));
     let states = [StateChoice::Fork, StateChoice::Process, StateChoice::Replay];
     let undisturbed = states.map(|state| report(&cell, state).0);
+    // A hundred of them where all cases are looked at.
+    let enough = if sample::is_whole() { 34 } else { 10 };
     assert!(undisturbed[0].contains("H-"), "there is something to find");
     std::thread::scope(|scope| {
         let _end = Raise(&over);
@@ -88,13 +92,13 @@ fn a_hundred_workers_killed_at_any_time_change_nothing() {
         let mut replaced = 0;
         for (state, undisturbed) in states.into_iter().zip(&undisturbed) {
             let before = kills.load(Ordering::Relaxed);
-            while kills.load(Ordering::Relaxed) < before + 34 {
+            while kills.load(Ordering::Relaxed) < before + enough {
                 let (disturbed, workers) = report(&cell, state);
                 assert!(disturbed == *undisturbed, "{state:?}: {disturbed}");
                 replaced += workers;
             }
         }
         // Many meet a worker at the end of its life, or only a copy that nobody needs any more.
-        assert!(replaced >= 3, "{replaced}");
+        assert!(replaced >= enough / 10, "{replaced}");
     });
 }

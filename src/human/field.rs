@@ -165,6 +165,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Cuboid, Rotation, Vec3};
     use crate::human::{Anthropometry, Body};
+    use crate::sample;
     use crate::search::Rng;
 
     fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {
@@ -188,6 +189,9 @@ mod tests {
 
     #[test]
     fn where_nothing_is_in_the_way_it_is_the_straight_line_less_a_little() {
+        if !sample::is_turn(0, 2) {
+            return;
+        }
         let floor = floor(&[], 0.025);
         let field = Field::from(&floor, &only(&floor, [0.01, 0.01]), &open(&floor), f64::INFINITY);
         for angle in 0..24 {
@@ -244,6 +248,9 @@ mod tests {
     /// Behind a wall of 4 m, the way leads round one of its ends.
     #[test]
     fn ways_lead_round_walls_and_none_through_closed_ones() {
+        if !sample::is_turn(1, 2) {
+            return;
+        }
         let floor_of = floor(&[wall([-2.0, -0.01], [2.0, 0.01])], 0.025);
         let field = Field::from(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of), f64::INFINITY);
         let round = 2.0 * libm::hypot(2.0, 0.3);

@@ -11,6 +11,7 @@ use crate::geometry::surface::Triangles;
 use crate::geometry::test_meshes as meshes;
 use crate::geometry::{Mesh, Rotation, Surface, rotation_about};
 use crate::human::arm::{ABDUCTION, ELBOW, flexion_range, rotation_range};
+use crate::sample;
 use crate::search::Rng;
 
 const TOLERANCE: f64 = 0.02;
@@ -243,9 +244,11 @@ fn compare(arm: ArmModel, scene: &Scene, n: [u32; 4], name: &str) -> bool {
 fn finds_whatever_a_grid_finds_in_random_scenes() {
     let mut rng = Rng::new(11);
     for arm in [ArmModel::default(), ArmModel::holding(0.3)] {
-        let found = |i: &usize| compare(arm, &random_scene(&mut rng, i % 8), [7, 7, 5, 5], &format!("scene {i}"));
-        let hits = (0..60).filter(found).count();
-        assert!((10..60).contains(&hits), "{hits} of 60 scenes with contacts: too easy or too hard to mean much");
+        let scenes: Vec<(usize, Scene)> = (0..60).map(|i| (i, random_scene(&mut rng, i % 8))).collect();
+        let found = |(i, scene): &(usize, Scene)| compare(arm, scene, [7, 7, 5, 5], &format!("scene {i}"));
+        let hits = sample::some(scenes, 3).filter(found).count();
+        let most = if sample::is_whole() { 60 } else { 21 };
+        assert!((sample::least(10, 10)..most).contains(&hits), "{hits} scenes with contacts: too easy or too hard");
     }
 }
 
@@ -288,9 +291,10 @@ fn a_wrist_that_is_kept_near_is_looked_for_there() {
 fn finds_whatever_a_grid_finds_at_a_fence() {
     let mut rng = Rng::new(5);
     for arm in [ArmModel::default(), ArmModel::holding(0.3)] {
-        let found = |i: &u32| compare(arm, &fence_scene(&mut rng), [14, 14, 8, 8], &format!("fence {i}"));
-        let hits = (0..30).filter(found).count();
-        assert!((3..28).contains(&hits), "{hits} fences with contacts");
+        let scenes: Vec<(u32, Scene)> = (0..30).map(|i| (i, fence_scene(&mut rng))).collect();
+        let found = |(i, scene): &(u32, Scene)| compare(arm, scene, [14, 14, 8, 8], &format!("fence {i}"));
+        let hits = sample::some(scenes, 5).filter(found).count();
+        assert!(!sample::is_whole() || (3..28).contains(&hits), "{hits} fences with contacts");
     }
 }
 
@@ -365,7 +369,7 @@ impl ContactScore for Turning {
 #[test]
 fn no_promised_contact_is_in_a_box_that_is_dropped() {
     let scene = |rng: &mut Rng, i| if i % 2 == 0 { random_scene(rng, 3) } else { fence_scene(rng) };
-    for (arm, scenes) in [(ArmModel::default(), 120), (ArmModel::holding(0.3), 60)] {
+    for (arm, scenes) in sample::some([(ArmModel::default(), 120), (ArmModel::holding(0.3), 60)], 2) {
         let [dropped, kept, dropped_in_touch] = dropped_boxes(arm, scenes, &scene);
         assert!(dropped > 30_000 && kept > 10_000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
     }

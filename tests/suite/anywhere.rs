@@ -2,10 +2,12 @@
 //! told of it. Against independent routes: `anywhere_sets`.
 
 use std::ops::ControlFlow;
+use std::path::Path;
 
 use crate::common::anywhere::{cell, look, look_at, look_with, mat, two_bars};
 use crate::common::guarded::{every_sequence, guarded};
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
+use crate::sample;
 use fmi_hazard::human::Start;
 use fmi_hazard::report::anywhere::{Anywhere, Place};
 use fmi_hazard::report::model::Verdict;
@@ -16,6 +18,22 @@ use fmi_hazard::standards::BodyRegion;
 
 /// A mat around it that is so wide keeps everybody from it until it stands, m.
 const ENOUGH_M: f64 = 2.1;
+
+/// A cell in which nobody bends: no arm gets to a low bar then, and sets of poses are looked at in a tenth of the time.
+fn straight(text: &str) -> String {
+    text.replace("[human]\n", "[human]\nbend_forward_deg = 0\nbend_lateral_deg = 0\n")
+}
+
+/// The same with a bar that is slower, on a strip of floor around x = 0, from low y to high; people come from its low end.
+fn strip(text: &str, half_m: f64, [low, high]: [f64; 2]) -> String {
+    let floor = format!(
+        "start = {{ xy_m = [0, {}], heading_deg = 90 }}\nfloor_m = [[-{half_m}, {low}], [{half_m}, {low}], [{half_m}, {high}], \
+         [-{half_m}, {high}]]\n",
+        low + 0.2
+    );
+    let slower = straight(text).replace("\"drive.speed\" = 5", "\"drive.speed\" = 3");
+    slower.replace("start = { xy_m = [0, -3], heading_deg = 90 }\n", &floor)
+}
 
 /// A wall between two corners, `from_m` to `to_m` high.
 fn wall(name: &str, a: [f64; 2], b: [f64; 2], [from_m, to_m]: [f64; 2]) -> String {
@@ -39,8 +57,31 @@ fn fence(half_m: f64, [low, high]: [f64; 2]) -> String {
     .concat()
 }
 
+/// What is found when the first hazard ends the search.
+fn first_found(dir: &Path, text: &str, until_s: f64) -> Anywhere {
+    let tell = &mut |told: Told| match told {
+        Told::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    look_with((&write(dir, "cell.toml", text), until_s, 2), &Ledger::default(), tell).found
+}
+
+/// A wide opening, on a strip of floor before it: only arms get through. That nobody gets through a closed one: `anywhere_instants`.
+#[test]
+fn a_wide_opening_of_a_fence_lets_hands_in() {
+    let dir = guarded();
+    let strip = "start = { xy_m = [0, -1.2], heading_deg = 90 }\nfloor_m = [[-0.15, -1.3], [0.15, -1.3], [0.15, -0.5], [-0.15, -0.5]]\n";
+    let text = straight(&cell(0.9, &fence(0.5, [0.7, 1.1])));
+    let text = text.replace("start = { xy_m = [0, -3], heading_deg = 90 }\n", strip);
+    let open = first_found(dir.path(), &text, 0.2);
+    assert_eq!(open.verdict, Verdict::HazardsFound, "{open:#?}");
+    let arm = [BodyRegion::Hand, BodyRegion::LowerArm, BodyRegion::UpperArm];
+    assert!(open.hazards.iter().all(|hazard| arm.contains(&hazard.body_region) && hazard.confirmed), "{open:#?}");
+}
+
 /// That nobody gets through a closed one: `anywhere_instants`.
 #[test]
+#[ignore = "half a minute: a slot of 3 cm, on all the floor; `a_wide_opening_of_a_fence_lets_hands_in` is quick"]
 fn an_opening_of_a_fence_lets_hands_in() {
     let dir = guarded();
     // A hand through a slot of 3 cm.
@@ -49,19 +90,42 @@ fn an_opening_of_a_fence_lets_hands_in() {
     assert!(open.hazards.iter().all(|hazard| hazard.xy_m[1] < -0.5 && hazard.confirmed), "{open:#?}");
 }
 
+/// Two mats up to `half_m` from the middle, with a gap between them.
+fn mats(half_m: f64, gap_m: f64) -> String {
+    let mat = |name: &str, from: f64, to: f64| mat(name, "clear", [from, -half_m, to, half_m]);
+    format!("{}{}", mat("left", -half_m, -0.5 * gap_m), mat("right", 0.5 * gap_m, half_m))
+}
+
+/// On a strip of floor, and by legs alone: 1.3 m of mat are enough for the bar to stand in time.
 #[test]
+fn a_strip_of_mats_is_enough_and_who_comes_in_is_another_history() {
+    let dir = guarded();
+    let whole = look(dir.path(), &strip(&cell(0.45, &mats(1.3, -0.1)), 0.5, [-2.1, 0.4]), 0.5, 2);
+    assert_eq!((whole.verdict, whole.open, whole.changes), (Verdict::NoneFound, 0, None), "{whole:#?}");
+    assert!(whole.histories.len() > 2 && whole.histories.iter().any(|history| !history.unseen), "{whole:#?}");
+}
+
+/// Feet are 0.18 m apart: whoever looks across the gap keeps to the middle by half of it.
+#[test]
+fn in_a_gap_between_mats_somebody_is_hit_unseen() {
+    let dir = guarded();
+    let hole = look(dir.path(), &strip(&cell(0.45, &mats(1.3, 0.25)), 0.2, [-1.8, 0.0]), 0.2, 2);
+    assert_eq!(hole.verdict, Verdict::HazardsFound, "{hole:#?}");
+    let unseen = |hazard: &&Place| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 1.2;
+    assert!(hole.hazards.iter().filter(unseen).count() > 0, "{hole:#?}");
+    assert!(hole.hazards.iter().filter(unseen).all(|hazard| hazard.xy_m[0].abs() < 0.126), "{hole:#?}");
+}
+
+#[test]
+#[ignore = "a minute: arms as well, on all the floor; `in_a_gap_between_mats_somebody_is_hit_unseen` is a strip of it"]
 fn where_a_mat_leaves_room_somebody_is_hit_unseen_and_elsewhere_the_bar_stands_in_time() {
     let dir = guarded();
     // Feet are 0.18 m apart: whoever looks along the gap keeps to the middle by 0.035 m, who looks across it by half of it.
-    let mats = |gap_m: f64| {
-        let mat = |name: &str, from: f64, to: f64| mat(name, "clear", [from, -2.1, to, 2.1]);
-        format!("{}{}", mat("left", -2.1, -0.5 * gap_m), mat("right", 0.5 * gap_m, 2.1))
-    };
-    let whole = look(dir.path(), &cell(0.45, &mats(-0.1)), 0.5, 2);
+    let whole = look(dir.path(), &cell(0.45, &mats(ENOUGH_M, -0.1)), 0.5, 2);
     assert_eq!((whole.verdict, whole.open, whole.changes), (Verdict::NoneFound, 0, None), "{whole:#?}");
     // Coming in is one history of readings, and going out again another.
     assert!(whole.histories.len() > 2 && whole.histories.iter().any(|history| !history.unseen), "{whole:#?}");
-    let hole = look(dir.path(), &cell(0.45, &mats(0.25)), 0.5, 2);
+    let hole = look(dir.path(), &cell(0.45, &mats(ENOUGH_M, 0.25)), 0.5, 2);
     // Of those who walk in from in front of the gap some get through unseen, and others who start 2 cm beside do not.
     let prepared = prepare(&dir.path().join("cell.toml"), None).unwrap();
     let is_hit = |number: i32| {
@@ -76,17 +140,38 @@ fn where_a_mat_leaves_room_somebody_is_hit_unseen_and_elsewhere_the_bar_stands_i
     assert!(hole.hazards.iter().filter(unseen).all(|hazard| hazard.xy_m[0].abs() < 0.126), "{hole:#?}");
 }
 
+/// Walls around the bar but in front of it, and a curtain there.
+fn front(half_m: f64) -> [String; 2] {
+    let h = half_m;
+    let walls = [
+        wall("back", [-h, h], [h, h], [0.0, 2.2]),
+        wall("left", [-h, -h], [-h, h], [0.0, 2.2]),
+        wall("right", [h, -h], [h, h], [0.0, 2.2]),
+    ];
+    let curtain = format!(
+        "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\nzone = {{ line_m = [[-{h}, -{h}], [{h}, -{h}]], heights_m = [0, \
+         2.2] }}\nvariable = \"clear\"\nactive = false\n"
+    );
+    [walls.concat(), curtain]
+}
+
+/// By legs alone: 1.2 m behind the curtain are enough for the bar to stand in time.
 #[test]
+fn nobody_walks_through_a_light_curtain_in_time_but_where_there_is_none() {
+    let dir = guarded();
+    let [walls, curtain] = front(1.2);
+    let slow = |parts: &str| straight(&cell(0.45, parts)).replace("\"drive.speed\" = 5", "\"drive.speed\" = 3");
+    let found = look(dir.path(), &slow(&format!("{walls}{curtain}")), 0.4, 2);
+    assert_eq!((found.verdict, found.open), (Verdict::NoneFound, 0), "{found:#?}");
+    let open = look(dir.path(), &slow(&walls), 0.2, 2);
+    assert_eq!(open.verdict, Verdict::HazardsFound, "{open:#?}");
+}
+
+#[test]
+#[ignore = "a minute: arms as well, and an example; `nobody_walks_through_a_light_curtain_in_time_but_where_there_is_none` is for legs"]
 fn nobody_gets_through_a_light_curtain_in_time_but_where_there_is_none() {
     let dir = guarded();
-    let walls = [
-        wall("back", [-1.7, 1.7], [1.7, 1.7], [0.0, 2.2]),
-        wall("left", [-1.7, -1.7], [-1.7, 1.7], [0.0, 2.2]),
-        wall("right", [1.7, -1.7], [1.7, 1.7], [0.0, 2.2]),
-    ]
-    .concat();
-    let curtain = "[[sensor]]\nname = \"curtain\"\nkind = \"light_curtain\"\nzone = { line_m = [[-1.7, -1.7], [1.7, -1.7]], \
-                   heights_m = [0, 2.2] }\nvariable = \"clear\"\nactive = false\n";
+    let [walls, curtain] = front(1.7);
     let found = look(dir.path(), &cell(0.45, &format!("{walls}{curtain}")), 0.4, 2);
     assert_eq!((found.verdict, found.open), (Verdict::NoneFound, 0), "{found:#?}");
     // An example: who bends in the plane has no hand deeper behind it than 2.0 m/s take it, and the front is where the cell's own
@@ -99,9 +184,8 @@ fn nobody_gets_through_a_light_curtain_in_time_but_where_there_is_none() {
 }
 
 /// Who stands before a curtain that is clear has no hand behind it, but one that leads round its end: there only a low wall goes on.
-/// Nor has anybody leaned through it far who stands before it, however near they are: without that the floor at an example's curtain
-/// is not done for hours.
 #[test]
+#[ignore = "a minute; `sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_is_clear` is an instant of it"]
 fn a_clear_curtain_keeps_hands_off_but_those_that_lead_round_its_end() {
     let dir = guarded();
     let front = |end: f64| {
@@ -123,6 +207,13 @@ fn a_clear_curtain_keeps_hands_off_but_those_that_lead_round_its_end() {
     let found = look(dir.path(), &near, 0.1, 2);
     let unseen = |place: &Place| place.confirmed && place.xy_m[1] < -0.6 && !place.sensors[0].person_detected;
     assert!(found.hazards.iter().any(unseen), "{found:#?}");
+}
+
+/// Nobody has leaned far through a clear curtain who stands before it, however near they are: without that the floor at an example's curtain
+/// is not done for hours.
+#[test]
+#[ignore = "slow: an example's floor; `a_clear_curtain_keeps_hands_off_but_those_that_lead_round_its_end` is a strip of it"]
+fn the_floor_at_the_curtain_of_an_example_is_done() {
     let examples = examples();
     let flawed = look_at(&examples.path().join("light-curtain/cell.toml"), 0.06, 2);
     let (hazards, open) = (&flawed.hazards, flawed.open_m.iter().filter(|at| at[1] < -0.1).count());
@@ -132,6 +223,7 @@ fn a_clear_curtain_keeps_hands_off_but_those_that_lead_round_its_end() {
 /// By hand: within 0.5 s somebody gets 0.8 m from the mat's edge, and a hand is at the bar. The curtain, 1.9 m before the bar, has told
 /// nothing of them: that a hand which passes it takes 0.95 s to get there is of no matter.
 #[test]
+#[ignore = "a minute: arms on all the floor; `sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_tells` is an instant of it"]
 fn who_comes_in_over_a_mat_is_not_taken_to_have_passed_the_curtain() {
     let dir = guarded();
     let walls = [
@@ -160,7 +252,7 @@ fn who_comes_in_over_a_mat_is_not_taken_to_have_passed_the_curtain() {
 #[test]
 fn the_floor_tells_when_it_is_hit_and_a_turn_of_the_bar_later_it_is_hit_again() {
     let dir = guarded();
-    let found = look(dir.path(), &cell(0.45, ""), 2.6, 2);
+    let found = look(dir.path(), &straight(&cell(0.45, "")), 2.6, 2);
     assert!((found.span_s - 0.1).abs() < 1e-9 && found.followed, "{}", found.span_s);
     let (mut hit, mut again) = (0_u32, 0_u32);
     for cell in &found.floor {
@@ -182,7 +274,7 @@ fn the_floor_tells_when_it_is_hit_and_a_turn_of_the_bar_later_it_is_hit_again() 
 fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_shows_it() {
     let dir = guarded();
     let dir = dir.path();
-    let own = cell(0.45, "").replace("[human]\n", "[human]\nfrom = \"anywhere\"\n");
+    let own = straight(&cell(0.45, "")).replace("[human]\n", "[human]\nfrom = \"anywhere\"\n");
     write(dir, "cell.toml", &own);
     let ran = |arguments: &[&str], code: i32| {
         let mut command = fmi_hazard(dir);
@@ -254,7 +346,29 @@ fn told(radius_m: f64, others: &str) -> String {
     format!("{}\"field.radius\" = {radius_m}\n{others}", cell(0.9, field))
 }
 
+/// On a strip of floor, and by legs alone, so that smaller fields are enough; this one tells 0.1 s late.
 #[test]
+fn a_small_field_inside_the_fmu_is_found_by_asking_it() {
+    let dir = guarded();
+    let small = |text: &str| strip(&text.replace("xyz_m = [0, 0, 0.9]", "xyz_m = [0, 0, 0.45]"), 0.25, [-2.2, 0.0]);
+    let late = told(1.5, "\"filter.tau\" = 0.1\n").replace("field.occupied", "demand.counts");
+    let late = look(dir.path(), &small(&late), 0.4, 2);
+    assert_eq!((late.verdict, late.open), (Verdict::NoneFound, 0), "{late:#?}");
+    assert!(late.rests_on.iter().any(|ground| ground.contains("all people of whom its sensors report the same")));
+    let near = look(dir.path(), &small(&told(0.6, "")), 0.24, 2);
+    assert_eq!(near.verdict, Verdict::HazardsFound, "{near:#?}");
+    // Somebody is hit who has come into the field; and it is where a field outside of the FMU would see them.
+    let walks = near.hazards.iter().find(|hazard| hazard.confirmed && hazard.walks_in).expect("somebody walks in");
+    assert!(libm::hypot(walks.start_m[0], walks.start_m[1]) > 0.6 && libm::hypot(walks.xy_m[0], walks.xy_m[1]) < 0.6);
+    // What the bar does depends on the distance too, and no sensor reports that.
+    let more = told(1.5, "\"ssm.distance\" = 2.0\n").replace("\"ssm.distance\" = 0.0\n", "");
+    let more = look(dir.path(), &small(&more), 0.5, 2);
+    assert_eq!((more.verdict, more.histories.len()), (Verdict::Inconclusive, 0), "{more:#?}");
+    assert!(more.reasons[0].contains("in more ways than its sensors report"), "{more:#?}");
+}
+
+#[test]
+#[ignore = "a minute: all the floor, and arms; `a_small_field_inside_the_fmu_is_found_by_asking_it` is a strip, and legs"]
 fn a_field_inside_the_fmu_is_found_by_asking_it() {
     let dir = guarded();
     // By hand: who reaches 1.4 m to a bar that reaches 0.4 m has to be kept 2.36 m away, and up to two samples and a cell more.
@@ -277,6 +391,7 @@ fn a_field_inside_the_fmu_is_found_by_asking_it() {
 /// The flaw of an example: who is in the field of one robot, and not in that of the other, reaches that. Each robot is looked at by its
 /// own field alone, so who is seen by the other one counts as unseen there.
 #[test]
+#[ignore = "a minute: a large example; `robots_that_heed_different_sensors_are_looked_at_one_by_one` has two bars"]
 fn who_is_seen_by_the_other_robots_field_only_is_hit() {
     let examples = examples();
     let found = look_at(&examples.path().join("two-scanners/cell.toml"), 0.3, 2);
@@ -291,8 +406,13 @@ fn who_is_seen_by_the_other_robots_field_only_is_hit() {
 #[test]
 fn robots_that_heed_different_sensors_are_looked_at_one_by_one() {
     let dir = guarded();
-    let two = |wired: [&str; 2], until_s: f64| look(dir.path(), &two_bars(wired), until_s, 2);
-    let safe = two(["a", "b"], 0.5);
+    // On a strip of floor through both.
+    let floor = "floor_m = [[-4.6, -0.2], [4.6, -0.2], [4.6, 0.2], [-4.6, 0.2]]\nstart = { xy_m = [0, 0]";
+    let two = |wired: [&str; 2], until_s: f64| {
+        let text = straight(&two_bars(wired)).replace("start = { xy_m = [0, -3]", floor);
+        look(dir.path(), &text, until_s, 2)
+    };
+    let safe = two(["a", "b"], 0.3);
     assert_eq!((safe.verdict, safe.open), (Verdict::NoneFound, 0), "{safe:#?}");
     let grounds = |found: &Anywhere| found.rests_on.iter().map(|ground| ground[..21].to_owned()).collect::<Vec<_>>();
     assert_eq!(grounds(&safe), ["a does not heed mat b", "b does not heed mat a"]);
@@ -306,7 +426,7 @@ fn robots_that_heed_different_sensors_are_looked_at_one_by_one() {
 /// A square mat around the bar, but for what is beyond x = `cut_m`; people come along a strip of floor from there.
 fn along_x(half_m: f64, cut_m: f64) -> String {
     let mat = mat("mat", "clear", [-half_m, -half_m, half_m.min(cut_m), half_m]);
-    let strip = "start = { xy_m = [3.2, 0], heading_deg = 180 }\nfloor_m = [[-0.5, -0.4], [3.5, -0.4], [3.5, 0.4], [-0.5, 0.4]]\n";
+    let strip = "start = { xy_m = [3.2, 0], heading_deg = 180 }\nfloor_m = [[0, -0.25], [3.4, -0.25], [3.4, 0.25], [0, 0.25]]\n";
     cell(0.9, &mat).replace("start = { xy_m = [0, -3], heading_deg = 90 }\n", strip)
 }
 
@@ -321,7 +441,7 @@ fn a_mat_that_is_5_cm_short_and_a_bar_that_is_fast_for_10_ms_are_not_passed() {
     let cut = look(&along_x(ENOUGH_M, ENOUGH_M - 0.05), 0.5);
     assert!(cut.verdict != Verdict::NoneFound && cut.floor.len() + cut.open + cut.between > 0, "{cut:#?}");
     // A bar that is fast for 10 ms: at an instant somebody is hit; between two it is faster than it says.
-    let slow = cell(0.45, "").replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02");
+    let slow = straight(&cell(0.45, "")).replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02");
     let burst = |at_s: f64| look(&format!("{slow}\"burst.at\" = {at_s}\n\"burst.by\" = 5\n"), 0.6);
     assert_eq!(look(&slow, 0.6).verdict, Verdict::NoneFound);
     let at = burst(0.395);
@@ -331,8 +451,47 @@ fn a_mat_that_is_5_cm_short_and_a_bar_that_is_fast_for_10_ms_are_not_passed() {
     assert_eq!(between.verdict, Verdict::Inconclusive, "{between:#?}");
 }
 
+/// Such controllers on a narrow strip of floor, by legs alone, with these parameters.
+fn on_a_strip(more: &str, until_s: f64) -> Anywhere {
+    let dir = guarded();
+    let floor =
+        "start = { xy_m = [1.8, 0], heading_deg = 180 }\nfloor_m = [[0, -0.15], [2, -0.15], [2, 0.15], [0, 0.15]]\n";
+    let text = straight(&cell(0.45, &mat("mat", "clear", [-1.3, -1.3, 1.3, 1.3])));
+    let text = text.replace("start = { xy_m = [0, -3], heading_deg = 90 }\n", floor);
+    let text = text.replace("\"drive.speed\" = 5", "\"drive.speed\" = 3");
+    look(dir.path(), &format!("{text}{more}"), until_s, 2)
+}
+
+/// Who steps on the mat and off it at once, and comes in again, is not stopped for.
+#[test]
+fn a_controller_that_stops_once_is_not_certified() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
+    let filtered = on_a_strip("\"filter.tau\" = 0.06\n", 0.6);
+    assert_eq!(filtered.verdict, Verdict::NoneFound, "{filtered:#?}");
+    let once = on_a_strip("\"filter.tau\" = 0.06\n\"latch.once\" = 1\n", 0.7);
+    assert_ne!(once.verdict, Verdict::NoneFound);
+    assert!(once.floor.iter().any(|cell| !cell.unseen), "{once:#?}");
+}
+
+/// What a saved state leaves out shows when it is run again, and a speed that is not that of the motion beside it.
+#[test]
+fn a_controller_that_forgets_or_tells_another_speed_is_not_certified() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
+    let forgets = on_a_strip("\"filter.tau\" = 0.06\n\"state.forgets\" = 1\n", 0.6);
+    assert_ne!(forgets.verdict, Verdict::NoneFound, "{forgets:#?}");
+    assert!(!forgets.reasons.is_empty(), "{forgets:#?}");
+    let lies = on_a_strip("\"stopping.told\" = 0.0\n", 0.6);
+    assert_eq!(lies.verdict, Verdict::Inconclusive, "{lies:#?}");
+    assert!(lies.reasons.iter().any(|reason| reason.contains("speed")), "{:?}", lies.reasons);
+}
+
 /// Controllers that do other things than they seem to, and are safe without that.
 #[test]
+#[ignore = "half a minute: arms as well; `a_controller_that_stops_once_is_not_certified` and the one after it are by legs"]
 fn a_controller_that_forgets_or_tells_something_else_is_not_certified() {
     let dir = guarded();
     let looked = |more: &str| look(dir.path(), &format!("{}{more}", along_x(2.4, 9.0)), 0.6, 2);
@@ -357,7 +516,7 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     let dir = guarded();
     let dir = dir.path();
     // Nobody is hit from the start, which is far away, and somebody is from elsewhere.
-    write(dir, "cell.toml", &cell(0.45, ""));
+    write(dir, "cell.toml", &straight(&cell(0.45, "")));
     let ran = |arguments: &[&str], code: i32| {
         let mut command = fmi_hazard(dir);
         let out = command.env_remove("FMI_HAZARD_FROM").args(arguments).output().unwrap();
@@ -384,7 +543,7 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     ran(&["scan", "--resume", "out/anywhere"], 1);
     assert!(std::fs::read(dir.join("out/anywhere/anywhere/anywhere.json")).unwrap() == before);
     // What is not known from anywhere counts, too.
-    let slow = cell(0.45, "").replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02");
+    let slow = straight(&cell(0.45, "")).replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02");
     write(dir, "approach.toml", &slow.replace("[search]\n", "[search]\ncriterion = \"approach\"\n"));
     ran(&["scan", "approach.toml", "--until", "1s"], 4);
     ran(&["scan", "approach.toml", "--from", "start"], 0);
@@ -393,14 +552,23 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     ran(&["scan", "cell.toml", "--from", "start"], 0);
 }
 
-/// Ended in the middle and gone on with, and in parts put together in any order: the same bytes as all at once. A part excludes nothing.
 #[test]
+fn what_was_ended_on_a_strip_goes_on_and_parts_together_are_the_whole() {
+    what_was_ended_goes_on(&strip(&cell(0.45, &mats(0.3, -0.1)), 0.15, [-1.2, 0.0]), 0.12);
+}
+
+#[test]
+#[ignore = "a minute: arms as well; `what_was_ended_on_a_strip_goes_on_and_parts_together_are_the_whole` is smaller"]
 fn what_was_ended_goes_on_and_parts_together_are_the_whole() {
-    const UNTIL_S: f64 = 0.4;
+    what_was_ended_goes_on(&along_x(0.9, 0.9), 0.4);
+}
+
+/// Ended in the middle and gone on with, and in parts put together in any order: the same bytes as all at once. A part excludes nothing.
+fn what_was_ended_goes_on(text: &str, until_s: f64) {
     let dir = guarded();
-    let path = write(dir.path(), "cell.toml", &along_x(0.9, 0.9));
+    let path = write(dir.path(), "cell.toml", text);
     let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
-    let whole = look_at(&path, UNTIL_S, 2);
+    let whole = look_at(&path, until_s, 2);
     assert!(!whole.hazards.is_empty());
     let kept = dir.path().join("answers.bin");
     let mut answered = 0;
@@ -410,7 +578,7 @@ fn what_was_ended_goes_on_and_parts_together_are_the_whole() {
             Told::Floor(share, _) if share > at => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
         };
-        let looked = look_with((&path, UNTIL_S, 2), &ledger, tell);
+        let looked = look_with((&path, until_s, 2), &ledger, tell);
         assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
         let (known, _) = ledger.remembered();
         assert!(known > answered || at < 1.0, "{at}: {known} {answered}");
@@ -420,13 +588,13 @@ fn what_was_ended_goes_on_and_parts_together_are_the_whole() {
     for number in 1..=2 {
         let share = format!("{number}/2").parse().unwrap();
         let ledger = Ledger::open(&part(number), "cell").unwrap().only(Some(share));
-        let found = look_with((&path, UNTIL_S, 1), &ledger, &mut |_| ControlFlow::Continue(())).found;
+        let found = look_with((&path, until_s, 1), &ledger, &mut |_| ControlFlow::Continue(())).found;
         assert!(found.verdict != Verdict::NoneFound && json(&found) != json(&whole), "{number}");
         assert!(found.reasons.iter().any(|reason| reason.contains(&format!("part {number}/2"))), "{found:?}");
     }
     let mut ledger = Ledger::default();
     [2, 1].into_iter().for_each(|number| ledger.take_in(&part(number), "cell").unwrap());
-    let merged = look_with((&path, UNTIL_S, 2), &ledger, &mut |_| ControlFlow::Continue(())).found;
+    let merged = look_with((&path, until_s, 2), &ledger, &mut |_| ControlFlow::Continue(())).found;
     assert_eq!(json(&merged), json(&whole));
     let (known, all) = ledger.remembered();
     assert!(2 * known > all, "{known} of {all}");

@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::common::anywhere::cell;
 use crate::common::instant::{ANYWHERE, Instant, seen, uniform};
+use crate::sample;
 use fmi_hazard::geometry::kinematics::Neighbourhood;
 use fmi_hazard::geometry::{Cuboid, Solid, Vec3};
 use fmi_hazard::human::arm::ArmModel;
@@ -285,32 +286,41 @@ fn closed(text: &str) -> String {
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_gets_an_arm_to_the_bar() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let wall = "[[obstacle]]\nname = \"wall\"\ncentre_m = [-0.5, -0.7, 1.1]\nsize_m = [1.0, 0.02, 2.2]\n[[obstacle]]\nname = \"low\"\n\
                 centre_m = [0.9, -0.7, 0.6]\nsize_m = [1.2, 0.02, 1.2]\n";
-    for parts in ["", wall] {
+    // Those of half as many are the first of all.
+    let (boxes, least) = if sample::is_whole() { (400, [40, 10]) } else { (200, [10, 2]) };
+    for parts in sample::some(["", wall], 2) {
         let asked = Asked {
             text: fine(0.9, parts),
             reading: None,
             depths_m: &[f64::INFINITY],
             come_before: false,
-            boxes: 400,
+            boxes,
             small: 75,
         };
         let (settled, others) = look_at_sets(&asked);
-        assert!(settled > 40 && others > 10, "{settled} {others}");
+        assert!(settled > least[0] && others > least[1], "{settled} {others}");
     }
 }
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_tells() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
     // Whoever stands behind it reaches over it into the plane.
     let barrier = "[[obstacle]]\nname = \"barrier\"\ncentre_m = [0, -0.5, 0.25]\nsize_m = [1.2, 0.58, 0.5]\n";
-    for (text, come_before, depths_m, (boxes, small)) in [
+    let cells = [
         (closed(&fine(0.9, &curtain(-0.8, 1.5, 0.0, 2.2))), true, [0.16, 0.3], (200, 90)),
         (closed(&fine(0.9, &curtain(-0.8, 1.5, 0.0, 1.2))), true, [0.05, 0.1], (1000, 0)),
         (fine(0.9, &format!("{barrier}{}", curtain(-0.8, 0.3, 0.6, 1.4))), false, [0.05, 0.1], (1000, 0)),
         (fine(0.9, &curtain(-0.8, 1.5, 0.0, 2.2)), false, [0.05, 0.1], (1000, 0)),
-    ] {
+    ];
+    for (text, come_before, depths_m, (boxes, small)) in sample::some(cells, 2) {
         let asked = Asked { text, reading: Some(true), depths_m: &depths_m, come_before, boxes, small };
         let (settled, others) = look_at_sets(&asked);
         assert!(settled > 40 && others > 10, "{settled} {others}");
@@ -319,7 +329,10 @@ fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_tells() {
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_is_clear() {
-    for parts in [curtain(-0.7, 1.5, 0.0, 2.2), curtain(-0.8, 0.3, 0.0, 2.2)] {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
+    for parts in sample::some([curtain(-0.7, 1.5, 0.0, 2.2), curtain(-0.8, 0.3, 0.0, 2.2)], 2) {
         let text = fine(1.15, &parts);
         let asked =
             Asked { text, reading: Some(false), depths_m: &[f64::INFINITY], come_before: false, boxes: 800, small: 0 };

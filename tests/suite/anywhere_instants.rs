@@ -9,6 +9,7 @@ use crate::common::anywhere::{cell, mat};
 use crate::common::guarded::guarded;
 use crate::common::instant::{ANYWHERE, Instant, seen, slow, uniform};
 use crate::common::write;
+use crate::sample;
 use fmi_hazard::cell::Zone;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::human::posture::cut_back;
@@ -167,6 +168,9 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
 
 #[test]
 fn whoever_bends_and_is_hit_is_in_a_square_that_is_told() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     // A beam that stops heads, and a pillar beside.
     let beam = "[[obstacle]]\nname = \"beam\"\ncentre_m = [0, 0.72, 1.5]\nsize_m = [1.0, 0.04, 0.5]\n[[obstacle]]\nname = \"pillar\"\n\
                 centre_m = [-0.6, -0.5, 1.1]\nsize_m = [0.1, 0.1, 2.2]\n";
@@ -182,6 +186,9 @@ fn whoever_bends_and_is_hit_is_in_a_square_that_is_told() {
 
 #[test]
 fn whoever_reaches_past_a_wall_and_is_hit_is_in_a_square_that_is_told() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let wall = "[[obstacle]]\nname = \"wall\"\ncentre_m = [-0.5, -0.45, 1.1]\nsize_m = [1.6, 0.02, 2.2]\n[[obstacle]]\nname = \"low\"\n\
                 centre_m = [0.9, -0.45, 0.6]\nsize_m = [1.2, 0.02, 1.2]\n";
     let south: &dyn Fn([f64; 2]) -> bool = &|[x, y]| y < -0.6 && x < -0.2;
@@ -199,24 +206,24 @@ fn a_gap_of_2_cm_that_few_headings_show_is_floor_on_which_nobody_is_seen() {
     let (sin, cos) = libm::sincos(heading);
     // So far along the heading, and to the left of it: along the gap.
     let at = |along: f64, left: f64| [along * cos - left * sin, along * sin + left * cos];
-    let polygon = |from: f64, to: f64| format!("{:?}", [at(from, -1.5), at(to, -1.5), at(to, 1.5), at(from, 1.5)]);
+    let polygon = |from: f64, to: f64| format!("{:?}", [at(from, -0.8), at(to, -0.8), at(to, 0.8), at(from, 0.8)]);
     let side = |name: &str, from: f64, to: f64| {
         let zone = format!("zone = {{ polygon_m = {} }}\n", polygon(from, to));
         let mat = mat(name, "clear", [0.0; 4]);
         format!("{}{zone}", mat.split("zone = ").next().unwrap())
     };
-    let text = cell(0.45, &[side("left", -1.5, -0.01), side("right", 0.01, 1.5)].concat());
+    let text = cell(0.45, &[side("left", -0.8, -0.01), side("right", 0.01, 0.8)].concat());
     let dir = guarded();
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
     let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0);
     let (floor, unseen, _) = search.ground();
     for number in 0..200 {
-        let place = at(0.0, f64::from(number - 100) * 0.014);
+        let place = at(0.0, f64::from(number - 100) * 0.007);
         assert!(search.is_possible(place, heading, Posture::Upright, &[Some(false); 2]), "{place:?}");
         assert!(floor.within(place, 0.0).any(|cell| unseen[cell]), "{place:?}");
         assert!(zones.origin().least(place, 0.0) <= 0.0 && zones.ways[0].field.least(place, 0.0) <= 0.0, "{place:?}");
-        let beside = at(0.2, f64::from(number - 100) * 0.014);
+        let beside = at(0.2, f64::from(number - 100) * 0.007);
         assert!(!floor.within(beside, 0.0).any(|cell| unseen[cell]), "{beside:?}");
     }
 }

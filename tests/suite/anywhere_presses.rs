@@ -17,14 +17,20 @@ use fmi_hazard::sim::sensors::Seen;
 use serde_json::Value;
 
 use crate::common::{examples, fmi_hazard};
+use crate::sample;
 
 /// Communication steps: over the mat, a press, and what the robot then begins to do.
 const STEPS: usize = 50;
 
+/// Edge of a cell of the floor, m: the search's own where all is looked at, else a larger one, with which more is taken to be possible.
+fn floor_m(larger_m: f64) -> f64 {
+    if sample::is_whole() { 0.025 } else { larger_m }
+}
+
 /// What the robot does along all histories, with so many presses.
 fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
     let cell = &*prepared.cell;
-    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::on_cells_of(floor_m(0.05), cell, std::iter::empty(), 0.0, prepared.stop());
     let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
     let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses);
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
@@ -54,8 +60,13 @@ fn is_in(of: &[History], frame: &RobotFrame, readings: &[bool], at: Vec3) -> boo
 /// history says that they may be while the robot is as it is. Without presses that is not so: the robot starts again.
 #[test]
 fn whoever_walks_and_presses_is_in_the_sets() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = examples();
-    for (example, by) in [("reset-inside", ControlledBy::Person), ("reset-outside", ControlledBy::Anyone)] {
+    for (example, by) in
+        sample::some([("reset-inside", ControlledBy::Person), ("reset-outside", ControlledBy::Anyone)], 2)
+    {
         let prepared = prepare(&dir.path().join(example).join("cell.toml"), None).unwrap();
         assert_eq!(prepared.cell.controls[0].by, by);
         let [without, with] = [0, 1].map(|presses| histories(&prepared, presses));
@@ -104,7 +115,7 @@ fn whoever_has_pressed_is_near_the_button() {
     for (file, is_inside) in [("cell.toml", true), ("fixed.toml", false)] {
         let prepared = prepare(&dir.path().join("reset-inside").join(file), None).unwrap();
         let cell = &*prepared.cell;
-        let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+        let search = Search::on_cells_of(floor_m(0.1), cell, std::iter::empty(), 0.0, prepared.stop());
         let stride_m = 1.6 * cell.step_s;
         let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1);
         let pressed: Vec<_> = zones.ways.iter().filter(|way| way.pressed == Presses::one(0)).collect();
@@ -132,9 +143,57 @@ fn whoever_has_pressed_is_near_the_button() {
     }
 }
 
+/// On a strip of floor nobody is hit in a second in a repaired one, pressing or not.
+#[test]
+fn a_reset_that_does_nothing_while_somebody_is_inside_is_enough_on_a_strip_of_floor() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
+    let dir = examples();
+    let dir = dir.path();
+    let strip = "extends = \"fixed.toml\"\nname = \"strip\"\n[human]\nfloor_m = [[-0.8, -2.0], [-0.3, -2.0], [-0.3, 0.2], [-0.8, 0.2]]\n";
+    std::fs::write(dir.join("reset-outside/strip.toml"), strip).unwrap();
+    let options = ["--from", "anywhere", "--until", "1s", "--no-advice", "--out", "out"];
+    let output = fmi_hazard(dir).args(["scan", "reset-outside/strip.toml"]).args(options).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(dir.join("out/anywhere.json")).unwrap();
+    let fixed: Value = serde_json::from_str(&text).unwrap();
+    assert!(fixed["presses"] == 1 && fixed["verdict"] == "none_found", "{fixed}");
+    assert_eq!(fixed["reasons"], Value::Array(Vec::new()), "{fixed}");
+}
+
+/// On a part of the floor, over a strip of mat that is 0.3 m deep: who comes in and presses is hit, and no floor is left open.
+#[test]
+fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
+    let dir = examples();
+    let dir = dir.path();
+    let thin = "extends = \"cell.toml\"\nname = \"thin\"\n[remove]\nsensor = [\"mat\"]\n[[sensor]]\nname = \"mat\"\nkind = \"mat\"\n\
+                variable = \"plc.mat_clear\"\nactive = false\nzone = { polygon_m = [[-1, -1.3], [1, -1.3], [1, -1], [-1, -1]] }\n\
+                [human]\nstart = { xy_m = [-0.6, -1.55], heading_deg = 90 }\n\
+                floor_m = [[-0.8, -1.65], [0.1, -1.65], [0.1, 0.4], [-0.8, 0.4]]\n";
+    std::fs::write(dir.join("reset-inside/thin.toml"), thin).unwrap();
+    let options = ["--from", "anywhere", "--until", "1s", "--max-states", "60000", "--no-advice", "--out", "out"];
+    let output = fmi_hazard(dir).args(["scan", "reset-inside/thin.toml"]).args(options).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |file: &str| -> Value {
+        serde_json::from_str(&std::fs::read_to_string(dir.join("out").join(file)).unwrap()).unwrap()
+    };
+    let (found, scan) = (read("anywhere.json"), read("scan.json"));
+    assert!(found["presses"] == 1 && scan["settings"]["presses"] == 1, "{found}");
+    for hazard in scan["hazards"].as_array().unwrap() {
+        assert!(hazard["confirmed"] == true && hazard["worked"][0]["name"] == "reset", "{hazard}");
+    }
+    let confirmed = found["hazards"].as_array().unwrap().iter().filter(|hazard| hazard["confirmed"] == true).count();
+    assert!(confirmed > 3 && found["open"] == 0, "{found}");
+}
+
 /// Over a strip of mat that is 0.3 m deep, so that a second is enough: who comes from anywhere and presses once is hit in the flawed cell,
 /// as runs of their own show, and nothing else is left open; nobody is in that second in a repaired one.
 #[test]
+#[ignore = "a minute: all the floor; the two tests before this are on parts of it"]
 fn a_reset_with_somebody_inside_is_found_from_anywhere() {
     let dir = examples();
     let dir = dir.path();

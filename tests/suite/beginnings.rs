@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::common::formats::read_by_others;
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
+use crate::sample;
 use fmi_hazard::human::Action;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
@@ -28,9 +29,12 @@ fn scan<'a>(name: &'a str, out: &'a str) -> [&'a str; 7] {
 
 #[test]
 fn a_later_beginning_is_as_if_the_person_had_stood_still_before() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path();
-    cell(dir, "many", HUMAN);
+    cell(dir, "many", &HUMAN.replace("actions = 3", "actions = 2"));
     cell(dir, "once", "[human]");
     let printed = fmi_hazard(dir).args(scan("safety-fence/many.toml", "o")).assert().code(1).get_output().clone();
     let printed = String::from_utf8_lossy(&printed.stdout).into_owned();
@@ -68,7 +72,9 @@ fn a_later_beginning_is_as_if_the_person_had_stood_still_before() {
             let inputs = std::fs::read_to_string(out.join(format!("{id}.outputs.csv"))).unwrap();
             assert!(inputs.lines().count() > stops * 10, "{inputs}");
         }
-        read_by_others(&out, Some(&dir.join("safety-fence/safety-fence.fmu")));
+        if sample::takes(number, 2) {
+            read_by_others(&out, Some(&dir.join("safety-fence/safety-fence.fmu")));
+        }
     }
     assert!(hazards > 10, "{hazards} hazards show too little");
     let of_all = fmi_hazard(dir).args(["replay", "o", "all"]).assert().code(2).get_output().clone();
@@ -84,6 +90,9 @@ fn a_later_beginning_is_as_if_the_person_had_stood_still_before() {
 
 #[test]
 fn a_beginning_is_its_start_and_time_not_its_number() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path();
     let human = |starts: &str| HUMAN.replace("other_starts = [", &format!("other_starts = [{starts}"));
@@ -135,7 +144,8 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
 fn with_human(dir: &Path, name: &str, lines: &str) {
     let text = std::fs::read_to_string(dir.join("safety-fence/cell.toml")).unwrap();
     let text = text.replace("start = { xy_m = [1.05, -1.7], heading_deg = 90 }", lines);
-    write(dir, &format!("safety-fence/{name}.toml"), &(text + "\n[search]\nactions = 3\n"));
+    let actions = if sample::is_whole() { 3 } else { 2 };
+    write(dir, &format!("safety-fence/{name}.toml"), &format!("{text}\n[search]\nactions = {actions}\n"));
 }
 
 /// Where the starts of a cell are, in their order.
@@ -192,6 +202,9 @@ fn an_area_is_a_lattice_of_starts_that_stays_where_it_is() {
 
 #[test]
 fn a_place_of_an_area_is_searched_as_a_start_by_itself() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path();
     // Two places: 0.45 m, and -0.75 or -0.6 m.
@@ -221,13 +234,18 @@ fn a_place_of_an_area_is_searched_as_a_start_by_itself() {
         Some((folder, id))
     });
     let (folder, id) = of.unwrap();
-    // One thing that it may change shows it, and takes less time than all.
+    // A few things that it may change show it, and take less time than all: parameters, and a fence and the robot where all cases are
+    // looked at.
     let cell = std::fs::read_to_string(dir.join("safety-fence/area.toml")).unwrap();
     let table: toml::Table = cell.parse().unwrap();
     let names = table["obstacle"].as_array().unwrap().iter().map(|obstacle| obstacle["name"].as_str().unwrap());
-    let fixed =
-        names.filter(|name| *name != "fence above the opening").map(|name| format!("\"{name}\".fixed = true\n"));
-    write(dir, "safety-fence/area.toml", &format!("{cell}\n[explain.obstacle]\n{}", fixed.collect::<String>()));
+    let names = names.filter(|name| !sample::is_whole() || *name != "fence above the opening");
+    let mut fixed: String = names.map(|name| format!("\"{name}\".fixed = true\n")).collect();
+    if !sample::is_whole() {
+        let robot = table["robot"][0]["name"].as_str().unwrap();
+        fixed = format!("{fixed}[explain.robot]\n\"{robot}\".fixed = true\n");
+    }
+    write(dir, "safety-fence/area.toml", &format!("{cell}\n[explain.obstacle]\n{fixed}"));
     let mut explain = fmi_hazard(dir);
     explain.args(["explain", folder, &id, "--quick", "--iterations", "1", "--format", "json"]);
     let told: serde_json::Value = serde_json::from_slice(&explain.output().unwrap().stdout).unwrap();

@@ -1,5 +1,5 @@
-//! README and book: their commands are run as they stand, the reference is what the program writes, and links lead somewhere.
-//! Needs the Python environment that `tools/test` makes.
+//! README and book: their commands are those of the program, and are run as they stand (those that take long in `tools/test --all`), the
+//! reference is what the program writes, and links lead somewhere. Needs the Python environment that `tools/test` makes.
 //!
 //! What stands behind the fence of a block says how it is run: `exit=1` (the exit code; 0 or 1 otherwise), `trusted` (with
 //! Python's library), `setup` and `download` (not run again), `file=NAME` (the block is that file, or a change of it).
@@ -10,6 +10,7 @@ use std::process::Command;
 
 use crate::common::fmpy::python;
 use crate::common::{fmi_hazard, scan_json};
+use serde_json::Value;
 use tempfile::TempDir;
 
 fn book() -> PathBuf {
@@ -60,6 +61,8 @@ struct Reader {
     path: OsString,
     /// Longest time for a scan, and for an explanation: then it is interrupted, as by Ctrl-C.
     patience: Option<u32>,
+    /// Changes of a page's commands that make them quick.
+    quicker: &'static [(&'static str, &'static str)],
     commands: usize,
     edits: usize,
 }
@@ -73,7 +76,7 @@ impl Reader {
         ];
         let own = std::env::var_os("PATH").unwrap();
         let path = std::env::join_paths(programs.into_iter().chain(std::env::split_paths(&own))).unwrap();
-        Self { dir, path, patience, commands: 0, edits: 0 }
+        Self { dir, path, patience, quicker: &[], commands: 0, edits: 0 }
     }
 
     /// What a script tells, and its exit code.
@@ -137,11 +140,14 @@ impl Reader {
                 ("sh", None) if self.patience.is_some() => self.each(&text),
                 ("sh", None) => {
                     let expected = named("exit=").unwrap_or("0");
-                    let script = text.replace("export LD_PRELOAD=libpython3.11.so.1.0\n", "");
+                    let mut script = text.replace("export LD_PRELOAD=libpython3.11.so.1.0\n", "");
+                    for (old, new) in self.quicker {
+                        script = script.replace(old, new);
+                    }
                     let (code, told) = self.run(&script, info.contains(&"trusted").then_some(library));
                     assert_eq!(code.to_string(), expected, "{text}{told}");
                     for (command, words) in SAYS {
-                        if text.contains(command) {
+                        if script.contains(command) {
                             assert!(told.contains(words), "{command}: `{words}` is not in\n{told}");
                         }
                     }
@@ -152,7 +158,9 @@ impl Reader {
     }
 }
 
+/// From an FMU and a URDF of others to a report.
 #[test]
+#[ignore = "half a minute: an FMU in Python is scanned; `exporter_zoo` runs such FMUs, `first_cell` the same commands"]
 fn the_commands_of_the_tutorial_do_what_it_says() {
     let library = python_library();
     if library.is_empty() {
@@ -169,61 +177,137 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
     }
 }
 
-/// From a scan to a summary that can be signed, as the page has it: what is told, and what is in the results.
+/// From a scan to a summary that can be signed, as the page has it: what is told, and what is in the results. Sequences of four actions, and
+/// no advice.
 #[test]
 fn the_commands_of_the_assessment_end_with_nothing_left() {
-    let mut reader = Reader::new(None);
-    reader.read(&std::fs::read_to_string(book().join("howto/assessment.md")).unwrap(), "");
-    let dir = reader.dir.path();
-    let [before, after] = ["before", "after"].map(|name| scan_json(&dir.join("out").join(name)));
-    let cause = &before["causes"][0];
-    assert_eq!((&cause["id"], before["causes"].as_array().unwrap().len()), (&"C-e203ea".into(), 1));
-    let changes = cause["advice"]["changes"].as_array().unwrap();
+    let quicker = &[
+        (
+            "examples export cells\n",
+            "examples export cells\nprintf '\\n[search]\\nactions = 4\\n' >> cells/heavy-workpiece/cell.toml\n",
+        ),
+        ("cell.toml --out out/before", "cell.toml --strategy exhaustive --no-advice --out out/before"),
+    ];
+    assessed(quicker);
+}
+
+/// The same as it stands, with what helps.
+#[test]
+#[ignore = "a minute: eight actions and advice; `the_commands_of_the_assessment_end_with_nothing_left` has four, `advice` this cell's"]
+fn the_commands_of_the_assessment_tell_what_helps() {
+    let before = assessed(&[]);
+    let changes = before["causes"][0]["advice"]["changes"].as_array().unwrap();
     assert!(
         changes.iter().any(|change| change["change"] == "FMU parameter plc.v_limit = 0.2448 m/s instead of 0.48 m/s")
     );
+}
+
+/// Goes through the page of the assessment; its first scan.
+fn assessed(quicker: &'static [(&'static str, &'static str)]) -> Value {
+    let mut reader = Reader::new(None);
+    reader.quicker = quicker;
+    let page = std::fs::read_to_string(book().join("howto/assessment.md")).unwrap();
+    assert!(quicker.iter().all(|(old, _)| page.contains(old)), "the page is another one");
+    reader.read(&page, "");
+    let dir = reader.dir.path();
+    let [before, after] = ["before", "after"].map(|name| scan_json(&dir.join("out").join(name)));
+    assert_eq!((&before["causes"][0]["id"], before["causes"].as_array().unwrap().len()), (&"C-e203ea".into(), 1));
     assert_eq!((&after["verdict"], &after["certificate"]["complete"]), (&"none_found".into(), &true.into()));
     let report = std::fs::read_to_string(dir.join("out/before/report.html")).unwrap();
     assert!(report.contains("clamping at the stand assessed separately"));
+    before
 }
 
-/// All other pages. Scans are interrupted soon: what they find by then is what the commands behind them work on.
-#[test]
-fn the_other_commands_of_readme_and_book_run() {
+/// README and all pages but those that are gone through by themselves, and the reference.
+fn other_pages() -> Vec<PathBuf> {
     let mut all = pages(&book());
     all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
     all.retain(|page| {
         !["tutorial.md", "assessment.md", "commands.md", "cell-file.md"].iter().any(|own| page.ends_with(own))
     });
     all.sort();
-    let mut commands = 0;
-    for page in all {
-        let text = std::fs::read_to_string(&page).unwrap();
-        let mut reader = Reader::new(Some(SECONDS));
-        // What a reader brings along: an FMU with the robot's description, and the cell file with its TODOs filled in.
-        let dir = reader.dir.path().to_owned();
-        fmi_hazard::examples::export(&dir.join("cells")).unwrap();
-        let example = dir.join("cells/safety-fence");
-        std::fs::copy(example.join("safety-fence.fmu"), dir.join("cell.fmu")).unwrap();
-        std::fs::write(dir.join("robot.urdf"), URDF).unwrap();
-        for (info, block) in blocks(&text) {
-            if let Some(file) = info.iter().find_map(|word| word.strip_prefix("file=")) {
-                std::fs::write(dir.join(file), &block).unwrap();
-            }
-            if info[0] == "sh" && !info.contains(&"setup") {
-                let (first, filled) = block.split_once("fmi-hazard check cell.cell.toml").unwrap_or((&block, ""));
-                reader.each(first);
-                if !filled.is_empty() {
-                    let cell = std::fs::read_to_string(example.join("cell.toml")).unwrap();
-                    let cell = cell.replace("safety-fence.fmu", "cell.fmu");
-                    std::fs::write(dir.join("cell.cell.toml"), cell).unwrap();
-                    reader.each(&format!("fmi-hazard check cell.cell.toml{filled}"));
-                }
+    all
+}
+
+/// Runs the commands of a page of which `runs` says so; how many it ran. What a reader brings along is there: an FMU with the robot's
+/// description, and the cell file with its TODOs filled in.
+fn gone_through(page: &Path, runs: impl Fn(&str) -> bool) -> usize {
+    let text = std::fs::read_to_string(page).unwrap();
+    let mut reader = Reader::new(Some(SECONDS));
+    let dir = reader.dir.path().to_owned();
+    fmi_hazard::examples::export(&dir.join("cells")).unwrap();
+    let example = dir.join("cells/safety-fence");
+    std::fs::copy(example.join("safety-fence.fmu"), dir.join("cell.fmu")).unwrap();
+    std::fs::write(dir.join("robot.urdf"), URDF).unwrap();
+    let those =
+        |text: &str| -> String { text.lines().filter(|line| runs(line)).map(|line| format!("{line}\n")).collect() };
+    for (info, block) in blocks(&text) {
+        if let Some(file) = info.iter().find_map(|word| word.strip_prefix("file=")) {
+            std::fs::write(dir.join(file), &block).unwrap();
+        }
+        if info[0] == "sh" && !info.contains(&"setup") {
+            let (first, filled) = block.split_once("fmi-hazard check cell.cell.toml").unwrap_or((&block, ""));
+            reader.each(&those(first));
+            if !filled.is_empty() {
+                let cell = std::fs::read_to_string(example.join("cell.toml")).unwrap();
+                let cell = cell.replace("safety-fence.fmu", "cell.fmu");
+                std::fs::write(dir.join("cell.cell.toml"), cell).unwrap();
+                reader.each(&those(&format!("fmi-hazard check cell.cell.toml{filled}")));
             }
         }
-        commands += reader.commands;
     }
+    reader.commands
+}
+
+/// All other pages. Scans are interrupted soon: what they find by then is what the commands behind them work on.
+#[test]
+#[ignore = "minutes: some thirty scans; one page of them is `the_commands_of_a_page_about_a_cell_run`"]
+fn the_other_commands_of_readme_and_book_run() {
+    let commands: usize = other_pages().iter().map(|page| gone_through(page, |_| true)).sum();
     assert!(commands > 30, "{commands}");
+}
+
+/// One page with a scan of a flawed cell and of the repaired one, what is different, and the known ways tried again.
+#[test]
+fn the_commands_of_a_page_about_a_cell_run() {
+    let commands = gone_through(&book().join("howto/light-curtain.md"), |_| true);
+    assert!(commands >= 6, "{commands}");
+}
+
+/// Commands of README and book that take a second each; `first_cell` checks the examples as they are.
+#[test]
+fn the_quick_commands_of_readme_and_book_run() {
+    let quick = ["examples", "inspect", "init", "check", "distance", "campaign plan"];
+    let is_quick = |line: &str| {
+        let example = line.starts_with("fmi-hazard check") && line.ends_with("/cell.toml");
+        !example && quick.iter().any(|command| line.starts_with(&format!("fmi-hazard {command} ")))
+    };
+    let pages = other_pages().into_iter().filter(|page| !page.ends_with("light-curtain.md"));
+    let commands: usize = pages.map(|page| gone_through(&page, is_quick)).sum();
+    assert!(commands > 15, "{commands}");
+}
+
+/// Every command of README and book has the options and the values that the program knows: all that stands before `--help` is parsed.
+#[test]
+fn every_command_of_readme_and_book_is_understood() {
+    let mut reader = Reader::new(None);
+    let mut all = pages(&book());
+    all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
+    let mut understood = 0;
+    for page in all {
+        for (info, block) in blocks(&std::fs::read_to_string(&page).unwrap()) {
+            for line in block.lines().filter(|line| info[0] == "sh" && line.starts_with("fmi-hazard ")) {
+                let (command, _) = line.split_once(" #").unwrap_or((line, ""));
+                let (code, told) = reader.run(&format!("{} --help", command.trim_end()), None);
+                assert!(code == 0 && told.contains("Usage: fmi-hazard"), "{}: {line}: {code}\n{told}", page.display());
+                understood += 1;
+            }
+        }
+    }
+    assert!(understood > 60, "{understood}");
+    for wrong in ["fmi-hazard scan cell.toml --strateg random", "fmi-hazard scan cell.toml --strategy randomly"] {
+        assert_eq!(reader.run(&format!("{wrong} --help"), None).0, 2, "it can fail: {wrong}");
+    }
 }
 
 /// Long enough for the quick part of a scan to find something.
@@ -245,7 +329,7 @@ const SAYS: &[(&str, &str)] = &[
     ("check PandaCell.cell.toml --trust-fmu", "nothing wrong"),
     ("scan PandaCell", "confirmed by a fresh replay"),
     ("replay first", "reproduced"),
-    ("--out out/before", "What helps: "),
+    ("cell.toml --out out/before", "What helps: "),
     ("verify out/before", "fixed"),
     ("--out out/after", "No sequence of the stated actions"),
     ("compare", "fixed"),

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::campaigns::{DAY, merged};
+use crate::campaigns::{DAY, half_a_day, merged};
 use crate::common::fmpy::python;
 use crate::common::{examples, fmi_hazard, write};
 
@@ -48,7 +48,34 @@ fn same(dir: &Path, folder: &str, campaign: &str) {
     assert!(one.len() > 3 && one == other, "{folder} {campaign}");
 }
 
+/// A campaign by threads of one process, as any executor of that kind.
+fn by_threads(dir: &Path, campaign: &str) {
+    let output = Command::new(python())
+        .arg(tool("futures.py"))
+        .args([format!("threads-{campaign}").as_str(), "--workers", "2", "--program", env!("CARGO_BIN_EXE_fmi-hazard")])
+        .current_dir(dir)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", told(&output));
+    same(dir, "threads", campaign);
+}
+
+/// One start at four times.
 #[test]
+fn threads_give_what_one_process_gives() {
+    let dir = examples();
+    let dir = dir.path();
+    write(dir, "day.toml", &half_a_day().replace("other_starts", "# other_starts"));
+    for folder in ["one-day", "threads-day"] {
+        fmi_hazard(dir).args(["campaign", "plan", "day.toml", "--out", folder]).assert().code(0);
+    }
+    fmi_hazard(dir).args(["campaign", "run", "one-day"]).assert().code(0);
+    fmi_hazard(dir).args(["campaign", "merge", "one-day"]).assert().code(1);
+    by_threads(dir, "day");
+}
+
+#[test]
+#[ignore = "a minute: a queue's daemons and a cluster; `threads_give_what_one_process_gives` and `campaigns` are without them"]
 fn slurm_dask_and_threads_give_what_one_process_gives() {
     let dir = examples();
     let dir = dir.path();
@@ -59,15 +86,7 @@ fn slurm_dask_and_threads_give_what_one_process_gives() {
     }
     slurm_array(dir);
     dask_with_a_worker_killed(dir);
-    // With threads of one process, as any executor of that kind.
-    let output = Command::new(python())
-        .arg(tool("futures.py"))
-        .args(["threads-parts", "--workers", "2", "--program", env!("CARGO_BIN_EXE_fmi-hazard")])
-        .current_dir(dir)
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{}", told(&output));
-    same(dir, "threads", "parts");
+    by_threads(dir, "parts");
 }
 
 /// Both campaigns as arrays, by real daemons.

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use crate::common::examples;
 use crate::common::guarded::{bar, every_sequence, guarded};
+use crate::sample;
 use fmi_hazard::report::model::ScanReport;
 use fmi_hazard::scan::prepare::prepare;
 
@@ -96,6 +97,9 @@ const FAST: &str = "\"drive.speed\" = 1.8\n";
 
 #[test]
 fn a_hole_in_the_mat_and_a_mat_that_is_not_heeded() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = guarded();
     let muted = format!("{FAST}\"muting.enabled\" = true\n\"muting.hold_time\" = 20.0\n");
     let low = || bar("bar", 0.0, 0.45);
@@ -106,6 +110,9 @@ fn a_hole_in_the_mat_and_a_mat_that_is_not_heeded() {
 
 #[test]
 fn a_hole_in_the_mat_and_a_controller_that_is_too_slow() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
     let dir = guarded();
     let slow = format!("{FAST}\"plc.t_react\" = 0.45\n");
     let low = || bar("bar", 0.0, 0.45);
@@ -123,31 +130,61 @@ fn two_bars() -> String {
 }
 
 /// The same with openings of the wall, which people can reach in time.
-fn behind_a_wall(openings: &[f64], parts: &str, parameters: &str) -> String {
+fn behind_a_wall(openings: &[f64], parts: &str, parameters: &str, actions: u32) -> String {
     let parameters = format!("\"drive.speed\" = 0.5\n{parameters}");
     let parts = [two_bars(), wall(openings), parts.to_owned()];
-    cell(&parts, &parameters, 7).replace("xy_m = [0, -1.6]", "xy_m = [0, -1.3]")
+    cell(&parts, &parameters, actions).replace("xy_m = [0, -1.6]", "xy_m = [0, -1.3]")
+}
+
+fn two_openings(actions: u32) {
+    let dir = guarded();
+    let with = |openings: &[f64]| behind_a_wall(openings, "", "", actions);
+    two_flaws("two openings", dir.path(), [with(&[-1.3]), with(&[1.3]), with(&[-1.3, 1.3])]);
+}
+
+/// Five actions are just enough to get to an opening and to be hit.
+#[test]
+fn two_openings_of_a_fence() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
+    two_openings(5);
 }
 
 #[test]
-fn two_openings_of_a_fence() {
-    let dir = guarded();
-    let with = |openings: &[f64]| behind_a_wall(openings, "", "");
-    two_flaws("two openings", dir.path(), [with(&[-1.3]), with(&[1.3]), with(&[-1.3, 1.3])]);
+#[ignore = "half a minute: seven actions; `two_openings_of_a_fence` has five"]
+fn two_openings_of_a_fence_and_more_time() {
+    two_openings(7);
 }
 
 #[test]
 fn a_controller_that_is_too_slow_behind_one_opening_and_no_mat_behind_the_other() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
+    slow_and_without_a_mat(5);
+}
+
+#[test]
+#[ignore = "half a minute: seven actions; the same without `and_more_time` has five"]
+fn a_controller_that_is_too_slow_behind_one_opening_and_no_mat_behind_the_other_and_more_time() {
+    slow_and_without_a_mat(7);
+}
+
+fn slow_and_without_a_mat(actions: u32) {
     let dir = guarded();
     let mat = "[[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"clear\"\nactive = false\n\
                zone = { polygon_m = [[-2, -1], [-0.6, -1], [-0.6, 1], [-2, 1]] }\n";
-    let with = |openings: &[f64], parts: &str| behind_a_wall(openings, parts, "\"plc.t_react\" = 0.45\n");
+    let with = |openings: &[f64], parts: &str| behind_a_wall(openings, parts, "\"plc.t_react\" = 0.45\n", actions);
     let texts = [with(&[-1.3], mat), with(&[1.3], mat), with(&[-1.3, 1.3], mat)];
     two_flaws("slow controller and missing mat", dir.path(), texts);
 }
 
 #[test]
 fn two_robots_of_which_nothing_keeps_people_away() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
     let dir = guarded();
     // Alone, the other one is far away: links are named after their robots where there are several.
     let with = |left: f64, right: f64| cell(&[bar("left", left, 0.45), bar("right", right, 0.45)], FAST, 4);
@@ -156,6 +193,9 @@ fn two_robots_of_which_nothing_keeps_people_away() {
 
 #[test]
 fn a_field_with_a_hole_and_a_robot_that_only_slows_down() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path().join("head-collision");
     let fixed = std::fs::read_to_string(dir.join("fixed.toml")).unwrap();

@@ -6,6 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::common::{examples, fmi_hazard, write};
+use crate::sample;
 
 /// What it says, and its exit code.
 fn distance(dir: &Path, cell: &str, more: &[&str]) -> (Value, Option<i32>) {
@@ -46,13 +47,14 @@ fn changed(dir: &Path, cell: &str, name: &str, changes: &[(&str, &str)]) -> Stri
 fn stop_times_are_those_of_probe() {
     let dir = examples();
     let dir = dir.path();
-    for (cell, stop_s) in [
+    let cells = [
         ("sensor-mat/cell.toml", 0.36),
         ("sensor-mat/fixed.toml", 0.36),
         ("light-curtain/cell.toml", 0.46),
         ("light-curtain/fixed.toml", 0.46),
         ("head-collision/fixed.toml", 0.62),
-    ] {
+    ];
+    for (cell, stop_s) in sample::some(cells, 2) {
         let (said, _) = distance(dir, cell, &[]);
         let own = said["safeguards"][0]["stop_s"].as_f64().unwrap();
         assert!((own - probed_s(dir, cell)).abs() < 1e-12 && (own - stop_s).abs() < 1e-9, "{cell}: {own}");

@@ -186,10 +186,35 @@ fn a_locked_door_is_not_opened() {
     assert_eq!(scan_json(&dir.path().join("locked"))["certificate"]["complete"], true);
 }
 
+/// The same with the robot near the door, the reset beside the handle and the person before both: three actions are enough. Of all
+/// that could be changed only what the controller makes of an open door may be.
+const NEAR: &str = "[[robot]]\nname = \"CRX-10iA/L\"\nbase = { xyz_m = [0, 0.1, 0.505], rpy_deg = [0, 0, -90] }\n\
+                    [parameters]\n\"ctrl.t_ramp\" = 0.05\n\"plc.t_react\" = 0.0\n\
+                    [human]\nstart = { xy_m = [0.2, -1.95], heading_deg = 90 }\n\
+                    [remove]\ncontrol = [\"reset\"]\n\
+                    [[control]]\nname = \"reset\"\nvariable = \"plc.reset\"\nat_m = [0.0, -2.0, 1.1]\n\
+                    [search]\nactions = 3\nreach_tolerance_m = 0.05\n\
+                    [explain]\nrobot = { \"CRX-10iA/L\" = { fixed = true } }\n\
+                    obstacle = { \"fence left\" = { fixed = true }, \"fence right\" = { fixed = true }, \
+                    \"fence back\" = { fixed = true }, \"fence front left\" = { fixed = true }, \
+                    \"fence front right\" = { fixed = true }, \"door leaf\" = { fixed = true } }\n\
+                    [explain.parameters]\n\"plc.t_react\" = { fixed = true }\n\"ctrl.t_ramp\" = { fixed = true }\n\
+                    \"ctrl.speed_scale\" = { fixed = true }\n\"ctrl.phase0\" = { fixed = true }\n";
+
 #[test]
 fn a_door_that_stops_on_an_edge_only_is_found_told_and_mended() {
+    found_told_and_mended(NEAR);
+}
+
+#[test]
+#[ignore = "a minute: six actions, and all changes tried; the same without `from_farther_away` has three and one"]
+fn a_door_that_stops_on_an_edge_only_is_found_told_and_mended_from_farther_away() {
+    found_told_and_mended(AT_ONCE);
+}
+
+fn found_told_and_mended(changes: &str) {
     let dir = examples();
-    let pair = Pair::scanned(dir.path(), "door-edge", AT_ONCE, 144);
+    let pair = Pair::scanned(dir.path(), "door-edge", changes, 144);
     for sentence in pair.causes() {
         assert!(
             sentence.starts_with("The person opens door at ") && sentence.contains("the person presses reset at"),
@@ -225,12 +250,15 @@ fn mistakes_about_doors_are_told() {
         let error = prepare(&file, None).err().unwrap().to_string();
         assert!(error.contains(problem), "{error}");
     }
-    // From anywhere they are taken to be open, which is told.
+    // From anywhere they are taken to be open, which is told: of the floor in front of the door.
+    let floor = "extends = \"fixed.toml\"\nname = \"small\"\n[human]\nstart = { xy_m = [0.2, -2.0], heading_deg = 90 }\n\
+                 floor_m = [[-0.2, -2.2], [0.5, -2.2], [0.5, -1.2], [-0.2, -1.2]]\n";
+    write(dir.path(), "door-edge/small.toml", floor);
     let mut scan = fmi_hazard(dir.path());
     let ran = scan
         .args([
             "scan",
-            "door-edge/fixed.toml",
+            "door-edge/small.toml",
             "--from",
             "anywhere",
             "--until",

@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use crate::common::started::Started;
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
+use crate::sample;
 use fmi_hazard::host::isolation::{Guard, Limits};
 use fmi_hazard::scan::options::{Method, Progress};
 use fmi_hazard::scan::prepare::prepare_in;
@@ -107,7 +108,9 @@ fn ctrl_c_is_heard_at_any_moment() {
     scans.extend(ur5(dir).map(|cell| (cell, &["--strategy", "hybrid"][..])));
     let mut times = Vec::new();
     for (number, (cell, more)) in scans.iter().enumerate() {
-        for (moment, after) in moments(number as u64 + 1).enumerate() {
+        // In other scans of the same run other ones.
+        let some = moments(number as u64 + 1).enumerate().filter(|(moment, _)| sample::takes(moment + 3 * number, 10));
+        for (moment, after) in some {
             let out = format!("o{number}-{moment}");
             let arguments = [&["scan", "--no-advice", cell, "--out", &out], *more].concat();
             let (code, printed, took) = interrupted(dir, &arguments, "States", after);
@@ -133,7 +136,7 @@ fn ctrl_c_is_heard_at_any_moment() {
         .assert()
         .code(1);
     let id = scan_json(&dir.join("e"))["hazards"][0]["id"].as_str().unwrap().to_owned();
-    for after in moments(9) {
+    for after in sample::some(moments(9), 10) {
         let (code, printed, took) = interrupted(dir, &["explain", "e", &id], "Trying changes", after);
         times.push(took);
         // What is known at once is there in any case.
@@ -143,7 +146,8 @@ fn ctrl_c_is_heard_at_any_moment() {
     let (middle, longest) = (times[times.len() / 2], times[times.len() - 1]);
     println!("{} signals: half within {middle:?}, all within {longest:?}", times.len());
     // A busy machine may be late now and then.
-    assert!(middle < Duration::from_secs(2) && times[times.len() * 9 / 10] < Duration::from_secs(5), "{times:?}");
+    let late = if sample::is_whole() { times[times.len() * 9 / 10] } else { longest / 2 };
+    assert!(middle < Duration::from_secs(2) && late < Duration::from_secs(5), "{times:?}");
 }
 
 /// Whoever uses the library and does not listen: a search that had to end is not complete, whenever that was.
@@ -192,7 +196,7 @@ fn what_had_to_end_is_never_complete() {
     let (whole, events) = scanned(&|_, _| false);
     assert!(whole.certificate.is_some_and(|c| c.complete) && whole.hazards.len() > 1);
     let mut cut = 0;
-    for event in (1..events).step_by((events / 16).max(1) as usize) {
+    for event in sample::some((1..events).step_by((events / 16).max(1) as usize), 3) {
         let (report, _) = scanned(&|seen, _| seen == event);
         let complete = report.certificate.is_some_and(|certificate| certificate.complete);
         let confirmed = report.hazards.iter().filter(|hazard| hazard.confirmed == Some(true)).count();
@@ -200,7 +204,7 @@ fn what_had_to_end_is_never_complete() {
         assert!(report.hazards.iter().all(|hazard| hazard.confirmed != Some(false)));
         cut += u32::from(!complete);
     }
-    assert!(cut > 8, "{cut} of {events}");
+    assert!(cut > if sample::is_whole() { 8 } else { 1 }, "{cut} of {events}");
     // An FMU in this process hears it, too.
     let (report, _) = scanned_in(&|stop| Hosting::InProcess(stop.clone()), &|seen, _| seen == events / 2);
     assert!(report.certificate.is_none_or(|certificate| !certificate.complete));
@@ -215,7 +219,7 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     let dir = examples();
     let dir = dir.path();
     let cell = ur5(dir).unwrap_or_else(|| "light-curtain/cell.toml".to_owned());
-    let output = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "6s", "--out", "o"]).output().unwrap();
+    let output = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "4s", "--out", "o"]).output().unwrap();
     let report = assert_valid(&dir.join("o"));
     let hazards = !report["hazards"].as_array().unwrap().is_empty();
     assert_eq!(output.status.code(), Some(if hazards { 1 } else { 4 }), "{}", String::from_utf8_lossy(&output.stderr));

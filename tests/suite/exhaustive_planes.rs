@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::common::enumerated::{Enumeration, whole_scan_as_enumerated};
 use crate::common::exhausted::{BUDGET, Few, exhausted, key};
 use crate::common::{examples, write};
+use crate::sample;
 use fmi_hazard::human::{Action, Posture, Presses, Walk};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 
@@ -17,15 +18,13 @@ fn cell(dir: &Path, (example, base): (&str, &str), more: &str, [x, y]: [f64; 2],
     prepare(&write(&dir.join(example), &format!("near-{base}.toml"), &text), None).unwrap()
 }
 
-/// The example whose curtain has room below, three of the cell's own 48 actions from just before it: a whole scan against every sequence
-/// from a fresh instance of the FMU, without a saved state.
-#[test]
-fn a_curtain_with_room_below_as_in_plain_enumeration() {
+/// The example whose curtain has room below, three of the cell's own 48 actions from just before it: a whole scan against every sequence.
+fn room_below_as_in_plain_enumeration(state: StateChoice) {
     let dir = examples();
     let of_one = |base: &str| {
         let prepared = cell(dir.path(), ("under-curtain", base), "", [0.1, -0.1], 3);
         assert_eq!(prepared.cell.repertoire.all().count(), 48);
-        let (hazardous, report) = whole_scan_as_enumerated(&prepared, StateChoice::Replay, base);
+        let (hazardous, report) = whole_scan_as_enumerated(&prepared, state, base);
         (hazardous, report.hazards.len())
     };
     let of_one = &of_one;
@@ -34,6 +33,21 @@ fn a_curtain_with_room_below_as_in_plain_enumeration() {
     });
     assert!(flawed.0 > 1000 && flawed.1 > 10, "{flawed:?}: little to compare");
     assert_eq!(fixed, (0, 0));
+}
+
+#[test]
+fn a_curtain_with_room_below_as_in_plain_enumeration() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
+    room_below_as_in_plain_enumeration(StateChoice::Auto);
+}
+
+/// Every sequence from a fresh instance of the FMU.
+#[test]
+#[ignore = "half a minute: nothing is remembered; the same without `and_no_saved_state` does"]
+fn a_curtain_with_room_below_as_in_plain_enumeration_and_no_saved_state() {
+    room_below_as_in_plain_enumeration(StateChoice::Replay);
 }
 
 /// Anyone presses the reset at any time: a robot that stands then goes on, if the curtain is clear. While it still moves a press does
@@ -51,6 +65,9 @@ fn actions(moves: &[(Walk, Posture)], controls: usize) -> Vec<Action> {
 /// and through one, with the robot as it would be had the curtain told of the arm.
 #[test]
 fn below_a_curtain_and_through_it_as_in_plain_enumeration() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let below = [
         (Walk::Forward, Posture::Crawling),
@@ -67,13 +84,18 @@ fn below_a_curtain_and_through_it_as_in_plain_enumeration() {
     ];
     let resetting = [(Walk::Forward, Posture::Upright), (Walk::Stop, Posture::Upright), (Walk::Stop, Posture::Forward)];
     let (below, through, resetting) = (actions(&below, 0), actions(&through, 0), actions(&resetting, 1));
-    for (of, more, y, few, horizon, hazards) in [
+    let cells = [
         (("under-curtain", "cell"), "", -0.1, &below, 8, true),
         (("under-curtain", "fixed"), "", -0.1, &below, 8, false),
         (("light-curtain", "cell"), "", -0.5, &through, 6, true),
         (("light-curtain", "fixed"), "", -0.5, &through, 6, false),
         (("light-curtain", "fixed"), RESET, -0.15, &resetting, 6, true),
-    ] {
+    ];
+    for (number, (of, more, y, few, horizon, hazards)) in cells.into_iter().enumerate() {
+        // One of the repaired twins, in which nothing is found.
+        if !hazards && !sample::takes(number / 2, 2) {
+            continue;
+        }
         let prepared = cell(dir.path(), of, more, [0.1, y], horizon);
         let mut expansion = Few::of(&prepared, few);
         let (account, found) = exhausted(&mut expansion, BUDGET);

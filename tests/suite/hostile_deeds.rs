@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use crate::common::hostile::{FMU, Hostile};
 use crate::common::scanned::{Place, Ran};
+use crate::sample;
 use fmi_hazard::host::Plant as _;
 use fmi_hazard::host::isolation::{Guard, Limits};
 use fmi_hazard::scan::prepare::prepare_in;
@@ -66,7 +67,7 @@ fn files_of_others_are_out_of_reach() {
     if !guarded("has no Landlock") {
         return;
     }
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         let deed = |what: &str| hostile.clone().what(what).at("step", 2);
         only_if_trusted(&|file| deed("write-file").path(file));
         only_if_trusted(&|file| deed("exec").path(file));
@@ -90,7 +91,7 @@ fn network_and_other_processes_are_out_of_reach() {
     }
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         let deed = |what: &str| hostile.clone().what(what).at("step", 2);
         only_if_trusted(&|_| deed("socket-connect").port(port));
         only_if_trusted(&|_| deed("socket-bind").port(0));
@@ -106,8 +107,8 @@ fn network_and_other_processes_are_out_of_reach() {
 
 #[test]
 fn children_do_not_outlive_a_scan() {
-    for hostile in Hostile::both() {
-        for what in ["child", "child-detached"] {
+    for (row, what) in ["child", "child-detached"].into_iter().enumerate() {
+        for hostile in Hostile::by_turns(row) {
             // Processes that copy themselves cannot be kept from having children.
             for more in [&["--trust-fmu"][..], &["--state", "fork"], &["--trust-fmu", "--state", "fork"]] {
                 let place = Place::new(&hostile.clone().what(what).when_stopped(6).size(3600));
@@ -122,33 +123,38 @@ fn children_do_not_outlive_a_scan() {
     }
 }
 
-/// The honest FMU's scan.
-fn honest(hostile: &Hostile) -> Ran {
-    Place::new(hostile).scan(&[])
+/// The scan of the honest FMU of FMI 2.0, of which that of FMI 3.0 is another file of the same findings.
+fn honest(more: &[&str]) -> Ran {
+    Place::new(&Hostile::v2()).known(more)
 }
 
 #[test]
 fn what_changes_its_process_changes_no_result() {
-    for hostile in Hostile::both() {
-        let honest = honest(&hostile);
-        for (what, call, at) in [
-            ("locale", "load", 1),
-            ("locale", "step", 0),
-            ("fpu", "load", 1),
-            ("fpu", "get", 9),
-            ("signal-handlers", "load", 1),
-            ("signal-handlers", "step", 0),
-            ("thread-needed", "step", 0),
-            ("null-log", "step", 3),
-            ("log-from-thread", "step", 3),
-        ] {
-            let ran = Place::new(&hostile.clone().what(what).at(call, at)).scan(&[]);
+    let honest = honest(&[]);
+    for (row, (what, call, at)) in [
+        ("locale", "load", 1),
+        ("locale", "step", 0),
+        ("fpu", "load", 1),
+        ("fpu", "get", 9),
+        ("signal-handlers", "load", 1),
+        ("signal-handlers", "step", 0),
+        ("thread-needed", "step", 0),
+        ("null-log", "step", 3),
+        ("log-from-thread", "step", 3),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for hostile in Hostile::by_turns(row) {
+            let ran = Place::new(&hostile.what(what).at(call, at)).scan(&[]);
             assert_eq!((ran.code, ran.findings()), (Some(1), honest.findings()), "{what} in {call}");
             assert_eq!((ran.rung(), ran.replaced()), ("saved_states", 0), "{what} in {call}");
         }
-        // These show what they did in an output when they do it in a step.
-        for what in ["chdir", "thread"] {
-            let ran = Place::new(&hostile.clone().what(what).at("setup", 99)).scan(&[]);
+    }
+    // These show what they did in an output when they do it in a step.
+    for (row, what) in ["chdir", "thread"].into_iter().enumerate() {
+        for hostile in Hostile::by_turns(row) {
+            let ran = Place::new(&hostile.what(what).at("setup", 99)).scan(&[]);
             assert_eq!((ran.code, ran.findings()), (Some(1), honest.findings()), "{what}");
         }
     }
@@ -156,7 +162,7 @@ fn what_changes_its_process_changes_no_result() {
 
 #[test]
 fn threads_are_not_copied_and_the_self_test_says_so() {
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         for what in ["thread", "thread-needed"] {
             let place = Place::new(&hostile.clone().what(what));
             let ran = place.after(place.command(&["selftest", FMU, "--json"]).output().unwrap());
@@ -177,11 +183,13 @@ fn threads_are_not_copied_and_the_self_test_says_so() {
 
 #[test]
 fn what_it_prints_goes_to_a_log() {
-    for hostile in Hostile::both() {
-        let honest = honest(&hostile);
-        for (what, size) in [("print", 3_000_000), ("print", 300)] {
+    let large = if sample::is_whole() { 3_000_000 } else { 1_200_000 };
+    let more: &[&str] = if sample::is_whole() { &[] } else { &["--iterations", "12"] };
+    for hostile in sample::some(Hostile::both(), 2) {
+        let honest = honest(more);
+        for (what, size) in [("print", large), ("print", 300)] {
             let place = Place::new(&hostile.clone().what(what).at("step", 2).size(size));
-            let ran = place.scan(&["--format", "json"]);
+            let ran = place.scan(&[more, &["--format", "json"]].concat());
             assert_eq!((ran.code, ran.findings()), (Some(1), honest.findings()));
             // Standard output is JSON and nothing else, the terminal is left alone.
             assert_eq!(serde_json::from_slice::<serde_json::Value>(&ran.stdout).unwrap(), ran.scan);

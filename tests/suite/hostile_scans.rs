@@ -5,9 +5,20 @@ use crate::common::hostile::{FMU, Hostile};
 use std::sync::LazyLock;
 
 use crate::common::scanned::{Place, Ran};
+use crate::sample;
 
 /// Of an honest FMU.
-static HONEST: LazyLock<Ran> = LazyLock::new(|| scan(&Hostile::v2(), &[]));
+static HONEST: LazyLock<Ran> = LazyLock::new(|| honest(&[]));
+
+fn honest(more: &[&str]) -> Ran {
+    Place::new(&Hostile::v2()).known(more)
+}
+
+/// Three random sequences, one of which meets what is done in the eighth step in a row with `stop` on, and another a hazard: for what
+/// takes long each time it is met. Where all cases are looked at, as many as the cell says.
+fn few() -> &'static [&'static str] {
+    if sample::is_whole() { &[] } else { &["--seed", "5", "--iterations", "3"] }
+}
 
 fn scan(hostile: &Hostile, more: &[&str]) -> Ran {
     Place::new(hostile).scan(more)
@@ -23,8 +34,7 @@ fn as_honest(ran: &Ran, what: &str) {
 /// workers that costs at least: the message begins with the first text and ends with the second.
 fn meets(hostile: &Hostile, words: &str, end: &str, more: &[&str], workers: u64) {
     // After an action that failed, other random sequences are drawn: more of them are what the honest FMU is asked for.
-    static HONEST: LazyLock<Ran> =
-        LazyLock::new(|| scan(&Hostile::v2(), &["--strategy", "random", "--iterations", "600"]));
+    static HONEST: LazyLock<Ran> = LazyLock::new(|| honest(&["--strategy", "random", "--iterations", "600"]));
     let ran = scan(hostile, &[&["--strategy", "random"], more].concat());
     // What was found besides is found, confirmed, and reported.
     assert_eq!(ran.code, Some(1), "{hostile:?}: {ran:?}");
@@ -55,40 +65,58 @@ fn meets(hostile: &Hostile, words: &str, end: &str, more: &[&str], workers: u64)
 
 #[test]
 fn crashes() {
-    for (what, how) in [
+    for (row, (what, how)) in [
         ("segfault", "signal 11, SIGSEGV, invalid memory access"),
         ("abort", "signal 6, SIGABRT, abort"),
         ("exit0", "exit code 0"),
         ("exit3", "exit code 3"),
         ("stack-overflow", "signal 6, SIGABRT, abort"),
         ("fpe", "signal 8, SIGFPE, arithmetic error"),
-    ] {
-        for hostile in Hostile::both() {
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for hostile in Hostile::by_turns(row) {
             let words = format!("the FMU ended its process ({how}) in a step, number ");
-            meets(&hostile.what(what).when_stopped(8), &words, " of its run", &[], 3);
+            meets(&hostile.what(what).when_stopped(8), &words, " of its run", few(), 3);
         }
     }
 }
 
 #[test]
 fn calls_that_never_return() {
-    for (hostile, what) in Hostile::both().into_iter().zip(["hang", "sleep-forever"]) {
+    // Busy in one version, blocked in the other: each is waited for some times.
+    for (hostile, what) in sample::some(Hostile::both().into_iter().zip(["hang", "sleep-forever"]), 2) {
         let words = "the FMU gave no answer for 1 s in a step, number ";
-        meets(&hostile.what(what).when_stopped(8), words, " of its run", &["--fmu-timeout", "1"], 2);
+        meets(&hostile.what(what).when_stopped(8), words, " of its run", &[few(), &["--fmu-timeout", "1"]].concat(), 2);
     }
-    // Whoever waits for the first word of an FMU is soon told for what.
-    assert!(scan(&Hostile::v2().what("hang").at("load", 1), &["--fmu-timeout", "3"]).waited);
+}
+
+/// Whoever waits for the first word of an FMU is soon told for what.
+#[test]
+fn who_waits_for_the_first_word_is_told_for_what() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
+    for hostile in sample::some(Hostile::both(), 2) {
+        let ran = scan(&hostile.what("hang").at("load", 1), &["--fmu-timeout", "3"]);
+        assert!(ran.waited);
+        fails_in_its_first_run(&ran, "gave no answer for 3 s while its binary was loaded", "hang in load");
+    }
 }
 
 #[test]
 fn too_much_memory() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     for (hostile, what) in Hostile::both().into_iter().zip(["leak", "allocate-without-end"]) {
         let words = "the FMU took more than 200 MB of memory in a step, number ";
         let hostile = hostile.what(what).when_stopped(8).size(300_000_000);
-        meets(&hostile, words, " of its run", &["--fmu-memory", "200"], 2);
+        meets(&hostile, words, " of its run", &[few(), &["--fmu-memory", "200"]].concat(), 2);
     }
     // Less than is allowed in one run, more in all of them: fresh processes take over, and nothing is lost.
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         let ran = scan(&hostile.what("leak").when_stopped(1).size(4_000_000), &["--fmu-memory", "500"]);
         as_honest(&ran, "leak");
     }
@@ -96,7 +124,7 @@ fn too_much_memory() {
 
 #[test]
 fn statuses() {
-    for (third, hostile) in [false, true].into_iter().zip(Hostile::both()) {
+    for (third, hostile) in sample::some([false, true].into_iter().zip(Hostile::both()), 2) {
         let call = if third { "fmi3DoStep" } else { "fmi2DoStep" };
         let when = |what: &str| hostile.clone().what(what).when_stopped(8);
         for (what, words) in [
@@ -128,8 +156,8 @@ fn statuses() {
 
 #[test]
 fn values_that_are_no_numbers() {
-    for (what, words) in [("nan", "NaN (not a number)"), ("infinity", "infinite")] {
-        for hostile in Hostile::both() {
+    for (row, (what, words)) in [("nan", "NaN (not a number)"), ("infinity", "infinite")].into_iter().enumerate() {
+        for hostile in Hostile::by_turns(row) {
             let words = format!("the FMU's output `q` is {words} at t = ");
             meets(&hostile.what(what).when_stopped(8), &words, "`fmi-hazard selftest`", &[], 0);
         }
@@ -145,11 +173,18 @@ fn with_nothing_found_a_fault_decides_the_exit_code() {
     }
 }
 
+/// It is told with these words, and nothing else is.
+fn fails_in_its_first_run(ran: &Ran, words: &str, what: &str) {
+    let help = "help: no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell";
+    let text = format!("Error: the FMU failed in its first run: the FMU {words} {help}");
+    assert_eq!((ran.code, ran.stderr.as_str()), (Some(3), text.as_str()), "{what}");
+    assert!(ran.stdout.is_empty() && ran.scan.is_null());
+}
+
 #[test]
 fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
     let dies = "ended its process (signal 11, SIGSEGV, invalid memory access)";
-    let help = "help: no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell";
-    for (what, call, at, words) in [
+    for (row, (what, call, at, words)) in [
         ("segfault", "load", 1, format!("{dies} while its binary was loaded")),
         ("segfault", "instantiate", 1, format!("{dies} while it was instantiated")),
         ("segfault", "setup", 1, format!("{dies} during initialisation")),
@@ -158,7 +193,6 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
         ("segfault", "step", 12, format!("{dies} in a step, number 13 of its run")),
         ("segfault", "free-instance", 1, format!("{dies} while an instance was freed")),
         ("segfault", "terminate", 1, format!("{dies} while an instance was freed")),
-        ("hang", "load", 1, "gave no answer for 1 s while its binary was loaded".to_owned()),
         ("hang", "step", 12, "gave no answer for 1 s in a step, number 13 of its run".to_owned()),
         (
             "allocate-without-end",
@@ -166,8 +200,13 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
             12,
             "took more than 200 MB of memory in a step, number 13 of its run".to_owned(),
         ),
-    ] {
-        for hostile in Hostile::both() {
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        // Each second of them in a run, of each version each fourth.
+        let both = Hostile::both().into_iter().enumerate();
+        for (_, hostile) in both.filter(|(version, _)| sample::takes(2 * version + row, 4)) {
             let limits = ["--fmu-timeout", "1", "--fmu-memory", "200"];
             let ran = scan(&hostile.what(what).at(call, at), &limits);
             // Before its first step it may have met the sandbox.
@@ -180,12 +219,10 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
             } else {
                 ""
             };
-            let text = format!("Error: the FMU failed in its first run: the FMU {words}{sandbox} {help}");
-            assert_eq!((ran.code, ran.stderr.as_str()), (Some(3), text.as_str()), "{what} {call}");
-            assert!(ran.stdout.is_empty() && ran.scan.is_null());
+            fails_in_its_first_run(&ran, &format!("{words}{sandbox}"), &format!("{what} {call}"));
         }
     }
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         let ran = scan(&hostile.what("clock-time"), &[]);
         let text =
             "Error: two fresh instances of the FMU gave different outputs for the same inputs (WRONG, differs by";
@@ -197,14 +234,16 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
 #[test]
 fn what_is_no_fault_of_a_sequence_costs_time_only() {
     // It dies in calls that are counted in each process: in a fresh one the same action goes well.
-    for (what, call, at) in
+    // Often enough that a process of the search comes so far, and none of the self-test.
+    // Which calls there are does not depend on how busy this machine is.
+    let often: &[&str] = &["--iterations", "90", "--state", "fmu"];
+    let honest = honest(often);
+    for (row, (what, call, at)) in
         [("segfault", "set", 700), ("abort", "get", 700), ("exit0", "save", 20), ("hang", "restore", 40)]
+            .into_iter()
+            .enumerate()
     {
-        for hostile in Hostile::both() {
-            // Often enough that a process of the search comes so far, and none of the self-test.
-            // Which calls there are does not depend on how busy this machine is.
-            let often: &[&str] = &["--iterations", "90", "--state", "fmu"];
-            let honest = scan(&Hostile::v2(), often);
+        for hostile in Hostile::by_turns(row) {
             // What hangs is waited for; of the others none is taken for hanging because this machine is busy.
             let waits: &[&str] = if what == "hang" { &["--fmu-timeout", "2"] } else { &[] };
             let ran = scan(&hostile.what(what).at(call, at), &[often, waits].concat());
@@ -219,7 +258,7 @@ fn lies_about_states_and_instances_change_no_result() {
     let says = "the FMU says it can save its state, but does not do it exactly";
     let [exact, replay] = [("saved_states", "restored exactly"), ("instances", says)];
     let once = ("copies", "and runs once in a process");
-    for (what, (rung, why)) in [
+    for (row, (what, (rung, why))) in [
         ("state-noop", replay),
         ("state-null", replay),
         ("state-shared", replay),
@@ -232,8 +271,11 @@ fn lies_about_states_and_instances_change_no_result() {
         ("single-instance", exact),
         ("global-state", once),
         ("once-per-process", once),
-    ] {
-        for hostile in Hostile::both() {
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for hostile in Hostile::by_turns(row) {
             let ran = scan(&hostile.what(what), &[]);
             as_honest(&ran, what);
             // Where its steps take long, copies of the process are better than fresh instances.
@@ -246,10 +288,12 @@ fn lies_about_states_and_instances_change_no_result() {
 
 #[test]
 fn models_of_another_motion_give_the_same_on_all_rungs() {
-    for (what, rung) in [("forgets-rng", "copies"), ("big-state", "saved_states")] {
-        for hostile in Hostile::both() {
+    let iterations = if sample::is_whole() { "30" } else { "12" };
+    for (row, (what, rung)) in [("forgets-rng", "copies"), ("big-state", "saved_states")].into_iter().enumerate() {
+        for hostile in Hostile::by_turns(row) {
             let hostile = hostile.what(what);
-            let [auto, fork, process] = ["auto", "fork", "process"].map(|state| scan(&hostile, &["--state", state]));
+            let scan = |state| scan(&hostile, &["--state", state, "--iterations", iterations]);
+            let [auto, fork, process] = ["auto", "fork", "process"].map(scan);
             assert!(auto.rung() == rung && auto.confirmed() && auto.code == Some(1), "{what}: {auto:?}");
             assert_eq!((auto.findings(), process.findings()), (fork.findings(), auto.findings()), "{what}");
         }
@@ -258,7 +302,7 @@ fn models_of_another_motion_give_the_same_on_all_rungs() {
 
 #[test]
 fn the_honest_one_runs_in_this_process_too() {
-    for hostile in Hostile::both() {
+    for hostile in sample::some(Hostile::both(), 2) {
         let here = scan(&hostile, &["--in-process"]);
         as_honest(&here, "in this process");
         as_honest(&scan(&hostile, &[]), "in workers");

@@ -1,9 +1,10 @@
 //! The integration tests, a file for what each is about. One program, because to build some forty takes longer than most of them
-//! run, and because tests of different files run beside each other. `cargo test --all-features --test suite explain::` runs those of
-//! one file.
+//! run, and because tests of different files run beside each other. `cargo test --test suite explain::` runs those of one file.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
+#[path = "../../src/sample.rs"]
+mod sample;
 
 mod abilities;
 mod advice;
@@ -44,8 +45,8 @@ mod hostile_fmus;
 mod hostile_model;
 mod hostile_scans;
 mod interrupted_scans;
+mod long_tests;
 mod machine_formats;
-#[cfg(feature = "mcap")]
 mod mcap;
 mod mutated_fmus;
 mod obstacles;
@@ -61,6 +62,7 @@ mod rules_twice;
 mod safeguards;
 mod safety_fence;
 mod scan_is_reproducible;
+mod scans_made_once;
 mod second_opinion;
 mod speeds_and_motion;
 mod ssp;

@@ -6,13 +6,14 @@ use std::process::Command;
 
 use crate::common::fmpy::python;
 use crate::common::{examples, fmi_hazard, scan_json};
+use crate::sample;
 
 #[test]
 fn recordings_are_read_by_the_formats_own_library() {
     let dir = examples();
     let dir = dir.path();
     // Frames, capsules and reported sensors; and a cell of several FMUs, which has no traces.
-    for (cell, traces) in [("two-scanners/cell.toml", true), ("sensor-mat/coupled.toml", false)] {
+    for (cell, traces) in sample::some([("two-scanners/cell.toml", true), ("sensor-mat/coupled.toml", false)], 2) {
         let few = ["--strategy", "hybrid", "--iterations", "20", "--out", "out"];
         assert_eq!(
             fmi_hazard(dir).args(["scan", "--no-advice", cell]).args(few).output().unwrap().status.code(),

@@ -1,6 +1,8 @@
 //! Same cell, seed and version: the same bytes, whichever way states are brought back and however many workers.
 
+use crate::common::stored::scanned;
 use crate::common::{examples, fmi_hazard, scan_json};
+use crate::sample;
 
 const CELL: &str = "safety-fence/cell.toml";
 
@@ -22,7 +24,7 @@ fn twice_the_same_scan_gives_the_same_bytes() {
 #[test]
 fn saved_states_and_full_resimulation_give_identical_hazards() {
     let dir = examples();
-    for strategy in ["mcts-dpw", "random"] {
+    for strategy in sample::some(["mcts-dpw", "random"], 2) {
         let scan = |state: &str, extra: &[&str]| {
             let out = format!("{strategy}-{state}");
             let args = [
@@ -53,10 +55,8 @@ fn saved_states_and_full_resimulation_give_identical_hazards() {
 #[test]
 fn every_recorded_hazard_replays_to_the_last_bit() {
     let dir = examples();
-    fmi_hazard(dir.path())
-        .args(["scan", "--no-advice", CELL, "--strategy", "mcts-dpw", "--iterations", "200", "--out", "o"])
-        .assert()
-        .code(1);
+    let args = ["--no-advice", CELL, "--strategy", "mcts-dpw", "--iterations", "200", "--out", "o"];
+    assert_eq!(scanned(dir.path(), &args).code, Some(1));
     let scan = scan_json(&dir.path().join("o"));
     let hazards = scan["hazards"].as_array().unwrap();
     assert!(!hazards.is_empty());
@@ -82,10 +82,8 @@ fn the_number_of_workers_does_not_matter() {
 fn the_posture_sweep_changes_what_is_found_but_not_where_the_search_goes() {
     let dir = examples();
     let scan = |out: &str, extra: &[&str]| {
-        let args =
-            ["scan", "--no-advice", CELL, "--strategy", "random", "--iterations", "100", "--seed", "4", "--out", out];
-        let _ = fmi_hazard(dir.path()).args(args).args(extra).assert();
-        let _ = fmi_hazard(dir.path()).args(args).args(extra).output();
+        let args = ["--no-advice", CELL, "--strategy", "random", "--iterations", "100", "--seed", "4"];
+        scanned(dir.path(), &[&args[..], extra, &["--out", out]].concat());
         scan_json(&dir.path().join(out))
     };
     let (sweep, paper) = (scan("sweep", &[]), scan("paper", &["--paper-iterations"]));

@@ -8,6 +8,7 @@ use std::process::Command;
 use crate::common::archives::pack;
 use crate::common::fmpy::python;
 use crate::common::{examples, fmi_hazard, scan_json, write};
+use crate::sample;
 use fmi_hazard::host::Plant as _;
 
 const PARTS: [&str; 3] = ["plc", "controller", "kinematics"];
@@ -112,12 +113,15 @@ fn hazards(scan: &serde_json::Value) -> Vec<serde_json::Value> {
 
 #[test]
 fn a_system_of_three_fmus_has_the_hazards_of_the_one() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let folder = dir.path().join("sensor-mat");
     let one = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
     write(&folder, "one.toml", &one.replace("step_s = 0.02", "step_s = 0.01"));
     let one = scan(&folder, "one.toml");
-    for version in ["", "-fmi3"] {
+    for version in sample::some(["", "-fmi3"], 2) {
         system(&folder, &description(|text| text), version, &[]);
         // As exact as the coupled cell: the stop counts from the next step on, as in the one FMU.
         write(&folder, "delayed.toml", &cell(&folder, true));
@@ -149,6 +153,9 @@ fn a_system_of_three_fmus_has_the_hazards_of_the_one() {
 
 #[test]
 fn the_cell_may_travel_beside_or_inside_the_system() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let folder = dir.path().join("sensor-mat");
     let own = cell(&folder, true).replace("fmu = \"mat.ssp\"", "");

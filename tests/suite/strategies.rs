@@ -95,15 +95,18 @@ fn what_is_imagined_with_certainty_is_what_happens() {
     assert!(safe > 10 && hits > 5, "{safe} {hits}");
 }
 
-#[test]
-fn recall_is_counted_against_the_complete_list() {
+/// A comparison of two strategies on one cell.
+fn bench(format: &str, more: &[&str]) -> String {
     let dir = examples();
-    let bench = |format: &str, more: &[&str]| {
-        let args = ["bench", "strategies", "--cells", "heavy-workpiece", "--strategies", "hybrid,random"];
-        let rest = ["--seeds", "2", "--coverage-seeds", "2", "--iterations", "40", "--format", format];
-        let output = fmi_hazard(dir.path()).args(args).args(rest).args(more).assert().code(0).get_output().clone();
-        String::from_utf8(output.stdout).unwrap()
-    };
+    let args = ["bench", "strategies", "--cells", "heavy-workpiece", "--strategies", "hybrid,random"];
+    let rest = ["--seeds", "2", "--coverage-seeds", "2", "--iterations", "40", "--format", format];
+    let output = fmi_hazard(dir.path()).args(args).args(rest).args(more).assert().code(0).get_output().clone();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+#[ignore = "10 s: every sequence of eight actions; `different_hazards_are_counted_and_told_in_every_format` has the same without the complete list, and `recall_by_hand` calculates with one"]
+fn recall_is_counted_against_the_complete_list() {
     let json: serde_json::Value = serde_json::from_str(&bench("json", &["--truth"])).unwrap();
     let cell = &json[0];
     assert_eq!((&cell["checkpoints"], &cell["notes"]), (&serde_json::json!([10, 20, 40]), &serde_json::json!([])));
@@ -123,6 +126,24 @@ fn recall_is_counted_against_the_complete_list() {
     }
     let at_40 = |row: usize| cell["rows"][row]["recall_at"][2]["mean"].as_f64().unwrap();
     assert!(at_40(0) > at_40(1), "hybrid finds more of all hazards than random search: {} {}", at_40(0), at_40(1));
+}
+
+#[test]
+fn different_hazards_are_counted_and_told_in_every_format() {
+    let json: serde_json::Value = serde_json::from_str(&bench("json", &[])).unwrap();
+    let cell = &json[0];
+    assert_eq!((&cell["checkpoints"], &cell["notes"]), (&serde_json::json!([10, 20, 40]), &serde_json::json!([])));
+    let at_40 = |row: usize| -> u64 {
+        let runs = cell["rows"][row]["runs"].as_array().unwrap().iter();
+        let last = runs.map(|run| {
+            let groups: Vec<u64> =
+                run["growth"]["groups"].as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect();
+            assert!(groups.len() == 3 && groups.is_sorted(), "{run}");
+            groups[2]
+        });
+        last.sum()
+    };
+    assert!(at_40(0) > at_40(1), "hybrid finds more different hazards than random search: {cell}");
     let (text, csv, markdown) = (bench("table", &[]), bench("csv", &[]), bench("md", &[]));
     assert!(text.contains("Different hazards after so many iterations") && text.contains("at 20"), "{text}");
     assert!(csv.starts_with("cell,strategy,") && csv.contains("weighted_recall_at_40\n"), "{csv}");

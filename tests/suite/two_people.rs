@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::common::exhausted::{BUDGET, Few, Unsafe, exhausted, key};
 use crate::common::{examples, fmi_hazard, scan_json, write};
 use crate::exhaustive::NoCurtain;
+use crate::sample;
 use fmi_hazard::cell::binding::SensorBinding;
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, Recall};
@@ -144,6 +145,9 @@ fn changed(dir: &Path, name: &str, changes: &[(&str, &str)]) -> Prepared {
 /// Two people who walk in, and a key between them that mutes the field while either holds it, as in an enumeration that knows each alone.
 #[test]
 fn two_people_as_in_plain_enumeration() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let mat = "[[sensor]]\nname = \"station A\"\nkind = \"mat\"\n\
                zone = { polygon_m = [[-1, -2.5], [-0.2, -2.5], [-0.2, -1.8], [-1, -1.8]] }\n\
@@ -215,8 +219,64 @@ fn what_quick_strategies_find_of_two_is_met_again() {
     assert!(report["causes"].to_string().contains(" is hit too."), "{told}");
 }
 
+/// The same with the robot nearer and a stop that is there at once, of two actions: now it is operator B who is hit.
+#[test]
+fn who_is_at_a_station_near_the_robot_hides_who_walks_in() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
+    let dir = examples();
+    let folder = dir.path().join("two-operators");
+    let changes = [
+        ("xyz_m = [0, 1.2, 0.505]", "xyz_m = [0, 0.4, 0.505]"),
+        ("actions = 4", "actions = 2\nreach_tolerance_m = 0.05"),
+        ("[search]", "[parameters]\n\"controller:t_ramp\" = 0.05\n\"plc:t_react\" = 0.0\n[search]"),
+    ];
+    let _ = changed(dir.path(), "near.toml", &changes);
+    let fixed = std::fs::read_to_string(folder.join("fixed.toml")).unwrap();
+    write(&folder, "fixed-near.toml", &fixed.replace("extends = \"cell.toml\"", "extends = \"near.toml\""));
+    for (name, other) in [("a-alone", "operator B"), ("b-alone", "operator A")] {
+        let alone = "extends = \"near.toml\"\nname = \"alone\"\n[search]\nactions = 4\n";
+        write(&folder, &format!("{name}.toml"), &format!("{alone}[remove]\nhuman = [\"{other}\"]\n"));
+    }
+    for (cell, hazards, actions) in
+        [("near", true, 1296), ("fixed-near", false, 1296), ("a-alone", false, 36), ("b-alone", false, 36)]
+    {
+        scanned_completely(dir.path(), cell, hazards, actions);
+    }
+    let report = scan_json(&dir.path().join("near"));
+    let hazards = report["hazards"].as_array().unwrap();
+    assert!(!hazards.is_empty() && hazards.iter().all(|hazard| hazard["person"] == "operator B"), "{hazards:?}");
+    let sentence = report["causes"][0]["sentence"].as_str().unwrap();
+    assert!(sentence.contains("reported somebody") && sentence.ends_with("the hand of operator B."), "{sentence}");
+    let table = std::fs::read_to_string(dir.path().join("near/hazards.csv")).unwrap();
+    assert!(table.lines().next().unwrap().ends_with(",who_is_hit") && table.contains(",operator B\n"), "{table}");
+    let worst = hazards[0]["id"].as_str().unwrap();
+    let told = fmi_hazard(dir.path()).args(["explain", "near", worst, "--no-changes"]).output().unwrap();
+    let told = String::from_utf8_lossy(&told.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    let does = "operator B walks straight ahead, upright";
+    assert!(told.contains(does) && told.contains("the hand of operator B"), "{told}");
+    let again = fmi_hazard(dir.path()).args(["replay", "near", worst]).output().unwrap();
+    assert_eq!(again.status.code(), Some(1), "{}", String::from_utf8_lossy(&again.stdout));
+}
+
+/// A scan of every sequence is complete, finds as much, and every hazard is confirmed.
+fn scanned_completely(dir: &Path, cell: &str, hazards: bool, actions: u32) {
+    let mut scan = fmi_hazard(dir);
+    let file = dir.join("two-operators").join(format!("{cell}.toml"));
+    scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", cell]);
+    let ran = scan.output().unwrap();
+    let told = String::from_utf8_lossy(&ran.stdout);
+    assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}{}", String::from_utf8_lossy(&ran.stderr));
+    let report = scan_json(&dir.join(cell));
+    let certificate = &report["certificate"];
+    assert!(certificate["complete"] == true && certificate["actions"] == actions, "{certificate}");
+    assert!(report["hazards"].as_array().unwrap().iter().all(|hazard| hazard["confirmed"] == true), "{told}");
+}
+
 /// One field for two stations: while one operator is at theirs, the other walks in unheeded. Each alone is safe.
 #[test]
+#[ignore = "two minutes: the whole examples; `who_is_at_a_station_near_the_robot_hides_who_walks_in` has two actions"]
 fn who_is_at_a_station_hides_who_walks_in_and_it_is_found_told_and_mended() {
     let dir = examples();
     let folder = dir.path().join("two-operators");
@@ -224,16 +284,7 @@ fn who_is_at_a_station_hides_who_walks_in_and_it_is_found_told_and_mended() {
         "extends = \"cell.toml\"\nname = \"alone\"\nremove = { human = [\"operator B\"] }\n[search]\nactions = 8\n";
     write(&folder, "alone.toml", alone);
     for (cell, hazards, actions) in [("cell", true, 1296), ("fixed", false, 1296), ("alone", false, 36)] {
-        let mut scan = fmi_hazard(dir.path());
-        let file = folder.join(format!("{cell}.toml"));
-        scan.arg("scan").arg(file).args(["--strategy", "exhaustive", "--no-advice", "--out", cell]);
-        let ran = scan.output().unwrap();
-        let told = String::from_utf8_lossy(&ran.stdout);
-        assert_eq!(ran.status.code(), Some(i32::from(hazards)), "{told}");
-        let report = scan_json(&dir.path().join(cell));
-        let certificate = &report["certificate"];
-        assert!(certificate["complete"] == true && certificate["actions"] == actions, "{certificate}");
-        assert!(report["hazards"].as_array().unwrap().iter().all(|hazard| hazard["confirmed"] == true), "{told}");
+        scanned_completely(dir.path(), cell, hazards, actions);
     }
     let report = scan_json(&dir.path().join("cell"));
     let hazards = report["hazards"].as_array().unwrap();

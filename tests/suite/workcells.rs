@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::common::{examples, fmi_hazard, scan_json, test_fmus};
+use crate::sample;
 use fmi_hazard::geometry::Solid;
 use fmi_hazard::host::Plant as _;
 use fmi_hazard::scan::StateChoice;
@@ -95,7 +96,7 @@ fn scan(dir: &Path, cell: &str, arguments: &[&str]) -> Value {
 #[test]
 fn each_flaw_is_the_one_its_readme_names() {
     let dir = examples();
-    for flaw in FLAWS {
+    for flaw in sample::some(FLAWS, 3) {
         let cell = format!("{}/cell.toml", flaw.cell);
         let result =
             scan(dir.path(), &cell, &["--strategy", "mcts-dpw", "--seed", flaw.seed, "--iterations", flaw.iterations]);
@@ -122,8 +123,9 @@ fn each_flaw_is_the_one_its_readme_names() {
 #[test]
 fn the_repaired_cells_have_no_hazard_and_the_search_really_tried() {
     let dir = examples();
-    for flaw in &FLAWS {
-        for (seed, strategy) in [("1", "mcts-dpw"), ("2", "random")] {
+    for (number, flaw) in FLAWS.iter().enumerate() {
+        let searches = [("1", "mcts-dpw"), ("2", "random")].into_iter().enumerate();
+        for (_, (seed, strategy)) in searches.filter(|(search, _)| sample::takes(2 * search + number, 4)) {
             let cell = format!("{}/fixed.toml", flaw.cell);
             let result = scan(dir.path(), &cell, &["--seed", seed, "--strategy", strategy, "--iterations", "60"]);
             assert_eq!(result["verdict"], "none_found", "{} {strategy}: {}", flaw.cell, result["hazards"]);
@@ -193,7 +195,7 @@ fn a_hand_does_not_get_through_the_repaired_light_curtain_in_no_time() {
 #[test]
 fn fmi_2_and_fmi_3_give_the_same_bytes() {
     let dir = examples();
-    for flaw in &FLAWS {
+    for flaw in sample::some(&FLAWS, 6) {
         let run = |version: &str| {
             let fmu = format!("{0}/{0}{version}.fmu", flaw.cell);
             let cell = format!("{}/cell.toml", flaw.cell);
@@ -211,6 +213,9 @@ fn fmi_2_and_fmi_3_give_the_same_bytes() {
 
 #[test]
 fn three_coupled_fmus_find_what_the_one_finds_in_both_versions() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let path = dir.path().join("sensor-mat/coupled.toml");
     let text = std::fs::read_to_string(&path).unwrap();
@@ -218,7 +223,8 @@ fn three_coupled_fmus_find_what_the_one_finds_in_both_versions() {
     let text = std::fs::read_to_string(dir.path().join("sensor-mat/cell.toml")).unwrap();
     std::fs::write(dir.path().join("sensor-mat/one.toml"), text.replace("step_s = 0.02", "step_s = 0.01")).unwrap();
     let of = |file: &str| {
-        let arguments = ["--seed", "5", "--iterations", "150", "--strategy", "random"];
+        let iterations = if sample::is_whole() { "150" } else { "75" };
+        let arguments = ["--seed", "5", "--iterations", iterations, "--strategy", "random"];
         let result = scan(dir.path(), &format!("sensor-mat/{file}"), &arguments);
         let mut hazards = result["hazards"].as_array().unwrap().clone();
         // Two of equal force may change places over the last bit.
@@ -240,13 +246,17 @@ fn three_coupled_fmus_find_what_the_one_finds_in_both_versions() {
 
 #[test]
 fn fmus_that_break_promises_about_states_give_the_same_hazards() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
-    for cell in ["safety-fence", "sensor-mat"] {
+    for cell in sample::some(["safety-fence", "sensor-mat"], 2) {
         let file = format!("{cell}/cell.toml");
         let arguments = ["--cell", &file, "--seed", "2", "--iterations", "30", "--strategy", "random"];
         let mut results = Vec::new();
-        for ending in ["", "-nostate", "-idlereset", "-forgets"] {
-            for version in ["", "-fmi3"] {
+        for (number, ending) in ["", "-nostate", "-idlereset", "-forgets"].into_iter().enumerate() {
+            let versions = ["", "-fmi3"].into_iter().enumerate();
+            for (_, version) in versions.filter(|(version, _)| sample::takes(version + number, 2)) {
                 let name = format!("{cell}{ending}{version}.fmu");
                 std::fs::copy(test_fmus().join(&name), dir.path().join(&name)).unwrap();
                 let result = scan(dir.path(), &name, &arguments);

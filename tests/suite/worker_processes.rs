@@ -7,6 +7,7 @@ use std::process::Command;
 
 use crate::common::hostile::Hostile;
 use crate::common::{examples, fmi_hazard, json};
+use crate::sample;
 use fmi_hazard::fmi::Fmu;
 use fmi_hazard::host::isolation::{Guard, Isolated, Keeping, Launcher, Limits, Unpacked};
 use fmi_hazard::host::port::Port;
@@ -14,6 +15,16 @@ use fmi_hazard::host::{Plant as _, SystemSetup, UnitPort};
 
 fn program() -> PathBuf {
     PathBuf::from(env!("CARGO_BIN_EXE_fmi-hazard"))
+}
+
+/// What is said of a way of bringing states back that was asked for.
+fn by(state: &str) -> &'static str {
+    match state {
+        "fmu" => "saved_states",
+        "fork" => "copies",
+        "replay" => "instances",
+        _ => "processes",
+    }
 }
 
 #[test]
@@ -28,8 +39,11 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
     assert_eq!(cells.len(), 16);
     cells.push("sensor-mat/coupled.toml".to_owned());
     let mut went: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
-    for cell in cells {
-        let results = ["fmu", "fork", "replay", "process"].map(|state| {
+    for (number, cell) in sample::some(cells.into_iter().enumerate(), 5) {
+        // Its saved states, and one other rung: cells of the same run take turns with them.
+        let others = ["replay", "fork", "process"].into_iter().enumerate();
+        let others = others.filter(|(other, _)| sample::takes(other + number / 5, 3)).map(|(_, state)| state);
+        let results = std::iter::once("fmu").chain(others).map(|state| {
             let args = [
                 "scan",
                 "--no-advice",
@@ -46,20 +60,24 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
             let code = fmi_hazard(dir.path()).args(args).output().unwrap().status.code();
             assert!(code == Some(0) || code == Some(1), "{cell} {state}: {code:?}");
             let effort = json(&dir.path().join(state).join("run.json"));
+            assert_eq!(effort["states_by"], by(state), "{cell}");
             let count = |what: &str| effort["fmu"][what].as_u64().unwrap();
             let own = went.entry(state).or_insert([0, 0]);
             *own = [own[0] + count("restores"), own[1] + count("restarts")];
             std::fs::read_to_string(dir.path().join(state).join("scan.json")).unwrap()
         });
+        let results: Vec<String> = results.collect();
         for result in &results {
             let differs = result.lines().zip(results[0].lines()).find(|(line, first)| line != first);
             assert!(result == &results[0], "{cell}: {differs:?}");
         }
     }
-    // Each really went its own way.
+    // Each really went its own way. A few cells need not bring anything back.
+    let enough = if sample::is_whole() { 20 } else { 0 };
     for (state, [restores, restarts]) in went {
         let states = state == "fmu" || state == "fork";
-        assert!(if states { restores > 20 } else { restores == 0 && restarts > 20 }, "{state}: {restores} {restarts}");
+        let own = if states { restores > enough || enough == 0 } else { restores == 0 && restarts > enough };
+        assert!(own, "{state}: {restores} {restarts}");
     }
 }
 
@@ -115,14 +133,16 @@ fn resident(pid: u32) -> u64 {
 }
 
 #[test]
-fn a_million_steps_of_an_fmu_that_leaks_take_bounded_memory() {
+fn a_hundred_thousand_steps_of_an_fmu_that_leaks_take_bounded_memory() {
     let dir = tempfile::TempDir::new().unwrap();
-    // 20 kB a step: 20 GB without an end.
+    // 20 kB a step: 2 GB without an end.
     let path = Hostile::v2().what("leak").size(20_000).write(dir.path());
     let limits = Limits { growth: 64 << 20, ..Limits::default() };
     let (_fmu, mut plant) = plant(&path, Keeping::Instances, limits);
     let (inputs, mut first, mut most, mut workers) = (vec![0.0; 1000], None, 0, BTreeSet::new());
-    for _ in 0..1000 {
+    // A million steps, where all cases are looked at.
+    let runs = if sample::is_whole() { 1000 } else { 100 };
+    for _ in 0..runs {
         plant.restart().unwrap();
         let run = plant.advance(1000, &inputs).unwrap();
         assert_eq!(first.get_or_insert_with(|| run.clone()), &run);
@@ -132,7 +152,7 @@ fn a_million_steps_of_an_fmu_that_leaks_take_bounded_memory() {
     }
     // The limit, a run of a thousand steps, and the worker itself.
     assert!(most < (64 << 20) + 20_000_000 + (32 << 20), "{most} bytes");
-    assert!(most > 64 << 20 && workers.len() > 200, "{most} bytes, {} workers: does it leak?", workers.len());
+    assert!(most > 64 << 20 && workers.len() > runs / 5, "{most} bytes, {} workers: does it leak?", workers.len());
 }
 
 /// Sends a signal to a process.

@@ -23,8 +23,8 @@ export function launch({ graphics = true } = {}) {
 const test = (name) => `[data-test="${name}"]`;
 
 /** Opens a report and keeps what it says on the console and which requests it makes. */
-async function open(browser, file, hash = "") {
-  const context = await browser.newContext({ viewport: VIEWPORT, acceptDownloads: true });
+async function open(browser, file, { hash = "", deviceScaleFactor = 1 } = {}) {
+  const context = await browser.newContext({ viewport: VIEWPORT, deviceScaleFactor, acceptDownloads: true });
   const page = await context.newPage();
   const address = pathToFileURL(path.resolve(file)).href;
   const said = [];
@@ -113,10 +113,12 @@ const withFloor = (data) => data.whole !== undefined;
 const hazards = (number) => (data) => data.scan.hazards.length >= number;
 const replays = (number) => (data) => replayed(data).length >= number;
 
-/** The checks: what they show, what a report needs for them, and the browser they run in. */
+/** The checks: what they show, what a report needs for them, and the browser they run in; `flat` ones need no 3-D graphics, without which
+ * a page opens much sooner. */
 export const CHECKS = [
   {
     name: "says what was found, and what that is worth",
+    flat: true,
     needs: any,
     async run({ page, data }) {
       assert.equal(await page.locator("h1").textContent(), data.cell.name);
@@ -133,6 +135,7 @@ export const CHECKS = [
   },
   {
     name: "puts nothing of the data into the page as markup",
+    flat: true,
     needs: any,
     async run({ page }) {
       const strange = await page.evaluate(() => {
@@ -144,6 +147,7 @@ export const CHECKS = [
   },
   {
     name: "works without a hazard",
+    flat: true,
     needs: (data) => data.scan.hazards.length === 0,
     async run({ page }) {
       await page.locator(test("none")).waitFor();
@@ -153,6 +157,7 @@ export const CHECKS = [
   },
   {
     name: "has a row for each hazard, and the filter leaves some out",
+    flat: true,
     needs: hazards(1),
     async run({ page, data }) {
       assert.equal(await page.locator(test("ways")).evaluate((details) => details.open), false);
@@ -169,6 +174,7 @@ export const CHECKS = [
   },
   {
     name: "sorts by each column, both ways",
+    flat: true,
     needs: hazards(2),
     async run({ page }) {
       await unfold(page);
@@ -237,6 +243,7 @@ export const CHECKS = [
   },
   {
     name: "tells how to get a replay that it does not carry",
+    flat: true,
     needs: (data) => data.scan.hazards.length > replayed(data).length,
     async run({ page, data }) {
       const missing = data.scan.hazards.find((z) => !replayed(data).includes(z.id));
@@ -248,11 +255,12 @@ export const CHECKS = [
   },
   {
     name: "a link with an id selects it, and a change of the address is followed",
+    flat: true,
     main: true,
     needs: hazards(1),
     async run({ browser, file, data }) {
       const id = data.scan.hazards.at(-1).id;
-      const linked = await open(browser, file, `#${id}`);
+      const linked = await open(browser, file, { hash: `#${id}` });
       assert.equal(await selected(linked.page), id);
       assert.equal(await linked.page.locator(test("ways")).evaluate((details) => details.open), true);
       const first = data.scan.hazards[0].id;
@@ -273,6 +281,7 @@ export const CHECKS = [
   },
   {
     name: "plays on to the last frame and stops there",
+    flat: true,
     needs: replays(1),
     async run({ page, data }) {
       const { frames } = data.replays.find((item) => item.id === replayed(data)[0]);
@@ -306,6 +315,7 @@ export const CHECKS = [
   },
   {
     name: "a click into a plot goes to its time",
+    flat: true,
     needs: replays(1),
     async run({ page, data }) {
       const { frames } = data.replays.find((item) => item.id === replayed(data)[0]);
@@ -319,6 +329,7 @@ export const CHECKS = [
   },
   {
     name: "a bin of the map filters the table",
+    flat: true,
     needs: hazards(1),
     async run({ page, data }) {
       const bin = page.locator(test("map-bin")).first();
@@ -334,6 +345,7 @@ export const CHECKS = [
   },
   {
     name: "the form saves what was edited together with what was given",
+    flat: true,
     main: true,
     needs: hazards(1),
     async run({ page, data }) {
@@ -387,6 +399,7 @@ export const CHECKS = [
   },
   {
     name: "prints a page to sign and a page for each cause, and few others",
+    flat: true,
     needs: hazards(1),
     async run({ page, data }) {
       const number = data.scan.causes.length;
@@ -427,6 +440,7 @@ export const CHECKS = [
   },
   {
     name: "has a card for each cause, its ways folded, and selects them",
+    flat: true,
     main: true,
     needs: hazards(1),
     async run({ page, data }) {
@@ -503,6 +517,7 @@ export const CHECKS = [
   },
   {
     name: "tells both forces, which of them decides, and what happens when",
+    flat: true,
     needs: replays(1),
     async run({ page, data }) {
       const hazard = data.scan.hazards.find((z) => z.id === replayed(data)[0]);
@@ -618,15 +633,19 @@ export const CHECKS = [
   },
 ];
 
-/** Runs every check that the report is fit for, or the main ones; hears of each with its outcome, null being a pass. */
-export async function checkReport(file, browsers, hear, onlyMain = false) {
+/**
+ * Runs every check that the report is fit for and that is wanted; hears of each with its outcome, null being a pass. Quickly: pictures of
+ * half the size, and none for checks that need none.
+ */
+export async function checkReport(file, browsers, hear, { wanted = () => true, quick = false } = {}) {
   const looked = await open(browsers.plain, file);
   const { data } = looked;
   await looked.close();
-  for (const { name, needs, run, main = false, graphics = true } of CHECKS) {
-    if (needs(data) && (main || !onlyMain)) {
-      const browser = graphics ? browsers.graphics : browsers.plain;
-      const opened = await open(browser, file);
+  for (const check of CHECKS) {
+    const { name, needs, run, flat = false, graphics = true } = check;
+    if (needs(data) && wanted(check)) {
+      const browser = graphics && !(quick && flat) ? browsers.graphics : browsers.plain;
+      const opened = await open(browser, file, { deviceScaleFactor: quick ? 0.5 : 1 });
       let outcome = null;
       try {
         await settle(opened.page);

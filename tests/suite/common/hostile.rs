@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 
 use super::{faulty_cell, test_fmus, write};
+use crate::sample;
 
 /// Name of the FMU that [`Hostile::write`] writes.
 pub const FMU: &str = "x.fmu";
@@ -43,6 +44,13 @@ impl Hostile {
     /// One of each version.
     pub fn both() -> [Self; 2] {
         [Self::v2(), Self::v3()]
+    }
+
+    /// Of one version, the case of the next number of the other, and in another run of the tests the other way round; of both where all
+    /// cases are looked at.
+    pub fn by_turns(case: usize) -> impl Iterator<Item = Self> {
+        let both = Self::both().into_iter().enumerate();
+        both.filter(move |(version, _)| sample::takes(version + case, 2)).map(|(_, one)| one)
     }
 
     /// Begins another behaviour; the next calls are about it.

@@ -14,6 +14,7 @@ pub mod meshes;
 pub mod pair;
 pub mod scanned;
 pub mod started;
+pub mod stored;
 pub mod twin;
 
 use std::path::{Path, PathBuf};

@@ -9,6 +9,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 use super::hostile::{CELL, FMU, Hostile};
+use super::stored::scanned;
 use super::{json, nearer};
 
 /// A folder to work in, with an FMU and its cell, and one for temporary files.
@@ -81,7 +82,13 @@ impl Place {
     /// Arguments of a scan, by tree search unless told otherwise.
     pub fn scan_arguments<'a>(more: &[&'a str]) -> Vec<&'a str> {
         let strategy = if more.contains(&"--strategy") { &[][..] } else { &["--strategy", "mcts-dpw"] };
-        [&["scan", "--no-advice", CELL, "--out", "out"], strategy, more].concat()
+        [&["scan", "--no-advice", CELL], strategy, more, &["--out", "out"]].concat()
+    }
+
+    /// What such a scan says, made once for all tests: of an FMU that does no harm.
+    pub fn known(&self, more: &[&str]) -> Ran {
+        let ran = scanned(&self.work(), &Self::scan_arguments(more)[1..]);
+        self.results(ran.code, ran.stdout.into_bytes(), &ran.stderr)
     }
 
     /// Scans, and looks that nothing is left.
@@ -93,7 +100,8 @@ impl Place {
     pub fn after(&self, output: Output) -> Ran {
         self.nobody_left();
         assert_eq!(names(&self.temporary()), Vec::<String>::new(), "temporary files are left");
-        let ran = self.results(output);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let ran = self.results(output.status.code(), output.stdout, &said);
         let work = names(&self.work());
         let work: Vec<&str> = work.iter().map(String::as_str).filter(|name| *name != "out").collect();
         assert_eq!(work, [FMU, CELL], "the FMU wrote a file");
@@ -119,16 +127,15 @@ impl Place {
         ran
     }
 
-    fn results(&self, output: Output) -> Ran {
+    fn results(&self, code: Option<i32>, stdout: Vec<u8>, said: &str) -> Ran {
         let out = self.work().join("out");
         let read = |name: &str| if out.join(name).exists() { json(&out.join(name)) } else { Value::Null };
-        let said = String::from_utf8_lossy(&output.stderr);
         let (waiting, others): (Vec<&str>, Vec<&str>) =
             said.lines().partition(|line| line.starts_with("  trying out "));
         let text = others.join(" ").replace(['│', '×'], " ");
         Ran {
-            code: output.status.code(),
-            stdout: output.stdout,
+            code,
+            stdout,
             stderr: text.split_whitespace().collect::<Vec<_>>().join(" "),
             waited: !waiting.is_empty(),
             scan: read("scan.json"),

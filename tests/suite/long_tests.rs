@@ -1,0 +1,42 @@
+//! The tests that only `tools/test --all` runs are those that CONTRIBUTING.md lists, each with its reason and the quick test that
+//! stands for it.
+
+use std::path::Path;
+
+/// The tests of a file that are ignored, with their reasons.
+fn ignored(text: &str) -> Vec<(String, String)> {
+    let reasons = text.split("#[ignore = \"").skip(1);
+    let one = |rest: &str| {
+        let (reason, rest) = rest.split_once("\"]").expect("a reason ends");
+        let (_, name) = rest.split_once("fn ").expect("a test follows");
+        (name.split('(').next().expect("it has a name").to_owned(), reason.to_owned())
+    };
+    reasons.map(one).collect()
+}
+
+#[test]
+fn what_only_the_long_run_has_is_listed_with_its_reason() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files: Vec<_> =
+        std::fs::read_dir(root.join("tests/suite")).unwrap().map(|file| file.unwrap().path()).collect();
+    files.sort();
+    let (mut lines, mut all) = (Vec::new(), String::new());
+    for file in files.iter().filter(|file| file.extension().is_some_and(|extension| extension == "rs")) {
+        let text = std::fs::read_to_string(file).unwrap();
+        let module = file.file_stem().unwrap().to_str().unwrap();
+        if module != "long_tests" {
+            let line = |(name, reason)| format!("- `{module}::{name}`: {reason}\n");
+            lines.extend(ignored(&text).into_iter().map(line));
+        }
+        all += &text;
+    }
+    assert!(lines.len() > 10, "{lines:?}");
+    let written = std::fs::read_to_string(root.join("CONTRIBUTING.md")).unwrap();
+    let (_, list) = written.split_once("<!-- tests of --all -->\n").expect("it has the list");
+    let (list, _) = list.split_once("<!-- end -->").expect("the list ends");
+    assert!(list == lines.concat(), "CONTRIBUTING.md does not list what is ignored, which is:\n{}", lines.concat());
+    // The quick test that stands for one is there.
+    for name in lines.iter().flat_map(|line| line.split('`').skip(3).step_by(2)).filter(|name| name.len() > 24) {
+        assert!(all.contains(&format!("fn {name}()")), "there is no test `{name}`");
+    }
+}

@@ -1,0 +1,24 @@
+"""What nextest's JUnit file says of a run: the slowest ten tests, and for each that failed the command that runs it alone.
+
+    tools/slowest.py target/nextest/default/junit.xml
+"""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+
+
+def main():
+    cases = list(ElementTree.parse(sys.argv[1]).getroot().iter("testcase"))
+    seconds = {case: float(case.get("time", 0)) for case in cases}
+    for case in sorted(cases, key=lambda case: -seconds[case])[:10]:
+        print(f"{seconds[case]:6.1f} s  {case.get('name')}")
+    print(f"{sum(seconds.values()):6.0f} s  in all {len(cases)}, one after the other")
+    for case in cases:
+        if case.find("failure") is not None or case.find("error") is not None:
+            binary = case.get("classname", "").removeprefix("fmi-hazard::")
+            target = "--lib" if binary in ("fmi-hazard", "") else f"--test {binary}"
+            print(f"FAILED   cargo test {target} -- --include-ignored --exact {case.get('name')}")
+
+
+if __name__ == "__main__":
+    main()
