@@ -1,4 +1,4 @@
-"""What nextest's JUnit file says of a run: the slowest ten tests, and for each that failed the command that runs it alone.
+"""What nextest's JUnit file says of a run: the slowest ten tests, for each that failed the command that runs it alone, and how many passed.
 
     tools/slowest.py target/nextest/default/junit.xml
 """
@@ -13,11 +13,12 @@ def main():
     for case in sorted(cases, key=lambda case: -seconds[case])[:10]:
         print(f"{seconds[case]:6.1f} s  {case.get('name')}")
     print(f"{sum(seconds.values()):6.0f} s  in all {len(cases)}, one after the other")
-    for case in cases:
-        if case.find("failure") is not None or case.find("error") is not None:
-            binary = case.get("classname", "").removeprefix("fmi-hazard::")
-            target = "--lib" if binary in ("fmi-hazard", "") else f"--test {binary}"
-            print(f"FAILED   cargo test {target} -- --include-ignored --exact {case.get('name')}")
+    failed = [case for case in cases if case.find("failure") is not None or case.find("error") is not None]
+    for case in failed:
+        binary = case.get("classname", "").removeprefix("fmi-hazard::")
+        target = "--lib" if binary in ("fmi-hazard", "") else f"--test {binary}"
+        print(f"FAILED   cargo test {target} -- --include-ignored --exact {case.get('name')}")
+    print(f"{len(cases) - len(failed)} passed, {len(failed)} failed")
 
 
 if __name__ == "__main__":
