@@ -42,11 +42,12 @@ fn interfaces() -> &'static [Interface] {
     ALL.get_or_init(interface::all)
 }
 
-/// The interface with this GUID.
+/// The interface with this GUID. Only of those whose name it holds the whole GUID is made: each takes the text of a whole table.
 pub fn interface_of(guid: &str) -> Option<&'static Interface> {
-    static GUIDS: OnceLock<Vec<String>> = OnceLock::new();
-    let guids = GUIDS.get_or_init(|| interfaces().iter().map(Interface::guid).collect());
-    guids.iter().position(|known| known == guid).map(|place| &interfaces()[place])
+    static GUIDS: OnceLock<Vec<OnceLock<String>>> = OnceLock::new();
+    let guids = GUIDS.get_or_init(|| interfaces().iter().map(|_| OnceLock::new()).collect());
+    let named = interfaces().iter().zip(guids).filter(|(interface, _)| guid.ends_with(&interface.end_of_guid()));
+    named.into_iter().find(|(interface, known)| known.get_or_init(|| interface.guid()) == guid).map(|(found, _)| found)
 }
 
 impl AnyModel {

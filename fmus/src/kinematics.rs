@@ -5,7 +5,7 @@
 //! which of an arm's poses it finds follows from where it starts.
 
 use crate::interface::robots::{Axis, Robot};
-use crate::trig::sin_cos;
+use crate::trig::sin_cos_of_all;
 
 /// A vector in metres or m/s, or a direction.
 pub type Vec3 = [f64; 3];
@@ -47,11 +47,13 @@ impl Robot {
     pub fn place(&self, q: &Joints) -> Chain {
         let mut chain = Chain { origins: [[0.0; 3]; 7], axes: [[0.0; 3]; 6], rotations: [IDENTITY; 6] };
         let (mut rotation, mut at) = (IDENTITY, [0.0; 3]);
+        let angles: Joints = std::array::from_fn(|joint| self.joints[joint].1.sign() * q[joint]);
+        let turns = sin_cos_of_all(angles);
         for (joint, (offset, axis)) in self.joints.iter().enumerate() {
             at = add(at, apply(&rotation, *offset));
             chain.origins[joint] = at;
             chain.axes[joint] = apply(&rotation, axis.direction());
-            rotation = product(&rotation, &axis.rotation(q[joint]));
+            rotation = product(&rotation, &axis.rotation(turns[joint]));
             chain.rotations[joint] = rotation;
         }
         chain.origins[6] = add(at, apply(&rotation, self.tool));
@@ -154,14 +156,20 @@ impl Axis {
         }
     }
 
-    fn rotation(self, angle: f64) -> Rotation {
-        let (s, c) = sin_cos(angle);
+    /// Whether it turns with or against the axis of the frame that it lies on.
+    fn sign(self) -> f64 {
+        match self {
+            Axis::X | Axis::Y | Axis::Z => 1.0,
+            Axis::NegY | Axis::NegZ => -1.0,
+        }
+    }
+
+    /// The turn about the axis of the frame, from its sine and cosine.
+    fn rotation(self, (s, c): (f64, f64)) -> Rotation {
         match self {
             Axis::X => [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
-            Axis::Y => [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]],
-            Axis::Z => [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
-            Axis::NegY => Axis::Y.rotation(-angle),
-            Axis::NegZ => Axis::Z.rotation(-angle),
+            Axis::Y | Axis::NegY => [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]],
+            Axis::Z | Axis::NegZ => [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]],
         }
     }
 }
@@ -259,9 +267,10 @@ mod tests {
             let q: Joints = std::array::from_fn(|k| (f64::from(seed) * [0.7, 1.3, 2.1, 0.4, 1.9, 0.9][k]) % 6.0 - 3.0);
             let (mut rotation, mut at) = (IDENTITY, [0.0; 3]);
             for ((d, a, alpha), theta) in table.into_iter().zip(q) {
-                let turned = product(&rotation, &Axis::Z.rotation(theta));
+                let [about_z, about_x] = sin_cos_of_all([theta, alpha]);
+                let turned = product(&rotation, &Axis::Z.rotation(about_z));
                 at = add(at, apply(&turned, [a, 0.0, d]));
-                rotation = product(&turned, &Axis::X.rotation(alpha));
+                rotation = product(&turned, &Axis::X.rotation(about_x));
             }
             let flange = add(at, scale(column(&rotation, 2), 0.10));
             assert_near(&pose(&UR10E, &q).position, &flange, 1e-12);

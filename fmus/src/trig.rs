@@ -11,41 +11,54 @@ const HALF_PI_HIGH: f64 = 1.570_796_326_734_125_6;
 const HALF_PI_MIDDLE: f64 = 6.077_100_506_303_966e-11;
 const HALF_PI_LOW: f64 = 2.022_266_248_795_950_7e-21;
 
-/// Returns (sin x, cos x), x in radians, |x| below about 1e5.
-pub fn sin_cos(x: f64) -> (f64, f64) {
-    let quarter_turns = (x / FRAC_PI_2).round();
-    let rest = ((x - quarter_turns * HALF_PI_HIGH) - quarter_turns * HALF_PI_MIDDLE) - quarter_turns * HALF_PI_LOW;
-    let (sine, cosine) = (sine_near_zero(rest), cosine_near_zero(rest));
-    let quadrant = quarter_turns.rem_euclid(4.0);
-    if quadrant < 0.5 {
-        (sine, cosine)
-    } else if quadrant < 1.5 {
-        (cosine, -sine)
-    } else if quadrant < 2.5 {
-        (-sine, -cosine)
-    } else {
-        (-cosine, sine)
-    }
+/// (sin x, cos x) of each x, in radians, |x| below about 1e5. Side by side, the long chains of operations overlap.
+pub fn sin_cos_of_all<const N: usize>(x: [f64; N]) -> [(f64, f64); N] {
+    let quarter_turns = x.map(|x| nearest(x / FRAC_PI_2));
+    let rest: [f64; N] = std::array::from_fn(|k| {
+        let turns = f64::from(quarter_turns[k]);
+        ((x[k] - turns * HALF_PI_HIGH) - turns * HALF_PI_MIDDLE) - turns * HALF_PI_LOW
+    });
+    let (sines, cosines) = (sines_near_zero(rest), cosines_near_zero(rest));
+    std::array::from_fn(|k| {
+        let (sine, cosine) = (sines[k], cosines[k]);
+        match quarter_turns[k] & 3 {
+            0 => (sine, cosine),
+            1 => (cosine, -sine),
+            2 => (-sine, -cosine),
+            _ => (-cosine, sine),
+        }
+    })
+}
+
+/// The nearest whole number, of two the one further from zero, as `f64::round` says; without a call into a library.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "some turns; what is no number becomes 0, as its sine is none either"
+)]
+fn nearest(x: f64) -> i32 {
+    let whole = x as i32;
+    let part = x - f64::from(whole);
+    whole + i32::from(part >= 0.5) - i32::from(part <= -0.5)
 }
 
 /// Taylor series to x^17: the remainder is below 1e-19 for |x| <= pi/4.
-fn sine_near_zero(x: f64) -> f64 {
-    let square = x * x;
-    let mut sum = 1.0;
+fn sines_near_zero<const N: usize>(x: [f64; N]) -> [f64; N] {
+    let squares = x.map(|x| x * x);
+    let mut sums = [1.0; N];
     for n in [16.0, 14.0, 12.0, 10.0, 8.0, 6.0, 4.0, 2.0] {
-        sum = 1.0 - square / (n * (n + 1.0)) * sum;
+        sums = std::array::from_fn(|k| 1.0 - squares[k] / (n * (n + 1.0)) * sums[k]);
     }
-    x * sum
+    std::array::from_fn(|k| x[k] * sums[k])
 }
 
 /// Taylor series to x^18.
-fn cosine_near_zero(x: f64) -> f64 {
-    let square = x * x;
-    let mut sum = 1.0;
+fn cosines_near_zero<const N: usize>(x: [f64; N]) -> [f64; N] {
+    let squares = x.map(|x| x * x);
+    let mut sums = [1.0; N];
     for n in [17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0] {
-        sum = 1.0 - square / (n * (n + 1.0)) * sum;
+        sums = std::array::from_fn(|k| 1.0 - squares[k] / (n * (n + 1.0)) * sums[k]);
     }
-    sum
+    sums
 }
 
 #[cfg(test)]
@@ -58,7 +71,7 @@ mod tests {
         let mut worst: f64 = 0.0;
         for step in -40_000..=40_000 {
             let x = f64::from(step) * 0.000_5;
-            let (sine, cosine) = sin_cos(x);
+            let [(sine, cosine)] = sin_cos_of_all([x]);
             worst = worst.max((sine - x.sin()).abs()).max((cosine - x.cos()).abs());
         }
         assert!(worst < 5e-16, "sin or cos is off by {worst:e}");

@@ -8,8 +8,8 @@ use crate::host::isolation::{Guard, Limits};
 use crate::scan::Hosting;
 use crate::stop::Stop;
 
-/// Longest time of a call unless told otherwise, s.
-const TIMEOUT_S: u64 = 10;
+/// Longest time of a call unless told otherwise.
+const TIMEOUT: Duration = Duration::from_secs(10);
 
 /// Memory of a process unless told otherwise, MB.
 const MEMORY_MB: u64 = 4000;
@@ -24,9 +24,9 @@ pub(super) struct HostingArguments {
     /// licence server or another tool
     #[arg(long)]
     trust_fmu: bool,
-    /// Longest time of one call of the FMU, s
-    #[arg(long, default_value_t = TIMEOUT_S, value_parser = clap::value_parser!(u64).range(1..86_400))]
-    fmu_timeout: u64,
+    /// Longest time of one call of the FMU, s; or with its unit, as 50ms or 2m
+    #[arg(long, value_name = "TIME", default_value = "10", value_parser = time_of_a_call)]
+    fmu_timeout: Duration,
     /// Most memory of a process in which the FMU runs, MB
     #[arg(long, default_value_t = MEMORY_MB, value_parser = clap::value_parser!(u64).range(64..))]
     fmu_memory: u64,
@@ -34,7 +34,7 @@ pub(super) struct HostingArguments {
 
 impl Default for HostingArguments {
     fn default() -> Self {
-        Self { in_process: false, trust_fmu: false, fmu_timeout: TIMEOUT_S, fmu_memory: MEMORY_MB }
+        Self { in_process: false, trust_fmu: false, fmu_timeout: TIMEOUT, fmu_memory: MEMORY_MB }
     }
 }
 
@@ -44,8 +44,8 @@ impl HostingArguments {
         if self.trust_fmu {
             add("--trust-fmu", None);
         }
-        if self.fmu_timeout != TIMEOUT_S {
-            add("--fmu-timeout", Some(self.fmu_timeout.to_string()));
+        if self.fmu_timeout != TIMEOUT {
+            add("--fmu-timeout", Some(self.fmu_timeout.as_secs_f64().to_string()));
         }
         if self.fmu_memory != MEMORY_MB {
             add("--fmu-memory", Some(self.fmu_memory.to_string()));
@@ -69,8 +69,38 @@ impl HostingArguments {
         if self.trust_fmu {
             output::warning("the FMU is trusted: it can read and write your files, use the network and start programs");
         }
-        let call = Duration::from_secs(self.fmu_timeout);
-        let limits = Limits { call, memory: self.fmu_memory * 1_000_000, stop: stop.clone(), ..Limits::default() };
+        let limits = Limits {
+            call: self.fmu_timeout,
+            memory: self.fmu_memory * 1_000_000,
+            stop: stop.clone(),
+            ..Limits::default()
+        };
         Ok(Hosting::Workers { program, guard, limits })
+    }
+}
+
+/// Seconds, or a time with its unit, from a millisecond to a day.
+fn time_of_a_call(text: &str) -> Result<Duration, String> {
+    let form = |e| format!("{e}: give it in seconds, or as 50ms, 5s or 2m");
+    let time = match text.trim().parse() {
+        Ok(seconds) => Duration::try_from_secs_f64(seconds).map_err(|e| form(e.to_string()))?,
+        Err(_) => humantime::parse_duration(text).map_err(|e| form(e.to_string()))?,
+    };
+    let allowed = Duration::from_millis(1)..=Duration::from_secs(86_400);
+    if allowed.contains(&time) { Ok(time) } else { Err("it is not from 1ms to 1day".to_owned()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_a_call_are_seconds_or_have_a_unit() {
+        let of = |text: &str| time_of_a_call(text).ok().map(|time| time.as_millis());
+        let given =
+            ["10", "0.05", "50ms", "2m", "1day", "0", "0.0005", "100us", "86401", "-1", "NaN", "inf", "soon", ""];
+        let right = [Some(10_000), Some(50), Some(50), Some(120_000), Some(86_400_000)];
+        assert_eq!(given.map(of)[..5], right);
+        assert_eq!(given.map(of)[5..], [None; 9]);
     }
 }

@@ -160,6 +160,9 @@ fn radii_may_be_those_of_somebody_else() {
     let radii_m = Radii { head: Some(0.15), thigh: Some(0.11), shank: Some(0.07), ..Radii::default() };
     let other = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap();
     let median = body(Sex::Male, Percentile::P50);
+    // As they are given, whatever the stature.
+    let tall = Body::new(&Anthropometry { radii_m, percentile: Percentile::P95, ..Anthropometry::default() }).unwrap();
+    assert!((upright(&tall).capsule(BodyPart::Head).radius - 0.15).abs() < 1e-12);
     let (ours, theirs) = (upright(&median), upright(&other));
     for (part, capsule) in theirs.parts() {
         let expected = match part {

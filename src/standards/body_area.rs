@@ -117,6 +117,10 @@ mod tests {
         for region in BodyRegion::ALL {
             assert!(quasi_static_pressure_n_cm2(region).is_finite(), "{region}");
         }
+        // The smallest of the areas of a region in ISO/TS 15066, table A.2: of the hand the back of the other one.
+        for (region, smallest) in [(R::Hand, 190.0), (R::Chest, 120.0), (R::Face, 110.0), (R::LowerArm, 180.0)] {
+            assert_eq!(quasi_static_pressure_n_cm2(region), smallest, "{region}");
+        }
     }
 
     /// The standard's own speed table (A.5), recalled, follows from the pressure limit on 1 cm2: of seven regions from the

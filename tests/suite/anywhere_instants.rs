@@ -168,7 +168,7 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
 
 #[test]
 fn whoever_bends_and_is_hit_is_in_a_square_that_is_told() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     // A beam that stops heads, and a pillar beside.
@@ -186,7 +186,7 @@ fn whoever_bends_and_is_hit_is_in_a_square_that_is_told() {
 
 #[test]
 fn whoever_reaches_past_a_wall_and_is_hit_is_in_a_square_that_is_told() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let wall = "[[obstacle]]\nname = \"wall\"\ncentre_m = [-0.5, -0.45, 1.1]\nsize_m = [1.6, 0.02, 2.2]\n[[obstacle]]\nname = \"low\"\n\

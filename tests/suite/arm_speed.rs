@@ -30,10 +30,10 @@ fn a_hand_that_cannot_be_there_yet_is_not_hit() {
     let mut free = prepared(2, None).simulation(StateChoice::Auto, false).unwrap();
     for actions in [1, 2] {
         let mut before = 0;
-        // Of two actions some of the speeds take most of the time.
+        // Of two actions most of the speeds take most of the time.
         let fewer = actions > 1 && !sample::is_whole();
         let speeds = [Some(0.5), Some(1.0), Some(2.0), None];
-        for speed in speeds.into_iter().filter(|speed| !fewer || matches!(speed, Some(1.0) | None)) {
+        for speed in speeds.into_iter().filter(|speed| !fewer || matches!(speed, Some(1.0))) {
             let prepared = prepared(actions, speed);
             let report = every_sequence(&prepared, false);
             let now = hazardous(&report);

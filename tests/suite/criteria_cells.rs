@@ -81,11 +81,11 @@ fn shorter(dir: &Path, file: &str, actions: u32) -> String {
 
 #[test]
 fn each_flaw_is_found_by_its_own_criterion_as_hard_as_by_hand() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let dir = examples();
-    for flaw in &FLAWS {
+    for flaw in sample::some(&FLAWS, 2) {
         let result = scan(dir.path(), &shorter(dir.path(), &format!("{}/cell.toml", flaw.cell), flaw.actions), 1);
         let mut worst: BTreeMap<&str, f64> = BTreeMap::new();
         for hazard in result["hazards"].as_array().unwrap() {
@@ -112,7 +112,7 @@ fn each_flaw_is_found_by_its_own_criterion_as_hard_as_by_hand() {
 /// Of as many actions as are enough in the flawed cells.
 #[test]
 fn the_repaired_twins_have_none_in_as_many_actions() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(3, 4) {
         return;
     }
     let dir = examples();

@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use crate::common::{examples, faulty_cell, fmi_hazard, json, nearer};
+use crate::sample;
 use serde_json::Value;
 
 fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
@@ -80,6 +81,9 @@ table = { fixed = true }
 
 #[test]
 fn the_distance_that_it_names_is_the_smallest_in_which_no_sequence_hurts() {
+    if !sample::is_turn(2, 4) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path();
     let text = short(dir, "head-collision", 5) + OTHERS_STAY;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
+use crate::sample;
 
 const CELLS: [&str; 10] = [
     "safety-fence",
@@ -238,9 +239,8 @@ fn probe_finds_what_stops_the_robot_after_how_long_and_with_which_polarity() {
 #[test]
 fn a_wrong_polarity_is_told_before_a_scan() {
     let dir = examples();
-    for (cell, effect) in
-        [("sensor-mat", "stand still"), ("light-curtain", "stand still"), ("head-collision", "are slower")]
-    {
+    let cells = [("sensor-mat", "stand still"), ("light-curtain", "stand still"), ("head-collision", "are slower")];
+    for (cell, effect) in sample::some(cells, 3) {
         let folder = dir.path().join(cell);
         let text = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
         let wrong = text.replacen("active = false", "active = true", 1);

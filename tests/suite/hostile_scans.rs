@@ -15,9 +15,12 @@ fn honest(more: &[&str]) -> Ran {
 }
 
 /// Three random sequences, one of which meets what is done in the eighth step in a row with `stop` on, and another a hazard: for what
-/// takes long each time it is met. Where all cases are looked at, as many as the cell says.
+/// takes long each time it is met.
+const FEW: [&str; 4] = ["--seed", "5", "--iterations", "3"];
+
+/// The same; where all cases are looked at, as many as the cell says.
 fn few() -> &'static [&'static str] {
-    if sample::is_whole() { &[] } else { &["--seed", "5", "--iterations", "3"] }
+    if sample::is_whole() { &[] } else { &FEW }
 }
 
 fn scan(hostile: &Hostile, more: &[&str]) -> Ran {
@@ -85,17 +88,19 @@ fn crashes() {
 
 #[test]
 fn calls_that_never_return() {
-    // Busy in one version, blocked in the other: each is waited for some times.
-    for (hostile, what) in sample::some(Hostile::both().into_iter().zip(["hang", "sleep-forever"]), 2) {
-        let words = "the FMU gave no answer for 1 s in a step, number ";
-        meets(&hostile.what(what).when_stopped(8), words, " of its run", &[few(), &["--fmu-timeout", "1"]].concat(), 2);
+    // Busy in one version, blocked in the other: each is waited for some times. Where all cases are looked at, as long as by default.
+    let (waits, time): (&[&str], _) =
+        if sample::is_whole() { (&[], "10") } else { (&["--fmu-timeout", "200ms"], "0.2") };
+    for (hostile, what) in Hostile::both().into_iter().zip(["hang", "sleep-forever"]) {
+        let words = format!("the FMU gave no answer for {time} s in a step, number ");
+        meets(&hostile.what(what).when_stopped(8), &words, " of its run", &[&FEW[..], waits].concat(), 2);
     }
 }
 
 /// Whoever waits for the first word of an FMU is soon told for what.
 #[test]
 fn who_waits_for_the_first_word_is_told_for_what() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     for hostile in sample::some(Hostile::both(), 2) {
@@ -107,7 +112,7 @@ fn who_waits_for_the_first_word_is_told_for_what() {
 
 #[test]
 fn too_much_memory() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(3, 4) {
         return;
     }
     for (hostile, what) in Hostile::both().into_iter().zip(["leak", "allocate-without-end"]) {
@@ -193,7 +198,7 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
         ("segfault", "step", 12, format!("{dies} in a step, number 13 of its run")),
         ("segfault", "free-instance", 1, format!("{dies} while an instance was freed")),
         ("segfault", "terminate", 1, format!("{dies} while an instance was freed")),
-        ("hang", "step", 12, "gave no answer for 1 s in a step, number 13 of its run".to_owned()),
+        ("hang", "step", 12, "gave no answer for 0.4 s in a step, number 13 of its run".to_owned()),
         (
             "allocate-without-end",
             "step",
@@ -207,7 +212,7 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
         // Each second of them in a run, of each version each fourth.
         let both = Hostile::both().into_iter().enumerate();
         for (_, hostile) in both.filter(|(version, _)| sample::takes(2 * version + row, 4)) {
-            let limits = ["--fmu-timeout", "1", "--fmu-memory", "200"];
+            let limits = ["--fmu-timeout", "400ms", "--fmu-memory", "200"];
             let ran = scan(&hostile.what(what).at(call, at), &limits);
             // Before its first step it may have met the sandbox.
             let begins =

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::common::started::Started;
 use crate::common::{examples, fmi_hazard, json, scan_json};
+use crate::sample;
 
 /// Starts a scan and sends it a signal once it says `word`; its exit code, if it ended by itself.
 fn interrupted(dir: &Path, arguments: &[&str], word: &str, signal: &str) -> Option<i32> {
@@ -21,7 +22,7 @@ fn an_exhaustive_search_goes_on_where_it_was() {
     let scan = |out| ["scan", "--no-advice", "heavy-workpiece/short.toml", "--strategy", "exhaustive", "--out", out];
     fmi_hazard(dir).args(scan("whole")).assert().code(1);
     assert!(!dir.join("whole/resume.json").exists() && !dir.join("whole/journal.bin").exists());
-    for (out, signal, code) in [("stopped", "-INT", Some(130)), ("killed", "-KILL", None)] {
+    for (out, signal, code) in sample::some([("stopped", "-INT", Some(130)), ("killed", "-KILL", None)], 2) {
         // The fifth action begins when the others are in the journal.
         assert_eq!(interrupted(dir, &scan(out), "action 5 of 6", signal), code);
         if signal == "-INT" {

@@ -18,7 +18,7 @@ fn scan(dir: &Path, cell: &str, out: &str, more: &[&str]) -> Option<i32> {
 
 #[test]
 fn tables_cases_logs_and_traces_are_read_by_others() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let dir = examples();
@@ -57,7 +57,7 @@ fn tables_cases_logs_and_traces_are_read_by_others() {
 /// Advice is in all of them.
 #[test]
 fn what_helps_is_in_tables_and_page_and_read_by_others() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     let dir = guarded();

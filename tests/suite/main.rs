@@ -51,6 +51,7 @@ mod mcap;
 mod mutated_fmus;
 mod obstacles;
 mod pipelines;
+mod published;
 mod python_package;
 mod reflected_mass;
 mod replays;

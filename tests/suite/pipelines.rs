@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 
 use crate::common::fmpy::python;
 use crate::common::{examples, fmi_hazard, json};
+use crate::sample;
 
 fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pipelines")
@@ -91,7 +92,7 @@ fn the_page_and_its_workflows_work_as_written() {
     let step = |name: &str| steps.iter().find(|step| step["name"] == name).unwrap();
     let lines = [step("Scan")["run"].as_str().unwrap(), gitlab["hazards"]["script"][0].as_str().unwrap()];
     let scanned = |code: i32| {
-        for line in lines {
+        for line in sample::some(lines, 2) {
             let output = shell(dir, line);
             assert_eq!(output.status.code(), Some(code), "{line}: {}", said(&output));
             let kept = step("Keep the report")["with"]["path"].as_str().unwrap().lines();

@@ -73,7 +73,7 @@ bar = {{ {fixed} }}
 mat = {{ {fixed} }}
 "#
     );
-    let floor = "[human]\nfloor_m = [[-0.7, -0.2], [-0.3, -0.2], [-0.3, 0.2], [-0.7, 0.2]]";
+    let floor = "[human]\nbend_forward_deg = 0\nbend_lateral_deg = 0\nfloor_m = [[-0.7, -0.2], [-0.3, -0.2], [-0.3, 0.2], [-0.7, 0.2]]";
     let cell = anywhere::cell(0.45, &parts);
     assert!(cell.contains("[human]") && cell.contains("xy_m = [0, -3], heading_deg = 90"));
     cell.replace("[human]", floor).replace("xy_m = [0, -3], heading_deg = 90", "xy_m = [-0.6, 0], heading_deg = 0")

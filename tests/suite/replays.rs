@@ -3,6 +3,7 @@
 //! contacts were looked for with.
 
 use crate::common::{examples, fmi_hazard};
+use crate::sample;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::geometry::distance::point_segment;
 use fmi_hazard::human::arm::ArmModel;
@@ -62,12 +63,14 @@ fn the_robot_is_where_the_contact_is() {
     let dir = dir.path();
     let slow = ("active = false", "active = false\ndelay_ms = 100");
     let mut approaching = 0;
-    for (example, actions, through, change) in [
+    let cells = [
         ("light-curtain", 3, true, ("", "")),
         ("light-curtain", 3, true, slow),
         ("head-collision", 5, false, ("", "")),
         ("two-scanners", 5, false, ("", "")),
-    ] {
+    ];
+    // One with a curtain, one without.
+    for (example, actions, through, change) in sample::some(cells, 2) {
         let text = std::fs::read_to_string(dir.join(example).join("cell.toml")).unwrap();
         assert!(text.contains(change.0));
         let text = if change.0.is_empty() { text } else { text.replacen(change.0, change.1, 1) };

@@ -216,11 +216,13 @@ fn a_flag_outside_the_saved_state() {
 fn a_flag_outside_the_saved_state_changes_neither_quick_searches_nor_advice() {
     for fmu in sample::some(FMUS, 2) {
         let quick = |lie, state: &str| {
-            let ran = scan(fmu, lie, &["--strategy", "random", "--iterations", "60", "--state", state]);
+            let ran = scan(fmu, lie, &["--strategy", "random", "--iterations", "30", "--state", state]);
             assert!(ran.confirmed());
             ran.scan["hazards"].clone()
         };
-        assert_eq!(quick(1, "fmu"), quick(0, "replay"));
+        if sample::takes(0, 4) || sample::takes(1, 4) {
+            assert_eq!(quick(1, "fmu"), quick(0, "replay"));
+        }
         let advised = |lie| {
             let dir = tempfile::TempDir::new().unwrap();
             let ran = scan_in(dir.path(), fmu, lie, &[]);
@@ -231,7 +233,9 @@ fn a_flag_outside_the_saved_state_changes_neither_quick_searches_nor_advice() {
             let told = told["remedies"].as_array().unwrap().iter();
             told.map(|r| format!("{}: {}", r["change"], r["outcome"]).replace("lie = 1", "lie = 0")).collect::<Vec<_>>()
         };
-        assert_eq!(advised(1), advised(0));
+        if sample::takes(2, 4) || sample::takes(3, 4) {
+            assert_eq!(advised(1), advised(0));
+        }
     }
 }
 

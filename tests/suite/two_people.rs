@@ -145,7 +145,7 @@ fn changed(dir: &Path, name: &str, changes: &[(&str, &str)]) -> Prepared {
 /// Two people who walk in, and a key between them that mutes the field while either holds it, as in an enumeration that knows each alone.
 #[test]
 fn two_people_as_in_plain_enumeration() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let dir = examples();
@@ -160,7 +160,8 @@ fn two_people_as_in_plain_enumeration() {
         Presses::all(1).flat_map(|set| both.clone().map(move |action| action.pressing(set))).collect();
     let mut hit = [0, 0];
     // The robot is on the left: once the first is there, once the second.
-    for (first, second) in [("[-0.5, -1.81]", "[0.6, -1.85]"), ("[0.6, -1.85]", "[-0.5, -1.81]")] {
+    let places = [("[-0.5, -1.81]", "[0.6, -1.85]"), ("[0.6, -1.85]", "[-0.5, -1.81]")];
+    for (first, second) in sample::some(places, 2) {
         let changes = [
             (mat, ""),
             ("[-0.6, -1.95]", "FIRST"),
@@ -182,7 +183,10 @@ fn two_people_as_in_plain_enumeration() {
         assert_eq!(harmless, plain.harmless);
         assert!(account.states() > 100, "{} states", account.states());
     }
-    assert!(hit.iter().all(|count| *count > 2), "little to compare: {hit:?}");
+    assert!(
+        hit.iter().filter(|count| **count > 2).count() > usize::from(sample::is_whole()),
+        "little to compare: {hit:?}"
+    );
 }
 
 /// Quick strategies look at other postures besides: what they find of one person is there as well when the other one is looked at, so
@@ -222,7 +226,7 @@ fn what_quick_strategies_find_of_two_is_met_again() {
 /// The same with the robot nearer and a stop that is there at once, of two actions: now it is operator B who is hit.
 #[test]
 fn who_is_at_a_station_near_the_robot_hides_who_walks_in() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     let dir = examples();

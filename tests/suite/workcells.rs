@@ -213,7 +213,7 @@ fn fmi_2_and_fmi_3_give_the_same_bytes() {
 
 #[test]
 fn three_coupled_fmus_find_what_the_one_finds_in_both_versions() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let dir = examples();
@@ -246,7 +246,7 @@ fn three_coupled_fmus_find_what_the_one_finds_in_both_versions() {
 
 #[test]
 fn fmus_that_break_promises_about_states_give_the_same_hazards() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     let dir = examples();

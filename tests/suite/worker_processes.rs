@@ -39,10 +39,10 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
     assert_eq!(cells.len(), 16);
     cells.push("sensor-mat/coupled.toml".to_owned());
     let mut went: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
-    for (number, cell) in sample::some(cells.into_iter().enumerate(), 5) {
+    for (number, cell) in sample::some(cells.into_iter().enumerate(), 10) {
         // Its saved states, and one other rung: cells of the same run take turns with them.
         let others = ["replay", "fork", "process"].into_iter().enumerate();
-        let others = others.filter(|(other, _)| sample::takes(other + number / 5, 3)).map(|(_, state)| state);
+        let others = others.filter(|(other, _)| sample::takes(other + number / 10, 3)).map(|(_, state)| state);
         let results = std::iter::once("fmu").chain(others).map(|state| {
             let args = [
                 "scan",

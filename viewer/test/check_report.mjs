@@ -1,18 +1,21 @@
 // Checks reports from the command line: node check_report.mjs [--main | --quick | --flat] report.html [more.html]
-// With --main only what shows soonest that a report works: picture, scrubber, selection, links, form. With --quick those, and one of four
-// of the others, by FMI_HAZARD_SAMPLE as in src/sample.rs. With --flat only those that need no 3-D graphics.
+// With --main only what shows soonest that a report works: picture, scrubber, selection, links, form. With --quick those of them that need
+// no 3-D graphics and one that does, and one of eight of the others, by FMI_HAZARD_SAMPLE as in src/sample.rs. With --flat only those that
+// need no 3-D graphics: what any report has, and of the others one of eight.
 
 import { CHECKS, checkReport, withBrowsers } from "./report.mjs";
 
 const sample = process.env.FMI_HAZARD_SAMPLE ?? "0";
 const needsNone = ({ flat = false, graphics = true }) => flat || !graphics;
-const others = CHECKS.filter((check) => !check.main);
-const inSample = (check) => sample === "all" || others.indexOf(check) % 4 === Number(sample) % 4;
+const moves = "scrubbing changes the picture";
+const isQuick = ({ name, main = false, flat = false }) => (main && flat) || name === moves;
+const others = CHECKS.filter((check) => !isQuick(check));
+const inSample = (check) => sample === "all" || (others.includes(check) && others.indexOf(check) % 8 === Number(sample) % 8);
 
 const WANTED = {
   "--main": ({ main = false }) => main,
-  "--quick": (check) => check.main || inSample(check),
-  "--flat": needsNone,
+  "--quick": (check) => isQuick(check) || inSample(check),
+  "--flat": (check) => needsNone(check) && (check.bare || inSample(check)),
 };
 const option = process.argv[2] in WANTED ? process.argv[2] : null;
 const files = process.argv.slice(option === null ? 2 : 3);

@@ -114,11 +114,12 @@ const hazards = (number) => (data) => data.scan.hazards.length >= number;
 const replays = (number) => (data) => replayed(data).length >= number;
 
 /** The checks: what they show, what a report needs for them, and the browser they run in; `flat` ones need no 3-D graphics, without which
- * a page opens much sooner. */
+ * a page opens much sooner, and `bare` ones nothing but a report. */
 export const CHECKS = [
   {
     name: "says what was found, and what that is worth",
     flat: true,
+    bare: true,
     needs: any,
     async run({ page, data }) {
       assert.equal(await page.locator("h1").textContent(), data.cell.name);
@@ -136,6 +137,7 @@ export const CHECKS = [
   {
     name: "puts nothing of the data into the page as markup",
     flat: true,
+    bare: true,
     needs: any,
     async run({ page }) {
       const strange = await page.evaluate(() => {
@@ -148,6 +150,7 @@ export const CHECKS = [
   {
     name: "works without a hazard",
     flat: true,
+    bare: true,
     needs: (data) => data.scan.hazards.length === 0,
     async run({ page }) {
       await page.locator(test("none")).waitFor();
@@ -539,6 +542,7 @@ export const CHECKS = [
   },
   {
     name: "fits a phone",
+    flat: true,
     main: true,
     needs: any,
     async run({ page }) {
@@ -635,7 +639,7 @@ export const CHECKS = [
 
 /**
  * Runs every check that the report is fit for and that is wanted; hears of each with its outcome, null being a pass. Quickly: pictures of
- * half the size, and none for checks that need none.
+ * a quarter of the size, and none for checks that need none.
  */
 export async function checkReport(file, browsers, hear, { wanted = () => true, quick = false } = {}) {
   const looked = await open(browsers.plain, file);
@@ -645,7 +649,7 @@ export async function checkReport(file, browsers, hear, { wanted = () => true, q
     const { name, needs, run, flat = false, graphics = true } = check;
     if (needs(data) && wanted(check)) {
       const browser = graphics && !(quick && flat) ? browsers.graphics : browsers.plain;
-      const opened = await open(browser, file, { deviceScaleFactor: quick ? 0.5 : 1 });
+      const opened = await open(browser, file, { deviceScaleFactor: quick ? 0.25 : 1 });
       let outcome = null;
       try {
         await settle(opened.page);

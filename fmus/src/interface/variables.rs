@@ -182,9 +182,18 @@ impl Interface {
         self.variables.iter().position(|variable| variable.name == name)
     }
 
-    /// The FMI 2.0 `guid` and FMI 3.0 `instantiationToken`: a fingerprint of everything in this interface.
+    /// The FMI 2.0 `guid` and FMI 3.0 `instantiationToken`: a fingerprint of everything in this interface, with an end of the
+    /// name's own.
     pub fn guid(&self) -> String {
-        fingerprint(&format!("{self:?}"))
+        let mut guid = fingerprint(&format!("{self:?}"));
+        let end = self.end_of_guid();
+        guid.truncate(guid.len() - end.len());
+        guid + &end
+    }
+
+    /// What `guid` ends with.
+    pub fn end_of_guid(&self) -> String {
+        fingerprint(&self.name).split_off(GUID_END)
     }
 
     /// FMI 3.0 `hasEventMode`: only the faulty model has events.
@@ -192,6 +201,9 @@ impl Interface {
         self.identifier.starts_with("faulty")
     }
 }
+
+/// Where the last group of a GUID in braces begins.
+const GUID_END: usize = "{00000000-0000-0000-0000-".len();
 
 /// A fingerprint of a text (FNV-1a, 128 bit), written as a GUID in braces.
 pub(super) fn fingerprint(text: &str) -> String {

@@ -263,7 +263,7 @@ impl Worker {
             if doing.stamp != stamp {
                 (stamp, since) = (doing.stamp, Instant::now());
             } else if since.elapsed() > limits.call {
-                return Err(self.gone(format!("gave no answer for {} s", limits.call.as_secs()), true));
+                return Err(self.gone(format!("gave no answer for {} s", limits.call.as_secs_f64()), true));
             }
             let resident = self.resident();
             if resident > limits.memory {
