@@ -20,9 +20,10 @@ pub(crate) fn is_whole() -> bool {
     sample().is_none()
 }
 
-/// Whether this case is looked at, when one of `parts` is.
+/// Whether this case is looked at, when one of `parts` is. By the dozen another one: tests that take turns look at all their cases, too,
+/// within sixty samples, as long as neither has more than six parts.
 pub(crate) fn takes(case: usize, parts: usize) -> bool {
-    sample().is_none_or(|sample| case % parts == sample % parts)
+    sample().is_none_or(|sample| case % parts == (sample + sample / 12) % parts)
 }
 
 /// Those of the cases that are looked at: one of `parts`, beginning anywhere.
@@ -40,5 +41,5 @@ pub(crate) fn least(cases: usize, parts: usize) -> usize {
 /// Whether it is the turn of this one of `parts` tests: they take long, and what one of them shows others show as well, of another kind.
 #[allow(dead_code, reason = "each crate of tests uses what it needs")]
 pub(crate) fn is_turn(test: usize, parts: usize) -> bool {
-    takes(test, parts)
+    sample().is_none_or(|sample| test % parts == sample % parts)
 }

@@ -96,4 +96,5 @@ fn figures_by_hand() {
     assert!((f.good_turing - 0.3).abs() < 1e-15);
     assert_eq!(f.share.low.to_bits(), clopper_pearson(5, 10).low.to_bits());
     assert_eq!(f.share.high.to_bits(), clopper_pearson(6, 10).high.to_bits());
+    assert_eq!(f.share_below.to_bits(), binomial_upper(6, 10, ALPHA).to_bits());
 }

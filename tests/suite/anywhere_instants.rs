@@ -127,6 +127,9 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
 /// that lacks a panel somebody is.
 #[test]
 fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     // Each side of two panels side by side: nothing gets through between them.
     let fence = |half_m: f64, sides: usize| -> String {
         let panel = |number: usize| {
@@ -202,28 +205,32 @@ fn whoever_reaches_past_a_wall_and_is_hit_is_in_a_square_that_is_told() {
 /// headings is so near, and few middles of cells of the floor.
 #[test]
 fn a_gap_of_2_cm_that_few_headings_show_is_floor_on_which_nobody_is_seen() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let heading = 0.5 * TAU / f64::from(ARCS);
     let (sin, cos) = libm::sincos(heading);
     // So far along the heading, and to the left of it: along the gap.
     let at = |along: f64, left: f64| [along * cos - left * sin, along * sin + left * cos];
-    let polygon = |from: f64, to: f64| format!("{:?}", [at(from, -0.8), at(to, -0.8), at(to, 0.8), at(from, 0.8)]);
+    let (half, step) = if sample::is_whole() { (1.5, 0.014) } else { (0.8, 0.007) };
+    let polygon = |from: f64, to: f64| format!("{:?}", [at(from, -half), at(to, -half), at(to, half), at(from, half)]);
     let side = |name: &str, from: f64, to: f64| {
         let zone = format!("zone = {{ polygon_m = {} }}\n", polygon(from, to));
         let mat = mat(name, "clear", [0.0; 4]);
         format!("{}{zone}", mat.split("zone = ").next().unwrap())
     };
-    let text = cell(0.45, &[side("left", -0.8, -0.01), side("right", 0.01, 0.8)].concat());
+    let text = cell(0.45, &[side("left", -half, -0.01), side("right", 0.01, half)].concat());
     let dir = guarded();
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
     let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0);
     let (floor, unseen, _) = search.ground();
     for number in 0..200 {
-        let place = at(0.0, f64::from(number - 100) * 0.007);
+        let place = at(0.0, f64::from(number - 100) * step);
         assert!(search.is_possible(place, heading, Posture::Upright, &[Some(false); 2]), "{place:?}");
         assert!(floor.within(place, 0.0).any(|cell| unseen[cell]), "{place:?}");
         assert!(zones.origin().least(place, 0.0) <= 0.0 && zones.ways[0].field.least(place, 0.0) <= 0.0, "{place:?}");
-        let beside = at(0.2, f64::from(number - 100) * 0.007);
+        let beside = at(0.2, f64::from(number - 100) * step);
         assert!(!floor.within(beside, 0.0).any(|cell| unseen[cell]), "{beside:?}");
     }
 }

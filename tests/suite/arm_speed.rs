@@ -15,6 +15,9 @@ use crate::sample;
 /// arms that take their time ends with these, too, as soon or sooner.
 #[test]
 fn a_hand_that_cannot_be_there_yet_is_not_hit() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = guarded();
     let prepared = |actions: u32, speed_m_s: Option<f64>| -> Prepared {
         let speed = speed_m_s.map_or(String::new(), |speed| format!("arm_speed_m_s = {speed}\n"));

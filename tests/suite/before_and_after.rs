@@ -109,3 +109,43 @@ fn a_scan_compared_with_itself_is_the_same_and_what_is_no_scan_is_refused() {
     let (code, _, said) = ran(dir, &["compare", "old.json", "out"]);
     assert!(code == Some(2) && said.contains("has format 1, this version reads 3"), "{said}");
 }
+
+/// A hazard has two sequences: where one of them leads nowhere any more, the other still counts.
+#[test]
+fn either_sequence_of_a_hazard_shows_that_it_is_still_there() {
+    let dir = examples();
+    let dir = dir.path();
+    let scan = [
+        "scan",
+        "--no-advice",
+        "heavy-workpiece/cell.toml",
+        "--strategy",
+        "random",
+        "--iterations",
+        "5",
+        "--out",
+        "before",
+    ];
+    assert_eq!(ran(dir, &scan).0, Some(1));
+    let path = dir.join("before/scan.json");
+    let whole = scan_json(&dir.join("before"));
+    let stays = |sequence: &mut serde_json::Value| {
+        for action in sequence.as_array_mut().unwrap() {
+            *action = "stop/upright".into();
+        }
+    };
+    for [first, shortest] in [[true, false], [false, true], [true, true]] {
+        let mut changed = whole.clone();
+        for hazard in changed["hazards"].as_array_mut().unwrap() {
+            if first {
+                stays(&mut hazard["actions"]);
+            }
+            if shortest {
+                stays(&mut hazard["shortest"]["actions"]);
+            }
+        }
+        std::fs::write(&path, changed.to_string()).unwrap();
+        let (_, text, said) = ran(dir, &["verify", "before", "heavy-workpiece/cell.toml"]);
+        assert_eq!(text.contains("STILL THERE"), !(first && shortest), "{text}{said}");
+    }
+}

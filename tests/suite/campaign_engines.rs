@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use crate::campaigns::{DAY, half_a_day, merged};
 use crate::common::fmpy::python;
 use crate::common::{examples, fmi_hazard, write};
+use crate::sample;
 
 fn tool(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tools/campaign").join(name)
@@ -63,6 +64,9 @@ fn by_threads(dir: &Path, campaign: &str) {
 /// One start at four times.
 #[test]
 fn threads_give_what_one_process_gives() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let dir = dir.path();
     write(dir, "day.toml", &half_a_day().replace("other_starts", "# other_starts"));

@@ -145,6 +145,9 @@ fn the_repaired_twins_have_none() {
 /// The same sequences, looked at as in the paper: nobody would know.
 #[test]
 fn the_transient_force_sees_none_of_them() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let cells = FLAWS.iter().map(|flaw| (flaw.cell, flaw.criterion, flaw.actions));
     for (cell, criterion, actions) in cells.chain([("short-zone", "separation", 5)]) {

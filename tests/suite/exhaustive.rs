@@ -385,6 +385,9 @@ fn the_certificate_of_a_repaired_cell_as_it_is() {
 
 #[test]
 fn the_same_bytes_with_any_number_of_workers() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let run = |file: &str, workers: &str, code: i32| run(dir.path(), file, workers, code);
     cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 3");
@@ -401,6 +404,9 @@ fn the_same_bytes_with_any_number_of_workers() {
 
 #[test]
 fn a_spent_budget_is_said_and_what_was_found_stays() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     cell(dir.path(), "two-scanners/cell.toml", NEAR[1].1, "actions = 5");
     let arguments = [

@@ -130,6 +130,9 @@ fn honest(more: &[&str]) -> Ran {
 
 #[test]
 fn what_changes_its_process_changes_no_result() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let honest = honest(&[]);
     for (row, (what, call, at)) in [
         ("locale", "load", 1),
@@ -183,6 +186,9 @@ fn threads_are_not_copied_and_the_self_test_says_so() {
 
 #[test]
 fn what_it_prints_goes_to_a_log() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let large = if sample::is_whole() { 3_000_000 } else { 1_200_000 };
     let more: &[&str] = if sample::is_whole() { &[] } else { &["--iterations", "12"] };
     for hostile in sample::some(Hostile::both(), 2) {

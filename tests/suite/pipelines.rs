@@ -74,6 +74,9 @@ fn repository() -> tempfile::TempDir {
 
 #[test]
 fn the_page_and_its_workflows_work_as_written() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let repository = repository();
     let (dir, cell) = (repository.path(), repository.path().join("cell"));
     let [once, change, repaired] = blocks("sh").try_into().unwrap();
@@ -191,6 +194,9 @@ fn reproduce(out: &Path) -> String {
 
 #[test]
 fn results_are_moved_with_their_cell_and_mailed_without_it() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = tempfile::TempDir::new().unwrap();
     let dir = dir.path();
     let (first, mail) = (dir.join("first"), dir.join("mail"));

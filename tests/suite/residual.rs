@@ -14,6 +14,9 @@ use fmi_hazard::search::residual::Figures;
 
 #[test]
 fn the_figures_cover_what_the_exhaustive_search_counts() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     // A nearer start and fewer actions, so that the exhaustive search takes a second.
     let text = std::fs::read_to_string(dir.path().join("heavy-workpiece/cell.toml")).unwrap();
@@ -60,6 +63,9 @@ fn the_figures_cover_what_the_exhaustive_search_counts() {
 
 #[test]
 fn only_random_sequences_of_a_search_that_ran_as_fixed_are_counted_each_by_its_own_end() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let scan = |more: &[&str]| {
         let arguments =

@@ -3,12 +3,14 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use crate::common::{assert_same_hazards, examples, fmi_hazard, meshes, scan_json, write};
+use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, meshes, scan_json, test_fmus, write};
+use fmi_hazard::cell::binding::MotionBinding;
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
 use fmi_hazard::cell::looks;
 use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
+use fmi_hazard::scan::prepare::prepare;
 
 /// A cell with a robot from `urdf`, its joints named as told.
 fn cell_of(folder: &Path, urdf: &str, joints: &[&str], more: &str) -> Workcell {
@@ -201,7 +203,7 @@ fn a_cell_whose_robot_comes_from_a_urdf_has_the_same_hazards() {
 fn motions(dir: &Path, cell: &str) -> Vec<Vec<(Vec3, Vec3)>> {
     use fmi_hazard::host::Plant as _;
     use fmi_hazard::sim::robot::RobotFrame;
-    let prepared = fmi_hazard::scan::prepare::prepare(&dir.join(cell), None).unwrap();
+    let prepared = prepare(&dir.join(cell), None).unwrap();
     let mut plant = prepared.plant(fmi_hazard::scan::StateChoice::Auto);
     let start = plant.restart().unwrap();
     let world = fmi_hazard::sim::World::new(prepared.cell.clone(), prepared.binding.clone());
@@ -348,6 +350,20 @@ fn a_box_taken_exactly_from_a_mesh_has_the_hazards_of_its_hull() {
     let hazards = scans[0]["hazards"].as_array().unwrap();
     assert!(hazards.iter().any(|hazard| hazard["robot_link"] == "workpiece"));
     scans[1..].iter().for_each(|other| assert_same_hazards(&scans[0], other));
+}
+
+/// What is added to an axis is in the unit of its table, like the axis itself: 90 and half of 90 are 135 degrees.
+#[test]
+fn coupled_axes_are_added_in_their_unit() {
+    let dir = tempfile::TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    let coupled = "{ variable = \"q\", unit = \"deg\", plus = { \"qd\" = 0.5 } }";
+    let text = faulty_cell("faulty.fmu", 0, 0).replace("{ variable = \"q\", unit = \"rad\" }", coupled);
+    assert!(text.contains(coupled));
+    let binding = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap().binding;
+    let MotionBinding::Joints { positions, .. } = &binding.robots[0].motion else { panic!("it has a joint") };
+    let read = positions[0].read(&vec![90.0; binding.columns()]);
+    assert!((read - 0.75 * std::f64::consts::PI).abs() < 1e-12, "{read}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use fmi_hazard::scan::StateChoice;
 
 use crate::common::started::Started;
 use crate::common::{examples, fmi_hazard, scan_json};
+use crate::sample;
 
 /// The search for changes, which comes after it, is ended.
 #[test]
@@ -88,6 +89,9 @@ fn an_fmu_alone_carries_its_cell() {
 
 #[test]
 fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let mut near = f64::MAX;
     for seed in 1..=10 {
@@ -108,6 +112,9 @@ fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
 
 #[test]
 fn starts_right_at_the_repaired_slot_find_nothing_either() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let fixed = std::fs::read_to_string(dir.path().join("safety-fence/fixed.toml")).unwrap();
     for start in ["xy_m = [0.45, -0.70]", "xy_m = [0.0, -0.75]"] {

@@ -23,7 +23,7 @@ fn number(said: &str, word: &str) -> u64 {
 }
 
 #[test]
-#[ignore = "minutes: the scan, and every walk in Python; `whatever_a_scan_of_somebody_upright_from_a_random_place_finds_is_found` is another independent route"]
+#[ignore = "minutes: the scan, and every walk in Python, which runs here alone; `whatever_a_scan_of_somebody_upright_from_a_random_place_finds_is_found` is another independent route"]
 fn every_harm_of_every_walk_on_a_grid_and_of_random_walks_is_told() {
     let dir = TempDir::new().unwrap();
     let (cells, out) = (dir.path().join("cells"), dir.path().join("out"));

@@ -10,12 +10,12 @@ const needsNone = ({ flat = false, graphics = true }) => flat || !graphics;
 const moves = "scrubbing changes the picture";
 const isQuick = ({ name, main = false, flat = false }) => (main && flat) || name === moves;
 const others = CHECKS.filter((check) => !isQuick(check));
-const inSample = (check) => sample === "all" || (others.includes(check) && others.indexOf(check) % 8 === Number(sample) % 8);
+const isTurn = (check, of) => sample === "all" || of.indexOf(check) % 8 === Number(sample) % 8;
 
 const WANTED = {
   "--main": ({ main = false }) => main,
-  "--quick": (check) => isQuick(check) || inSample(check),
-  "--flat": (check) => needsNone(check) && (check.bare || inSample(check)),
+  "--quick": (check) => isQuick(check) || (others.includes(check) && isTurn(check, others)),
+  "--flat": (check) => needsNone(check) && (check.bare || isTurn(check, CHECKS)),
 };
 const option = process.argv[2] in WANTED ? process.argv[2] : null;
 const files = process.argv.slice(option === null ? 2 : 3);

@@ -34,6 +34,11 @@ pub fn scanned(dir: &Path, arguments: &[&str]) -> Scanned {
     let made = !kept.is_dir();
     if made {
         let ran = fmi_hazard(dir).arg("scan").args(arguments).output().expect("the command runs");
+        // What was ended from outside says nothing of the next one.
+        if ran.status.code().is_none_or(|code| code > 4) {
+            let [stdout, stderr] = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+            return Scanned { code: ran.status.code(), stdout, stderr, made };
+        }
         let making = tempfile::tempdir_in(&*PROGRAM).expect("a folder can be made");
         copy(&dir.join(out), &making.path().join("out"));
         let said = [code(ran.status).to_string().into_bytes(), ran.stdout, ran.stderr];
@@ -61,7 +66,8 @@ static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
     let all = program.ancestors().nth(2).expect("it lies below target/").join("scans");
     let own = all.join(hex(Sha256::digest(fs::read(program).expect("the program is built")).as_slice()));
     if !own.is_dir() {
-        for old in fs::read_dir(&all).into_iter().flatten().flatten() {
+        // Another process may just have begun to keep what this program gives.
+        for old in fs::read_dir(&all).into_iter().flatten().flatten().filter(|old| old.path() != own) {
             let _ = fs::remove_dir_all(old.path());
         }
     }
