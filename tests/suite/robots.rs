@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, meshes, scan_json, test_fmus, write};
+use crate::common::archives::with_xml;
+use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, meshes, scan_json, write};
 use fmi_hazard::cell::binding::MotionBinding;
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
@@ -356,7 +357,9 @@ fn a_box_taken_exactly_from_a_mesh_has_the_hazards_of_its_hull() {
 #[test]
 fn coupled_axes_are_added_in_their_unit() {
     let dir = tempfile::TempDir::new().unwrap();
-    std::fs::copy(test_fmus().join("faulty.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    // An FMU that says nothing of units.
+    let fmu = with_xml(|text| text.replace(" unit=\"rad\"", "").replace(" unit=\"rad/s\"", ""));
+    std::fs::write(dir.path().join("faulty.fmu"), fmu).unwrap();
     let coupled = "{ variable = \"q\", unit = \"deg\", plus = { \"qd\" = 0.5 } }";
     let text = faulty_cell("faulty.fmu", 0, 0).replace("{ variable = \"q\", unit = \"rad\" }", coupled);
     assert!(text.contains(coupled));

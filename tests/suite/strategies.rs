@@ -105,7 +105,7 @@ fn bench(format: &str, more: &[&str]) -> String {
 }
 
 #[test]
-#[ignore = "10 s: every sequence of eight actions; `different_hazards_are_counted_and_told_in_every_format` has the same without the complete list, and `recall_by_hand` calculates with one"]
+#[ignore = "10 s: every sequence of eight actions; `different_hazards_are_counted_and_told_in_every_format` has the same without the complete list, and a unit test of `report::growth` calculates with one"]
 fn recall_is_counted_against_the_complete_list() {
     let json: serde_json::Value = serde_json::from_str(&bench("json", &["--truth"])).unwrap();
     let cell = &json[0];

@@ -193,6 +193,9 @@ fn two_people_as_in_plain_enumeration() {
 /// every way of it is met again by a run of its own.
 #[test]
 fn what_quick_strategies_find_of_two_is_met_again() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let changes = [
         ("[[-1, -2.5], [1, -2.5], [1, 2], [-1, 2]]", "[[-1, -9], [1, -9], [1, -8], [-1, -8]]"),
