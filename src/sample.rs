@@ -20,8 +20,8 @@ pub(crate) fn is_whole() -> bool {
     sample().is_none()
 }
 
-/// Whether this case is looked at, when one of `parts` is. By the dozen another one: tests that take turns look at all their cases, too,
-/// within sixty samples, as long as neither has more than six parts.
+/// Whether this case is looked at, when one of `parts` is. It does not go by the sample alone, as turns do: so each test that takes turns
+/// of 2, 3, 4 or 6 looks at all of its cases within sixty samples, as long as they are in 5 parts at most.
 pub(crate) fn takes(case: usize, parts: usize) -> bool {
     sample().is_none_or(|sample| case % parts == (sample + sample / 12) % parts)
 }

@@ -3,8 +3,18 @@
     tools/slowest.py target/nextest/default/junit.xml
 """
 
+import os
 import sys
 import xml.etree.ElementTree as ElementTree
+
+
+def alone(case):
+    """The command that runs a test alone, with the cases of this run."""
+    package, _, binary = case.get("classname", "").partition("::")
+    kind, _, name = binary.rpartition("/")
+    target = ["--lib"] if not binary else ["--bin" if kind == "bin" else "--test", name]
+    sample = f"FMI_HAZARD_SAMPLE={os.environ.get('FMI_HAZARD_SAMPLE', '0')}"
+    return " ".join([sample, "cargo test --package", package, *target, "-- --include-ignored --exact", case.get("name")])
 
 
 def main():
@@ -15,9 +25,7 @@ def main():
     print(f"{sum(seconds.values()):6.0f} s  in all {len(cases)}, one after the other")
     failed = [case for case in cases if case.find("failure") is not None or case.find("error") is not None]
     for case in failed:
-        binary = case.get("classname", "").removeprefix("fmi-hazard::")
-        target = "--lib" if binary in ("fmi-hazard", "") else f"--test {binary}"
-        print(f"FAILED   cargo test {target} -- --include-ignored --exact {case.get('name')}")
+        print(f"FAILED   {alone(case)}")
     print(f"{len(cases) - len(failed)} passed, {len(failed)} failed")
 
 
