@@ -21,7 +21,7 @@ pub(crate) fn is_whole() -> bool {
 }
 
 /// Whether this case is looked at, when one of `parts` is. It does not go by the sample alone, as turns do: so each test that takes turns
-/// of 2, 3, 4 or 6 looks at all of its cases within sixty samples, as long as they are in 5 parts at most.
+/// of 2, 3, 4, 6 or 12 looks at all of its cases within sixty samples, as long as they are in 5 parts at most.
 pub(crate) fn takes(case: usize, parts: usize) -> bool {
     sample().is_none_or(|sample| case % parts == (sample + sample / 12) % parts)
 }

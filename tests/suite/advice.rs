@@ -175,7 +175,7 @@ fn number(text: &str, behind: &str) -> f64 {
 
 #[test]
 fn a_mat_that_is_far_too_narrow_is_made_as_wide_as_it_has_to_be() {
-    if !sample::is_turn(1, 3) {
+    if !sample::is_turn(1, 12) {
         return;
     }
     let text = cell(&mat(-0.95), "\"plc.t_ramp\" = 0.5");
@@ -203,7 +203,7 @@ fn same_plainly(advised: &Advised) {
 
 #[test]
 fn one_thread_and_no_saved_states_give_the_same_advice() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let text = with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ most_wider_m = 0.8 }}\n"));
@@ -220,7 +220,7 @@ fn one_thread_and_no_saved_states_give_the_same_advice_of_all_kinds() {
 
 #[test]
 fn a_protective_distance_is_enough_from_everywhere_and_never_smaller() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let advised = advised(&cell("", "\"ssm.distance\" = 1.0"));
@@ -294,7 +294,7 @@ fn larger_field(limits: &str) -> Advised {
 
 #[test]
 fn times_and_truth_values_that_are_the_cause_are_found() {
-    if !sample::is_turn(3, 4) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let limits = |causes: &[&str]| {
@@ -331,7 +331,7 @@ fn times_and_truth_values(limits: &dyn Fn(&[&str]) -> String) {
 
 #[test]
 fn without_a_safeguard_the_speed_is_the_one_that_the_standard_allows() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(4, 6) {
         return;
     }
     let advised = advised(&cell("", ""));
@@ -347,7 +347,7 @@ fn without_a_safeguard_the_speed_is_the_one_that_the_standard_allows() {
 
 #[test]
 fn what_removes_one_of_two_causes_is_not_enough() {
-    if !sample::is_turn(0, 4) {
+    if !sample::is_turn(5, 6) {
         return;
     }
     // The mat is muted for a while, and too narrow.
@@ -424,7 +424,7 @@ fn what_removes_one_cause_and_leaves_another_says_so() {
 
 #[test]
 fn a_gap_that_is_closed_in_front_of_the_person_but_not_beside_is_open() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(4, 6) {
         return;
     }
     // Two lintels side by side, under which a person of 1.755 m just gets through.
@@ -459,7 +459,7 @@ fn a_gap_that_is_closed_in_front_of_the_person_but_not_beside_is_open() {
 
 #[test]
 fn a_barrier_has_to_be_higher_than_what_people_step_over() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     // Legs begin 5 cm above the floor.
@@ -472,7 +472,7 @@ fn a_barrier_has_to_be_higher_than_what_people_step_over() {
 
 #[test]
 fn every_beginning_counts() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     // Who begins at once finds the mat muted for 0.3 s, which matters to nobody; who begins 6 s later finds the bar again
@@ -516,7 +516,7 @@ fn advice_for_the_sensor_mat_is_true() {
 
 #[test]
 fn advice_for_a_robot_at_head_height_is_true() {
-    if !sample::is_turn(1, 3) {
+    if !sample::is_turn(6, 12) {
         return;
     }
     example("head-collision", [0.2, -1.9, 90.0, 0.0], 5);
@@ -524,7 +524,7 @@ fn advice_for_a_robot_at_head_height_is_true() {
 
 #[test]
 fn advice_for_the_light_curtain_is_true() {
-    if !sample::is_turn(2, 3) {
+    if !sample::is_turn(1, 6) {
         return;
     }
     example("light-curtain", [0.1, -1.0, 90.0, 0.0], 2);
@@ -558,7 +558,7 @@ const NO_DISTANCE: &str = "\"ssm.distance\" = { fixed = true }\n\"field.radius\"
 
 #[test]
 fn what_the_cell_file_fixes_is_not_changed() {
-    if !sample::is_turn(3, 4) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let fixed = advised(&with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ fixed = true }}\n")));
@@ -593,7 +593,7 @@ fn what_the_cell_file_fixes_is_not_changed() {
 
 #[test]
 fn a_range_is_searched_to_its_end_and_no_farther() {
-    if !sample::is_turn(0, 4) {
+    if !sample::is_turn(11, 12) {
         return;
     }
     let with = |most: &str| with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ most_wider_m = {most} }}\n"));

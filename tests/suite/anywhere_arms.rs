@@ -286,7 +286,7 @@ fn closed(text: &str) -> String {
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_gets_an_arm_to_the_bar() {
-    if !sample::is_turn(1, 6) {
+    if !sample::is_turn(5, 12) {
         return;
     }
     let wall = "[[obstacle]]\nname = \"wall\"\ncentre_m = [-0.5, -0.7, 1.1]\nsize_m = [1.0, 0.02, 2.2]\n[[obstacle]]\nname = \"low\"\n\
@@ -309,7 +309,7 @@ fn sets_that_are_settled_hold_nobody_who_gets_an_arm_to_the_bar() {
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_tells() {
-    if !sample::is_turn(3, 6) {
+    if !sample::is_turn(5, 6) {
         return;
     }
     // Whoever stands behind it reaches over it into the plane.
@@ -329,7 +329,7 @@ fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_tells() {
 
 #[test]
 fn sets_that_are_settled_hold_nobody_who_is_hit_behind_a_plane_that_is_clear() {
-    if !sample::is_turn(5, 6) {
+    if !sample::is_turn(4, 6) {
         return;
     }
     for parts in sample::some([curtain(-0.7, 1.5, 0.0, 2.2), curtain(-0.8, 0.3, 0.0, 2.2)], 2) {

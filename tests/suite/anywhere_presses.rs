@@ -60,7 +60,7 @@ fn is_in(of: &[History], frame: &RobotFrame, readings: &[bool], at: Vec3) -> boo
 /// history says that they may be while the robot is as it is. Without presses that is not so: the robot starts again.
 #[test]
 fn whoever_walks_and_presses_is_in_the_sets() {
-    if !sample::is_turn(1, 6) {
+    if !sample::is_turn(3, 12) {
         return;
     }
     let dir = examples();
@@ -146,7 +146,7 @@ fn whoever_has_pressed_is_near_the_button() {
 /// On a strip of floor nobody is hit in a second in a repaired one, pressing or not.
 #[test]
 fn a_reset_that_does_nothing_while_somebody_is_inside_is_enough_on_a_strip_of_floor() {
-    if !sample::is_turn(5, 6) {
+    if !sample::is_turn(0, 12) {
         return;
     }
     let dir = examples();
@@ -165,7 +165,7 @@ fn a_reset_that_does_nothing_while_somebody_is_inside_is_enough_on_a_strip_of_fl
 /// On a part of the floor, over a strip of mat that is 0.3 m deep: who comes in and presses is hit, and no floor is left open.
 #[test]
 fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
-    if !sample::is_turn(3, 6) {
+    if !sample::is_turn(2, 12) {
         return;
     }
     let dir = examples();

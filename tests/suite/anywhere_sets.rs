@@ -25,7 +25,7 @@ use fmi_hazard::sim::sensors::{Seen, input_row, sees};
 /// By legs alone: nobody bends.
 #[test]
 fn whatever_a_scan_of_somebody_upright_from_a_random_place_finds_is_found() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(1, 6) {
         return;
     }
     whatever_is_found_is_found("bend_forward_deg = 0\nbend_lateral_deg = 0\n", 60, 1);
@@ -127,7 +127,7 @@ fn whatever_complete_searches_find_of_who_walks_in_is_in_the_sets() {
 /// is outside of what it is taken to sweep around them, which is hardly larger than it has to be.
 #[test]
 fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
-    if !sample::is_turn(3, 4) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     const FINE: usize = 10;
@@ -188,7 +188,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
 /// fields say that they may be, and whatever is reported of them next may follow as soon.
 #[test]
 fn whoever_walks_in_strides_is_where_fields_say() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(8, 12) {
         return;
     }
     const STRIDE_M: f64 = 0.3;
@@ -253,7 +253,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
 /// robots are as they are, those of both sensors together and of each robot by its own alone. With the sensors changed over it is not so.
 #[test]
 fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
-    if !sample::is_turn(0, 4) {
+    if !sample::is_turn(6, 12) {
         return;
     }
     const STEPS: usize = 24;

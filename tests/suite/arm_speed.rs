@@ -15,7 +15,7 @@ use crate::sample;
 /// arms that take their time ends with these, too, as soon or sooner.
 #[test]
 fn a_hand_that_cannot_be_there_yet_is_not_hit() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let dir = guarded();

@@ -56,7 +56,7 @@ pub fn merged(out: &Path) -> BTreeMap<String, Vec<u8>> {
 
 #[test]
 fn shards_in_any_order_stopped_killed_and_done_twice_give_what_one_process_gives() {
-    if !sample::is_turn(5, 6) {
+    if !sample::is_turn(5, 12) {
         return;
     }
     let dir = examples();
@@ -165,7 +165,7 @@ fn results_of_another_cell_are_not_taken() {
 
 #[test]
 fn a_sweep_ends_in_the_smallest_value_that_single_scans_give() {
-    if !sample::is_turn(3, 6) {
+    if !sample::is_turn(10, 12) {
         return;
     }
     let dir = examples();
@@ -249,7 +249,7 @@ fn body(bytes: &[u8]) -> &[u8] {
 
 #[test]
 fn one_search_in_parts_gives_the_bytes_of_one_machine() {
-    if !sample::is_turn(1, 6) {
+    if !sample::is_turn(4, 12) {
         return;
     }
     let dir = examples();

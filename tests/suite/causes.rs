@@ -97,7 +97,7 @@ const FAST: &str = "\"drive.speed\" = 1.8\n";
 
 #[test]
 fn a_hole_in_the_mat_and_a_mat_that_is_not_heeded() {
-    if !sample::is_turn(0, 6) {
+    if !sample::is_turn(5, 6) {
         return;
     }
     let dir = guarded();
@@ -110,7 +110,7 @@ fn a_hole_in_the_mat_and_a_mat_that_is_not_heeded() {
 
 #[test]
 fn a_hole_in_the_mat_and_a_controller_that_is_too_slow() {
-    if !sample::is_turn(2, 6) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let dir = guarded();
@@ -145,7 +145,7 @@ fn two_openings(actions: u32) {
 /// Five actions are just enough to get to an opening and to be hit.
 #[test]
 fn two_openings_of_a_fence() {
-    if !sample::is_turn(2, 6) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     two_openings(5);
@@ -159,7 +159,7 @@ fn two_openings_of_a_fence_and_more_time() {
 
 #[test]
 fn a_controller_that_is_too_slow_behind_one_opening_and_no_mat_behind_the_other() {
-    if !sample::is_turn(4, 6) {
+    if !sample::is_turn(1, 6) {
         return;
     }
     slow_and_without_a_mat(5);
@@ -182,7 +182,7 @@ fn slow_and_without_a_mat(actions: u32) {
 
 #[test]
 fn two_robots_of_which_nothing_keeps_people_away() {
-    if !sample::is_turn(4, 6) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let dir = guarded();
@@ -193,7 +193,7 @@ fn two_robots_of_which_nothing_keeps_people_away() {
 
 #[test]
 fn a_field_with_a_hole_and_a_robot_that_only_slows_down() {
-    if !sample::is_turn(0, 6) {
+    if !sample::is_turn(10, 12) {
         return;
     }
     let dir = examples();

@@ -396,7 +396,7 @@ fn head_trunk_and_legs_are_clamped_where_samples_say_so() {
 
 #[test]
 fn arms_are_clamped_where_samples_of_arms_say_so() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let dir = examples();

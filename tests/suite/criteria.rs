@@ -51,7 +51,7 @@ fn by_force(scan: &Value) -> BTreeMap<String, (Value, Value)> {
 /// certificate, and moving contacts within all limits besides. Of the repaired cell both are clean.
 #[test]
 fn moving_contacts_are_told_beside_what_ends_sequences() {
-    if !sample::is_turn(0, 4) {
+    if !sample::is_turn(9, 12) {
         return;
     }
     let dir = examples();
@@ -84,7 +84,7 @@ fn moving_contacts_are_told_beside_what_ends_sequences() {
 /// A robot that lifts workpieces beside a stand clamps people against stand and floor more slowly than it may hit them.
 #[test]
 fn clamped_parts_bear_half_and_the_whole_robot_is_behind() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(3, 4) {
         return;
     }
     let dir = examples();
@@ -137,7 +137,7 @@ fn clamped_parts_bear_half_and_the_whole_robot_is_behind() {
 /// A link that does not say how small it touches is not known, and passes nobody; one that says so is judged.
 #[test]
 fn pressure_of_links_that_say_nothing_is_not_known() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let dir = examples();
@@ -175,7 +175,7 @@ const SEPARATION: &str =
 /// A sensor that tells later stops the robot later by as much.
 #[test]
 fn a_sensor_that_tells_later_asks_for_more_separation() {
-    if !sample::is_turn(3, 4) {
+    if !sample::is_turn(5, 6) {
         return;
     }
     let dir = examples();
@@ -192,7 +192,7 @@ fn a_sensor_that_tells_later_asks_for_more_separation() {
 /// The protective separation distance from what the FMU itself shows of a stop, by the figures that a result tells.
 #[test]
 fn separation_is_what_the_stop_of_that_very_state_asks_for() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(1, 6) {
         return;
     }
     let dir = examples();

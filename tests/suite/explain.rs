@@ -81,7 +81,7 @@ table = { fixed = true }
 
 #[test]
 fn the_distance_that_it_names_is_the_smallest_in_which_no_sequence_hurts() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(1, 12) {
         return;
     }
     let dir = examples();

@@ -129,7 +129,7 @@ fn init_asks_nothing_without_a_terminal_and_replaces_nothing() {
 
 #[test]
 fn check_tells_all_problems_at_once_and_draws_what_is_right() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let dir = examples();
@@ -210,7 +210,7 @@ fn check_tells_all_problems_at_once_and_draws_what_is_right() {
 
 #[test]
 fn probe_finds_what_stops_the_robot_after_how_long_and_with_which_polarity() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let dir = examples();

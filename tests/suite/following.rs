@@ -148,7 +148,7 @@ fn compared(
 /// Random sequences, in each cell with all that changes in it a little later each time.
 #[test]
 fn what_follows_the_fmu_as_stepped_by_hand() {
-    if !sample::is_turn(5, 6) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let dir = examples();
@@ -267,7 +267,7 @@ fn muted_entrance_as_in_plain_enumeration(base: &str, harmed: bool) {
 
 #[test]
 fn the_muted_entrance_as_in_plain_enumeration() {
-    if !sample::is_turn(1, 6) {
+    if !sample::is_turn(6, 12) {
         return;
     }
     muted_entrance_as_in_plain_enumeration("cell", true);
@@ -275,7 +275,7 @@ fn the_muted_entrance_as_in_plain_enumeration() {
 
 #[test]
 fn the_repaired_muted_entrance_as_in_plain_enumeration() {
-    if !sample::is_turn(3, 6) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     muted_entrance_as_in_plain_enumeration("fixed", false);

@@ -64,7 +64,7 @@ fn only_if_trusted(told: &dyn Fn(&Path) -> Hostile) {
 
 #[test]
 fn files_of_others_are_out_of_reach() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     if !guarded("has no Landlock") {
@@ -133,7 +133,7 @@ fn honest(more: &[&str]) -> Ran {
 
 #[test]
 fn what_changes_its_process_changes_no_result() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let honest = honest(&[]);
@@ -189,7 +189,7 @@ fn threads_are_not_copied_and_the_self_test_says_so() {
 
 #[test]
 fn what_it_prints_goes_to_a_log() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     let large = if sample::is_whole() { 3_000_000 } else { 1_200_000 };

@@ -105,7 +105,7 @@ fn calls_that_never_return() {
 /// Whoever waits for the first word of an FMU is soon told for what.
 #[test]
 fn who_waits_for_the_first_word_is_told_for_what() {
-    if !sample::is_turn(1, 4) {
+    if !sample::is_turn(7, 12) {
         return;
     }
     for hostile in sample::some(Hostile::both(), 2) {
@@ -117,7 +117,7 @@ fn who_waits_for_the_first_word_is_told_for_what() {
 
 #[test]
 fn too_much_memory() {
-    if !sample::is_turn(3, 4) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     for (hostile, what) in Hostile::both().into_iter().zip(["leak", "allocate-without-end"]) {
@@ -243,7 +243,7 @@ fn an_fmu_that_fails_in_its_first_run_cannot_be_scanned() {
 
 #[test]
 fn what_is_no_fault_of_a_sequence_costs_time_only() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     // It dies in calls that are counted in each process: in a fresh one the same action goes well.
@@ -268,7 +268,7 @@ fn what_is_no_fault_of_a_sequence_costs_time_only() {
 
 #[test]
 fn lies_about_states_and_instances_change_no_result() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let says = "the FMU says it can save its state, but does not do it exactly";
@@ -304,7 +304,7 @@ fn lies_about_states_and_instances_change_no_result() {
 
 #[test]
 fn models_of_another_motion_give_the_same_on_all_rungs() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let iterations = if sample::is_whole() { "30" } else { "12" };

@@ -277,7 +277,7 @@ fn at_the_only_mass_all_of_it_is_felt_in_every_direction_and_pose_with_the_paylo
 
 #[test]
 fn a_scan_tells_it_of_every_hazard_and_decides_nothing_by_it() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let dir = examples();

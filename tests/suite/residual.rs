@@ -14,7 +14,7 @@ use fmi_hazard::search::residual::Figures;
 
 #[test]
 fn the_figures_cover_what_the_exhaustive_search_counts() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let dir = examples();
@@ -63,7 +63,7 @@ fn the_figures_cover_what_the_exhaustive_search_counts() {
 
 #[test]
 fn only_random_sequences_of_a_search_that_ran_as_fixed_are_counted_each_by_its_own_end() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(3, 4) {
         return;
     }
     let dir = examples();

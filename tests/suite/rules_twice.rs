@@ -334,7 +334,7 @@ fn a_fast_link_within_a_slow_one() {
 /// A curtain that is muted for too long, or a door that does not latch.
 #[test]
 fn a_plane_that_the_person_has_passed_before_the_robot_comes() {
-    if !sample::is_turn(2, 6) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     for cell in sample::some([cells::palletiser(), cells::door_that_does_not_latch()], 2) {
@@ -344,7 +344,7 @@ fn a_plane_that_the_person_has_passed_before_the_robot_comes() {
 
 #[test]
 fn a_curtain_that_the_fmu_evaluates_itself() {
-    if !sample::is_turn(0, 6) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let found = gantry(&cells::curtain_inside());
@@ -402,7 +402,7 @@ fn rods_that_are_held() {
 
 #[test]
 fn a_curtain_behind_a_door() {
-    if !sample::is_turn(4, 6) {
+    if !sample::is_turn(1, 6) {
         return;
     }
     gantry(&cells::curtain_behind_a_door()).agree();

@@ -110,7 +110,7 @@ fn warned(result: &Value, what: &str) -> bool {
 
 #[test]
 fn nothing_is_certified_where_told_speeds_are_not_those_of_the_motion() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(0, 4) {
         return;
     }
     let dir = tempfile::TempDir::new().unwrap();
@@ -255,7 +255,7 @@ fn speeds_that_no_robot_has_are_told() {
 
 #[test]
 fn sensors_are_tried_with_people_at_many_places_and_starts_in_a_field_are_told() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let dir = examples();

@@ -113,7 +113,7 @@ fn hazards(scan: &serde_json::Value) -> Vec<serde_json::Value> {
 
 #[test]
 fn a_system_of_three_fmus_has_the_hazards_of_the_one() {
-    if !sample::is_turn(2, 4) {
+    if !sample::is_turn(3, 6) {
         return;
     }
     let dir = examples();
@@ -153,7 +153,7 @@ fn a_system_of_three_fmus_has_the_hazards_of_the_one() {
 
 #[test]
 fn the_cell_may_travel_beside_or_inside_the_system() {
-    if !sample::is_turn(0, 4) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let dir = examples();
