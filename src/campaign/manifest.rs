@@ -228,3 +228,41 @@ pub(super) fn tool() -> String {
 pub(super) fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Results of before are not taken when anything changes that they depend on, also a mesh or a robot description.
+    #[test]
+    fn a_scan_has_another_name_when_any_file_of_its_cell_changes() {
+        let cell = |file: &str, fmu: &str, table: &str| CellEntry {
+            name: "cell".to_owned(),
+            of: "cell.toml".to_owned(),
+            path: "cell.toml".into(),
+            sha256: table.to_owned(),
+            files: vec![FileSubject { path: "robot.urdf".to_owned(), sha256: file.to_owned() }],
+            fmus: vec![(String::new(), fmu.to_owned())],
+            at: Values::default(),
+            body: None,
+        };
+        let id = |cell: CellEntry, seed: u64| {
+            let begins = Begin { xy_m: [0.0, -2.0], heading_deg: 90.0, begins_s: 0.0 };
+            let scan = ScanEntry {
+                id: String::new(),
+                cell: 0,
+                beginning: 1,
+                begins,
+                strategy: "random".to_owned(),
+                seed: Some(seed),
+            };
+            ScanEntry::new("tool", &Search::default(), &[cell], scan).id
+        };
+        let one = id(cell("a", "b", "c"), 1);
+        assert_eq!(id(cell("a", "b", "c"), 1), one);
+        for other in [id(cell("x", "b", "c"), 1), id(cell("a", "x", "c"), 1), id(cell("a", "b", "x"), 1)] {
+            assert_ne!(other, one);
+        }
+        assert_ne!(id(cell("a", "b", "c"), 2), one);
+    }
+}

@@ -149,3 +149,36 @@ fn options(manifest: &Manifest, entry: &ScanEntry, prepared: &Prepared, workers:
         state: StateChoice::Auto,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::campaign::plan::plan;
+
+    #[test]
+    fn a_scan_that_was_stopped_has_no_result() {
+        let dir = tempfile::tempdir().unwrap();
+        crate::examples::export(dir.path()).unwrap();
+        let (path, folder) = (dir.path().join("few.toml"), dir.path().join("few"));
+        let text = "schema = 1\nname = \"few\"\ncells = [\"sensor-mat/cell.toml\"]\n[over.search]\nactions = 1\n\
+                    [search]\nstrategies = [\"random\"]\niterations = 3\n";
+        std::fs::write(&path, text).unwrap();
+        let manifest = plan(&path, &folder).unwrap();
+        let stop = Stop::default();
+        let hosting = Hosting::InProcess(stop.clone());
+        let mut runner = Runner::new(&folder, &manifest, &hosting, 1, stop.clone());
+        let mut result = |stops: bool| {
+            // Asked while it searches.
+            let mut tell = |_: Progress<'_>| {
+                if stops {
+                    stop.ask();
+                    return ControlFlow::Break(());
+                }
+                ControlFlow::Continue(())
+            };
+            runner.result(manifest.tasks()[0], &mut tell).unwrap()
+        };
+        assert!(result(false).is_some());
+        assert_eq!(result(true), None);
+    }
+}

@@ -467,6 +467,8 @@ fn time_steps(value: f64, per_s: f64, min: f64, max: f64) -> [(f64, u32); 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::error::Source;
+    use crate::cell::file::validate::validate;
 
     const CELL: &str = r#"
         [[robot]]
@@ -568,6 +570,30 @@ mod tests {
         let (cell, words) = turned(flip, 1);
         assert_eq!(cell["parameters"]["plc:mode"].as_bool(), Some(false));
         assert_eq!(words, "FMU parameter it = false instead of true");
+    }
+
+    #[test]
+    fn a_robot_goes_no_farther_than_the_cell_file_allows() {
+        let farthest = |limits: &str| {
+            let text = format!(
+                "schema = 1\nname = \"t\"\nfmu = \"t.fmu\"\n[[robot]]\nname = \"r\"\nmoving_mass_kg = 40\n\
+                 payload_kg = 3\n[[robot.joint]]\nname = \"table\"\naxis = [0, 0, 1]\n\
+                 angle = {{ variable = \"q\", unit = \"rad\" }}\nspeed = {{ variable = \"qd\", unit = \"rad/s\" }}\n\
+                 [[robot.link]]\nname = \"bar\"\njoint = \"table\"\n\
+                 capsule = {{ from_m = [0, 0, 1], to_m = [0.8, 0, 1], radius_m = 0.05 }}\n\
+                 [human]\nstart = {{ xy_m = [0, -3], heading_deg = 90 }}\n{limits}"
+            );
+            let cell = validate(&Source::new("t.toml", &text)).expect("it is a cell");
+            let table: Table = text.parse().expect("it is TOML");
+            let knobs = Knobs::of(&cell, &table, &[], &Encounter { person_m: [0.0, -3.0], robot: 0 });
+            let robot = knobs.turned.iter().find(|knob| matches!(knob.turn, Turn::FartherRobot { .. }));
+            let robot = robot.expect("it can be moved");
+            (robot.farther_m(robot.steps), robot.end().map(str::to_owned))
+        };
+        // 150 steps of 0.01 m, unless the file says less.
+        assert_eq!(farthest(""), (1.5, None));
+        let words = "0.25 m is the most that the cell file allows".to_owned();
+        assert_eq!(farthest("[explain.robot]\nr = { most_farther_m = 0.25 }\n"), (0.25, Some(words)));
     }
 
     #[test]

@@ -575,3 +575,36 @@ pub(super) fn file_name(name: &str) -> String {
     let name: String = name.chars().map(safe).collect();
     if name.trim_matches('.').is_empty() { "cell".to_owned() } else { name }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixtures;
+    use crate::scan::Hosting;
+
+    /// There may be more than it found by then.
+    #[test]
+    fn an_interrupted_scan_is_not_kept_as_the_baseline() {
+        let folder = tempfile::tempdir().unwrap();
+        crate::examples::export(folder.path()).unwrap();
+        let path = folder.path().join("safety-fence/cell.toml");
+        let prepared = prepare_in(&path, None, &Hosting::InProcess(Stop::default())).unwrap();
+        let mut arguments = Arguments::for_demo(path.clone(), folder.path().to_owned(), 1);
+        arguments.write_baseline = true;
+        let (assessments, stop) = (Assessments::new(), Stop::default());
+        let run = Run {
+            arguments: &arguments,
+            path: &path,
+            cell_path: &path,
+            assessments: &assessments,
+            stop: &stop,
+            goes_on: false,
+            several: false,
+        };
+        let report = fixtures::report(vec![fixtures::hazard("H-000001", 1.5)], Vec::new());
+        let code = |interrupted: bool| run.conclude((&prepared, &report, interrupted), None, folder.path()).ok();
+        let kept = path.with_file_name(BASELINE);
+        assert_eq!((code(true), kept.exists()), (Some(exit::INTERRUPTED), false));
+        assert_eq!((code(false), kept.exists()), (Some(exit::HAZARDS), true));
+    }
+}

@@ -275,7 +275,28 @@ fn sha256(path: &Path) -> io::Result<String> {
 
 #[cfg(test)]
 mod tests {
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
     use super::*;
+
+    /// Three files of 400 bytes each.
+    #[test]
+    fn the_limit_of_what_is_unpacked_is_for_all_files_together() {
+        let mut archive = ZipWriter::new(io::Cursor::new(Vec::<u8>::new()));
+        for name in ["modelDescription.xml", "resources/a", "resources/b"] {
+            archive.start_file(name, SimpleFileOptions::default()).unwrap();
+            archive.write_all(&[b'x'; 400]).unwrap();
+        }
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("x.fmu");
+        std::fs::write(&path, archive.finish().unwrap().into_inner()).unwrap();
+        let fails = |total_bytes| unpack(&path, &ArchiveLimits { total_bytes, ..ArchiveLimits::default() }).err();
+        assert!(fails(1200).is_none());
+        let refused =
+            |error: Error| matches!(error, Error::Refused { reason, .. } if reason.contains("unpacks to more"));
+        assert!(fails(1199).is_some_and(refused));
+    }
 
     #[test]
     fn paths_that_leave_the_folder_are_refused() {

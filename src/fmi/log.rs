@@ -116,3 +116,23 @@ unsafe fn record(environment: *mut c_void, status: StatusCode, category: *const 
     }
     lines.push(line);
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ffi::CString;
+
+    use super::*;
+
+    /// Of twelve lines the first two are dropped: what an FMU said last is nearest to why it failed.
+    #[test]
+    fn the_last_ten_lines_are_kept() {
+        let environment = Environment::default();
+        for number in 1..=12 {
+            let message = CString::new(format!("line {number}")).unwrap();
+            // SAFETY: the environment lives longer than the call, and so does the NUL-terminated text.
+            unsafe { record(environment.address(), abi::ERROR, std::ptr::null(), message.as_ptr()) };
+        }
+        let last: Vec<String> = (3..=12).map(|number| format!("line {number}")).collect();
+        assert_eq!(environment.lines(), last);
+    }
+}

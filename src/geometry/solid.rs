@@ -232,6 +232,19 @@ mod tests {
         }
     }
 
+    /// 0.5 m beyond a corner, seen from the middle of the box, the corner is in reach of 0.51 m, and so some of the link is.
+    #[test]
+    fn a_link_is_near_where_some_of_it_is() {
+        for (solid, corners) in shapes() {
+            for corner in corners {
+                let point = corner + corner.normalize() * 0.5;
+                assert!(solid.is_nearer_than(0.51, point), "{solid:?} {point}");
+            }
+            // None of it is farther than 0.4 m from the middle.
+            assert!(!solid.is_nearer_than(1.0, Vec3::X * 2.0), "{solid:?}");
+        }
+    }
+
     /// No corner is farther from where it was, and some turns are told with little to spare.
     #[test]
     fn nothing_moves_farther_than_told() {

@@ -112,6 +112,36 @@ fn a_state_that_lacks_something_is_caught() {
     assert_eq!(repeated(&mut plant.clone(), &difference.history), Ok(Some(difference.gave)));
 }
 
+/// Once 3 was reached the flag is kept: of two actions only those from 2 come out wrong, and they are the last ones.
+#[test]
+fn the_last_action_of_a_history_counts() {
+    let plant = Flagged { forgets: true, ..Flagged::default() };
+    let recall = searched(plant.clone(), 2, false).unwrap();
+    let difference = audited(&plant, &recall, ALL).difference.unwrap();
+    assert_eq!((difference.unlike, difference.action), (Unlike::State, 2));
+    assert_eq!((difference.history.0, difference.history.1[0]), (2, 2.0));
+}
+
+/// 3 - 2 with the flag and 1 + 0 without it have equal bytes, and go on alike by 0, which is what is tried out; by 1 they do not.
+#[test]
+fn two_histories_that_were_merged_have_to_go_on_alike() {
+    let plant = Flagged { thin: true, ..Flagged::default() };
+    let mut recall = Recall::new(plant.clone(), Policy::States { max_checkpoints: 10 }).unwrap();
+    assert!(recall.merge_equal_states().unwrap());
+    let mut to = |from: NodeId, input: f64| {
+        let Advanced::To(node) = recall.advance(from, 1, &[input]).unwrap() else { panic!("no fault") };
+        node
+    };
+    let (high, low) = (to(NodeId::ROOT, 3.0), to(NodeId::ROOT, 1.0));
+    let (first, other) = (to(high, -1.0), to(low, 0.0));
+    to(other, 1.0);
+    assert_eq!(recall.same(other), first);
+    let found = audited(&plant, &recall, ALL);
+    let difference = found.difference.unwrap();
+    assert_eq!((found.merges, difference.unlike, difference.action), (1, Unlike::Merge, 3));
+    assert_eq!(difference.history, (3, vec![1.0, 0.0, 1.0]));
+}
+
 #[test]
 fn bytes_that_lack_something_are_caught_where_they_are_tried_out() {
     let error = searched(Flagged { thin: true, ..Flagged::default() }, 4, true).map(drop).unwrap_err();

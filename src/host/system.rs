@@ -467,4 +467,18 @@ mod tests {
         let itself = setup(&["a"], &[(0, 0, 0)]).order();
         assert!(itself.unwrap_err().to_string().contains("a form a loop without delay"));
     }
+
+    #[test]
+    fn values_under_way_between_fmus_tell_states_apart() {
+        let mut system = System::new(&[], SystemSetup::default()).unwrap();
+        let mut print = |line: [f64; 2]| {
+            system.lines = vec![VecDeque::from(line)];
+            system.fingerprint().unwrap().unwrap().digest
+        };
+        let one = print([0.0, 1.0]);
+        assert_eq!(print([0.0, 1.0]), one);
+        for other in [[0.0, 2.0], [1.0, 0.0], [-0.0, 1.0]] {
+            assert_ne!(print(other), one, "{other:?}");
+        }
+    }
 }

@@ -201,4 +201,19 @@ mod tests {
             }
         }
     }
+
+    /// Within 5 cm of its middle, a point of the chest may be on the breastbone, which bears less than the muscle beside it: there no
+    /// area is told, so that the smallest pressure of the region counts.
+    #[test]
+    fn the_muscle_of_the_chest_begins_beside_the_breastbone() {
+        let body = Body::new(&Anthropometry::default()).unwrap();
+        let placed = body.placed(Vec3::new(0.7, -0.4, 0.0), 1.0, Posture::Forward, BendFraction::FULL);
+        let muscle = Some(BodyArea::PectoralMuscle);
+        for (part, x, z) in [(BodyPart::UpperChest, 0.13, 0.40), (BodyPart::LowerChest, 0.14, 0.25)] {
+            for (y, area) in [(-0.06, muscle), (-0.04, None), (0.0, None), (0.01, None), (0.04, None), (0.06, muscle)] {
+                let world = placed.world_from_trunk() * Vec3::new(x, y, z);
+                assert_eq!(placed.area_of(part, world), area, "{part:?} {y} m beside the middle");
+            }
+        }
+    }
 }

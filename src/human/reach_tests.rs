@@ -638,6 +638,36 @@ fn a_box_is_done_with_when_the_whole_arm_hardly_moves() {
     assert!(done > 100 && split > 1000, "{done} {split}");
 }
 
+/// What is known of one elbow says nothing of others in a box, from which a hand gets farther.
+#[test]
+fn a_hand_is_out_of_reach_when_it_is_from_every_elbow_of_a_box() {
+    let (arm, quarter) = (ArmModel::default(), std::f64::consts::FRAC_PI_2);
+    let middle = Vec3::new(0.65, 0.0, -0.28);
+    let link = Solid::Capsule(Capsule { a: middle, b: middle, radius: 0.05 });
+    let targets = [cells::Target { solid: &link, hand: true, forearm: true, upper_arm: true }];
+    let known = ArmCells::new(&arm, &targets, &[], &[]);
+    let scene = Scene {
+        world_from_shoulder: Pose::IDENTITY,
+        links: vec![link.clone()],
+        obstacles: Vec::new(),
+        score: ByLink(vec![1.0]),
+    };
+    let query = ReachQuery { known: Some(&known), ..scene.query(&arm, Side::Left) };
+    let search = Search::new(&query);
+    // Hanging, with the elbow bent at a right angle, and so far to both sides of it.
+    let is_out_of_reach = |half_rad: f64| {
+        let b = JointBox { middle: [0.0, 0.0, 0.0, quarter], half: [0.0, half_rad, 0.0, half_rad] };
+        let placed = search.place(b.middle);
+        search.is_known_beyond_elbow(&placed, &Movement::of(&arm, &b, &placed, search.frame, 0.0))
+    };
+    // The hand gets 0.32 m + 0.23 m forward of the elbow; the link begins 0.6 m forward of it.
+    assert!(is_out_of_reach(0.0));
+    // Raised by 0.4 rad, with the forearm level, the elbow is 0.3 m x sin 0.4 = 0.117 m farther forward: the hand is in the link.
+    let raised = search.place([0.0, 0.4, 0.0, quarter - 0.4]);
+    assert!(link.point_distance(raised.wrist).distance < arm.hand_radius_m);
+    assert!(!is_out_of_reach(0.4));
+}
+
 /// The point of a capsule that is nearest to the wrist moves no farther than told, and sometimes nearly as far.
 #[test]
 fn nearest_points_move_no_farther_than_told() {

@@ -81,3 +81,29 @@ impl Baseline {
         report.hazards.iter().filter(|hazard| self.standing(hazard) != Standing::Known)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixtures;
+
+    #[test]
+    fn known_hazards_that_became_worse_fail_as_new_ones_do() {
+        let known = ["H-000001", "H-000002"].map(|id| (id.to_owned(), fixtures::hazard(id, 1.2)));
+        let baseline = Baseline { known: BTreeMap::from(known), ..Baseline::default() };
+        // Half a percent more than 1.2 is 1.206: up to there it is the same.
+        for (id, ratio, standing) in [
+            ("H-000001", 1.0, Standing::Known),
+            ("H-000001", 1.2, Standing::Known),
+            ("H-000001", 1.205, Standing::Known),
+            ("H-000001", 1.21, Standing::Worse { was: 1.2 }),
+            ("H-000003", 1.2, Standing::New),
+        ] {
+            assert_eq!(baseline.standing(&fixtures::hazard(id, ratio)), standing, "{id} {ratio}");
+        }
+        let found = [("H-000001", 1.3), ("H-000002", 1.2), ("H-000003", 1.1)];
+        let report = fixtures::report(found.map(|(id, ratio)| fixtures::hazard(id, ratio)).to_vec(), Vec::new());
+        let failing: Vec<&str> = baseline.failing(&report).map(|hazard| hazard.id.as_str()).collect();
+        assert_eq!(failing, ["H-000001", "H-000003"]);
+    }
+}

@@ -236,6 +236,7 @@ fn harmless(cell: String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::fixtures;
 
     #[test]
     fn formulas_are_text_and_negative_numbers_are_numbers() {
@@ -249,5 +250,19 @@ mod tests {
         ] {
             assert_eq!(harmless(cell.to_owned()), written);
         }
+    }
+
+    #[test]
+    fn what_was_decided_of_a_cause_holds_for_its_hazards_unless_they_have_their_own() {
+        let ids = ["H-000001", "H-000002", "H-000003"];
+        let found = ids.map(|id| fixtures::hazard(id, 1.5)).to_vec();
+        let report = fixtures::report(found, vec![fixtures::cause("C-000001", &ids[..2])]);
+        let by = |id: &str, by: &str| (id.to_owned(), Assessment { by: by.to_owned(), ..Assessment::default() });
+        let assessments = Assessments::from([by("C-000001", "of the cause"), by("H-000002", "of the hazard")]);
+        let table = hazards(&report, &assessments).unwrap();
+        let mut rows = ::csv::Reader::from_reader(table.as_bytes());
+        let column = rows.headers().unwrap().iter().position(|name| name == "by").unwrap();
+        let told: Vec<String> = rows.records().map(|row| row.unwrap()[column].to_owned()).collect();
+        assert_eq!(told, ["of the cause", "of the hazard", ""]);
     }
 }

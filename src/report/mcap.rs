@@ -216,3 +216,78 @@ fn flat<'a>(properties: impl Iterator<Item = (&'a str, &'a str)>) -> Value {
 fn nanoseconds(seconds: f64) -> u64 {
     (seconds * 1e9).round() as u64
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+    use crate::report::fixtures;
+    use crate::report::page::{ArmShape, Floats, StartPlace};
+
+    /// Of a film without frames, so that nothing else is in it.
+    #[test]
+    fn inputs_are_told_when_a_step_begins_and_outputs_when_it_ends() {
+        let scenery = Scenery {
+            name: "made up".to_owned(),
+            step_s: 0.02,
+            obstacles: Vec::new(),
+            sensors: Vec::new(),
+            zones: Vec::new(),
+            links: Vec::new(),
+            looks: Vec::new(),
+            body: Vec::new(),
+            arm: ArmShape { upper_arm_radius_m: 0.05, forearm_radius_m: 0.04, hand_radius_m: 0.1, held_m: 0.0 },
+            robots: Vec::new(),
+            start: StartPlace { xy_m: [0.0, 0.0], heading_deg: 0.0 },
+        };
+        let replay = Replay {
+            id: "H-000001".to_owned(),
+            frames: 0,
+            contact_frame: 0,
+            links: Floats::default(),
+            body: Floats::default(),
+            moved: Vec::new(),
+            beside: Floats::default(),
+            beside_arms: Floats::default(),
+            arms: Floats::default(),
+            arm: None,
+            contact_m: [0.0, 0.0, 1.0],
+            time_s: Floats::default(),
+            distance_m: Floats::default(),
+            speed_m_s: Floats::default(),
+            force_ratio: Floats::default(),
+            sensors: Vec::new(),
+            actions: Vec::new(),
+            top_view: String::new(),
+        };
+        let trace = Trace {
+            step_s: 0.02,
+            inputs: vec!["given".to_owned()],
+            outputs: vec!["answered".to_owned()],
+            given: vec![vec![1.5], vec![2.5]],
+            answered: vec![vec![10.5], vec![20.5]],
+            before: Vec::new(),
+        };
+        let (hazard, subject) = (fixtures::hazard("H-000001", 1.5), fixtures::subject());
+        let recording =
+            Recording { hazard: &hazard, subject: &subject, scenery: &scenery, replay: &replay, trace: Some(&trace) };
+        let mut file = Cursor::new(Vec::<u8>::new());
+        write(&recording, &mut file).unwrap();
+        let bytes = file.into_inner();
+        let messages = ::mcap::MessageStream::new(&bytes).unwrap().map(|message| {
+            let message = message.unwrap();
+            let value: Value = serde_json::from_slice(&message.data).unwrap();
+            (message.channel.topic.clone(), message.log_time, value)
+        });
+        let told: Vec<(String, u64, Value)> = messages.collect();
+        // Steps of 20 ms, in nanoseconds.
+        let expected = [
+            ("/fmu/inputs", 0_u64, json!({ "given": 1.5 })),
+            ("/fmu/inputs", 20_000_000, json!({ "given": 2.5 })),
+            ("/fmu/outputs", 20_000_000, json!({ "answered": 10.5 })),
+            ("/fmu/outputs", 40_000_000, json!({ "answered": 20.5 })),
+        ];
+        assert_eq!(told, expected.map(|(topic, time, value)| (topic.to_owned(), time, value)));
+    }
+}

@@ -40,6 +40,8 @@ pub mod csv;
 pub mod difference;
 pub mod distance;
 pub mod explanation;
+#[cfg(test)]
+pub(crate) mod fixtures;
 pub mod floorplan;
 pub mod foxglove;
 pub mod growth;

@@ -67,3 +67,23 @@ pub fn input_file(hazard: &Hazard) -> String {
 pub fn output_file(hazard: &Hazard) -> String {
     format!("{}.outputs.csv", hazard.id)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three steps of half a second, one of them before the person begins.
+    #[test]
+    fn inputs_are_told_when_a_step_begins_and_outputs_when_it_ends() {
+        let trace = Trace {
+            step_s: 0.5,
+            inputs: vec!["given".to_owned()],
+            outputs: vec!["answered".to_owned()],
+            given: vec![vec![2.0], vec![3.0]],
+            answered: vec![vec![20.0], vec![30.0]],
+            before: vec![(vec![1.0], vec![10.0])],
+        };
+        assert_eq!(trace.input_table().unwrap(), "time,given\n0,1\n0.5,2\n1,3\n1.5,3\n");
+        assert_eq!(trace.output_table().unwrap(), "time,answered\n0.5,10\n1,20\n1.5,30\n");
+    }
+}

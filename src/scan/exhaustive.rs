@@ -384,3 +384,56 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
         random_search: complete.then_some(random),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::binding::{BoundUnit, bind};
+    use crate::cell::find::{OpenedCell, open};
+    use crate::host::{Policy, System, SystemSetup};
+    use crate::search::exhaustive::Level;
+    use crate::sim::expansion::Merge;
+
+    /// All else was looked at. No FMU runs here.
+    #[test]
+    fn one_run_with_an_arm_that_was_not_finished_leaves_the_search_incomplete() {
+        let dir = tempfile::tempdir().unwrap();
+        crate::examples::by_name("light-curtain").unwrap().export(dir.path()).unwrap();
+        let OpenedCell { cell, source, fmus, wiring, .. } =
+            open(&dir.path().join("light-curtain/cell.toml"), None).unwrap();
+        let units = BoundUnit::all(fmus.iter().map(|(name, fmu)| (name, fmu)));
+        let binding = Arc::new(bind(cell.file(), &source, &units, wiring.as_ref()).unwrap());
+        let cell = Arc::new(cell);
+        let certified = |runs: u64| {
+            let plant = Hosted::Here(System::new(&[], SystemSetup::default()).unwrap());
+            let (cell, binding) = (Arc::clone(&cell), Arc::clone(&binding));
+            let sensors = cell.sensors.len();
+            let expander = Expander::new(cell, binding, plant, Policy::Replay, Merge::History, 1).unwrap();
+            let expander = expander.having_seen(Coverage { arm_runs_not_evaluated: runs, ..Coverage::new(sensors) });
+            let account = Account {
+                total: BigUint::from(36_u32),
+                hazardous: BigUint::ZERO,
+                harmless: BigUint::from(36_u32),
+                excluded: BigUint::ZERO,
+                not_evaluated: BigUint::ZERO,
+                levels: vec![Level { states: 1, dropped: 0 }],
+                depth: 1,
+                stopped: Stopped::Complete,
+            };
+            let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
+            let options = Exhaustive { budget, merge: Merge::History, workers: 1 };
+            certificate(&expander, &account, options, &Audit::default())
+        };
+        let whole = certified(0);
+        assert!(whole.complete && whole.reasons.is_empty() && whole.random_search.is_some(), "{whole:?}");
+        for runs in [1, 2] {
+            let part = certified(runs);
+            assert!(!part.complete && part.random_search.is_none(), "{runs}");
+            assert!(
+                matches!(&part.reasons[..], [reason] if reason.contains("in which a plane tells of an arm")),
+                "{:?}",
+                part.reasons
+            );
+        }
+    }
+}

@@ -361,6 +361,68 @@ mod tests {
         .unwrap();
     }
 
+    /// Something that comes in from outside, or begins inside, beside a button that it may press once, at the very sample at which it
+    /// comes there.
+    struct Button {
+        begins_inside: bool,
+    }
+
+    impl Button {
+        const OUTSIDE: usize = 0;
+        const INSIDE: usize = 1;
+        const PRESSED: usize = 2;
+    }
+
+    impl Watch for Button {
+        /// The step that began with the press; 0 before that.
+        type State = usize;
+        type Error = ();
+
+        fn begins(&self) -> Vec<usize> {
+            vec![if self.begins_inside { Self::INSIDE } else { Self::OUTSIDE }]
+        }
+
+        fn start(&mut self) -> Result<usize, ()> {
+            Ok(0)
+        }
+
+        fn step(&mut self, pressed: &usize, _: usize) -> Result<Option<usize>, ()> {
+            Ok(Some(*pressed))
+        }
+
+        fn next(&self, way: usize) -> &[(usize, usize)] {
+            if way == Self::OUTSIDE { &[(Self::INSIDE, 0)] } else { &[] }
+        }
+
+        fn changes(&self, way: usize) -> bool {
+            way != Self::PRESSED
+        }
+
+        fn at_once(&self, way: usize) -> &[usize] {
+            if way == Self::INSIDE { &[Self::PRESSED] } else { &[] }
+        }
+
+        fn enters(&mut self, pressed: &usize, way: usize, step: usize) -> Option<usize> {
+            Some(if way == Self::PRESSED { step } else { *pressed })
+        }
+    }
+
+    /// In three steps. Who comes in is inside at the second step or the third, and each of them may begin with a press; who begins inside
+    /// may press at the first.
+    #[test]
+    fn a_button_may_be_pressed_at_the_very_sample_of_coming_to_it() {
+        for (begins_inside, by_hand) in
+            [(false, BTreeSet::from([(2, 2), (3, 2), (3, 3)])), (true, BTreeSet::from([(1, 1), (2, 1), (3, 1)]))]
+        {
+            let mut pressed = BTreeSet::new();
+            let outcome = explore(&mut Button { begins_inside }, 3, 1, &mut |_, taken| {
+                pressed.extend((taken.way == Button::PRESSED).then_some((taken.step, *taken.state)));
+                true
+            });
+            assert_eq!((pressed, outcome.unwrap().left_out), (by_hand, 0), "{begins_inside}");
+        }
+    }
+
     #[test]
     fn it_ends_when_it_is_told_to() {
         let mut told = 0;

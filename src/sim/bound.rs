@@ -131,5 +131,9 @@ mod tests {
         assert!(bounds.may_meet(Vec3::new(0.0, -3.47, 0.0), 1.2, 4));
         let high = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 3.3), 1.0)]), person_m_s: 1.6 };
         assert!(!high.may_meet(Vec3::ZERO, 1.2, 5) && high.may_meet(Vec3::ZERO, 1.4, 0));
+        // Who runs at 4.8 m/s gets 0.96 m an action.
+        let runs = RobotBounds { person_m_s: 4.8, ..bounds };
+        assert!(runs.may_meet(Vec3::new(5.07, 0.0, 0.0), 1.2, 3));
+        assert!(!runs.may_meet(Vec3::new(5.09, 0.0, 0.0), 1.2, 3));
     }
 }

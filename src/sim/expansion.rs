@@ -441,6 +441,14 @@ impl<P: Plant> Expander<P> {
     }
 }
 
+#[cfg(test)]
+impl<P: Plant> Expander<P> {
+    /// The same, as if this had been seen.
+    pub(crate) fn having_seen(self, coverage: Coverage) -> Self {
+        Self { coverage, ..self }
+    }
+}
+
 impl<P: Plant> Expansion for Expander<P> {
     type State = State;
     type Unsafe = Finding;

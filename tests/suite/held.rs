@@ -1,10 +1,10 @@
 //! What people hold in a hand: how far it reaches, what results say of it, and with what it does not go together. That planes and
 //! obstacles count as for arms, `rules_twice` shows.
 
-use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::report::model::{ScanReport, Verdict};
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 
-use crate::common::anywhere::cell;
+use crate::common::anywhere::{cell, look};
 use crate::common::guarded::{every_sequence, guarded};
 use crate::common::{examples, fmi_hazard, scan_json, write};
 
@@ -61,6 +61,23 @@ fn who_holds_something_meets_all_that_empty_hands_do() {
     let [empty, rod] = ["", "held_m = 0.6\n"].map(|held| scanned(held).certificate.unwrap());
     let [empty, rod] = [empty, rod].map(|certificate| certificate.hazardous.parse::<u64>().unwrap());
     assert!(empty > 0 && rod >= empty, "{empty} {rod}");
+}
+
+/// From a strip of floor from which empty hands do not get to the bar, for people who stand upright.
+#[test]
+fn from_anywhere_a_rod_reaches_what_hands_do_not() {
+    let dir = guarded();
+    let looked = |held: &str| {
+        let floor = "floor_m = [[-0.1, -1.7], [0.1, -1.7], [0.1, -1.5], [-0.1, -1.5]]";
+        let human = format!("bend_forward_deg = 0\nbend_lateral_deg = 0\n{floor}\n{held}");
+        let text = cell(1.0, "")
+            .replace("[human]\n", &format!("[human]\n{human}"))
+            .replace("xy_m = [0, -3]", "xy_m = [0, -1.6]");
+        look(dir.path(), &text, 0.2, 2)
+    };
+    let [empty, rod] = ["", "held_m = 0.6\n"].map(looked);
+    assert!(empty.verdict == Verdict::NoneFound && empty.open == 0, "{empty:#?}");
+    assert!(rod.verdict == Verdict::HazardsFound && rod.hazards.iter().all(|hazard| hazard.confirmed), "{rod:#?}");
 }
 
 #[test]

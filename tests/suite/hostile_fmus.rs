@@ -232,6 +232,31 @@ fn fmi_3_binaries_are_told_apart_too() {
     refused("selftest", &text, letter);
 }
 
+/// That it is refused without it shows in its first run, and counts in all other processes.
+#[test]
+fn an_fmu_that_needs_event_mode_has_it_in_every_process() {
+    let source = "#include <stdbool.h>\n#include <stdlib.h>\n\
+                  void *fmi3InstantiateCoSimulation(const char *n, const char *t, const char *r, bool v, bool l, bool events)\n\
+                  { return events ? malloc(1) : 0; }\n\
+                  void fmi3FreeInstance(void *c) { free(c); }\n\
+                  int fmi3EnterInitializationMode(void) { return 0; }\n\
+                  int fmi3ExitInitializationMode(void) { return 0; }\n\
+                  int fmi3EnterEventMode(void) { return 0; }\nint fmi3EnterStepMode(void) { return 0; }\n\
+                  int fmi3UpdateDiscreteStates(void) { return 0; }\nint fmi3DoStep(void) { return 0; }\n\
+                  int fmi3SetFloat64(void) { return 0; }\nint fmi3SetBoolean(void) { return 0; }\n\
+                  int fmi3GetFloat64(void *c, const unsigned *v, size_t n, double *x) { while (n--) x[n] = 1; return 0; }\n";
+    let library = compiled(source, &[]);
+    let mut all = entries_of("faulty-fmi3.fmu");
+    all.iter_mut().filter(|(name, _)| name.ends_with(".so")).for_each(|(_, content)| content.clone_from(&library));
+    let dir = folder_with(&pack(&all));
+    let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu", "--steps", "8", "--json"]);
+    assert_eq!(code, 0, "{stdout}{stderr}");
+    let told: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    for runs in ["deterministic", "second_instance", "fresh_process"] {
+        assert_eq!(told[runs]["result"], "exact", "{runs}: {told}");
+    }
+}
+
 #[test]
 fn a_binary_of_another_version_than_its_xml() {
     let source = source_with_step("return 0;") + "const char *fmi2GetVersion(void) { return \"2.1\\033[2J\"; }\n";

@@ -68,13 +68,14 @@ fn repository() -> tempfile::TempDir {
     fs::rename(dir.path().join("head-collision"), &cell).unwrap();
     let text = fs::read_to_string(cell.join("cell.toml")).unwrap();
     let few = "[search]\nactions = 5\niterations = 12\n";
-    fs::write(cell.join("cell.toml"), format!("{text}\n{few}{NOTHING_CHANGES}{}", blocks("toml").concat())).unwrap();
+    let stays = if sample::is_whole() { "" } else { NOTHING_CHANGES };
+    fs::write(cell.join("cell.toml"), format!("{text}\n{few}{stays}{}", blocks("toml").concat())).unwrap();
     dir
 }
 
 #[test]
 fn the_page_and_its_workflows_work_as_written() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(0, 6) {
         return;
     }
     let repository = repository();
@@ -130,7 +131,7 @@ fn the_page_and_its_workflows_work_as_written() {
 
 #[test]
 fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let repository = repository();
@@ -197,7 +198,7 @@ fn reproduce(out: &Path) -> String {
 
 #[test]
 fn results_are_moved_with_their_cell_and_mailed_without_it() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(2, 6) {
         return;
     }
     let dir = tempfile::TempDir::new().unwrap();

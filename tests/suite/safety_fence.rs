@@ -1,5 +1,7 @@
 //! Scenario 1: the flaw is found and is the right one; the repaired cell has none, and the search really tried.
 
+use std::path::Path;
+
 use fmi_hazard::scan::StateChoice;
 
 use crate::common::started::Started;
@@ -14,8 +16,23 @@ fn the_demo_ends_with_a_confirmed_hazard_and_exit_code_1() {
     demo.signal("-INT");
     let (code, text) = demo.end();
     assert_eq!(code, Some(1), "{text}");
+    the_planted_flaw_is_found(dir.path(), &text);
+}
+
+#[test]
+#[ignore = "half a minute: the demo's search for changes; `the_demo_ends_with_a_confirmed_hazard_and_exit_code_1` ends it"]
+fn the_demo_looks_for_changes_too() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let said = fmi_hazard(dir.path()).arg("demo").assert().code(1).get_output().stdout.clone();
+    the_planted_flaw_is_found(dir.path(), &String::from_utf8(said).unwrap());
+    let scan = scan_json(&dir.path().join("out/demo/safety-fence"));
+    assert!(!scan["causes"][0]["advice"].is_null(), "{}", scan["causes"]);
+}
+
+/// What the demo says and leaves behind below this folder.
+fn the_planted_flaw_is_found(dir: &Path, text: &str) {
     assert!(text.contains("confirmed by a fresh replay") && text.contains("not proof of safety"), "{text}");
-    let out = dir.path().join("out/demo/safety-fence");
+    let out = dir.join("out/demo/safety-fence");
     let scan = scan_json(&out);
     let worst = &scan["hazards"][0];
     // The planted flaw: an arm through the opening (z 0.80 to 1.20 at y = 0) meets the fast leg of the tool.
@@ -31,15 +48,6 @@ fn the_demo_ends_with_a_confirmed_hazard_and_exit_code_1() {
     assert!(out.join(format!("{}.svg", worst["id"].as_str().unwrap())).is_file());
     let lines = std::fs::read_to_string(out.join("hazards.jsonl")).unwrap();
     assert_eq!(lines.lines().count(), scan["hazards"].as_array().unwrap().len());
-}
-
-#[test]
-#[ignore = "half a minute: the demo's search for changes; `the_demo_ends_with_a_confirmed_hazard_and_exit_code_1` ends it"]
-fn the_demo_looks_for_changes_too() {
-    let dir = tempfile::TempDir::new().unwrap();
-    fmi_hazard(dir.path()).arg("demo").assert().code(1);
-    let scan = scan_json(&dir.path().join("out/demo/safety-fence"));
-    assert!(!scan["causes"][0]["advice"].is_null(), "{}", scan["causes"]);
 }
 
 /// The cell file's kinematic chain against the programme that the FMU was written to: scenarios.md, S1.
@@ -89,7 +97,7 @@ fn an_fmu_alone_carries_its_cell() {
 
 #[test]
 fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
-    if !sample::is_turn(0, 2) {
+    if !sample::is_turn(1, 4) {
         return;
     }
     let dir = examples();
@@ -112,7 +120,7 @@ fn the_repaired_cell_has_no_hazard_in_ten_seeds_and_the_search_really_tried() {
 
 #[test]
 fn starts_right_at_the_repaired_slot_find_nothing_either() {
-    if !sample::is_turn(1, 2) {
+    if !sample::is_turn(2, 4) {
         return;
     }
     let dir = examples();

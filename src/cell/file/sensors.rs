@@ -297,3 +297,32 @@ fn upright([from, to]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Cuboid {
         rotation: rotation_about(Vec3::Z, libm::atan2(dy, dx)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::cell::error::Source;
+    use crate::cell::file::validate::validate;
+
+    /// The response time of a mat, in steps of 20 ms, in a cell file that has it in ms.
+    fn delay_steps(delay_ms: &str) -> usize {
+        let text = format!(
+            "schema = 1\nname = \"t\"\nfmu = \"t.fmu\"\n[time]\nstep_s = 0.02\n[[robot]]\nname = \"r\"\n\
+             moving_mass_kg = 40\npayload_kg = 3\n[[robot.joint]]\nname = \"table\"\naxis = [0, 0, 1]\n\
+             angle = {{ variable = \"q\", unit = \"rad\" }}\nspeed = {{ variable = \"qd\", unit = \"rad/s\" }}\n\
+             [[robot.link]]\nname = \"bar\"\njoint = \"table\"\n\
+             capsule = {{ from_m = [0, 0, 1], to_m = [0.8, 0, 1], radius_m = 0.05 }}\n\
+             [[sensor]]\nname = \"mat\"\nkind = \"mat\"\nvariable = \"seen\"\nactive = true\n\
+             delay_ms = {delay_ms}\nzone = {{ polygon_m = [[-1, -1], [1, -1], [1, 1]] }}\n\
+             [human]\nstart = {{ xy_m = [0, -3], heading_deg = 90 }}\n"
+        );
+        validate(&Source::new("t.toml", &text)).unwrap().sensors[0].delay_steps
+    }
+
+    /// A sensor that answers within a step is late by all of it: 24 ms are 1.2 steps and 41 ms are 2.05.
+    #[test]
+    fn response_times_are_rounded_up_to_whole_steps() {
+        for (delay_ms, steps) in [("0", 0), ("1", 1), ("20", 1), ("24", 2), ("40", 2), ("41", 3), ("1260", 63)] {
+            assert_eq!(delay_steps(delay_ms), steps, "{delay_ms} ms");
+        }
+    }
+}

@@ -362,3 +362,46 @@ impl Server {
 fn not_loaded(message: String, running: bool) -> Answer {
     Answer::NotLoaded { message, running }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::isolation::Unpacked;
+    use crate::host::system::SystemSetup;
+
+    /// Whoever asks comes to the state another way then: the action was not tried.
+    #[test]
+    fn a_state_that_cannot_be_restored_is_no_failure_of_the_action() {
+        let setup = SystemSetup::default();
+        let plant = System::new(&[], setup.clone()).unwrap();
+        let load = Load { fmus: Vec::new(), setup, event_mode: None, sandbox: None };
+        let mut hosted = Hosted { load, slaves: Vec::new(), plant, saved: BTreeMap::new() };
+        let state = hosted.plant.save().unwrap();
+        hosted.saved.insert(3, state);
+        for from in [None, Some(3)] {
+            assert_eq!(hosted.stepped(from, 1, &[]), Ok(Vec::new()), "{from:?}");
+        }
+        // Nothing was saved under this number.
+        let error = hosted.stepped(Some(4), 1, &[]).unwrap_err();
+        assert!(error.restoring && !error.lost && !error.fatal, "{error:?}");
+    }
+
+    #[test]
+    fn each_fmu_has_event_mode_if_it_had_it_in_the_first_run() {
+        let dir = tempfile::tempdir().unwrap();
+        let written = crate::examples::by_name("safety-fence").unwrap().export(dir.path()).unwrap();
+        let fmu = Fmu::open(&written[0]).unwrap();
+        let channel: &'static Channel = Box::leak(Box::new(Channel::create().unwrap().0));
+        let activity = Activity::new(&channel.head().activity);
+        let mut server = Server { channel, before: Before::now(), activity, hosted: None, last: 0 };
+        let names = vec!["one".to_owned(), "two".to_owned()];
+        let setup = SystemSetup { names, ..SystemSetup::default() };
+        for (found, used) in [(None, [false; 2]), (Some(vec![true, false]), [true, false])] {
+            let fmus = vec![Unpacked::of(&fmu); 2];
+            let answer = server.load(Load { fmus, setup: setup.clone(), event_mode: found, sandbox: None });
+            assert!(matches!(answer, Answer::Loaded { .. }), "{answer:?}");
+            let slaves = &server.hosted.as_ref().unwrap().slaves;
+            assert_eq!(slaves.iter().map(Slave::prefers_event_mode).collect::<Vec<_>>(), used);
+        }
+    }
+}

@@ -150,3 +150,75 @@ impl<P: Plant> Trial<'_, P> {
         self.binding.rows(outputs, None, self.cell.step_s).into_owned()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cell::binding::{BoundUnit, bind};
+    use crate::cell::find::open;
+
+    /// Robots that stand still, whatever is reported.
+    struct Still {
+        inputs: usize,
+        outputs: usize,
+    }
+
+    impl Plant for Still {
+        type Checkpoint = ();
+
+        fn input_count(&self) -> usize {
+            self.inputs
+        }
+
+        fn output_count(&self) -> usize {
+            self.outputs
+        }
+
+        fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
+            Ok(vec![0.0; self.outputs])
+        }
+
+        fn advance(&mut self, steps: usize, _: &[f64]) -> Result<Vec<f64>, PlantError> {
+            Ok(vec![0.0; steps * self.outputs])
+        }
+
+        fn save(&mut self) -> Result<(), PlantError> {
+            Ok(())
+        }
+
+        fn restore(&mut self, (): &()) -> Result<(), PlantError> {
+            Ok(())
+        }
+    }
+
+    /// Two robots that do the same whatever two sensors report heed none of them, as far as each was tried without the other. Where it was
+    /// not, they may heed it.
+    #[test]
+    fn a_sensor_that_never_changes_alone_counts_as_heeded() {
+        let dir = tempfile::tempdir().unwrap();
+        crate::examples::by_name("two-scanners").unwrap().export(dir.path()).unwrap();
+        let opened = open(&dir.path().join("two-scanners/cell.toml"), None).unwrap();
+        let units = BoundUnit::all(opened.fmus.iter().map(|(name, fmu)| (name, fmu)));
+        let binding = bind(opened.cell.file(), &opened.source, &units, None).unwrap();
+        let heeded = |reported: &[[bool; 2]]| {
+            let kind = |readings: &[bool; 2]| Kind { readings: readings.to_vec(), people: vec![Stance::default()] };
+            let kinds: Vec<Kind> = reported.iter().map(kind).collect();
+            let mut trial = Trial {
+                plant: Still { inputs: binding.inputs.len(), outputs: binding.outputs.len() },
+                cell: &opened.cell,
+                binding: &binding,
+                kinds: &kinds,
+                steps: 40,
+                rng: Rng::new(1),
+                presses: false,
+                taken: 0,
+            };
+            trial.heeded().unwrap()
+        };
+        let [neither, one, other, both] = [[false, false], [true, false], [false, true], [true, true]];
+        assert_eq!(heeded(&[neither, one, other, both]), [[false, false]; 2]);
+        // Together only; the first alone.
+        assert_eq!(heeded(&[neither, both]), [[true, true]; 2]);
+        assert_eq!(heeded(&[neither, one]), [[false, true]; 2]);
+    }
+}

@@ -419,6 +419,41 @@ impl<P: Plant> Watch for Machine<'_, P> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::binding::{BoundUnit, bind};
+    use crate::cell::find::open;
+
+    /// Robots at some instant.
+    fn frame() -> Arc<RobotFrame> {
+        let dir = tempfile::tempdir().unwrap();
+        crate::examples::by_name("sensor-mat").unwrap().export(dir.path()).unwrap();
+        let opened = open(&dir.path().join("sensor-mat/cell.toml"), None).unwrap();
+        let units = BoundUnit::all(opened.fmus.iter().map(|(name, fmu)| (name, fmu)));
+        let binding = bind(opened.cell.file(), &opened.source, &units, None).unwrap();
+        Arc::new(RobotFrame::new(&opened.cell, &binding, &vec![0.0; binding.columns()]))
+    }
+
+    /// Whoever came one way may be farther, and whoever came the other way deeper: both are possible then, in whichever order they are
+    /// looked at.
+    #[test]
+    fn of_two_ways_to_an_instant_the_most_of_each_counts() {
+        let frame = frame();
+        let seen = |(step, lasting), within_m, depth_m| Seen {
+            step,
+            lasting,
+            frame: Arc::clone(&frame),
+            within_m,
+            depth_m,
+            story: Arc::default(),
+        };
+        let (longer, deeper) = (seen((9, 3), [0.1, 0.5], 0.2), seen((7, 2), [0.3, 0.4], 0.6));
+        for (first, second) in [(&longer, &deeper), (&deeper, &longer)] {
+            let mut known = first.clone();
+            take_in(&mut known, second);
+            assert_eq!((known.within_m, known.depth_m), ([0.3, 0.5], 0.6));
+            // The story is that of the way on which the reading had lasted longer.
+            assert_eq!((known.step, known.lasting), (9, 3));
+        }
+    }
 
     /// By hand, with steps of 20 ms. Whoever is reported for the first time at one sample is at its end, a step later, no farther than
     /// 0.032 m from where that may be; and where they were not reported is two steps back. A hand gets 0.08 m in these.

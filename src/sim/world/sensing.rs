@@ -239,3 +239,27 @@ const fn told(sensor: &Sensor, line: &mut DelayLine, [raw, unknown]: [bool; 2], 
 fn remembered(sensor: &Sensor, line: DelayLine) -> DelayLine {
     if sensor.zone.plane().is_some() { line } else { line.on_its_way() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sensor that tells three steps late saw somebody at the last sample, or nobody: until then the FMU is told the same.
+    #[test]
+    fn what_is_only_on_its_way_is_not_the_same() {
+        let sensed = |seen: bool| {
+            let mut line = DelayLine::settled(false, 3);
+            let told = line.push(seen, 3);
+            assert!(!told);
+            Sensed {
+                inputs: vec![1.0],
+                delays: vec![line.on_its_way()],
+                switched: Presses::NONE,
+                readings: vec![vec![told]],
+                broken: vec![Vec::new()],
+            }
+        };
+        assert!(sensed(true).same(&sensed(true)) && sensed(false).same(&sensed(false)));
+        assert!(!sensed(true).same(&sensed(false)) && !sensed(false).same(&sensed(true)));
+    }
+}

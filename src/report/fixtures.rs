@@ -1,0 +1,146 @@
+//! Hazards, causes and scans made up for tests of what is written of them.
+
+use serde_json::json;
+
+use super::cause::Cause;
+use super::model::{Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
+use crate::hazard::Criterion;
+use crate::host::selftest::{Agreement, SelfTest};
+use crate::sim::Coverage;
+
+/// A hand is hit by so many times its limit, which is 100 N here.
+pub fn hazard(id: &str, ratio: f64) -> Hazard {
+    let force_n = 100.0 * ratio;
+    let told = json!({
+        "id": id,
+        "confirmed": true,
+        "class": "force",
+        "body_region": "hand",
+        "robot_link": "gripper",
+        "force_n": force_n,
+        "limit_n": 100.0,
+        "ratio": ratio,
+        "directed_force_n": force_n,
+        "directed_ratio": ratio,
+        "speed_m_s": 0.5,
+        "approach_m_s": 0.5,
+        "safe_below_m_s": 0.4,
+        "effective_mass_kg": 10.0,
+        "time_s": 0.2,
+        "contact_point_m": [0.0, 0.0, 1.0],
+        "body_point_m": [0.0, 0.0, 1.0],
+        "distance_m": 0.0,
+        "person_xy_m": [0.5, 0.0],
+        "person_heading_deg": 180.0,
+        "bend_fraction": 0.0,
+        "sensors": [],
+        "actions": ["stop/upright"],
+        "first_iteration": 1,
+        "times_found": 1,
+        "earliest_time_s": 0.2,
+        "shortest": { "actions": ["stop/upright"], "time_s": 0.2, "force_n": force_n, "ratio": ratio },
+    });
+    serde_json::from_value(told).unwrap()
+}
+
+/// What hazards of these ids have in common.
+pub fn cause(id: &str, hazards: &[&str]) -> Cause {
+    let told = json!({
+        "id": id,
+        "sentence": "No sensor reports the person.",
+        "robot": "robot",
+        "part": "arm",
+        "sensors": [],
+        "worst": hazards[0],
+        "class": "force",
+        "force_n": 150.0,
+        "limit_n": 100.0,
+        "ratio": 1.5,
+        "earliest_time_s": 0.2,
+        "confirmed": hazards.len(),
+        "hazards": hazards,
+        "lines": [],
+    });
+    serde_json::from_value(told).unwrap()
+}
+
+/// A cell without FMUs.
+pub fn subject() -> Subject {
+    Subject {
+        cell: "made up".to_owned(),
+        cell_found: "cell.toml".to_owned(),
+        cell_sha256: String::new(),
+        files: Vec::new(),
+        path: "cell.toml".to_owned(),
+        cell_file: None,
+        fmus: Vec::new(),
+        couplings: Vec::new(),
+        beginning: None,
+    }
+}
+
+/// A scan that found these.
+pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
+    ScanReport {
+        schema_version: SCHEMA_VERSION,
+        tool: "fmi-hazard".to_owned(),
+        verdict: if hazards.is_empty() { Verdict::NoneFound } else { Verdict::HazardsFound },
+        subject: subject(),
+        settings: settings(),
+        causes,
+        hazards,
+        certificate: None,
+        residual: None,
+        coverage: Coverage::new(0),
+        spent: Spent { iterations: 1, actions: 1, fmu_steps: 10, fmu_states: 1, contact_checks: 10, arm_checks: 10 },
+        speeds: Vec::new(),
+        faults: Vec::new(),
+        self_test: self_test(),
+        standard_edition: STANDARD_EDITION,
+        tables: Vec::new(),
+        unknown: Vec::new(),
+        warnings: Vec::new(),
+    }
+}
+
+fn settings() -> Settings {
+    Settings {
+        strategy: "random".to_owned(),
+        seed: 1,
+        iterations: 1,
+        stop_at_first: false,
+        posture_sweep: true,
+        actions_per_sequence: 1,
+        action_s: 0.2,
+        contact_check_interval_s: 0.02,
+        reach_tolerance_m: 0.02,
+        speed_criterion: Criterion::Absolute,
+        criteria: None,
+        arm_speed_m_s: None,
+        held_m: None,
+        also: Vec::new(),
+        run_m_s: None,
+        second: None,
+        controls: Vec::new(),
+        until_s: None,
+        presses: None,
+    }
+}
+
+fn self_test() -> SelfTest {
+    SelfTest {
+        steps: 10,
+        step_s: 0.02,
+        inputs: 0,
+        outputs: 1,
+        deterministic: Agreement::Exact,
+        second_instance: Agreement::NotOffered,
+        restore: Agreement::NotOffered,
+        fork: Agreement::NotOffered,
+        fresh_process: Agreement::NotOffered,
+        reset: Agreement::NotOffered,
+        serialize: Agreement::NotOffered,
+        bytes_per_state: None,
+        output_range: 1.0,
+    }
+}
