@@ -38,7 +38,7 @@ fn whatever_a_scan_from_a_random_place_finds_is_found() {
 }
 
 #[test]
-#[ignore = "minutes: a rod at every place, which no quick test has from anywhere; `rules_twice::rods_that_are_held` has them from a start"]
+#[ignore = "minutes: a rod at every place; `from_anywhere_a_rod_reaches_what_hands_do_not` has one on a strip of floor"]
 fn whatever_a_scan_of_somebody_with_a_rod_finds_is_found() {
     whatever_is_found_is_found("held_m = 0.3\n", 24, 1);
 }

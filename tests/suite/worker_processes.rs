@@ -39,10 +39,11 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
     assert_eq!(cells.len(), 16);
     cells.push("sensor-mat/coupled.toml".to_owned());
     let mut went: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
-    for (number, cell) in sample::some(cells.into_iter().enumerate(), 10) {
+    // In each of eight shares there is a cell in which something is brought back.
+    for (number, cell) in sample::some(cells.into_iter().enumerate(), 8) {
         // Its saved states, and one other rung: cells of the same run take turns with them.
         let others = ["replay", "fork", "process"].into_iter().enumerate();
-        let others = others.filter(|(other, _)| sample::takes(other + number / 10, 3)).map(|(_, state)| state);
+        let others = others.filter(|(other, _)| sample::takes(other + number / 8, 3)).map(|(_, state)| state);
         let results = std::iter::once("fmu").chain(others).map(|state| {
             let args = [
                 "scan",
@@ -72,11 +73,14 @@ fn every_cell_gives_the_same_bytes_on_every_rung() {
             assert!(result == &results[0], "{cell}: {differs:?}");
         }
     }
-    // Each really went its own way. A few cells need not bring anything back.
+    // Each really went its own way. Of a share copies have one cell only, which may need none.
     let enough = if sample::is_whole() { 20 } else { 0 };
     for (state, [restores, restarts]) in went {
-        let states = state == "fmu" || state == "fork";
-        let own = if states { restores > enough || enough == 0 } else { restores == 0 && restarts > enough };
+        let own = match state {
+            "fmu" => restores > enough,
+            "fork" => restores > enough || !sample::is_whole(),
+            _ => restores == 0 && restarts > enough,
+        };
         assert!(own, "{state}: {restores} {restarts}");
     }
 }
