@@ -21,7 +21,9 @@ def turns():
         if len(found) != text.count("sample::is_turn("):
             sys.exit(f"{path}: a turn that is not the first thing of a test")
         of_unit = path.is_relative_to(unit)
-        module = "::".join(path.relative_to(unit if of_unit else suite).with_suffix("").parts) + ("::tests" if of_unit else "")
+        # Unit tests stand in the file that they are about, or beside it.
+        module = "::".join(path.relative_to(unit if of_unit else suite).with_suffix("").parts)
+        module = module.removesuffix("_tests") + "::tests" if of_unit else module
         for name, place, of in found:
             yield f"{module}::{name}", int(place), int(of)
 

@@ -220,6 +220,9 @@ fn doors_as_in_plain_enumeration() {
 /// stand up, nobody does.
 #[test]
 fn what_else_people_do_as_in_plain_enumeration() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
     let dir = examples();
     let beam = "[[obstacle]]\nname = \"beam\"\ncentre_m = [1.0, -0.85, 1.1]\nsize_m = [0.1, 2, 0.5]\n";
     let file = dir.path().join("heavy-workpiece/cell.toml");
@@ -326,6 +329,9 @@ fn sequences_are_hazardous_as_often_as_counted() {
 /// Random sequences tell of those that take minutes as well.
 #[test]
 fn random_sequences_are_hazardous_as_often_as_counted() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = examples();
     for (name, hazardous) in sample::some(HAZARDOUS, HAZARDOUS.len()) {
         as_often_as_counted(dir.path(), name, hazardous);
@@ -377,6 +383,9 @@ fn certified(file: &str, actions: u32, sequences: &str) {
 
 #[test]
 fn the_certificate_of_a_repaired_cell() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
     certified("heavy-workpiece/short.toml", 6, "2,176,782,336");
 }
 

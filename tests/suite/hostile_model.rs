@@ -199,6 +199,9 @@ fn what_lives_outside_the_states_needs_fresh_processes_or_makes_findings_impossi
 
 #[test]
 fn what_only_looks_dangerous_passes() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     for (row, what) in
         ["status-warning", "thread", "thread-needed", "locale", "chdir", "big-state", "null-log", "log-from-thread"]
             .into_iter()
@@ -215,6 +218,9 @@ fn what_only_looks_dangerous_passes() {
 
 #[test]
 fn memory_is_taken_until_there_is_none() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     // 20 MB in each of 100 steps: a limit of 1 GB on the address space ends it, not the machine.
     for hostile in sample::some(Hostile::both(), 2).map(|hostile| hostile.what("leak").size(20_000_000)) {
         let dir = TempDir::new().unwrap();

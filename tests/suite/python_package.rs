@@ -43,11 +43,18 @@ fn results_exceptions_progress_and_interrupts_are_those_of_the_program() {
 }
 
 #[test]
-fn its_types_are_those_of_the_published_schema_and_hold() {
+fn its_types_are_those_of_the_published_schema() {
     let printed = fmi_hazard(&root()).args(["schema", "--of", "commands"]).output().unwrap().stdout;
     let published = std::fs::read(schemas().join("commands.schema.json")).unwrap();
     assert!(printed == published, "fmi-hazard schema --of commands > docs/schema/commands.schema.json");
     run(&["tools/python_types.py", "--check"], &[]);
+}
+
+#[test]
+fn its_types_hold() {
+    if !sample::is_turn(2, 4) {
+        return;
+    }
     let cache = TempDir::new().unwrap();
     run(&["-m", "mypy", "--cache-dir", cache.path().to_str().unwrap()], &[]);
 }

@@ -286,6 +286,9 @@ fn legs_that_a_robot_comes_to_and_draws_back_from() {
 /// a contact of a moving robot with the head still, and who walks beside it is hit at hands and arms.
 #[test]
 fn a_robot_that_draws_back_from_a_face() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let [absolute, approach] = ["", "criterion = \"approach\"\n"].map(|criterion| {
         let start = "start = { xy_m = [0.3, -0.32], heading_deg = 90 }\nbegins_s = [3.9]\n[search]\nactions = 2\n";
         example(
@@ -389,6 +392,9 @@ fn a_door_that_an_arm_opens_before_the_controller_is_ready() {
 /// The same hands without the rods meet less.
 #[test]
 fn rods_that_are_held() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let late = "\"plc.reaction_ms\" = 400\n";
     for cell in [cells::within_reach_of_a_rod(), Gantry { held: 0.25, ..cells::behind_a_door(late) }] {
         let found = gantry(&cell);

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::common::{examples, fmi_hazard, scan_json, write};
+use crate::sample;
 use serde_json::Value;
 
 /// The sensor of the example `light-curtain`.
@@ -34,6 +35,9 @@ const START: &str = "start = { xy_m = [0.1, -1], heading_deg = 90 }";
 
 #[test]
 fn a_door_tells_of_what_a_light_curtain_in_its_place_does() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     let dir = examples();
     let zone = "{ line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }";
     let [curtain, door] = ["light_curtain", "interlocked_door"]
@@ -76,6 +80,9 @@ fn who_leaves_the_post_is_seen_as_by_a_mat_around_it() {
 
 #[test]
 fn hands_on_a_two_hand_control_are_hit_by_nothing_behind_it() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     let dir = examples();
     let changes = [(START, "start = { xy_m = [0.1, -0.3], heading_deg = 90 }")];
     let post = "{ polygon_m = [[-0.2, -0.6], [0.4, -0.6], [0.4, 0], [-0.2, 0]], line_m = [[-0.5, 0.05], [0.5, 0.05]] }";

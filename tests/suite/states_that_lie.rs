@@ -198,6 +198,9 @@ fn all_agree(lie: i32, truth: &Ran, words: &str) {
 
 #[test]
 fn an_honest_one_is_searched_with_its_saved_states() {
+    if !sample::is_turn(1, 2) {
+        return;
+    }
     all_agree(0, &honest(0), "");
     for fmu in sample::some(FMUS, 2) {
         let ran = scan(fmu, 0, &[]);
@@ -214,6 +217,9 @@ fn a_flag_outside_the_saved_state() {
 /// Whoever takes sequences one after the other, or asks what to do, is told the same as of an honest one.
 #[test]
 fn a_flag_outside_the_saved_state_changes_neither_quick_searches_nor_advice() {
+    if !sample::is_turn(3, 4) {
+        return;
+    }
     for fmu in sample::some(FMUS, 2) {
         let few = if sample::is_whole() { "60" } else { "30" };
         let quick = |lie, state: &str| {
@@ -282,6 +288,9 @@ fn bytes_that_lack_what_matters_much_later_only() {
 
 #[test]
 fn a_state_that_is_exact_only_where_inputs_never_rest() {
+    if !sample::is_turn(0, 2) {
+        return;
+    }
     for (lie, truth) in [(4, plainly(4)), (7, honest(7))] {
         for fmu in sample::some(FMUS, 2) {
             let dir = tempfile::TempDir::new().unwrap();

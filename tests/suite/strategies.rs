@@ -2,6 +2,7 @@
 //! same by any number of workers.
 
 use crate::common::{examples, fmi_hazard, scan_json};
+use crate::sample;
 use fmi_hazard::scan::{StateChoice, prepare::prepare};
 use fmi_hazard::search::{Environment as _, Imagine as _, Rng};
 
@@ -9,6 +10,9 @@ const CELL: &str = "safety-fence/cell.toml";
 
 #[test]
 fn each_finds_the_hazard_of_the_fence_and_repeats_itself() {
+    if !sample::is_turn(0, 3) {
+        return;
+    }
     let dir = examples();
     // Planning meets it in the second sequence: the robot does not react there, so what is imagined is true.
     for (strategy, iterations) in [("plan", "2"), ("hybrid", "6")] {
@@ -52,6 +56,9 @@ fn ways_of_bringing_states_back_do_not_change_what_is_imagined() {
 
 #[test]
 fn the_number_of_workers_does_not_matter() {
+    if !sample::is_turn(1, 3) {
+        return;
+    }
     let dir = examples();
     let bench = |workers: &str| {
         let args = ["bench", "strategies", "--cells", "sensor-mat", "--seeds", "3", "--coverage-seeds", "1"];
@@ -130,6 +137,9 @@ fn recall_is_counted_against_the_complete_list() {
 
 #[test]
 fn different_hazards_are_counted_and_told_in_every_format() {
+    if !sample::is_turn(2, 3) {
+        return;
+    }
     let json: serde_json::Value = serde_json::from_str(&bench("json", &[])).unwrap();
     let cell = &json[0];
     assert_eq!((&cell["checkpoints"], &cell["notes"]), (&serde_json::json!([10, 20, 40]), &serde_json::json!([])));
