@@ -65,7 +65,7 @@ impl Field {
                 next.push(Met(0.0, cell));
             }
         }
-        let mut disc = Disc::new(floor);
+        let mut disc = Disc::new(floor, domain);
         while let Some(Met(far, cell)) = next.pop() {
             if far > starts[cell] {
                 continue;
@@ -122,24 +122,79 @@ struct Disc {
     /// Lengths by how many columns and rows apart two cells are, m; as many of each as it takes to leave a disc.
     apart_m: Vec<f64>,
     width: usize,
+    /// What is told of a disc in which nothing is in the way: how much farther in the list of all cells, how far apart, m, and whether it
+    /// is outside of the disc.
+    open: Vec<(isize, f64, bool)>,
+    closed: Closed,
+}
+
+/// How many cells of a floor are outside of a domain.
+struct Closed {
+    size: [usize; 2],
+    /// In the rectangle of all columns and rows before these.
+    before: Vec<u32>,
+}
+
+impl Closed {
+    fn new([columns, rows]: [usize; 2], domain: &[bool]) -> Self {
+        let mut before = vec![0; (columns + 1) * (rows + 1)];
+        for row in 0..rows {
+            let mut in_row = 0;
+            for column in 0..columns {
+                in_row += u32::from(!domain[row * columns + column]);
+                before[(row + 1) * (columns + 1) + column + 1] = before[row * (columns + 1) + column + 1] + in_row;
+            }
+        }
+        Self { size: [columns, rows], before }
+    }
+
+    /// Whether the square of so many cells to each side of one is on the floor, and all of it in the domain.
+    fn none_near(&self, [column, row]: [usize; 2], far: usize) -> bool {
+        let [columns, rows] = self.size;
+        if column < far || row < far || column + far >= columns || row + far >= rows {
+            return false;
+        }
+        let before = |row: usize, column: usize| self.before[row * (columns + 1) + column];
+        let (top, right) = (row + far + 1, column + far + 1);
+        before(top, right) + before(row - far, column - far) == before(top, column - far) + before(row - far, right)
+    }
 }
 
 impl Disc {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten cells")]
     #[expect(clippy::cast_precision_loss, reason = "some ten cells")]
-    fn new(floor: &Floor) -> Self {
+    fn new(floor: &Floor, domain: &[bool]) -> Self {
         let width = (DISC_M / floor.cell_m()).ceil() as usize + 2;
         let apart = |n: usize| floor.cell_m() * libm::hypot((n % width) as f64, (n / width) as f64);
-        let apart_m = (0..width * width).map(apart).collect();
-        Self { met: vec![0; floor.cells()], count: 0, pending: Vec::new(), apart_m, width }
+        let apart_m: Vec<f64> = (0..width * width).map(apart).collect();
+        let [columns, _] = floor.size();
+        let sides = 1 - width.cast_signed()..width.cast_signed();
+        let all = sides.clone().flat_map(|row| sides.clone().map(move |column| (row, column)));
+        let told = |(row, column): (isize, isize)| {
+            let apart = |row: usize, column: usize| apart_m[row * width + column];
+            let (rows, across) = (row.unsigned_abs(), column.unsigned_abs());
+            // It is in the disc, or one beside it is.
+            let is_told = apart(rows.saturating_sub(1), across.saturating_sub(1)) <= DISC_M && rows + across > 0;
+            let far = apart(rows, across);
+            is_told.then_some((row * columns.cast_signed() + column, far, far > DISC_M))
+        };
+        let open = all.filter_map(told).collect();
+        let closed = Closed::new(floor.size(), domain);
+        Self { met: vec![0; floor.cells()], count: 0, pending: Vec::new(), apart_m, width, open, closed }
     }
 
     /// Tells of each cell how far its middle is from that of the disc, and whether it is the first outside of it.
     fn around(&mut self, floor: &Floor, domain: &[bool], middle: usize, mut tell: impl FnMut(usize, f64, bool)) {
-        self.count += 1;
-        self.met[middle] = self.count;
         let [columns, rows] = floor.size();
         let (column, row) = (middle % columns, middle / columns);
+        if self.closed.none_near([column, row], self.width - 1) {
+            self.open
+                .iter()
+                .for_each(|(other, apart, leaves)| tell(middle.wrapping_add_signed(*other), *apart, *leaves));
+            return;
+        }
+        self.count += 1;
+        self.met[middle] = self.count;
         self.pending.push((column, row));
         while let Some((at_column, at_row)) = self.pending.pop() {
             for other_row in at_row.saturating_sub(1)..(at_row + 2).min(rows) {
@@ -200,6 +255,39 @@ mod tests {
                 let told = field.least([0.01 + far * cos, 0.01 + far * sin], 0.0);
                 assert!(told <= far, "{told} for {far}");
                 assert!(told >= 0.96 * far - 2.0 * SQRT_2 * 0.025, "{told} for {far}");
+            }
+        }
+    }
+
+    /// A disc in which nothing is in the way tells the same as one that is gone through cell by cell.
+    #[test]
+    fn an_open_disc_is_as_if_gone_through_by_cells() {
+        for cell_m in [0.05, 0.07, 0.3] {
+            let floor = floor(&[], cell_m);
+            let domain = open(&floor);
+            let middle = floor.within([0.01, 0.01], 0.0).next().unwrap();
+            let mut disc = Disc::new(&floor, &domain);
+            let told = |disc: &mut Disc| {
+                let mut told = Vec::new();
+                disc.around(&floor, &domain, middle, |other, apart, leaves| {
+                    told.push((other, apart.to_bits(), leaves))
+                });
+                told.sort_unstable();
+                told
+            };
+            let at_once = told(&mut disc);
+            disc.closed = Closed::new(floor.size(), &vec![false; floor.cells()]);
+            assert!(at_once.len() > 20 && disc.count == 0, "{}", at_once.len());
+            assert_eq!(told(&mut disc), at_once, "{cell_m}");
+            assert_eq!(disc.count, 1);
+            // A single cell that is closed counts, to the edge of the square and no farther.
+            let [columns, _] = floor.size();
+            let far = disc.width - 1;
+            for (off, is_near) in [(far, true), (far + 1, false)] {
+                let mut domain = vec![true; floor.cells()];
+                domain[middle + off] = false;
+                let closed = Closed::new(floor.size(), &domain);
+                assert_eq!(closed.none_near([middle % columns, middle / columns], far), !is_near, "{off}");
             }
         }
     }

@@ -21,6 +21,7 @@ use fmi_hazard::sim::anywhere::zones::{Way, Zones};
 use fmi_hazard::sim::anywhere::{Anywhere as Search, History, Seen as AnInstant};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::{Seen, input_row, sees};
+use tempfile::TempDir;
 
 /// By legs alone: nobody bends.
 #[test]
@@ -28,13 +29,13 @@ fn whatever_a_scan_of_somebody_upright_from_a_random_place_finds_is_found() {
     if !sample::is_turn(1, 6) {
         return;
     }
-    whatever_is_found_is_found("bend_forward_deg = 0\nbend_lateral_deg = 0\n", 60, 1);
+    whatever_is_found_is_found("bend_forward_deg = 0\nbend_lateral_deg = 0\n", 60, 1).is_the_same_with_one_thread();
 }
 
 #[test]
 #[ignore = "half a minute: arms as well; `whatever_a_scan_of_somebody_upright_from_a_random_place_finds_is_found` is without them"]
 fn whatever_a_scan_from_a_random_place_finds_is_found() {
-    whatever_is_found_is_found("", 60, 3);
+    whatever_is_found_is_found("", 60, 3).is_the_same_with_one_thread();
 }
 
 #[test]
@@ -43,7 +44,17 @@ fn whatever_a_scan_of_somebody_with_a_rod_finds_is_found() {
     whatever_is_found_is_found("held_m = 0.3\n", 24, 1);
 }
 
-fn whatever_is_found_is_found(held: &str, starts: usize, regions: usize) {
+/// What was found of a cell file's text, in a folder with what that names.
+struct Whole(TempDir, String, Anywhere);
+
+impl Whole {
+    fn is_the_same_with_one_thread(&self) {
+        let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
+        assert_eq!(json(&look(self.0.path(), &self.1, 1.2, 1)), json(&self.2));
+    }
+}
+
+fn whatever_is_found_is_found(held: &str, starts: usize, regions: usize) -> Whole {
     let dir = guarded();
     let text = cell(0.45, "").replace("[human]\n", &format!("[human]\n{held}"));
     let found = look(dir.path(), &text, 1.2, 2);
@@ -75,9 +86,7 @@ fn whatever_is_found_is_found(held: &str, starts: usize, regions: usize) {
         harmless += usize::from(!is_hazardous(&start));
     }
     assert!(met.len() >= regions && harmless > 3, "{met:?} {harmless}");
-    // The same with one thread.
-    let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
-    assert_eq!(json(&look(dir.path(), &text, 1.2, 1)), json(&found));
+    Whole(dir, text, found)
 }
 
 /// Every hazard of complete searches from places outside of a mat lies where the sets say that there may be one: of somebody who

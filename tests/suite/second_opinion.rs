@@ -32,12 +32,12 @@ fn every_harm_of_every_walk_on_a_grid_and_of_random_walks_is_told() {
     assert!(made.status.success(), "{said}{}", String::from_utf8_lossy(&made.stderr));
     let arguments: [&Path; 3] = [Path::new(env!("CARGO_BIN_EXE_fmi-hazard")), &out, &cells.join("small-mat.toml")];
 
-    let (brute, said) = script("brute.py", &arguments, &["1.0", "--grid-mm", "12", "--half-m", "1.6"]);
+    let (brute, said) = script("brute.py", &arguments, &["1.0", "--grid-mm", "16", "--half-m", "1.6"]);
     assert_eq!(brute.status.code(), Some(0), "{said}{}", String::from_utf8_lossy(&brute.stderr));
     assert!(number(&said, "harmful, at") > 1000 && number(&said, "of them not told") == 0, "{said}");
 
     let file = out.join("small-mat/scan/anywhere.json");
-    let more = ["1.0", "--walks", "20000", "--told"];
+    let more = ["1.0", "--walks", "10000", "--told"];
     let (walks, said) = script("walks.py", &arguments, &[&more[..], &[file.to_str().unwrap()]].concat());
     assert_eq!(walks.status.code(), Some(0), "{said}{}", String::from_utf8_lossy(&walks.stderr));
     assert!(number(&said, "harmful poses") > 100 && number(&said, "of them of people") > 100, "{said}");
