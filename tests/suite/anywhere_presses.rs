@@ -169,19 +169,11 @@ fn is_enough(dir: &Path, file: &str) {
     assert_eq!(fixed["reasons"], Value::Array(Vec::new()), "{fixed}");
 }
 
-/// On a part of the floor, over a strip of mat that is 0.3 m deep: who comes in and presses is hit, and no floor is left open.
-#[test]
-fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
-    if !sample::is_turn(2, 12) {
-        return;
-    }
-    let dir = examples();
-    let dir = dir.path();
+/// The flawed example with a strip of mat that is 0.3 m deep, so that a second is enough, and whatever else: what is found of it.
+fn thin(dir: &Path, more: &str) -> Value {
     let thin = "extends = \"cell.toml\"\nname = \"thin\"\n[remove]\nsensor = [\"mat\"]\n[[sensor]]\nname = \"mat\"\nkind = \"mat\"\n\
-                variable = \"plc.mat_clear\"\nactive = false\nzone = { polygon_m = [[-1, -1.3], [1, -1.3], [1, -1], [-1, -1]] }\n\
-                [human]\nstart = { xy_m = [-0.6, -1.55], heading_deg = 90 }\n\
-                floor_m = [[-0.8, -1.65], [0.1, -1.65], [0.1, 0.4], [-0.8, 0.4]]\n";
-    std::fs::write(dir.join("reset-inside/thin.toml"), thin).unwrap();
+                variable = \"plc.mat_clear\"\nactive = false\nzone = { polygon_m = [[-1, -1.3], [1, -1.3], [1, -1], [-1, -1]] }\n";
+    std::fs::write(dir.join("reset-inside/thin.toml"), format!("{thin}{more}")).unwrap();
     let options = ["--from", "anywhere", "--until", "1s", "--max-states", "60000", "--no-advice", "--out", "out"];
     let output = fmi_hazard(dir).args(["scan", "reset-inside/thin.toml"]).args(options).output().unwrap();
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
@@ -193,8 +185,29 @@ fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
     for hazard in scan["hazards"].as_array().unwrap() {
         assert!(hazard["confirmed"] == true && hazard["worked"][0]["name"] == "reset", "{hazard}");
     }
+    assert!(found["hazards"].as_array().unwrap().len() > 3 && found["open"] == 0, "{found}");
+    found
+}
+
+/// On a part of the floor: who comes in and presses is hit, and no floor is left open.
+#[test]
+fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
+    if !sample::is_turn(2, 12) {
+        return;
+    }
+    let part = "[human]\nstart = { xy_m = [-0.6, -1.55], heading_deg = 90 }\n\
+                floor_m = [[-0.8, -1.65], [0.1, -1.65], [0.1, 0.4], [-0.8, 0.4]]\n";
+    let found = thin(examples().path(), part);
     let confirmed = found["hazards"].as_array().unwrap().iter().filter(|hazard| hazard["confirmed"] == true).count();
-    assert!(confirmed > 3 && found["open"] == 0, "{found}");
+    assert!(confirmed > 3, "{found}");
+}
+
+/// On all of it every way is shown by a run, and nothing is left open.
+#[test]
+#[ignore = "a minute: all the floor; `a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor` is a part of it"]
+fn a_reset_with_somebody_inside_is_found_from_anywhere() {
+    let found = thin(examples().path(), "");
+    assert!(found["hazards"].as_array().unwrap().iter().all(|hazard| hazard["confirmed"] == true), "{found}");
     assert_eq!(found["reasons"], Value::Array(Vec::new()), "{found}");
 }
 

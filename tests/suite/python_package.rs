@@ -118,7 +118,7 @@ fn what_commands_print_fits_the_published_schema() {
 #[ignore = "two minutes: advice for an example and all of its floor; `what_commands_print_fits_the_published_schema` has a small cell"]
 fn what_commands_print_of_an_example_fits_the_published_schema() {
     let dir = examples();
-    fits_the_published_schema(dir.path(), ["head-collision/cell.toml", "head-collision/fixed.toml"], "100ms");
+    fits_the_published_schema(dir.path(), ["head-collision/cell.toml", "head-collision/fixed.toml"], "0.1s");
 }
 
 /// What every command that prints JSON prints of a flawed and a repaired cell, from anywhere of the first `until` of it, after it was held against the published schema.
