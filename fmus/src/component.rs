@@ -323,15 +323,18 @@ impl Component {
             return error(format!("the step size is {step:?} s"));
         }
         let special = self.model.special();
-        let early = special == Special::EarlyReturn && self.importer.allows_early_return;
+        let early =
+            matches!(special, Special::EarlyReturn | Special::EventHalfway) && self.importer.allows_early_return;
         let half = time + step / 2.0;
         let reached = if early { half } else { time + step };
         let end = ticks_at(reached)?;
+        let is_halfway = special == Special::EventHalfway;
+        let event_at = if is_halfway && !early { Some(ticks_at(half)?) } else { None };
         self.values_are_current = false;
-        let (severity, message) = match self.model.get_mut().step(end - self.tick) {
+        let (severity, message) = match self.advance(event_at, end) {
             Outcome::Done => {
-                self.tick = end;
-                let event = special == Special::Event && self.importer.uses_events;
+                let left = self.importer.uses_events && (special == Special::Event || is_halfway && early);
+                let event = left || special == Special::EventLeft;
                 if special == Special::Event && !event {
                     self.model.handle_event();
                 }
@@ -353,6 +356,22 @@ impl Component {
             }
         };
         Err(Refusal { severity, message: format!("step from {time:?} s: {message}") })
+    }
+
+    /// To a tick, through an event at one before it.
+    fn advance(&mut self, event_at: Option<u64>, end: u64) -> Outcome {
+        if let Some(at) = event_at {
+            match self.model.get_mut().step(at - self.tick) {
+                Outcome::Done => self.tick = at,
+                other => return other,
+            }
+            self.model.handle_event();
+        }
+        let outcome = self.model.get_mut().step(end - self.tick);
+        if outcome == Outcome::Done {
+            self.tick = end;
+        }
+        outcome
     }
 
     /// Everything that the future depends on.

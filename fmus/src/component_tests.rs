@@ -240,6 +240,25 @@ fn an_event_has_the_same_effect_in_event_mode_and_without() {
 }
 
 #[test]
+fn an_event_halfway_is_left_to_an_importer_that_allows_an_early_return() {
+    let plain = StepEnd { event: false, terminate: false, early: false, time: 0.06 };
+    let mut without = fault3(16, Importer::default());
+    assert_eq!(without.step(0.04, 0.02), Ok(plain));
+    let mut with = fault3(16, ABLE);
+    assert_eq!(with.step(0.04, 0.02), Ok(StepEnd { event: true, early: true, time: 0.05, ..plain }));
+    with.enter_event().unwrap();
+    with.update_discrete().unwrap();
+    with.enter_step().unwrap();
+    assert_eq!(with.step(0.05, 0.06 - 0.05), Ok(plain));
+    let mut dropped = fault3(16, Importer { allows_early_return: true, ..Importer::default() });
+    assert_eq!(dropped.step(0.04, 0.02), Ok(StepEnd { early: true, time: 0.05, ..plain }));
+    dropped.step(0.05, 0.06 - 0.05).unwrap();
+    let expected = future(&mut without, 30);
+    assert_eq!(future(&mut with, 30), expected);
+    assert_ne!(future(&mut dropped, 30), expected, "nobody brought it through its event");
+}
+
+#[test]
 fn a_lying_step_is_made_in_full() {
     let mut component = fault3(13, ABLE);
     let end = component.step(0.04, 0.02).unwrap();

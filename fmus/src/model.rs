@@ -29,6 +29,11 @@ pub enum Special {
     Event,
     /// It makes the step, but says that it has come only halfway.
     WrongTime,
+    /// It has an event halfway and stops there, if the importer allows that, and leaves the event to it; even one that told it no
+    /// Event Mode is used.
+    EventHalfway,
+    /// It has an event at the end of the step and leaves it to the importer, even one that told it no Event Mode is used.
+    EventLeft,
 }
 
 /// A model: a small value that holds parameters, inputs and state, and nothing else. Copying it saves the state.

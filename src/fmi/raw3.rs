@@ -34,7 +34,8 @@ pub(super) fn instantiate(slave: &Slave, functions: &Functions, name: &str, even
             false,
             false,
             events,
-            true,
+            // Without Event Mode nobody would bring an FMU through the event that it ended a step for.
+            events,
             ptr::null(),
             0,
             environment.address(),
@@ -81,12 +82,14 @@ impl Raw {
             if part.event && self.events {
                 self.enter_event_mode()?;
                 self.settle()?;
+            } else if part.event {
+                self.may_go_on_without_event_mode(part.reached >= end - tolerance)?;
             }
             if part.reached >= end - tolerance {
                 return Ok(());
             }
             // An event may be found where the step began; without one the next call would be the same again.
-            if part.reached <= at && !(part.event && self.events) {
+            if part.reached <= at && !part.event {
                 let message = format!(
                     "the FMU ended the step from t = {at} s to t = {end} s early, at t = {} s, and so makes no progress",
                     part.reached
@@ -127,6 +130,23 @@ impl Raw {
             return Err(self.ended(reached));
         }
         Ok(Part { reached, event: event != 0 })
+    }
+
+    /// An FMU wants an event to be handled that was told that no Event Mode is used. One that has none handles its events itself, and
+    /// some of these say so at the end of a step all the same; others would go on without the event.
+    fn may_go_on_without_event_mode(&self, at_the_end: bool) -> Result<(), Error> {
+        let has_event_mode = self.slave.capabilities().has_event_mode;
+        if at_the_end && !has_event_mode {
+            return Ok(());
+        }
+        let why = match has_event_mode {
+            true => "though it was told that Event Mode is not used",
+            false => "which its modelDescription.xml does not offer (hasEventMode)",
+        };
+        let now = number(self.now);
+        Err(self.misbehaved(format!(
+            "the FMU ended a step at t = {now} s for an event that is to be handled in Event Mode, {why}"
+        )))
     }
 
     fn ended(&self, time_s: f64) -> Error {

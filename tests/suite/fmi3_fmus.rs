@@ -3,13 +3,18 @@
 
 use std::path::Path;
 
+use crate::common::fmpy::python;
 use crate::common::{faulty_cell, fmi_hazard, scan_json, test_fmus, write};
 use fmi_hazard::fmi::{EventMode, Fmu, Values};
 
 /// The faulty FMU of FMI 3.0 with a fault, beside its cell.
 fn faulty(kind: i32, step: i32) -> tempfile::TempDir {
+    faulty_of("faulty-fmi3.fmu", kind, step)
+}
+
+fn faulty_of(fmu: &str, kind: i32, step: i32) -> tempfile::TempDir {
     let dir = tempfile::TempDir::new().unwrap();
-    std::fs::copy(test_fmus().join("faulty-fmi3.fmu"), dir.path().join("faulty.fmu")).unwrap();
+    std::fs::copy(test_fmus().join(fmu), dir.path().join("faulty.fmu")).unwrap();
     write(dir.path(), "cell.toml", &faulty_cell("faulty.fmu", kind, step));
     dir
 }
@@ -43,27 +48,62 @@ fn an_fmu_that_ends_the_simulation_or_lies_about_its_time_is_exit_code_3() {
     }
 }
 
-#[test]
-fn an_event_gives_the_same_with_event_mode_and_without() {
+/// The angle after each of thirty steps of the faulty FMU with a fault in the fourth.
+fn angles(kind: i32, mode: EventMode) -> Result<Vec<f64>, fmi_hazard::fmi::Error> {
     let fmu = Fmu::open(&test_fmus().join("faulty-fmi3.fmu")).unwrap();
     let slave = fmu.load().unwrap();
     let reference = |name: &str| fmu.description().variable(name).unwrap().value_reference;
-    let run = |mode: EventMode| {
-        let mut instance = slave.instantiate_with("test", mode).unwrap();
-        instance.set_integer(&[reference("fault.kind"), reference("fault.step")], &[12, 3]).unwrap();
-        let mut instance = instance.enter_initialization(0.0, None).unwrap().exit_initialization().unwrap();
-        let (uses, mut angles) = (instance.uses_event_mode(), Vec::new());
-        for step in 0..30 {
-            instance.do_step(f64::from(step) * 0.02, 0.02).unwrap();
-            let mut q = [0.0];
-            instance.get_real(&[reference("q")], &mut q).unwrap();
-            angles.push(q[0].to_bits());
+    let mut instance = slave.instantiate_with("test", mode).unwrap();
+    instance.set_integer(&[reference("fault.kind"), reference("fault.step")], &[kind, 3]).unwrap();
+    let mut instance = instance.enter_initialization(0.0, None).unwrap().exit_initialization().unwrap();
+    assert_eq!(instance.uses_event_mode(), mode == EventMode::Used);
+    let mut angles = Vec::new();
+    for step in 0..30 {
+        instance.do_step(f64::from(step) * 0.02, 0.02)?;
+        let mut q = [0.0];
+        instance.get_real(&[reference("q")], &mut q).unwrap();
+        angles.push(q[0]);
+    }
+    Ok(angles)
+}
+
+/// With the event at the end of a step, and halfway: there an FMU that returns early leaves it to the importer, even to one without Event
+/// Mode. As FMPy has it, with both and without.
+#[test]
+fn an_event_gives_the_same_with_event_mode_and_without_and_as_in_fmpy() {
+    let honest = angles(0, EventMode::Unused).unwrap();
+    assert_eq!(angles(10, EventMode::Used).unwrap(), honest, "an early return without an event");
+    for kind in [12, 16] {
+        let [with, without] = [EventMode::Used, EventMode::Unused].map(|mode| angles(kind, mode).unwrap());
+        assert_eq!(with, without, "fault {kind}");
+        assert!(honest[29] < 0.7 * with[29], "the pace is doubled: {} {}", honest[29], with[29]);
+        for both in ["True", "False"] {
+            let script = format!(
+                "import sys, fmpy\n\
+                 told = fmpy.simulate_fmu(sys.argv[1], stop_time=0.6, output_interval=0.02, output=['q'], \
+                 start_values={{'fault.kind': {kind}, 'fault.step': 3}}, early_return_allowed={both}, use_event_mode={both})\n\
+                 at = {{round(float(t) * 1000): float(q) for t, q in told}}\n\
+                 print(*[repr(at[20 * n]) for n in range(1, 31)])"
+            );
+            let fmu = test_fmus().join("faulty-fmi3.fmu");
+            let output = std::process::Command::new(python()).args(["-c", &script]).arg(fmu).output().unwrap();
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            let told = String::from_utf8_lossy(&output.stdout).into_owned();
+            let told: Vec<f64> = told.split_whitespace().map(|q| q.parse().unwrap()).collect();
+            assert_eq!(told, with, "fault {kind}, FMPy with both {both}");
         }
-        (uses, angles)
-    };
-    let ((with, a), (without, b)) = (run(EventMode::Used), run(EventMode::Unused));
-    assert!(with && !without);
-    assert_eq!(a, b);
+    }
+}
+
+/// An event that is left to an importer without Event Mode is told; a scan uses Event Mode then.
+#[test]
+fn an_event_that_is_left_to_the_importer_is_followed_or_told() {
+    let told = angles(17, EventMode::Unused).unwrap_err().to_string();
+    let words = "the FMU ended a step at t = 0.08 s for an event that is to be handled in Event Mode";
+    assert!(told.contains(words), "{told}");
+    assert_eq!(angles(17, EventMode::Used).unwrap(), angles(12, EventMode::Used).unwrap());
+    let of = [12, 16, 17].map(|kind| coverage(faulty(kind, 3).path()));
+    assert_eq!((&of[0], &of[1]), (&of[2], &coverage(faulty_of("faulty.fmu", 16, 3).path())));
 }
 
 #[test]

@@ -85,7 +85,7 @@ impl Faulty {
         }
     }
 
-    /// Faults 10 to 13, which concern the step as a whole and thus the importer.
+    /// Faults 10 to 13, 16 and 17, which concern the step as a whole and thus the importer.
     pub fn special(&self) -> Special {
         match self.kind {
             _ if self.steps_made != self.step => Special::None,
@@ -93,6 +93,8 @@ impl Faulty {
             11 => Special::Terminate,
             12 => Special::Event,
             13 => Special::WrongTime,
+            16 => Special::EventHalfway,
+            17 => Special::EventLeft,
             _ => Special::None,
         }
     }
@@ -184,7 +186,7 @@ impl Model for Faulty {
         for _ in 0..ticks {
             self.millisecond();
         }
-        self.event |= self.special() == Special::Event;
+        self.event |= matches!(self.special(), Special::Event | Special::EventHalfway | Special::EventLeft);
         self.steps_made = self.steps_made.saturating_add(1);
         Outcome::Done
     }

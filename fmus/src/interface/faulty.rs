@@ -25,13 +25,15 @@ fn variables() -> Vec<Variable> {
              ends the simulation after a step; 12 after a step it has an event that doubles the pace of the drive \
              (over FMI 3.0 in event mode, where used); 13 a step that was made says it came only to its half (FMI 3.0); 14 \
              q and qd are 0 until a step was made, and the joint begins at 1.2 rad; 15 q jumps by 0.5 rad, which qd does \
-             not tell",
+             not tell; 16 like 12, but a step ends at its half with the event, where FMI 3.0 allows that, and the event is \
+             left to the importer then, also to one that uses no event mode; 17 like 12, but the event is left to any importer \
+             (FMI 3.0)",
             Parameter,
-            Kind::integer_in(0, 0, 15),
+            Kind::integer_in(0, 0, 17),
         ),
         Variable::new(
             "fault.step",
-            "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4 and 10 to 13 in this \
+            "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4, 10 to 13, 16 and 17 in this \
              step, the others from this step on",
             Parameter,
             Kind::integer_in(0, 0, i32::MAX),
