@@ -11,6 +11,7 @@ mod record;
 mod show;
 mod walk_in;
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use self::alike::Kind;
@@ -52,8 +53,6 @@ const LONGEST_TOLD_S: f64 = 0.3;
 const AROUND_M: f64 = 2.0;
 /// Of what is tried out at random.
 const SEED: u64 = 1;
-/// Why a search did not end.
-const STOPPED: &str = "it was stopped, or its time was up";
 /// Open places that are told.
 const MOST_OPEN: usize = 10_000;
 
@@ -159,6 +158,10 @@ struct Looking<'a> {
     links: Vec<String>,
     found: Anywhere,
     rest: Rest,
+    /// Floor on which people can be.
+    walkable_m: Vec<[f64; 2]>,
+    /// Whether it was ended before all was looked at.
+    stopped: bool,
     /// What was seen of the robots' motion and the speeds that are told of it.
     motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
@@ -170,13 +173,14 @@ pub struct Looked {
     /// Where somebody is hit, and what is not known.
     pub found: Anywhere,
     rest: Rest,
+    stopped: bool,
 }
 
 impl Looked {
     /// Whether there is more to look at.
     #[must_use]
     pub fn was_cut_short(&self) -> bool {
-        self.found.reasons.iter().any(|reason| reason == STOPPED)
+        self.stopped
     }
 }
 
@@ -221,6 +225,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         links: cell.links.iter().map(|link| link.name.clone()).collect(),
         found,
         rest: Rest::new(cell.sensors.len()),
+        walkable_m: Vec::new(),
+        stopped: false,
         motion: None,
         met: Vec::new(),
     };
@@ -231,7 +237,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         }
         Ok(None) => return Ok(looking.conclude()),
         Err(error) if error.stopped => {
-            looking.found.reasons.push(STOPPED.to_owned());
+            looking.stopped = true;
             return Ok(looking.conclude());
         }
         Err(cause) => return Err(ScanError { cause }),
@@ -242,7 +248,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
             outcome => outcome.map_err(|cause| ScanError { cause })?,
         };
         if !goes_on {
-            looking.found.reasons.push(STOPPED.to_owned());
+            looking.stopped = true;
             break;
         }
     }
@@ -261,6 +267,7 @@ impl<'a> Looking<'a> {
         let Some((search, told)) = self.ask(&there, footing, &unmoved, tell)? else { return Ok(self.goes_on(tell)) };
         if self.found.ground.is_empty() {
             self.found.ground = map::ground(&search, &unmoved);
+            self.walkable_m = map::walkable(&search);
         }
         let kinds = self.kinds(&search, told.as_ref(), first);
         let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.goes_on(tell)) };
@@ -465,7 +472,9 @@ impl<'a> Looking<'a> {
         });
         found.hazards = once_each(std::mem::take(&mut found.hazards));
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
-        if found.histories.is_empty() {
+        if self.stopped {
+            leave_open(found, &self.walkable_m);
+        } else if found.histories.is_empty() && found.reasons.is_empty() {
             found.reasons.push("no robot moved that could harm anybody, or no sensor leaves anybody unseen".to_owned());
         }
         if let Some(share) = self.effort.ledger.share() {
@@ -545,8 +554,20 @@ impl<'a> Looking<'a> {
         } else {
             Verdict::Inconclusive
         };
-        Looked { found: self.found, rest: self.rest }
+        Looked { found: self.found, rest: self.rest, stopped: self.stopped }
     }
+}
+
+/// Of a search that was ended: all floor is open on which people can be and nothing was found. What of it was done is done for some of
+/// what sensors report only.
+fn leave_open(found: &mut Anywhere, walkable_m: &[[f64; 2]]) {
+    let when = if walkable_m.is_empty() { ", before any floor was looked at" } else { "" };
+    found.reasons.insert(0, format!("it was stopped, or its time was up{when}"));
+    let bits = |at: &[f64; 2]| at.map(f64::to_bits);
+    let known: BTreeSet<[u64; 2]> = found.floor.iter().map(|cell| bits(&cell.xy_m)).collect();
+    found.open_m = walkable_m.iter().filter(|at| !known.contains(&bits(at))).copied().collect();
+    found.open = found.open_m.len();
+    found.open_m.truncate(MOST_OPEN);
 }
 
 /// Each region that is hit by a link somewhere is told once, with the worst of it, however many histories lead there.

@@ -9,7 +9,7 @@ use crate::common::guarded::{every_sequence, guarded};
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
 use crate::sample;
 use fmi_hazard::human::Start;
-use fmi_hazard::report::anywhere::{Anywhere, Place};
+use fmi_hazard::report::anywhere::{Anywhere, Cell, Place};
 use fmi_hazard::report::model::Verdict;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Told, Until, anywhere};
@@ -666,10 +666,20 @@ fn what_was_ended_goes_on(text: &str, until_s: f64) {
         };
         let looked = look_with((&path, until_s, 2), &ledger, tell);
         assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
+        // Of floor that was not looked at to the end nothing clean is said.
+        let is_told = |cell: &Cell| {
+            let Anywhere { floor, open_m, .. } = &looked.found;
+            floor.iter().map(|other| &other.xy_m).chain(open_m).any(|at| *at == cell.xy_m)
+        };
+        assert!(whole.floor.iter().all(is_told) && looked.found.open > 20, "{at}: {:?}", looked.found);
         let (known, _) = ledger.remembered();
         assert!(known > answered || at < 1.0, "{at}: {known} {answered}");
         answered = known;
     }
+    // Ended before anything was known: that is why, and nothing else.
+    let none = look_with((&path, until_s, 2), &Ledger::default(), &mut |_| ControlFlow::Break(()));
+    assert!(none.was_cut_short() && none.found.verdict == Verdict::Inconclusive, "{:?}", none.found);
+    assert!(none.found.reasons.iter().all(|reason| !reason.contains("no robot moved")), "{:?}", none.found.reasons);
     let part = |number: usize| dir.path().join(format!("part-{number}.bin"));
     for number in 1..=2 {
         let share = format!("{number}/2").parse().unwrap();

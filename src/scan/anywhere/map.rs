@@ -1,6 +1,6 @@
 //! What a map of the floor shows: where people can be, what robots sweep, and in each cell of it how hard and when somebody is hit.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::refusal;
 use crate::geometry::Vec3;
@@ -45,15 +45,35 @@ pub(super) fn hazardous(moments: &[(Moment, bool)], span: usize, step_s: f64) ->
         known.ratio = known.ratio.max(moment.ratio);
         known.step = known.step.min(moment.step);
     }
-    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side, an hour of small steps at most")]
+    #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
     let cell = |(cell, (unseen, spans)): ([i64; 2], (bool, BTreeMap<usize, Moment>))| Cell {
         unseen,
-        xy_m: cell.map(|at| (at as f64 + 0.5) * 2.0 * CELL_M),
+        xy_m: middle(cell),
         ratio: spans.values().map(|moment| moment.ratio).fold(0.0, f64::max),
         earliest_s: spans.values().map(|moment| moment.step).min().unwrap_or_default() as f64 * step_s,
         spans: spans.into_iter().map(|(number, moment)| (number, rounded(moment.ratio))).collect(),
     };
     by.into_iter().map(cell).collect()
+}
+
+/// Middles of the cells of the floor, as they are told, on which people can be.
+pub(super) fn walkable(search: &Search<'_>) -> Vec<[f64; 2]> {
+    let (floor, unseen, watched) = search.ground();
+    let cells = (0..floor.cells()).filter(|cell| unseen[*cell] || watched[*cell]);
+    // A cell may lie in several of those that are told.
+    let half = 0.499 * floor.cell_m();
+    let corners = [[-half, -half], [-half, half], [half, -half], [half, half]];
+    let of_cell = |cell: usize| {
+        let [x, y] = floor.middle(cell);
+        corners.map(|[right, up]| told_in([x + right, y + up]))
+    };
+    let all: BTreeSet<[i64; 2]> = cells.flat_map(of_cell).collect();
+    all.into_iter().map(middle).collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+fn middle(cell: [i64; 2]) -> [f64; 2] {
+    cell.map(|at| (at as f64 + 0.5) * 2.0 * CELL_M)
 }
 
 /// The floor, with what the robots sweep at some instants.
