@@ -70,7 +70,7 @@ fn every_report_opens_moves_and_saves_in_a_browser() {
     opened(&["head-collision", "two-scanners", "heavy-workpiece"], &[main, main, &[]]);
 }
 
-/// A page without hazards, and one of a cell whose names are a stranger's.
+/// A page without hazards, and one of a cell whose names are a stranger's and that counts clamping as well.
 fn none_and_wild(dir: &Path) -> [PathBuf; 2] {
     let none = page(dir, "heavy-workpiece/fixed.toml", "none");
     assert!(scan_json(&dir.join("none"))["hazards"].as_array().unwrap().is_empty());
@@ -78,7 +78,7 @@ fn none_and_wild(dir: &Path) -> [PathBuf; 2] {
     let text = std::fs::read_to_string(&cell).unwrap();
     let name = text.lines().find(|line| line.starts_with("name = ")).unwrap().to_owned();
     let wild = r#"name = "</script><img src=x onerror=alert(1)>&amp;""#;
-    std::fs::write(&cell, text.replacen(&name, wild, 1)).unwrap();
+    std::fs::write(&cell, text.replacen(&name, wild, 1) + "\n[criteria]\nclamping = true\n").unwrap();
     [none, page(dir, "heavy-workpiece/cell.toml", "wild")]
 }
 

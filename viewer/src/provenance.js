@@ -43,12 +43,41 @@ function subject({ subject: s, tool }) {
 
 const label = (key) => key.replaceAll("_", " ");
 
+const UNITS = [
+  ["_m_s", " m/s"],
+  ["_s", " s"],
+  ["_m", " m"],
+  ["_deg", " degrees"],
+];
+
+/** Any value in words, with the unit that its name ends in, and the name without it. */
+function named(key, value) {
+  const measured = [value].flat().every((one) => typeof one === "number");
+  const [end, unit] = (measured && UNITS.find(([ending]) => key.endsWith(ending))) || ["", ""];
+  return [label(key.slice(0, key.length - end.length)), `${inWords(value)}${unit}`];
+}
+
+function inWords(value) {
+  if (typeof value === "number") {
+    return String(Number(value.toPrecision(12)));
+  }
+  if (typeof value === "boolean") {
+    return value ? "yes" : "no";
+  }
+  if (Array.isArray(value)) {
+    return value.map((one) => (one !== null && typeof one === "object" ? `(${inWords(one)})` : inWords(one))).join("; ") || "none";
+  }
+  if (value !== null && typeof value === "object") {
+    return Object.entries(value).map(([key, one]) => {
+      const [name, words] = named(key, one);
+      return one !== null && typeof one === "object" && !Array.isArray(one) ? `${name} (${words})` : `${name} ${words}`;
+    }).join(", ");
+  }
+  return value === null ? "none" : String(value);
+}
+
 function settings(all) {
-  const pairs = Object.entries(all).map(([key, value]) => {
-    const shown = key === "speed_criterion" ? criterion(all) : typeof value === "boolean" ? (value ? "yes" : "no") : String(value);
-    const unit = { s: " s", m: " m" }[key.split("_").at(-1)] ?? "";
-    return [label(unit ? key.replace(/_[sm]$/, "") : key), `${shown}${unit}`];
-  });
+  const pairs = Object.entries(all).map(([key, value]) => (key === "speed_criterion" ? [label(key), criterion(all)] : named(key, value)));
   return [h("h3", {}, "Settings"), definitions(pairs)];
 }
 

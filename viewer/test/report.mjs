@@ -130,6 +130,7 @@ export const CHECKS = [
       data.cell.sensors.forEach((name, index) => {
         assert.ok(text.includes(`${name} in ${data.scan.coverage.sensor_actions[index].toLocaleString("en")} action`), name);
       });
+      assert.ok(!text.includes("[object"), "everything is in words");
       const again = data.scan.certificate?.run_again;
       assert.equal(text.includes("FMU transitions, by fresh instances from the start"), again?.compared > 0);
     },
