@@ -28,6 +28,7 @@
 //! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
 //! | [`sim`] | plant + person + sensors + contact as one environment with snapshots |
 //! | [`hazard`] | what is unsafe, danger level, findings and their identity |
+//! | [`obligations`] | what an answer rests on, and the verdict that follows; nothing else makes a clean one |
 //! | [`cell`] | the cell file and its binding to FMU variables |
 //! | [`human`] | actions, exact place, body, arms and their reach |
 //! | [`host`] | where an FMU runs, and how its state is brought back |
@@ -76,6 +77,7 @@ pub mod geometry;
 pub mod hazard;
 pub mod host;
 pub mod human;
+pub mod obligations;
 pub mod report;
 #[cfg(test)]
 mod sample;

@@ -30,15 +30,17 @@ def check_scan(scan, schema):
     return "valid"
 
 
-def close(schema):
+def close(schema, is_part=False):
     if isinstance(schema, dict):
-        if "properties" in schema:
-            schema.setdefault("additionalProperties", False)
-        for part in schema.values():
-            close(part)
+        has_variants = "properties" in schema and "oneOf" in schema
+        if "properties" in schema and not is_part:
+            schema.setdefault("unevaluatedProperties" if has_variants else "additionalProperties", False)
+        for key, part in schema.items():
+            # What variants add is what the whole may have.
+            close(part, has_variants and key == "oneOf")
     elif isinstance(schema, list):
         for part in schema:
-            close(part)
+            close(part, is_part)
 
 
 def check_csv(folder, scan):

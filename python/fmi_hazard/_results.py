@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from ._running import HAZARDS, INCONCLUSIVE, INTERRUPTED
-from .types import Anywhere, Cause, Hazard, ScanReport
+from .types import Anywhere, Cause, Hazard, Obligation, ScanReport
 
 if TYPE_CHECKING:
     import pandas
@@ -49,8 +49,18 @@ class Scan:
 
     @property
     def inconclusive(self) -> bool:
-        """Whether nothing was found, but something is not known: exit code 4."""
+        """Whether nothing was found, and it is not shown that there is nothing: exit code 4. See `obligations`."""
         return self.exit_code == INCONCLUSIVE
+
+    @property
+    def clean(self) -> bool:
+        """Whether there is no hazard, and everything that this needs is shown or accepted."""
+        return self.data["verdict"] == "none_found" and all(one["standing"] != "open" for one in self.obligations)
+
+    @property
+    def obligations(self) -> list[Obligation]:
+        """What the result rests on: shown, assumed or open."""
+        return self.data["obligations"]
 
     @property
     def interrupted(self) -> bool:

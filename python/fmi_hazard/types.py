@@ -610,6 +610,21 @@ class HazardChange(TypedDict):
     """
 
 
+class Headline(TypedDict):
+    """
+    The head of a result.
+    """
+
+    covers: str
+    """
+    What was asked, and what of it was looked at.
+    """
+    says: str
+    """
+    What was found, or why nothing is said.
+    """
+
+
 LimitKind: TypeAlias = Literal['force', 'pressure', 'motion', 'distance']
 """
 What the limit is one of.
@@ -674,6 +689,108 @@ class Moment(TypedDict):
     """
     Time from the change until the robots stand still, s.
     """
+
+
+Need: TypeAlias = Literal['searched', 'finished', 'arm_searches', 'between_steps', 'confirmed', 'repeatable', 'steps', 'speeds', 'moves', 'near', 'reported', 'changes', 'presses', 'hands_of_controls', 'doors', 'abilities', 'hands_through_planes', 'following', 'approach', 'criteria', 'pressure', 'travel', 'people_alike', 'heeds', 'reports_later', 'reports_while_worked']
+"""
+Something that "nobody is hit" needs.
+"""
+
+
+class ObligationShown(TypedDict):
+    """
+    It is so.
+    """
+
+    about: NotRequired[str | None]
+    """
+    Of which robot, sensor or control, where there are several.
+    """
+    need: Need
+    """
+    What is needed.
+    """
+    says: str
+    """
+    The same in words.
+    """
+    figure: str
+    """
+    How far that was looked at, in words with a figure.
+    """
+    standing: Literal['shown']
+
+
+class ObligationAssumed(TypedDict):
+    """
+    It was only tried out, and the cell file accepts it.
+    """
+
+    about: NotRequired[str | None]
+    """
+    Of which robot, sensor or control, where there are several.
+    """
+    need: Need
+    """
+    What is needed.
+    """
+    says: str
+    """
+    The same in words.
+    """
+    because: str
+    """
+    Why.
+    """
+    by: str
+    """
+    Who does.
+    """
+    standing: Literal['assumed']
+    tried: str
+    """
+    How far it was tried out.
+    """
+
+
+class ObligationOpen(TypedDict):
+    """
+    It is not known.
+    """
+
+    about: NotRequired[str | None]
+    """
+    Of which robot, sensor or control, where there are several.
+    """
+    need: Need
+    """
+    What is needed.
+    """
+    says: str
+    """
+    The same in words.
+    """
+    accept: NotRequired[str | None]
+    """
+    Lines for the cell file that accept it, where that can be accepted.
+    """
+    standing: Literal['open']
+    why: str
+    """
+    Why, and where.
+    """
+
+
+Obligation: TypeAlias = ObligationShown | ObligationAssumed | ObligationOpen
+"""
+Something that an answer needs, and what is known of it.
+"""
+
+
+Obligations: TypeAlias = list[Obligation]
+"""
+All that an answer needs.
+"""
 
 
 class OneLessMet(TypedDict):
@@ -1599,7 +1716,7 @@ class Certificate(TypedDict):
     """
     complete: bool
     """
-    Whether every sequence is accounted for.
+    Whether every sequence is accounted for, and nothing is open that this needs.
     """
     complete_for_actions: int
     """
@@ -1663,7 +1780,7 @@ class Certificate(TypedDict):
     """
     reasons: list[str]
     """
-    Why it is not, or what it rests on.
+    Why that is not so: the obligations that are open, in words.
     """
     run_again: RunAgain
     """
@@ -2293,6 +2410,10 @@ class Anywhere(TypedDict):
     """
     What the robots did while sensors reported what they report of somebody unseen.
     """
+    obligations: Obligations
+    """
+    What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
+    """
     open: int
     """
     Cells of the floor and postures of which it is not known whether anybody is hit in them.
@@ -2307,11 +2428,7 @@ class Anywhere(TypedDict):
     """
     reasons: list[str]
     """
-    Why the absence of further hazards is not shown.
-    """
-    rests_on: list[str]
-    """
-    What was tried out, and not shown, of the FMU.
+    Why the absence of further hazards is not shown: the obligations that are open, in words.
     """
     schema_version: int
     """
@@ -2347,7 +2464,7 @@ class Anywhere(TypedDict):
     """
     verdict: Verdict
     """
-    Result in one word. `none_found` is said only where nothing is open.
+    Result in one word. `none_found` is said only where no obligation is open.
     """
     warnings: list[str]
     """
@@ -2528,6 +2645,14 @@ class ScanReport(TypedDict):
     """
     Hazards, worst first.
     """
+    headline: Headline
+    """
+    The verdict and what it is about, in words.
+    """
+    obligations: Obligations
+    """
+    What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
+    """
     residual: Residual | None
     """
     What random sequences say about what is left; none if every sequence was looked at, if the strategy keeps no
@@ -2568,10 +2693,6 @@ class ScanReport(TypedDict):
     tool: str
     """
     Name and version of this tool.
-    """
-    unknown: NotRequired[list[str]]
-    """
-    What is not known of the cell, and so passes nobody.
     """
     verdict: Verdict
     """

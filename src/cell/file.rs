@@ -6,9 +6,11 @@
 //! - [`validate`]: these to a checked cell, every mistake with its line
 //! - `checker`: what those share that check a part; `robots`, `inertias`, `sensors`, `obstacles`, `starts`, `limits`:
 //!   the parts
+//! - [`accepted`]: what it accepts of an FMU
 //! - [`described`]: robots from a URDF
 //! - [`files`]: what a cell file names, read once and hashed
 
+pub mod accepted;
 mod checker;
 mod controls;
 mod criteria;

@@ -3,6 +3,6 @@
 use sha2::{Digest as _, Sha256};
 
 /// SHA-256, lower-case hex.
-pub(super) fn sha256(bytes: &[u8]) -> String {
+pub(crate) fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

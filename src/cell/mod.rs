@@ -26,6 +26,7 @@ pub mod workcell;
 
 pub use binding::Binding;
 pub use error::CellError;
+pub(crate) use hash::sha256;
 pub use workcell::{Control, Sensor, Workcell, Zone};
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).

@@ -15,6 +15,7 @@ use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
 use crate::human::{Arrangement, Body, Presses, Repertoire, Start, Who};
+use crate::obligations::Acceptance;
 use crate::standards::iso_13855::{Detection, Opening};
 
 /// The leaf of an open door is so deep in the ground, m.
@@ -93,8 +94,10 @@ pub struct Workcell {
     /// The scan whose hazards are known and do not make another scan fail, relative to the cell file; none if every
     /// hazard does.
     pub baseline: Option<String>,
+    /// What can only be tried out, and is accepted.
+    pub accepted: Vec<Acceptance>,
     /// The file itself, for binding variables.
-    pub(super) file: Arc<CellFile>,
+    pub(crate) file: Arc<CellFile>,
 }
 
 /// A box that is in the way.

@@ -14,6 +14,7 @@ use crate::cell::file::files::named_from;
 use crate::report::anywhere::{Anywhere, Place};
 use crate::report::baseline::Baseline;
 use crate::report::floorplan;
+use crate::report::model::Verdict;
 use crate::report::whole::Whole;
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
 use crate::scan::{Prepared, Scanned, picture};
@@ -70,7 +71,9 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>)
 pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool) -> Result<Option<u8>, Failure> {
     if let Some(reason) = refusal(prepared) {
         output::note(&format!("   From    the cell's starts only: {reason}"));
-        return Ok(None);
+        // Who asked for both has no answer to one of them.
+        let asked = run.arguments.asks_for_both(&prepared.cell);
+        return Ok(asked.then_some(exit::INCONCLUSIVE));
     }
     let own = out.join(FOLDER);
     if run.goes_on {
@@ -106,7 +109,7 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool)
         // What is wrong with the FMU the scan from the starts tells, too.
         Err(failure) if failure.code() == exit::FMU_FAILED => {
             output::warning(&format!("from anywhere nothing is known: {}", failure.text()));
-            Ok(None)
+            Ok(Some(exit::INCONCLUSIVE))
         }
         Err(failure) => Err(failure),
     }
@@ -126,11 +129,11 @@ fn ended(out: &Path) -> Option<u8> {
     }
     let text = std::fs::read_to_string(out.join(RESULT)).ok()?;
     let found: serde_json::Value = serde_json::from_str(&text).ok()?;
-    match found["verdict"].as_str()? {
-        "hazards_found" => Some(exit::HAZARDS),
-        "none_found" => Some(exit::NO_HAZARD),
-        "interrupted" => None,
-        _ => Some(exit::INCONCLUSIVE),
+    match serde_json::from_value(found["verdict"].clone()).ok()? {
+        Verdict::HazardsFound => Some(exit::HAZARDS),
+        Verdict::NoneFound(_) => Some(exit::NO_HAZARD),
+        Verdict::Interrupted => None,
+        Verdict::Inconclusive | Verdict::FmuFailed => Some(exit::INCONCLUSIVE),
     }
 }
 

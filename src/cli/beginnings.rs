@@ -113,7 +113,9 @@ impl Table {
     pub(super) fn exit_code(&self) -> u8 {
         let ranks = [exit::HAZARDS, exit::FMU_FAILED, exit::INCONCLUSIVE];
         let any = |code: &u8| self.beginnings.iter().any(|entry| entry.exit_code == *code);
-        ranks.into_iter().find(any).unwrap_or(exit::NO_HAZARD)
+        // Of none, nothing is known.
+        let none = if self.beginnings.is_empty() { exit::INCONCLUSIVE } else { exit::NO_HAZARD };
+        ranks.into_iter().find(any).unwrap_or(none)
     }
 
     /// For people.
@@ -126,8 +128,8 @@ impl Table {
                     format!("{} hazard{s}, worst {:.2}x {}", entry.hazards, worst.ratio, worst.id)
                 }
                 (None, exit::FMU_FAILED) => "the FMU failed".to_owned(),
-                (None, exit::INCONCLUSIVE) => "inconclusive".to_owned(),
-                (None, _) => "no hazard found".to_owned(),
+                (None, exit::NO_HAZARD) => "no sequence of actions is hazardous".to_owned(),
+                (None, _) => "nothing was found; not shown that there is nothing".to_owned(),
             };
             let _ = writeln!(text, "  {}  {}: {found}", entry.beginning.number, entry.beginning.words());
             let _ = writeln!(text, "     {}", out.join(&entry.folder).display());

@@ -7,7 +7,7 @@ use crate::cell::CellError;
 use crate::cell::error::OpenError;
 use crate::scan::{PrepareError, ScanError};
 
-/// Nothing found, or the command did what it was asked.
+/// No hazard, with nothing open that this needs; or the command did what it was asked.
 pub const NO_HAZARD: u8 = 0;
 /// At least one hazard was found.
 pub const HAZARDS: u8 = 1;
@@ -15,14 +15,14 @@ pub const HAZARDS: u8 = 1;
 pub const UNUSABLE: u8 = 2;
 /// The FMU failed while running.
 pub const FMU_FAILED: u8 = 3;
-/// Nothing was found, but nothing could have been, or what would have been is not known.
+/// Nothing was found, and it is not shown that there is nothing.
 pub const INCONCLUSIVE: u8 = 4;
 /// Stopped by the user.
 pub const INTERRUPTED: u8 = 130;
 
 /// The same for `--help`.
-pub(super) const HELP: &str = "Exit codes: 0 no hazard found; 1 hazards found; 2 usage, cell file or FMU file error; \
-3 the FMU failed while running; 4 inconclusive (nothing moved, no sensor could fire, told speeds are not those of the motion, something is not known from anywhere, or time was up early); 130 interrupted";
+pub(super) const HELP: &str = "Exit codes: 0 no hazard, with nothing open that this needs; 1 hazards found; 2 usage, cell file or FMU file error; \
+3 the FMU failed while running; 4 nothing found, and not shown that there is nothing (the result says why); 130 interrupted";
 
 /// A failure with its exit code.
 pub struct Failure {

@@ -69,7 +69,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
     prepared.warn(wrong_polarities(&prepared));
     let from = arguments.people_from(&prepared.cell)?;
-    if let (From::Anywhere, Some(option)) = (from, arguments.of_starts()) {
+    let of_starts = arguments.of_starts().or_else(|| arguments.limit_of_starts());
+    if let (From::Anywhere, Some(option)) = (from, of_starts) {
         return Err(Failure::unusable_with_help(
             format!("{option} is for scans from the cell's starts, and this one is from anywhere"),
             "leave it out, or add --from start",
@@ -366,7 +367,7 @@ impl Run<'_> {
         if self.arguments.write_baseline {
             let path = self.baseline_path(prepared, report.subject.beginning.as_ref());
             let path = path.unwrap_or_else(|| self.cell_path.with_file_name(BASELINE));
-            if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound) {
+            if !interrupted && matches!(report.verdict, Verdict::HazardsFound | Verdict::NoneFound(_)) {
                 let beside = path.parent().unwrap_or(Path::new(""));
                 output::write_file(&path, &output::pretty(&moved::relative(report, beside))?)?;
                 output::note(&format!(" Baseline kept in {}: {} hazards", path.display(), report.hazards.len()));
@@ -478,11 +479,12 @@ fn known(path: &Path, arguments: &Arguments) -> Result<Baseline, Failure> {
 fn code(report: &ScanReport, baseline: Option<&Baseline>, interrupted: bool) -> u8 {
     match report.verdict {
         _ if interrupted => exit::INTERRUPTED,
+        // Of what is not shown, others than the known ones may be left.
         Verdict::HazardsFound if baseline.is_some_and(|known| known.failing(report).next().is_none()) => {
-            exit::NO_HAZARD
+            if report.obligations.clean().is_some() { exit::NO_HAZARD } else { exit::INCONCLUSIVE }
         }
         Verdict::HazardsFound => exit::HAZARDS,
-        Verdict::NoneFound => exit::NO_HAZARD,
+        Verdict::NoneFound(_) => exit::NO_HAZARD,
         Verdict::Inconclusive => exit::INCONCLUSIVE,
         Verdict::FmuFailed => exit::FMU_FAILED,
         Verdict::Interrupted => exit::INTERRUPTED,

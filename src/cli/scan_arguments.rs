@@ -196,9 +196,9 @@ impl ValueEnum for Choice {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Exhaustive search")]
 struct ExhaustiveArguments {
-    /// Most distinct states (with --from anywhere: of the FMU, 300000 unless given)
-    #[arg(long, default_value_t = 20_000_000)]
-    max_states: usize,
+    /// Most distinct states [default: 20000000; with --from anywhere, of the FMU: 300000]
+    #[arg(long)]
+    max_states: Option<usize>,
     /// Most memory for states, MB
     #[arg(long, default_value_t = 4_000)]
     max_memory: usize,
@@ -214,9 +214,12 @@ struct ExhaustiveArguments {
     workers: Option<usize>,
 }
 
+/// Most states of a search of all sequences, unless told otherwise.
+const SEQUENCE_STATES: usize = 20_000_000;
+
 impl Default for ExhaustiveArguments {
     fn default() -> Self {
-        Self { max_states: 20_000_000, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
+        Self { max_states: None, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
     }
 }
 
@@ -230,7 +233,12 @@ impl Arguments {
         let own = &self.exhaustive;
         let auto = self.strategy == Choice::Auto;
         let work = own.max_work.or_else(|| auto.then_some(AUTO_WORK)).map_or(u64::MAX, |w| w * 1_000_000);
-        let budget = Budget { states: own.max_states, bytes: own.max_memory * 1_000_000, work, drop: true };
+        let budget = Budget {
+            states: own.max_states.unwrap_or(SEQUENCE_STATES),
+            bytes: own.max_memory * 1_000_000,
+            work,
+            drop: true,
+        };
         let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
         if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
     }
@@ -242,8 +250,7 @@ impl Arguments {
 
     /// Most states of the FMU of a scan from anywhere, where each is a step and not an action.
     pub(super) fn most_states(&self) -> usize {
-        let asked = self.exhaustive.max_states;
-        if asked == ExhaustiveArguments::default().max_states { MOST_STATES } else { asked }
+        self.exhaustive.max_states.unwrap_or(MOST_STATES)
     }
 
     /// Where people come from in this cell.
@@ -272,6 +279,26 @@ impl Arguments {
             ("--paper-iterations", self.paper_iterations),
         ];
         given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
+    }
+
+    /// A limit that only a scan from the cell's starts has. Its states from anywhere are those of the FMU alone.
+    pub(super) fn limit_of_starts(&self) -> Option<&'static str> {
+        let usual = ExhaustiveArguments::default();
+        let ExhaustiveArguments { max_states: _, max_memory, max_work, merge, workers: _ } = &self.exhaustive;
+        let given = [
+            ("--max-memory", *max_memory != usual.max_memory),
+            ("--max-work", max_work.is_some()),
+            ("--merge", *merge != usual.merge),
+        ];
+        given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
+    }
+
+    /// Whether people are asked for from anywhere and from the starts in so many words.
+    pub(super) fn asks_for_both(&self, cell: &Workcell) -> bool {
+        match (self.from, cell.from) {
+            (Some(from), _) => from == From::Both,
+            (None, said) => said == Some(PeopleFrom::Both),
+        }
     }
 
     /// An option that only a scan from anywhere has.
@@ -363,8 +390,8 @@ impl Arguments {
             add("--no-advice", None);
         }
         let (own, usual) = (&self.exhaustive, ExhaustiveArguments::default());
-        if own.max_states != usual.max_states {
-            add("--max-states", Some(own.max_states.to_string()));
+        if let Some(states) = own.max_states {
+            add("--max-states", Some(states.to_string()));
         }
         if own.max_memory != usual.max_memory {
             add("--max-memory", Some(own.max_memory.to_string()));

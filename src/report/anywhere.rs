@@ -6,11 +6,14 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::headline::{Headline, counted, not_shown};
 use super::model::{ScanReport, SensorState, Subject, Verdict};
 use super::paragraph::wrapped_to;
-use super::terminal::{View, cards, counted};
+use super::resting::rests_on;
+use super::terminal::{View, cards};
 use crate::hazard::{Class, Criterion};
 use crate::human::Action;
+use crate::obligations::Obligations;
 use crate::standards::BodyRegion;
 
 /// Name of this way to search, where that of a strategy stands.
@@ -23,7 +26,7 @@ pub struct Anywhere {
     pub schema_version: u32,
     /// Program and version.
     pub tool: String,
-    /// Result in one word. `none_found` is said only where nothing is open.
+    /// Result in one word. `none_found` is said only where no obligation is open.
     pub verdict: Verdict,
     /// What was looked at.
     pub subject: Subject,
@@ -54,8 +57,6 @@ pub struct Anywhere {
     pub span_s: f64,
     /// Cells of the floor in which somebody who stands there is hit, row by row.
     pub floor: Vec<Cell>,
-    /// What was tried out, and not shown, of the FMU.
-    pub rests_on: Vec<String>,
     /// Whether poses that are hit at some moment were looked at in each span of time.
     pub followed: bool,
     /// The floor, and what the robots sweep.
@@ -69,7 +70,9 @@ pub struct Anywhere {
     pub between: usize,
     /// Where the first ten thousand of those are, floor plan, m.
     pub between_m: Vec<[f64; 2]>,
-    /// Why the absence of further hazards is not shown.
+    /// What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
+    pub obligations: Obligations,
+    /// Why the absence of further hazards is not shown: the obligations that are open, in words.
     pub reasons: Vec<String>,
     /// What the user should know.
     pub warnings: Vec<String>,
@@ -231,36 +234,42 @@ impl Anywhere {
         }
     }
 
-    /// For people. `report` is the record of the same scan.
+    /// What was found, and of what that is said. `report` is the record of the same scan.
     #[must_use]
-    pub fn render(&self, report: &ScanReport, view: View) -> String {
-        let mut text = String::new();
-        let (until, width) = (format!("{:.1} s", self.until_s), view.width);
-        let changes = self.changes.map_or(String::new(), |changes| {
-            format!(
-                " What the sensors report changes at most {} then.",
-                if changes == 1 { "once".to_owned() } else { format!("{changes} times") }
-            )
-        });
-        let changes =
-            changes + &self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
-        let first = match self.verdict {
+    pub fn headline(&self, report: &ScanReport) -> Headline {
+        let until = format!("{:.1} s", self.until_s);
+        let presses = self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
+        let says = match self.verdict {
             Verdict::HazardsFound => format!(
                 "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start. \
                  {}",
                 counted(report)
             ),
-            Verdict::NoneFound => format!(
+            Verdict::NoneFound(_) => format!(
                 "Nobody is hit harder than allowed within {until} of the start who comes from where no sensor sees them, wherever \
-                 and whenever they walk or stand, and however they bend and reach.{changes}"
+                 and whenever they walk or stand, and however they bend and reach."
             ),
             Verdict::Interrupted => "It was stopped: nothing is known of what was not looked at.".to_owned(),
-            _ => format!("No hazard is confirmed within {until} of the start, and none is excluded.{changes}"),
+            Verdict::Inconclusive | Verdict::FmuFailed => not_shown(&self.obligations),
         };
-        let _ = write!(text, "{}", wrapped_to(width, " ", &first));
-        if self.verdict != Verdict::Interrupted {
-            let _ = write!(text, "{}", wrapped_to(width, " ", &self.cycles()));
-        }
+        let people = "people who come from anywhere that no sensor sees";
+        let complete = if self.obligations.clean().is_some() { "" } else { "Not complete. " };
+        let covers = format!(
+            "{complete}About {people}, at any moment within {until} of the start.{presses} {} A statement about the model, not about \
+             the real cell.",
+            self.cycles()
+        );
+        Headline { says, covers }
+    }
+
+    /// For people. `report` is the record of the same scan.
+    #[must_use]
+    pub fn render(&self, report: &ScanReport, view: View) -> String {
+        let mut text = String::new();
+        let width = view.width;
+        let Headline { says, covers } = &report.headline;
+        text += &wrapped_to(width, " ", says);
+        text += &wrapped_to(width, " ", covers);
         text += &cards(report, view);
         for hazard in self.hazards.iter().filter(|hazard| !hazard.confirmed) {
             let [x, y] = hazard.xy_m;
@@ -277,12 +286,6 @@ impl Anywhere {
             );
             let _ = write!(text, "{}", wrapped_to(width, " ", &line));
         }
-        for ground in &self.rests_on {
-            let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Tried out, not shown: {ground}.")));
-        }
-        for reason in &self.reasons {
-            let _ = write!(text, "{}", wrapped_to(width, " ", &format!("Not complete: {reason}.")));
-        }
-        text
+        text + &rests_on(&self.obligations, view)
     }
 }

@@ -3,9 +3,12 @@
 use serde_json::json;
 
 use super::cause::Cause;
+use super::headline::Headline;
 use super::model::{Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::hazard::Criterion;
 use crate::host::selftest::{Agreement, SelfTest};
+use crate::obligations::Obligations;
+use crate::obligations::verdict::Ended;
 use crate::sim::Coverage;
 
 /// A hand is hit by so many times its limit, which is 100 N here.
@@ -84,7 +87,8 @@ pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
     ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: "fmi-hazard".to_owned(),
-        verdict: if hazards.is_empty() { Verdict::NoneFound } else { Verdict::HazardsFound },
+        verdict: Verdict::of(Ended { found: !hazards.is_empty(), ..Ended::default() }, &Obligations::all_shown()),
+        headline: Headline::default(),
         subject: subject(),
         settings: settings(),
         causes,
@@ -98,7 +102,7 @@ pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
         self_test: self_test(),
         standard_edition: STANDARD_EDITION,
         tables: Vec::new(),
-        unknown: Vec::new(),
+        obligations: Obligations::all_shown(),
         warnings: Vec::new(),
     }
 }

@@ -65,7 +65,7 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
         cases.push(case(&xml(&format!("FMU after {}", actions.join(", "))), &cell, error));
     }
     let scan = match report.verdict {
-        Verdict::HazardsFound | Verdict::NoneFound => TestCaseStatus::success(),
+        Verdict::HazardsFound | Verdict::NoneFound(_) => TestCaseStatus::success(),
         Verdict::Inconclusive | Verdict::FmuFailed | Verdict::Interrupted => {
             let mut error = TestCaseStatus::non_success(NonSuccessKind::Error);
             error.set_type("no result");

@@ -9,6 +9,7 @@
 //! - [`baseline`]: hazards that are known already
 //! - [`assessment`]: what people decided about hazards
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
+//! - [`assumptions`]: what every report rests on beside its obligations
 //! - [`page`]: the report that one looks at
 //! - [`worked`]: controls that are worked on the way to a hazard
 //! - [`explanation`]: a hazard in plain words and with all its numbers
@@ -19,6 +20,8 @@
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
 //! - [`distance`]: safeguards and their distances
 //! - [`speeds`]: told speeds that are not those of the motion
+//! - [`headline`]: what was found, and of what that is said
+//! - `resting`: what a result rests on, in words
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`anywhere`]: what is known of people who come from anywhere
@@ -31,6 +34,7 @@
 pub mod advice;
 pub mod anywhere;
 pub mod assessment;
+pub mod assumptions;
 pub mod baseline;
 pub mod campaign;
 pub mod cause;
@@ -45,6 +49,7 @@ pub(crate) mod fixtures;
 pub mod floorplan;
 pub mod foxglove;
 pub mod growth;
+pub mod headline;
 mod immovable;
 pub mod inspection;
 pub mod judged;
@@ -58,6 +63,7 @@ pub mod paper;
 mod paragraph;
 pub mod people;
 pub mod recorded;
+mod resting;
 pub mod sarif;
 pub mod speeds;
 pub mod survey;

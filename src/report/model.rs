@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cause::Cause;
 use super::criteria::CriteriaRecord;
+use super::headline::Headline;
 use super::immovable;
 use super::judged::Judged;
 use super::people::SecondRecord;
@@ -16,6 +17,8 @@ use crate::host::selftest::SelfTest;
 use crate::human::Ability;
 use crate::human::action::Action;
 use crate::human::arm::ArmModel;
+use crate::obligations::Obligations;
+pub use crate::obligations::Verdict;
 use crate::search::residual::Figures;
 use crate::sim::Coverage;
 use crate::standards::BodyRegion;
@@ -43,6 +46,9 @@ pub struct ScanReport {
     pub tool: String,
     /// Overall outcome.
     pub verdict: Verdict,
+    /// The verdict and what it is about, in words.
+    #[serde(default)]
+    pub headline: Headline,
     /// What was scanned.
     pub subject: Subject,
     /// How it was searched.
@@ -72,27 +78,10 @@ pub struct ScanReport {
     pub standard_edition: &'static str,
     /// Tables of figures used, each with source, confidence and whether a person has verified it.
     pub tables: Vec<Table>,
-    /// What is not known of the cell, and so passes nobody.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub unknown: Vec<String>,
+    /// What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
+    pub obligations: Obligations,
     /// Things the user should know.
     pub warnings: Vec<String>,
-}
-
-/// Overall outcome; never a statement of safety.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// At least one hazard.
-    HazardsFound,
-    /// None found within the budget.
-    NoneFound,
-    /// None found, but the run shows little: see the warnings.
-    Inconclusive,
-    /// None found, and the FMU failed on the way.
-    FmuFailed,
-    /// Stopped by the user before the budget was spent, nothing found so far.
-    Interrupted,
 }
 
 /// What was scanned.
@@ -121,6 +110,18 @@ pub struct Subject {
 }
 
 impl Subject {
+    /// What acceptances in a cell file are bound to: the SHA-256 of its FMU, of several of them that of all of theirs.
+    #[must_use]
+    pub fn fmu_digest(&self) -> String {
+        match &self.fmus[..] {
+            [only] => only.sha256.clone(),
+            all => {
+                let lines = all.iter().map(|fmu| format!("{} {}\n", fmu.unit, fmu.sha256));
+                crate::cell::sha256(lines.collect::<String>().as_bytes())
+            }
+        }
+    }
+
     /// Name of the cell, and which of its beginnings it is if there are several.
     #[must_use]
     pub fn title(&self) -> String {
@@ -415,9 +416,9 @@ pub struct Shortest {
 /// strings: they do not fit into JSON's numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Certificate {
-    /// Whether every sequence is accounted for.
+    /// Whether every sequence is accounted for, and nothing is open that this needs.
     pub complete: bool,
-    /// Why it is not, or what it rests on.
+    /// Why that is not so: the obligations that are open, in words.
     pub reasons: Vec<String>,
     /// All sequences: actions to the power of the horizon.
     pub sequences: String,
@@ -460,11 +461,13 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// Takes the promise back, for this reason.
-    pub fn refuse(&mut self, reason: String) {
-        self.complete = false;
-        self.reasons.push(reason);
-        self.random_search = None;
+    /// Once it is known what it rests on.
+    pub fn close(&mut self, obligations: &Obligations) {
+        self.reasons = obligations.reasons();
+        self.complete = obligations.clean().is_some();
+        if !self.complete {
+            self.random_search = None;
+        }
     }
 }
 

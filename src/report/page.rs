@@ -11,6 +11,7 @@ use serde::{Serialize, Serializer};
 
 use super::anywhere::Anywhere;
 use super::assessment::Assessments;
+use super::assumptions::assumptions;
 use super::whole::Whole;
 
 /// What the viewer is built to.
@@ -26,7 +27,7 @@ struct Data<'a, S> {
     format: u32,
     scan: &'a S,
     reproduce: &'a str,
-    assumptions: &'a [&'static str],
+    assumptions: Vec<String>,
     assessments: &'a Assessments,
     cell: &'a Scenery,
     /// A list of [`Replay`] as JSON, gzip, base64: so that fifty of them can be mailed.
@@ -300,29 +301,6 @@ pub struct Begun {
     pub frame: usize,
 }
 
-/// What every report rests on.
-pub const ASSUMPTIONS: [&str; 8] = [
-    "The person walks at 1.6 m/s (ISO 13855), turns, bends and reaches in actions of the length given above; an action \
-     takes effect at once. A person who is faster, runs, climbs or carries something is not in the model.",
-    "Arms are not animated: at every instant all arm poses within the joint limits are searched for one that touches the \
-     robot and is free of obstacles; a contact that lasts only while the arm is moved by less than the reach tolerance may \
-     be missed.",
-    "The force is that of ISO/TS 15066 A.3: F = v sqrt(mu k), with the absolute speed of the robot point, as in the paper: \
-     conservative where the robot moves away. The body region's mass and spring constant are those of its table A.3, the \
-     robot's mass is half its moving mass and the payload.",
-    "Limits are those for transient contact. Clamping is not told apart: where the person can be clamped, the \
-     quasi-static limits apply, which are lower.",
-    "Robot links and the body are simplified shapes (capsules, convex hulls, meshes) as given in the cell file; hair, clothes, \
-     tools in the hand and sharp edges are not in the model.",
-    "Obstacles stop the person as a whole, and arms do not reach through them; they are boxes as given in the cell file, or in \
-     its meshes.",
-    "Where an arm reaches through a light curtain or a door, or lets go of a two-hand control, that is reported as long \
-     before the contact as the hand needs at 2.0 m/s (ISO 13855), rounded up to whole steps; the replay and the input trace \
-     show the robot as it is then. Doors are open at once, and closed again behind the person.",
-    "The FMU is taken as it is: what it does not model (wear, faults of the safety system, other operating modes) is not \
-     examined. No hazard found is never a proof of safety of the real workplace.",
-];
-
 /// JSON, gzip, base64.
 fn packed<T: Serialize>(list: &[T]) -> std::io::Result<String> {
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
@@ -349,7 +327,8 @@ pub fn render(
     whole: Option<&Anywhere>,
 ) -> std::io::Result<String> {
     let (replays, whole) = (packed(replays)?, whole.map(Whole::from));
-    let data = Data { format: FORMAT, scan, reproduce, assumptions: &ASSUMPTIONS, assessments, cell, replays, whole };
+    let assumptions = assumptions(&serde_json::to_value(scan)?["settings"]);
+    let data = Data { format: FORMAT, scan, reproduce, assumptions, assessments, cell, replays, whole };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
     let title = title.replace('&', "&amp;").replace('<', "&lt;");

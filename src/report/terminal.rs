@@ -3,9 +3,11 @@
 use std::fmt::Write as _;
 
 use super::cause::{Cause, Change};
+use super::headline::Headline;
 use super::judged::measure_cell;
-use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport, Verdict};
+use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport};
 use super::paragraph::{WIDTH, wrapped_to};
+use super::resting::rests_on;
 use crate::human::Action;
 use crate::human::arm::ArmModel;
 
@@ -53,9 +55,7 @@ pub fn render(report: &ScanReport, view: View) -> String {
     if let Some(criteria) = &report.settings.criteria {
         out += &wrapped_to(view.width, "  Unsafe is ", &criteria.words());
     }
-    for unknown in &report.unknown {
-        out += &wrapped_to(view.width, "  Not known ", unknown);
-    }
+    out += &rests_on(&report.obligations, view);
     for warning in &report.warnings {
         out += &wrapped_to(view.width, "  Note      ", warning);
     }
@@ -71,13 +71,13 @@ pub fn render(report: &ScanReport, view: View) -> String {
     if !out.is_empty() {
         out.push('\n');
     }
-    let (verdict, scope) = sentences(report);
-    let (on, off) = view.ink(if report.verdict == Verdict::NoneFound { GREEN } else { RED });
-    for line in wrapped_to(view.width, " ", &verdict).lines() {
+    let Headline { says, covers } = &report.headline;
+    let (on, off) = view.ink(if report.verdict.is_clean() { GREEN } else { RED });
+    for line in wrapped_to(view.width, " ", says).lines() {
         let _ = writeln!(out, "{on}{line}{off}");
     }
     out += &cards(report, view);
-    if scope.is_empty() { out } else { out + &wrapped_to(view.width, " ", &scope) }
+    out + &wrapped_to(view.width, " ", covers)
 }
 
 /// The causes, a card each, with empty lines around them.
@@ -99,21 +99,6 @@ pub fn cards(report: &ScanReport, view: View) -> String {
         out.push('\n');
     }
     out
-}
-
-/// How many causes and hazards there are, and how many are confirmed.
-#[must_use]
-pub fn counted(report: &ScanReport) -> String {
-    let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
-    let n = report.hazards.len();
-    let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();
-    let sure = match (confirmed, n) {
-        (1, 1) => "confirmed".to_owned(),
-        _ if confirmed == n => "all confirmed".to_owned(),
-        _ => format!("{confirmed} confirmed"),
-    };
-    let causes = plural(report.causes.len(), "cause");
-    format!("{causes} of {}, {sure} by a fresh replay.", plural(n, "possible hazard"))
 }
 
 const RED: &str = "\u{1b}[1;31m";
@@ -277,7 +262,8 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
 }
 
 /// A number with its thousands set apart.
-pub(super) fn grouped(digits: &str) -> String {
+#[must_use]
+pub fn grouped(digits: &str) -> String {
     let first = (digits.len() + 2) % 3 + 1;
     let (head, tail) = digits.split_at(first.min(digits.len()));
     let groups = tail.as_bytes().chunks(3).map(|c| String::from_utf8_lossy(c).into_owned());
@@ -303,7 +289,6 @@ fn certified(report: &ScanReport, c: &Certificate, view: View, out: &mut String)
         settings.reach_tolerance_m * 1000.0
     );
     say(UNDER, &within);
-    c.reasons.iter().for_each(|reason| say(UNDER, reason));
     if !view.verbose {
         return;
     }
@@ -418,59 +403,6 @@ fn coverage(report: &ScanReport, view: View, out: &mut String) {
         _ => format!("reported the person in {sensors:?} actions"),
     };
     say(UNDER, &format!("sensors {text}"));
-}
-
-/// Which sequences were looked at.
-fn looked_at(report: &ScanReport) -> String {
-    let (spent, settings) = (&report.spent, &report.settings);
-    let auto = settings.strategy == "auto";
-    match &report.certificate {
-        Some(c) if c.complete => format!("all {} sequences", grouped(&c.sequences)),
-        Some(c) if c.complete_for_actions >= c.horizon && c.covered == c.sequences => {
-            format!("all {} sequences were looked at, see above for what is missing", grouped(&c.sequences))
-        }
-        Some(c) => {
-            let quick =
-                if auto { format!("a quick search of {} sequences, and ", spent.iterations) } else { String::new() };
-            format!("{quick}all beginnings of {} of {} actions", c.complete_for_actions, c.horizon)
-        }
-        None if auto => format!("a quick search of {} sequences alone, with seed {}", spent.iterations, settings.seed),
-        None => format!("{} iterations of {} with seed {}", spent.iterations, settings.strategy, settings.seed),
-    }
-}
-
-/// The verdict, and how far it goes.
-fn sentences(report: &ScanReport) -> (String, String) {
-    let within = looked_at(report);
-    let complete = report.certificate.as_ref().is_some_and(|c| c.complete);
-    let left = if report.residual.is_some() { "; the residual figures above bound what is left" } else { "" };
-    let scope = match complete {
-        true => format!("Complete: {within} are accounted for."),
-        false => format!("Not complete: {within}. Not finding more is not proof of safety{left}."),
-    };
-    match report.verdict {
-        Verdict::HazardsFound => {
-            let others = match complete {
-                true => " There are no others within the stated actions and horizon, in this model.",
-                false => "",
-            };
-            (counted(report), scope + others)
-        }
-        Verdict::NoneFound if complete => (
-            "No sequence of the stated actions and horizon is hazardous, in this model.".to_owned(),
-            format!("{scope} A statement about the model, not about the real cell."),
-        ),
-        Verdict::NoneFound => ("No hazard found.".to_owned(), scope),
-        Verdict::Inconclusive => (
-            "Inconclusive: nothing was found, which says nothing about the cell. See the notes above.".to_owned(),
-            String::new(),
-        ),
-        Verdict::FmuFailed => (
-            "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned(),
-            String::new(),
-        ),
-        Verdict::Interrupted => (format!("Interrupted; nothing found so far in {within}."), String::new()),
-    }
 }
 
 #[cfg(test)]

@@ -31,6 +31,7 @@ pub struct Whole<'a> {
     /// Ways to be hit, those first that a run of their own shows, and of them the worst.
     pub places: &'a [Place],
     /// Why the absence of further hits is not shown.
+    #[serde(skip)]
     pub reasons: &'a [String],
 }
 
@@ -79,9 +80,12 @@ impl Whole<'_> {
         let walks = can(shown.is_some());
         let mut said = Vec::new();
         match (unseen, walked) {
-            (0, 0) => said.push(format!(
-                "No place was found where somebody who comes unseen is hit harder than allowed {within}."
-            )),
+            (0, 0) => {
+                let but = if self.reasons.is_empty() { "" } else { ", and it is not shown that there is none" };
+                said.push(format!(
+                    "No place was found where somebody who comes unseen is hit harder than allowed {within}{but}."
+                ));
+            }
             (0, walked) => said.push(format!(
                 "On {} of the floor somebody who walks in {walks} be hit harder than allowed {within}, if they get there in time.",
                 self.area(walked)

@@ -4,7 +4,10 @@
 mod alike;
 mod ask;
 mod cycle;
+mod fields;
+mod keys;
 pub(super) mod map;
+mod obligations;
 mod parts;
 mod pressing;
 mod record;
@@ -15,21 +18,22 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use self::alike::Kind;
+use self::fields::Fields;
+use self::obligations::FromAnywhere;
 use self::record::Rest;
 use self::show::sensors;
 use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
-use crate::cell::binding::SensorBinding;
-use crate::cell::file::format::ControlledBy;
-use crate::cell::{Workcell, Zone};
-use crate::hazard::Criterion;
+use crate::cell::Zone;
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
 use crate::human::Start;
+use crate::obligations::verdict::Ended;
+use crate::obligations::{Need, Obligations, Point, Verdict};
 use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
-use crate::report::model::{SCHEMA_VERSION, Verdict};
+use crate::report::model::SCHEMA_VERSION;
 use crate::report::speeds::Speeds;
 use crate::search::tracks::explore;
 use crate::sim::anywhere::ledger::Ledger;
@@ -42,9 +46,6 @@ use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
 use crate::sim::robot::RobotFrame;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
-
-/// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
-const MOST_TWO_HAND: usize = 3;
 
 /// So long somebody stays at most of whom the FMU is asked what its sensors report, s: they may tell late.
 const LONGEST_TOLD_S: f64 = 0.3;
@@ -75,41 +76,13 @@ pub type Tell<'a> = dyn FnMut(Told) -> ControlFlow<()> + 'a;
 /// Why nobody can be looked for anywhere in a cell.
 #[must_use]
 pub fn refusal(prepared: &Prepared) -> Option<String> {
-    if prepared.cell.second.is_some() {
-        return Some(
-            "two people have their starts; to look from anywhere, leave one of them out of the cell file".to_owned(),
-        );
-    }
-    if !prepared.cell.following.is_empty() {
-        return Some(
-            "obstacles, sensors or controls follow the FMU, which a scan from the cell's starts looks at; from anywhere, leave \
-             stands_while, moves_with, counts_while and works_while out of the cell file"
-                .to_owned(),
-        );
-    }
-    let evaluated = prepared.binding.sensors.iter().position(|bound| matches!(bound, SensorBinding::Both { .. }));
-    if let Some(sensor) = evaluated {
-        let name = &prepared.cell.sensors[sensor].name;
-        return Some(format!(
-            "the FMU evaluates `{name}` in part, which a scan from the cell's starts looks at; from anywhere, leave `evaluated` out of \
-             the cell file, and connect its `variable` to the whole signal"
-        ));
-    }
-    let controls = two_hand(prepared).len();
-    (controls > MOST_TWO_HAND).then(|| {
-        format!("the cell has {controls} two-hand controls; up to {MOST_TWO_HAND} can be looked at from anywhere")
-    })
+    Fields::of(&prepared.cell, &prepared.binding).refusal
 }
 
 /// Sensors that report whoever is *not* at them.
 fn two_hand(prepared: &Prepared) -> Vec<usize> {
     let sensors = prepared.cell.sensors.iter().enumerate();
     sensors.filter(|(_, sensor)| matches!(sensor.zone, Zone::TwoHand { .. })).map(|(n, _)| n).collect()
-}
-
-/// Whether anybody works a control.
-fn works(cell: &Workcell) -> bool {
-    cell.controls.iter().any(|control| control.by != ControlledBy::Nobody)
 }
 
 /// Everything that sensors may report of somebody who is seen by none: hands on the buttons of two-hand controls, or not.
@@ -158,6 +131,10 @@ struct Looking<'a> {
     links: Vec<String>,
     found: Anywhere,
     rest: Rest,
+    /// What the cell asks.
+    fields: Fields,
+    /// What was said on the way of what an answer needs.
+    said: Vec<(Need, Point)>,
     /// Floor on which people can be.
     walkable_m: Vec<[f64; 2]>,
     /// Whether it was ended before all was looked at.
@@ -190,10 +167,12 @@ impl Looked {
 /// When the FMU cannot be started or fails on its way there.
 pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) -> Result<Looked, ScanError> {
     let cell = &prepared.cell;
+    let fields = Fields::of(cell, &prepared.binding);
     let found = Anywhere {
         schema_version: SCHEMA_VERSION,
         tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
-        verdict: Verdict::NoneFound,
+        // Until it is known what the answer rests on.
+        verdict: Verdict::Inconclusive,
         subject: prepared.subject.clone(),
         until_s: 0.0,
         cycle_s: None,
@@ -202,13 +181,12 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         body_tolerance_m: BODY_TOLERANCE_M,
         arm_tolerance_m: 2.0 * cell.arm().hand_tolerance_m(cell.search.reach_tolerance_m),
         step_tolerance_m: STEP_TOLERANCE_M,
-        presses: works(cell).then_some(effort.presses),
+        presses: fields.worked.then_some(effort.presses),
         changes: None,
         histories: Vec::new(),
         hazards: Vec::new(),
         span_s: 0.0,
         floor: Vec::new(),
-        rests_on: Vec::new(),
         followed: true,
         ground: Ground::default(),
         open: 0,
@@ -216,6 +194,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         between: 0,
         between_m: Vec::new(),
         reasons: Vec::new(),
+        obligations: Obligations::default(),
         warnings: prepared.warnings(),
         spent: Spent::default(),
     };
@@ -225,6 +204,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         links: cell.links.iter().map(|link| link.name.clone()).collect(),
         found,
         rest: Rest::new(cell.sensors.len()),
+        fields,
+        said: Vec::new(),
         walkable_m: Vec::new(),
         stopped: false,
         motion: None,
@@ -302,12 +283,12 @@ impl<'a> Looking<'a> {
         let (prepared, cell) = (self.prepared, &there.cell);
         let presses = self.found.presses.unwrap_or(0);
         let Some(Kind { readings: first, .. }) = kinds.first() else {
-            self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
+            self.open(Need::Searched, "where nobody is seen at the start is not known");
             return Ok(true);
         };
         let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()), presses);
         if zones.ways.is_empty() {
-            self.found.reasons.push("where nobody is seen at the start is not known".to_owned());
+            self.open(Need::Searched, "where nobody is seen at the start is not known");
             return Ok(true);
         }
         // Of those that matter to these robots, what is reported is given; of the others, what is there at first, if that goes together.
@@ -384,8 +365,6 @@ impl<'a> Looking<'a> {
         let (steps, most) = (self.steps(), self.effort.most_states);
         let mut known: Option<usize> = None;
         let (mut changes, mut told, mut is_last) = (1, 0, false);
-        // Coming in is one and going out another; where controls are worked there are too many states to look at both at once.
-        let more = if self.found.presses.is_some_and(|presses| presses > 0) { 1 } else { 2 };
         loop {
             machine.begin();
             let mut asked = false;
@@ -403,10 +382,10 @@ impl<'a> Looking<'a> {
             if outcome.ended {
                 // What fewer changes lead to is known already.
                 let Some(before) = known else {
-                    self.found.reasons.push(format!(
-                        "the FMU has more than {most} states within this time while sensors see somebody once. Ask for less \
-                         with --until, or more with --max-states"
-                    ));
+                    let why =
+                        format!("the FMU has more than {most} states within this time while sensors see somebody once");
+                    let what_to_do = "Ask for less with --until, or more with --max-states";
+                    self.said.push((Need::Searched, Point::open_until(why, what_to_do)));
                     break;
                 };
                 (changes, is_last) = (before, true);
@@ -417,13 +396,14 @@ impl<'a> Looking<'a> {
                 self.found.changes = [self.found.changes, limit].into_iter().flatten().min();
                 break;
             }
-            (known, changes) = (Some(changes), changes + more);
+            (known, changes) = (Some(changes), changes + 1);
         }
         self.found.spent.fmu_steps += machine.recall().steps();
         self.rest.states += machine.recall().states();
         self.rest.did = self.rest.did.and(machine.recall().effort());
         if let Some(fault) = machine.fault() {
-            self.found.reasons.push(format!("the FMU could not finish some steps: {fault}"));
+            let why = format!("the FMU could not finish some steps: {fault}");
+            self.open(Need::Finished, why);
         }
         Ok(true)
     }
@@ -442,20 +422,22 @@ impl<'a> Looking<'a> {
             tell(Told::RunAgain(done, of)).is_continue()
         })?;
         if let Some(difference) = audited.difference {
-            self.found.reasons.push(Doubt::of_audit(difference).words());
+            self.open(Need::Repeatable, Doubt::of_audit(difference).words());
         }
         self.found.spent.run_again += audited.compared;
         Ok(!audited.stopped)
     }
 
+    /// Something that an answer needs is not known.
+    fn open(&mut self, need: Need, why: impl Into<String>) {
+        self.said.push((need, Point::open(why)));
+    }
+
     /// The verdict, and why.
     fn conclude(mut self) -> Looked {
-        if let Some(motion) = &self.motion {
-            let speeds = Speeds::new(&self.prepared.cell, &self.prepared.binding, motion);
-            self.found.reasons.extend(speeds.refusal());
-            self.found.warnings.extend(speeds.sentences());
-            self.rest.speeds = speeds.records;
-        }
+        let speeds =
+            self.motion.as_ref().map(|motion| Speeds::new(&self.prepared.cell, &self.prepared.binding, motion));
+        self.found.warnings.extend(speeds.iter().flat_map(Speeds::sentences));
         let (found, coverage) = (&mut self.found, &self.rest.coverage);
         let step_s = self.prepared.cell.step_s;
         found.floor = map::hazardous(&self.met, map::span(found.until_s, step_s), step_s);
@@ -473,101 +455,33 @@ impl<'a> Looking<'a> {
         found.hazards = once_each(std::mem::take(&mut found.hazards));
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
         if self.stopped {
-            leave_open(found, &self.walkable_m);
-        } else if found.histories.is_empty() && found.reasons.is_empty() {
-            found.reasons.push("no robot moved that could harm anybody, or no sensor leaves anybody unseen".to_owned());
+            let why = leave_open(found, &self.walkable_m);
+            self.said.insert(0, (Need::Searched, Point::open(why)));
         }
-        if let Some(share) = self.effort.ledger.share() {
-            found
-                .reasons
-                .push(format!("this is part {share} of a search: what is not found here may be in another part"));
-        }
-        if found.open > 0 {
-            let open = found.open;
-            found
-                .reasons
-                .push(format!("{open} cells of the floor are open: whether anybody is hit there is not known"));
-        }
-        if found.between > 0 {
-            let between = found.between;
-            found.reasons.push(format!(
-                "in {between} cells of the floor somebody may be hit between two communication steps, and at none: the robots are as \
-                 much nearer then as they may move in half a step"
-            ));
-        }
-        let unconfirmed = found.hazards.iter().filter(|place| !place.confirmed).count();
-        if unconfirmed > 0 {
-            found.reasons.push(format!("of {unconfirmed} ways to be hit, no walk was found that shows them"));
-        }
-        if coverage.arm_checks_incomplete > 0 {
-            found.reasons.push(format!("{} arm searches stopped at their work limit", coverage.arm_checks_incomplete));
-        }
-        if self.prepared.cell.search.criterion == Criterion::Approach {
-            found.reasons.push(
-                "with the speed of approach as criterion, who walks comes to the robot faster than looked at: only people who stand are"
-                    .to_owned(),
-            );
-        }
-        if !self.prepared.cell.judges_by_force_alone() {
-            found.reasons.push(
-                "from anywhere the transient force alone is looked at: by the other criteria of the cell file nothing is excluded"
-                    .to_owned(),
-            );
-        }
-        if found.presses.is_some_and(|presses| presses > 0) && found.changes.is_some_and(|changes| changes < 2) {
-            let most = self.effort.most_states;
-            found.reasons.push(format!(
-                "where sensors see somebody come and go again, and a control is worked, the FMU has more than {most} states within this \
-                 time: a restart behind them was not looked at. Ask for less with --until, or more with --max-states"
-            ));
-        }
-        if found.presses.is_some() && !two_hand(self.prepared).is_empty() {
-            found.reasons.push(
-                "who works a control may let go of a two-hand control for that: from anywhere that is not looked at"
-                    .to_owned(),
-            );
-        }
-        if found.presses == Some(0) {
-            found.reasons.push("no control was worked: --presses says how often".to_owned());
-        } else if found.presses.is_some() && !self.prepared.cell.pose.is_empty() {
-            found.reasons.push(
-                "sensors inside the FMU may report something else while a control is worked: that was not asked"
-                    .to_owned(),
-            );
-        }
-        let also: Vec<&str> = self.prepared.cell.repertoire.abilities().iter().map(|ability| ability.words()).collect();
-        if !also.is_empty() {
-            found.reasons.push(format!("from anywhere people walk, bend and reach only: no {}", also.join(", no ")));
-        }
-        if !self.prepared.cell.doors().is_none() {
-            found.reasons.push(
-                "from anywhere all doors are taken to be open: what a closed one does, was not looked at".to_owned(),
-            );
-        }
-        found.reasons.extend(self.prepared.unsteady());
-        found.verdict = if found.hazards.iter().any(|hazard| hazard.confirmed) {
-            Verdict::HazardsFound
-        } else if self.prepared.stop().is_asked() {
-            Verdict::Interrupted
-        } else if found.reasons.is_empty() && found.hazards.is_empty() {
-            Verdict::NoneFound
-        } else {
-            Verdict::Inconclusive
+        let obligations = Obligations::of(&FromAnywhere::new(&self, speeds.as_ref()));
+        let ended = Ended {
+            found: self.found.hazards.iter().any(|hazard| hazard.confirmed),
+            failed: false,
+            interrupted: self.prepared.stop().is_asked(),
         };
+        self.rest.speeds = speeds.map(|speeds| speeds.records).unwrap_or_default();
+        self.found.verdict = Verdict::of(ended, &obligations);
+        self.found.reasons = obligations.reasons();
+        self.found.obligations = obligations;
         Looked { found: self.found, rest: self.rest, stopped: self.stopped }
     }
 }
 
 /// Of a search that was ended: all floor is open on which people can be and nothing was found. What of it was done is done for some of
-/// what sensors report only.
-fn leave_open(found: &mut Anywhere, walkable_m: &[[f64; 2]]) {
+/// what sensors report only. Gives why.
+fn leave_open(found: &mut Anywhere, walkable_m: &[[f64; 2]]) -> String {
     let when = if walkable_m.is_empty() { ", before any floor was looked at" } else { "" };
-    found.reasons.insert(0, format!("it was stopped, or its time was up{when}"));
     let bits = |at: &[f64; 2]| at.map(f64::to_bits);
     let known: BTreeSet<[u64; 2]> = found.floor.iter().map(|cell| bits(&cell.xy_m)).collect();
     found.open_m = walkable_m.iter().filter(|at| !known.contains(&bits(at))).copied().collect();
     found.open = found.open_m.len();
     found.open_m.truncate(MOST_OPEN);
+    format!("it was stopped, or its time was up{when}")
 }
 
 /// Each region that is hit by a link somewhere is told once, with the worst of it, however many histories lead there.

@@ -14,6 +14,7 @@ use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, PlantError, Policy, Unlike};
 use crate::human::Action;
+use crate::obligations::{Need, Point};
 use crate::report::model::Hazard;
 use crate::report::worked::Working;
 use crate::sim::expansion::Merge;
@@ -71,8 +72,7 @@ pub(super) fn attempts(
             searched => searched?,
         };
         effort = effort.and(searched.effort);
-        let complete = searched.certificate.as_ref().is_some_and(|c| c.complete);
-        let only_kept = if complete { Vec::new() } else { kept.clone().added_to(&mut groups) };
+        let only_kept = if searched.has_all() { Vec::new() } else { kept.clone().added_to(&mut groups) };
         let stop = plain.stop();
         stop.finishing();
         let ranked = groups.ranked();
@@ -106,12 +106,13 @@ pub(super) fn attempts(
         let refuted = |h: &&Hazard| h.confirmed == Some(false) || h.shortest.confirmed == Some(false);
         let unconfirmed = hazards.iter().filter(refuted).count();
         let open = hazards.iter().filter(|h| h.confirmed.is_none() || h.shortest.confirmed.is_none()).count();
-        if let Some(certificate) = searched.certificate.as_mut().filter(|_| open > 0) {
+        if open > 0 {
             let why = match not_run {
                 Some(_) => "the FMU could not be run any more",
                 None => "it was stopped, or its time was up",
             };
-            certificate.refuse(format!("{open} hazards were not confirmed any more: {why}"));
+            let why = format!("{open} hazards were not confirmed any more: {why}");
+            searched.gaps.push((Need::Confirmed, Point::open(why)));
         }
         if let Some(error) = not_run {
             searched.notes.push(format!("not every hazard could be run once more from the start: {}", error.message));

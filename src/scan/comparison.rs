@@ -100,13 +100,13 @@ fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String
         return Err(ScanError { cause });
     }
     let reasons = match census.certificate {
-        Some(certificate) if certificate.complete => {
+        Some(_) if census.gaps.is_empty() => {
             let sequences = |group: &Group| group.sequences.as_ref().and_then(BigUint::to_f64).unwrap_or(0.0);
             let groups = groups.ranked();
             let all: f64 = groups.iter().map(|group| sequences(group)).sum();
             return Ok(Ok(groups.into_iter().map(|group| (group.id.clone(), sequences(group) / all)).collect()));
         }
-        Some(certificate) => certificate.reasons.join("; "),
+        Some(_) => census.gaps.iter().filter_map(|(_, point)| point.why()).collect::<Vec<_>>().join("; "),
         None => "the FMU failed".to_owned(),
     };
     Ok(Err(format!("{}: no recall, because the exhaustive search is not complete: {reasons}", prepared.cell.name)))

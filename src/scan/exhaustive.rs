@@ -14,6 +14,7 @@ use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
 use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
+use crate::obligations::{Need, Point};
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
 use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
@@ -32,6 +33,8 @@ const FAULTS_KEPT: usize = 20;
 pub(super) struct Census {
     /// What was covered; nothing if the FMU ended the search.
     pub certificate: Option<Certificate>,
+    /// What it left open, and why.
+    pub gaps: Vec<(Need, Point)>,
     pub coverage: Coverage,
     pub motion: Motion,
     pub fmu_steps: u64,
@@ -271,9 +274,12 @@ pub(super) fn census(
     } else {
         again.stopped = true;
     }
+    let gaps = account.as_ref().map_or_else(Vec::new, |account| gaps(&expander, account, options, &again));
+    let certificate = account.map(|account| certificate(&expander, &account, &again));
     Ok(Census {
         interrupted,
-        certificate: account.map(|account| certificate(&expander, &account, options, &again)),
+        certificate,
+        gaps,
         coverage: expander.coverage().clone(),
         motion: expander.motion().clone(),
         fmu_steps: expander.recall().steps(),
@@ -299,50 +305,52 @@ fn words(budget: Budget) -> String {
     all.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, again: &Audit) -> Certificate {
-    let mut reasons = Vec::new();
+/// What a search left open of what an answer needs.
+fn gaps(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, again: &Audit) -> Vec<(Need, Point)> {
+    let mut gaps = Vec::new();
+    let part = format!("all sequences of {} actions were looked at, longer ones in part", account.depth);
     match account.stopped {
         Stopped::Complete => {}
-        Stopped::Budget => reasons.push(format!(
-            "the budget of {} is spent: all sequences of {} actions were looked at, longer ones in part. Raise --max-states, \
-             --max-memory or --max-work",
-            words(options.budget),
-            account.depth
-        )),
-        Stopped::Asked => reasons.push(format!(
-            "it was stopped, or its time was up: all sequences of {} actions were looked at, longer ones in part",
-            account.depth
-        )),
+        Stopped::Budget => {
+            let why = format!("the budget of {} is spent: {part}", words(options.budget));
+            let what_to_do = match expander.merges_by_bytes() {
+                true => "Raise --max-states, --max-memory or --max-work",
+                false => {
+                    "Raise --max-states, --max-memory or --max-work. The FMU does not offer serialised states, so its states are told \
+                     apart by the inputs they received: with inputs that follow the person's place hardly any two are equal"
+                }
+            };
+            gaps.push((Need::Searched, Point::open_until(why, what_to_do)));
+        }
+        Stopped::Asked => {
+            let why = format!("it was stopped, or its time was up: {part}");
+            gaps.push((Need::Searched, Point::open_until(why, "Give it more with --time")));
+        }
     }
     if account.not_evaluated > BigUint::ZERO {
-        reasons.push("the FMU could not finish some actions: what follows from them is not known".to_owned());
+        let why = "the FMU could not finish some actions: what follows from them is not known";
+        gaps.push((Need::Finished, Point::open(why)));
     }
     let runs = expander.coverage().arm_runs_not_evaluated;
     if runs > 0 {
-        let why = match (expander.arm_run_strayed(), expander.arm_run_unfinished().is_some()) {
-            (true, false) => "an obstacle or a sensor that follows the FMU would do so otherwise in",
-            (true, true) => "the FMU could not finish, or something that follows it would do so otherwise in,",
-            _ => "the FMU could not finish",
+        let (need, why) = match (expander.arm_run_strayed(), expander.arm_run_unfinished().is_some()) {
+            (true, false) => (Need::Following, "an obstacle or a sensor that follows the FMU would do so otherwise in"),
+            (true, true) => {
+                (Need::Finished, "the FMU could not finish, or something that follows it would do so otherwise in,")
+            }
+            _ => (Need::Finished, "the FMU could not finish"),
         };
-        reasons
-            .push(format!("{why} {runs} runs in which a plane tells of an arm: what the arm meets there is not known"));
-    }
-    let unfinished = expander.coverage().arm_checks_incomplete;
-    if unfinished > 0 {
-        reasons
-            .push(format!("{unfinished} arm checks stopped at their work limit: an arm contact may be missed there"));
-    }
-    if account.stopped == Stopped::Budget && !expander.merges_by_bytes() {
-        reasons.push(
-            "the FMU does not offer serialised states, so its states are told apart by the inputs they received: with \
-             inputs that follow the person's place hardly any two are equal"
-                .to_owned(),
-        );
+        let why = format!("{why} {runs} runs in which a plane tells of an arm: what the arm meets there is not known");
+        gaps.push((need, Point::open(why)));
     }
     if again.stopped {
-        reasons.push("what the FMU did was not all run again from the start".to_owned());
+        gaps.push((Need::Repeatable, Point::open("what the FMU did was not all run again from the start")));
     }
-    let complete = reasons.is_empty();
+    gaps
+}
+
+/// What was covered. What it rests on is known later.
+fn certificate(expander: &Expander<Hosted>, account: &Account, again: &Audit) -> Certificate {
     let share = account.hazardous.to_f64().unwrap_or(0.0) / account.total.to_f64().unwrap_or(f64::INFINITY);
     let independent = Independent { probability: share, cap: RANDOM_ITERATIONS };
     let (mean_iterations, sigma) = independent.mean_and_sigma();
@@ -356,8 +364,8 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
     let merges = expander.recall().merges();
     let merged_by = if expander.merges_by_bytes() { "serialised states, byte for byte" } else { "inputs received" };
     Certificate {
-        complete,
-        reasons,
+        complete: false,
+        reasons: Vec::new(),
         sequences: account.total.to_string(),
         covered: account.covered().to_string(),
         hazardous: account.hazardous.to_string(),
@@ -381,7 +389,7 @@ fn certificate(expander: &Expander<Hosted>, account: &Account, options: Exhausti
         },
         actions: expander.actions(),
         horizon: expander.horizon(),
-        random_search: complete.then_some(random),
+        random_search: Some(random),
     }
 }
 
@@ -422,17 +430,14 @@ mod tests {
             };
             let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
             let options = Exhaustive { budget, merge: Merge::History, workers: 1 };
-            certificate(&expander, &account, options, &Audit::default())
+            gaps(&expander, &account, options, &Audit::default())
         };
-        let whole = certified(0);
-        assert!(whole.complete && whole.reasons.is_empty() && whole.random_search.is_some(), "{whole:?}");
+        assert!(certified(0).is_empty());
         for runs in [1, 2] {
             let part = certified(runs);
-            assert!(!part.complete && part.random_search.is_none(), "{runs}");
             assert!(
-                matches!(&part.reasons[..], [reason] if reason.contains("in which a plane tells of an arm")),
-                "{:?}",
-                part.reasons
+                matches!(&part[..], [(Need::Finished, point)] if format!("{point:?}").contains("in which a plane tells of an arm")),
+                "{part:?}"
             );
         }
     }

@@ -11,6 +11,7 @@
 //! - [`portion`](mod@portion): a part of that, for other machines to share it
 //! - `quick`: sequences chosen by a strategy
 //! - `attempts`: a search, and the same again on the next rung
+//! - `from_start`: what a search from a start knows of everything that its answer needs
 //! - `searched`: what a search gives besides its groups
 //! - `footing`: how states are brought back, and what comes next when that is found to be wrong
 //! - [`causes`]: which hazards belong together
@@ -43,6 +44,7 @@ pub mod exhaustive;
 pub mod explain;
 pub mod film;
 mod footing;
+mod from_start;
 mod hosting;
 pub mod minimise;
 pub mod options;

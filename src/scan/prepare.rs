@@ -11,6 +11,7 @@ use super::stop_time;
 use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
+use crate::cell::file::accepted::accepted_for;
 use crate::cell::file::layers::as_one;
 use crate::cell::file::validate::validate;
 use crate::cell::find::{OpenedCell, open};
@@ -144,6 +145,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         fmus: subjects,
         couplings,
     };
+    accepted_for(cell.file(), &cell_source, &subject.fmu_digest())?;
     free_start?;
     Prepared {
         cell,
@@ -303,6 +305,7 @@ impl Prepared {
         let cell = cell.beginning_at(beginning);
         let Fitted { cell, binding, setup, free_start } =
             fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
+        accepted_for(cell.file(), &found, &self.subject.fmu_digest())?;
         free_start?;
         let source = self.source.with_setup(setup);
         Self {

@@ -212,6 +212,7 @@ impl<'a> Quick<'a> {
             broken: self.broken,
             doubt,
             certificate: None,
+            gaps: Vec::new(),
             figures: self.watch.figures().filter(|_| !stopped && whole),
             coverage,
             motion,

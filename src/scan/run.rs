@@ -4,27 +4,22 @@ use std::ops::ControlFlow;
 
 use super::attempts::{Attempt, attempts};
 use super::causes::causes;
-use super::footing::not_repeatable;
+use super::from_start::FromStart;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
-use crate::cell::file::format::ControlledBy;
-use crate::cell::{Control, Workcell};
-use crate::geometry::segment_cuboid::segment_cuboid;
-use crate::geometry::{Cuboid, Vec3};
+use crate::cell::Workcell;
 use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
-use crate::human::arm::ArmModel;
-use crate::human::{Arrangement, Presses};
+use crate::obligations::verdict::Ended;
+use crate::obligations::{Obligations, Verdict};
 use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
-use crate::report::model::{
-    FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Verdict,
-};
+use crate::report::headline::{self, Headline};
+use crate::report::model::{FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
 use crate::report::people::SecondRecord;
 use crate::report::speeds::Speeds;
-use crate::sim::curtain::Curtain;
 use crate::sim::journal::Journal;
 use crate::standards::provenance::Table;
 use crate::standards::tables;
@@ -68,95 +63,43 @@ pub fn scan_with(
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let Attempt { footing, searched, hazards, notes, effort, doubt } =
         attempts(prepared, options, journal, &links, tell)?;
-    let Searched {
-        name,
-        iterations,
-        interrupted,
-        quick_cut,
-        broken,
-        mut certificate,
-        figures,
-        coverage,
-        motion,
-        mut faults,
-        fmu_steps,
-        fmu_states,
-        remembered,
-        notes: found,
-        ..
-    } = searched;
     let mut warnings = prepared.warnings();
-    warnings.extend(notes.into_iter().chain(found));
-    let unsteady = prepared.unsteady();
-    let doubted = doubt.as_ref().map(|doubt| match interrupted {
-        true => format!("{}: it was stopped before that was looked into", doubt.words()),
-        false => not_repeatable(doubt),
-    });
-    let against: Vec<String> = doubted.into_iter().chain(unsteady.clone()).collect();
-    if let Some(certificate) = certificate.as_mut().filter(|_| !against.is_empty()) {
-        against.iter().cloned().for_each(|reason| certificate.refuse(reason));
-    } else {
-        warnings.extend(against);
-    }
-    let speeds = Speeds::new(&prepared.cell, &prepared.binding, &motion);
+    warnings.extend(notes);
+    warnings.extend(searched.notes.iter().cloned());
+    let speeds = Speeds::new(&prepared.cell, &prepared.binding, &searched.motion);
     warnings.extend(speeds.sentences());
-    if let (Some(certificate), Some(reason)) = (&mut certificate, speeds.refusal()) {
-        certificate.refuse(reason);
-    }
-    let unknown = unknown(prepared);
-    if let Some(certificate) = &mut certificate {
-        unknown.iter().cloned().for_each(|reason| certificate.refuse(reason));
-        certificate.reasons.extend(rests_on(&prepared.cell));
-    }
     warnings.extend(numbers_are_about(&prepared.cell));
     // Not somebody, but its time.
-    let timed_out = interrupted && prepared.stop().ends_search() && !prepared.stop().is_asked();
+    let timed_out = searched.interrupted && prepared.stop().ends_search() && !prepared.stop().is_asked();
     if timed_out {
         warnings.push(
             "its time ended the search; on another machine it may end elsewhere. Give it more with --time".to_owned(),
         );
     }
-    let vacuous = coverage.vacuous(motion.moved);
+    // An arm's run in which what follows the FMU does otherwise is not the FMU's failure.
+    let not_evaluated = searched.coverage.not_evaluated();
+    let strayed = not_evaluated && searched.faults.is_empty() && !prepared.cell.following.is_empty();
+    let obligations = {
+        let engine = FromStart::new(prepared, options, &searched, doubt.as_ref(), (&speeds, !hazards.is_empty()));
+        Obligations::of(&if strayed { engine.having_strayed() } else { engine })
+    };
+    let ended = Ended {
+        found: !hazards.is_empty(),
+        failed: searched.broken.is_some() || (doubt.is_some() && !searched.interrupted) || (not_evaluated && !strayed),
+        interrupted: searched.interrupted && !timed_out,
+    };
+    let verdict = Verdict::of(ended, &obligations);
+    // Where every sequence was looked at, the truth is known.
+    let has_all = searched.has_all();
+    let Searched { name, iterations, broken, mut certificate, figures, coverage, mut faults, .. } = searched;
+    let Searched { fmu_steps, fmu_states, remembered, .. } = searched;
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {}", error.message), actions: Vec::new() });
     }
-    if coverage.arm_checks_incomplete > 0 {
-        warnings.push(format!(
-            "{} arm checks stopped at their work limit: an arm contact may be missed",
-            coverage.arm_checks_incomplete
-        ));
+    if let Some(certificate) = &mut certificate {
+        certificate.close(&obligations);
     }
-    // An arm's run in which what follows the FMU does otherwise is not the FMU's failure.
-    let strayed = coverage.not_evaluated() && faults.is_empty() && !prepared.cell.following.is_empty();
-    if strayed {
-        warnings.push(
-            "something that follows the FMU would do so otherwise in runs in which a plane tells of an arm: what the arm \
-             meets there was not looked at"
-                .to_owned(),
-        );
-    }
-    let verdict = if !hazards.is_empty() {
-        Verdict::HazardsFound
-    } else if broken.is_some() || (doubt.is_some() && !interrupted) || (coverage.not_evaluated() && !strayed) {
-        Verdict::FmuFailed
-    } else if interrupted && !timed_out {
-        Verdict::Interrupted
-    } else if !unknown.is_empty()
-        || (timed_out && quick_cut)
-        || vacuous.is_some()
-        || unsteady.is_some()
-        || strayed
-        || speeds.refusal().is_some()
-    {
-        Verdict::Inconclusive
-    } else {
-        Verdict::NoneFound
-    };
-    if let (Some(reason), true) = (vacuous, hazards.is_empty()) {
-        warnings.push(format!("{reason}: this result says nothing about the cell"));
-    }
-    // Where every sequence was looked at, the truth is known.
-    let figures = figures.filter(|_| !certificate.as_ref().is_some_and(|c| c.complete));
+    let figures = figures.filter(|_| !has_all);
     let spent = Spent {
         iterations,
         actions: coverage.actions,
@@ -167,10 +110,11 @@ pub fn scan_with(
     };
     let rung = footing.rung(prepared);
     let causes = causes(prepared, rung, &hazards, certificate.as_ref());
-    let report = ScanReport {
+    let mut report = ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: format!("fmi-hazard {}", env!("CARGO_PKG_VERSION")),
         verdict,
+        headline: Headline::default(),
         subject: prepared.subject.clone(),
         settings: settings(prepared, options, name),
         residual: figures.map(|f| Residual::new(&f, !hazards.is_empty())),
@@ -184,9 +128,10 @@ pub fn scan_with(
         self_test: prepared.self_test.clone(),
         standard_edition: STANDARD_EDITION,
         tables: used(&prepared.cell),
-        unknown,
+        obligations,
         warnings,
     };
+    report.headline = headline::from_start(&report);
     Ok(Scanned { report, rung, effort, remembered })
 }
 
@@ -195,66 +140,6 @@ fn used(cell: &Workcell) -> Vec<Table> {
     let clamping = tables::of_clamping().filter(|_| cell.criteria.clamping);
     let pressure = tables::of_pressure().filter(|_| cell.criteria.pressure);
     tables::of_every_scan().chain(clamping).chain(pressure).collect()
-}
-
-/// What no search can know, and so passes nobody.
-fn unknown(prepared: &Prepared) -> Vec<String> {
-    let mut unknown = Vec::new();
-    let links = prepared.cell.links_of_unknown_pressure();
-    if !links.is_empty() {
-        let (says, it) = if links.len() == 1 { ("does not say", "it") } else { ("do not say", "them") };
-        unknown.push(format!(
-            "pressure: {} {says} how small the surface is that touches (contact in the cell file), so no pressure by {it} is excluded",
-            links.join(", ")
-        ));
-    }
-    let below = planes_with_room_for_legs(&prepared.cell);
-    if !below.is_empty() {
-        unknown.push(format!(
-            "who is low may have a hand below {} before the body is in it: hands are looked at as if they came through",
-            below.join(", ")
-        ));
-    }
-    let between = controls_between_planes(&prepared.cell);
-    if !between.is_empty() {
-        unknown.push(format!(
-            "a hand may get to {} through more than one light curtain, door or line of buttons: one of these ways was looked at",
-            between.join(", ")
-        ));
-    }
-    unknown
-}
-
-/// Names of the planes below which people in low postures get with legs and hands, but not with the whole body.
-fn planes_with_room_for_legs(cell: &Workcell) -> Vec<&str> {
-    if cell.repertoire.low().is_empty() {
-        return Vec::new();
-    }
-    let obstacles: Vec<Cuboid> = cell.standing(Presses::NONE, Arrangement::NONE);
-    let curtains = Curtain::all(cell, Vec3::ZERO, &obstacles);
-    let some = curtains.iter().filter(|c| !c.hands_only && !c.lets_below && c.closed.has_room_below());
-    some.map(|curtain| cell.sensors[curtain.sensor].name.as_str()).collect()
-}
-
-/// Names of the controls that a hand may get to through more than one plane that tells of it.
-fn controls_between_planes(cell: &Workcell) -> Vec<&str> {
-    // Fingers work them, not what they hold.
-    let reach = ArmModel::default().reach();
-    let planes = || cell.sensors.iter().filter_map(|sensor| sensor.zone.plane());
-    let several = |control: &&Control| {
-        let Some(place) = control.place.filter(|_| control.by == ControlledBy::Person) else { return false };
-        let near = |(plane, _): &(&Cuboid, _)| segment_cuboid(place.a, place.b, plane).distance <= reach + place.radius;
-        planes().filter(near).count() > 1
-    };
-    cell.controls.iter().filter(several).map(|control| control.name.as_str()).collect()
-}
-
-/// What was tried out, and not shown, for a criterion.
-fn rests_on(cell: &Workcell) -> Option<String> {
-    let signal = cell.clamping.signal.as_ref()?;
-    Some(format!(
-        "how far links go on after a contact was tried out by `{signal}` at moments 0.1 s apart, with nobody there"
-    ))
 }
 
 /// What numbers of sequences leave out, where something counts that does not end them.

@@ -4,6 +4,7 @@ use super::exhaustive::Census;
 use super::footing::Doubt;
 use super::options::Method;
 use crate::host::{Effort, PlantError};
+use crate::obligations::{Need, Point};
 use crate::report::model::{Certificate, FaultRecord};
 use crate::search::residual::Figures;
 use crate::sim::Coverage;
@@ -22,6 +23,8 @@ pub(super) struct Searched {
     pub quick_cut: bool,
     pub broken: Option<PlantError>,
     pub certificate: Option<Certificate>,
+    /// What the search left open of what an answer needs, and why.
+    pub gaps: Vec<(Need, Point)>,
     /// From random sequences, if the number of iterations was the one fixed beforehand.
     pub figures: Option<Figures>,
     pub coverage: Coverage,
@@ -51,6 +54,7 @@ impl Searched {
             quick_cut: true,
             broken: None,
             certificate: None,
+            gaps: Vec::new(),
             figures: None,
             coverage: Coverage::new(sensors),
             motion: Motion::default(),
@@ -64,10 +68,14 @@ impl Searched {
         }
     }
 
+    /// Whether every sequence was looked at, and what the search itself needs is there.
+    pub(super) fn has_all(&self) -> bool {
+        self.certificate.is_some() && self.gaps.is_empty()
+    }
+
     /// Whether sequence after sequence is worth trying beside a complete search that came to this.
     pub(super) fn needs_quick(&self) -> bool {
-        let complete = self.certificate.as_ref().is_some_and(|c| c.complete);
-        !complete && !self.interrupted && self.broken.is_none() && self.doubt.is_none()
+        !self.has_all() && !self.interrupted && self.broken.is_none() && self.doubt.is_none()
     }
 
     /// The second part of a search whose first part was `quick`, which alone met the hazards `only_quick`.
@@ -76,14 +84,16 @@ impl Searched {
         coverage.merge(&self.coverage);
         let mut motion = quick.motion;
         motion.merge(&self.motion);
-        let mut certificate = self.certificate;
-        if let Some(certificate) = certificate.as_mut().filter(|c| c.complete && !only_quick.is_empty()) {
-            certificate.refuse(format!(
+        let mut gaps = Vec::new();
+        if self.has_all() && !only_quick.is_empty() {
+            let why = format!(
                 "the quick search met hazards that the complete one did not ({}): this is an error of this tool, please \
                  report it with the cell",
                 only_quick.join(", ")
-            ));
+            );
+            gaps.push((Need::Searched, Point::open(why)));
         }
+        gaps.extend(self.gaps);
         let mut faults = quick.faults;
         faults.extend(self.faults);
         Self {
@@ -96,7 +106,7 @@ impl Searched {
             fmu_steps: quick.fmu_steps + self.fmu_steps,
             fmu_states: quick.fmu_states.max(self.fmu_states),
             effort: quick.effort.and(self.effort),
-            certificate,
+            gaps,
             interrupted: self.interrupted || quick.interrupted,
             quick_cut: quick.quick_cut,
             broken: self.broken.or(quick.broken),
@@ -107,6 +117,7 @@ impl Searched {
     pub(super) fn all(census: Census) -> (Self, Journal) {
         let Census {
             certificate,
+            gaps,
             coverage,
             motion,
             fmu_steps,
@@ -126,6 +137,7 @@ impl Searched {
             quick_cut: false,
             broken,
             certificate,
+            gaps,
             figures: None,
             coverage,
             motion,

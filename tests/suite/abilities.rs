@@ -116,6 +116,7 @@ fn what_people_do_besides_is_told() {
         .output()
         .unwrap();
     let told = String::from_utf8_lossy(&ran.stdout);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("no steps back, no running"), "{told}");
     let report = scan_json(&dir.path().join("out/anywhere"));
     assert_eq!(report["settings"]["also"], serde_json::json!(["step_back", "run"]));

@@ -14,7 +14,7 @@ fn ran(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
 fn scan(dir: &Path, cell: &str, strategy: &str, out: &str) {
     let (code, _, said) =
         ran(dir, &["scan", "--no-advice", cell, "--strategy", strategy, "--iterations", "10", "--out", out]);
-    assert!(code == Some(0) || code == Some(1), "{cell}: {said}");
+    assert!(matches!(code, Some(0 | 1 | 4)), "{cell}: {said}");
 }
 
 /// Each cell with as many actions as its first hazards take, so that every sequence is looked at within seconds.

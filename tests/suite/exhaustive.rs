@@ -411,7 +411,7 @@ fn the_same_bytes_with_any_number_of_workers() {
     let sum: u128 = hazards.iter().map(sequences).sum();
     assert_eq!(sum.to_string(), one["certificate"]["hazardous"].as_str().unwrap());
     assert!(hazards.iter().all(|h| h["confirmed"] == true && h["shortest"]["confirmed"] == true));
-    assert!(text.contains("There are no others within the stated actions and horizon"), "{text}");
+    assert!(text.contains("there are no other hazards in this model"), "{text}");
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
     assert_eq!(scan(&["--strategy", "exhaustive"]), Some(1));
     assert!(!case().contains("skipped"), "{}", case());
     // A few sequences, in which nothing is met.
-    assert_eq!(scan(&["--strategy", "hybrid", "--iterations", "5"]), Some(0));
+    assert_eq!(scan(&["--strategy", "hybrid", "--iterations", "5"]), Some(4));
     assert!(case().contains("not found again, but the scan did not account for every sequence"), "{}", case());
 }
 
@@ -171,7 +171,7 @@ fn the_command_in_the_report_gives_the_same_result_in_its_folder() {
         &["--max-work", "1", "--max-memory", "50", "--iterations", "3", "--stop-at", "first", "--fmu-timeout", "20"],
     ] {
         let output = fmi_hazard(dir).args(scan).args(more).output().unwrap();
-        assert!(output.status.code().is_some_and(|code| code < 2), "{}", said(&output));
+        assert!(matches!(output.status.code(), Some(0 | 1 | 4)), "{}", said(&output));
         let command = reproduce(&dir.join("first"));
         let again = shell(&dir.join("first"), &command);
         assert_eq!(again.status.code(), output.status.code(), "{command}: {}", said(&again));

@@ -1,6 +1,7 @@
 // What the search covered and what that is worth: certificate, residual figures, coverage, faults, notes.
 
 import { definitions, h, section } from "./dom.js";
+import { restsOn } from "./rests_on.js";
 import { fromAnywhere, lookedAt } from "./verdict.js";
 import { count, grouped, ratio, share, speed } from "./words.js";
 
@@ -17,7 +18,7 @@ function again({ transitions, compared, merges, merges_compared: gone }) {
 function certificate(scan) {
   const { certificate: c, settings } = scan;
   if (fromAnywhere(scan)) {
-    return [h("h3", {}, "From anywhere"), h("p", { "data-test": "anywhere" }, `Looked at: ${lookedAt(scan)}. What is not known is told in the notes.`)];
+    return [h("h3", {}, "From anywhere"), h("p", { "data-test": "anywhere" }, `Looked at: ${lookedAt(scan)}. What is not known is told under what this result rests on.`)];
   }
   if (!c) {
     return [
@@ -38,7 +39,6 @@ function certificate(scan) {
     c.complete || c.complete_for_actions >= c.horizon
       ? null
       : h("p", { "data-test": "incomplete" }, `Only the beginnings of ${c.complete_for_actions} of ${c.horizon} actions were all looked at; hazards that need more actions may be missing.`),
-    c.reasons.length > 0 ? h("ul", {}, c.reasons.map((reason) => h("li", {}, reason))) : null,
     definitions([
       ["within", `${c.actions} actions, ${c.horizon} in a row, ${ms(settings.action_s)} each; contact checked every ${ms(settings.contact_check_interval_s)}; reach tolerance ${(1000 * settings.reach_tolerance_m).toFixed(0)} mm`],
       ["sequences", `${grouped(c.covered)} of ${grouped(c.sequences)} accounted for`],
@@ -113,6 +113,7 @@ export function coverage({ scan, cell }) {
   return section(
     "coverage",
     "What the search covered",
+    restsOn(scan),
     notes.length > 0 ? h("ul", { class: "warnings", "data-test": "warnings" }, notes) : null,
     h(
       "div",

@@ -5,7 +5,7 @@ import { bodyOutline } from "./body.js";
 import { badge, figures, otherForce, remedy } from "./card.js";
 import { definitions, drawing, h } from "./dom.js";
 import { facts } from "./facts.js";
-import { fromAnywhere, lookedAt, summary } from "./verdict.js";
+import { fromAnywhere, headline, lookedAt } from "./verdict.js";
 import { wholePage } from "./whole.js";
 import * as words from "./words.js";
 
@@ -28,15 +28,15 @@ function covered({ scan }) {
 /** The first page: what it is about, what was found and decided, who says so. */
 function firstPage(data, assessments) {
   const { scan, cell } = data;
-  const { sentence, scope } = summary(scan);
+  const { says, covers } = headline(scan);
   const rows = data.causes.map((cause) => [badge(cause), cause.sentence, words.severity(cause)[0], remedyLine(cause), assessments.ofCause(cause.id), requiredLevel(assessments.of(cause.id)) ?? "–"]);
   return h(
     "article",
     { class: "first", "data-test": "print-first" },
     h("p", { class: "kicker" }, `${scan.tool} · hazard report`),
     h("h1", {}, cell.name),
-    h("p", { class: "verdict" }, sentence),
-    h("p", {}, h("strong", {}, scope[0]), ` ${scope[1]}`),
+    h("p", { class: "verdict" }, says),
+    h("p", {}, covers),
     h("h3", {}, "Causes, worst first"),
     table(["", "cause", "worst", "what to change", "decision", "PL r"], rows, "causes"),
     h("h3", {}, "What the search covered"),

@@ -13,28 +13,6 @@ export function canBe({ hazards }) {
   return `A person can be ${[...kinds].map((kind) => words[kind]).join(", and ")}`;
 }
 
-function sentence(scan) {
-  const number = scan.hazards.length;
-  const sure = scan.hazards.filter((hazard) => hazard.confirmed).length;
-  switch (scan.verdict) {
-    case "hazards_found": {
-      const causes = scan.causes?.length ?? 0;
-      const confirmed = sure === number ? (number === 1 ? "confirmed" : "all confirmed") : `${grouped(sure)} confirmed`;
-      return `${canBe(scan)}: ${count(causes, "cause")}, ${count(number, "way")}, ${confirmed} by a fresh replay.`;
-    }
-    case "none_found":
-      return "No hazard found in this model.";
-    case "inconclusive":
-      return "Inconclusive: nothing was found, which says nothing about the cell. See the notes under coverage.";
-    case "fmu_failed":
-      return "The FMU failed: nothing was found in what could be evaluated, which says little.";
-    case "interrupted":
-      return "Interrupted: nothing found so far.";
-    default:
-      return `Verdict: ${scan.verdict}.`;
-  }
-}
-
 /** Whether the scan was about people from anywhere, of whom each begins elsewhere. */
 export const fromAnywhere = ({ settings }) => settings.strategy === "anywhere";
 
@@ -53,33 +31,21 @@ export function lookedAt({ certificate, settings, spent }) {
     : `${count(spent.iterations, "iteration")} of ${settings.strategy} with seed ${settings.seed}`;
 }
 
-function scope(scan) {
-  if (scan.certificate?.complete) {
-    const others = scan.hazards.length > 0 ? "there are no others" : "none of them is hazardous";
-    return [
-      "Complete.",
-      `All ${grouped(scan.certificate.sequences)} sequences are accounted for: ${others} within the stated actions and horizon, in this model. A statement about the model, not about the real cell.`,
-    ];
-  }
-  if (fromAnywhere(scan) && scan.verdict === "none_found") {
-    return ["Nothing was left open.", `Looked at: ${lookedAt(scan)}. A statement about the model, not about the real cell.`];
-  }
-  const left = scan.residual ? " The residual figures under coverage bound what is left." : "";
-  return ["Not complete.", `Looked at: ${lookedAt(scan)}. Not finding more is not proof of safety.${left}`];
-}
+/** Of results that say nothing of what they rest on. */
+const OLD = { says: "This result was written by an earlier version, which did not say what it rests on. Scan again.", covers: "" };
 
-/** The verdict in one sentence, and what it covers in two parts. */
-export const summary = (scan) => ({ sentence: sentence(scan), scope: scope(scan) });
+/** The verdict in a sentence, and what it is about. */
+export const headline = ({ headline: words }) => words ?? OLD;
 
 /** The head of the report. */
 export function verdict({ scan, cell }) {
-  const [word, meaning] = scope(scan);
+  const { says, covers } = headline(scan);
   return h(
     "header",
     { class: "top" },
     h("div", { class: "title" }, h("h1", {}, cell.name), h("p", { class: "kicker" }, `${scan.tool} · hazard report`)),
-    h("p", { class: `verdict ${scan.verdict}`, "data-test": "verdict" }, sentence(scan)),
-    h("p", { class: "scope", "data-test": "scope" }, h("strong", {}, word), ` ${meaning}`),
+    h("p", { class: `verdict ${scan.verdict}`, "data-test": "verdict" }, says),
+    h("p", { class: "scope", "data-test": "scope" }, covers),
     h(
       "p",
       { class: "note" },

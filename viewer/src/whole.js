@@ -229,12 +229,8 @@ export function wholePage(data) {
     h("ul", { class: "whole-key" }, hardClasses(whole).map(({ text, colour }) => swatch(`background:${colour}`, text)), surfaces(data)),
     h("p", { class: "note" }, TRIED),
     h("ol", { class: "whole-places" }, whole.places.slice(0, NUMBERED).map((hit) => h("li", {}, placeText(hit)))),
-    missing(whole),
   );
 }
-
-/** Why more may be hit than is shown. */
-const missing = ({ reasons }) => (reasons.length > 0 ? h("ul", { class: "note", "data-test": "whole-reasons" }, reasons.map((reason) => h("li", {}, `Not complete: ${reason}.`))) : null);
 
 /** The lowest class stands in the legend only if a square is in it. */
 const hardClasses = ({ floor }) => HARD.filter(({ below }) => below > 1 || floor.some((square) => square.ratio < 1));
@@ -345,7 +341,6 @@ export function wholeSection(data) {
         listed.length > 0 ? h("h3", {}, "Worst ways to be hit") : null,
         h("ol", { class: "whole-places" }, listed),
         more > 0 ? h("p", { class: "note" }, `And ${count(more, "way")} more, less bad or not confirmed.`) : null,
-        missing(whole),
       ),
     ),
   );

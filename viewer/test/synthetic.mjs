@@ -236,7 +236,16 @@ function scan(hazards, { exhaustive, faults }) {
     merged: 12, merges_tried_out: 12, run_again: { transitions: 90, compared: 30, merges: 12, merges_compared: 4 }, actions: 36, horizon: 8, random_search: { iterations: 320, mean_iterations: 66.7, sigma: 64, miss_probability: 0.0083 },
   };
   return {
-    schema_version: 3, tool: "fmi-hazard 0.1.0", verdict: hazards.length ? "hazards_found" : "none_found",
+    schema_version: 3, tool: "fmi-hazard 0.1.0", verdict: hazards.length ? "hazards_found" : exhaustive ? "none_found" : "inconclusive",
+    headline: {
+      says: hazards.length ? "2 causes of 5 possible hazards, all confirmed by a fresh replay." : exhaustive ? "No sequence of actions is hazardous, in this model." : "Nothing was found; not shown because 320 sequences were tried.",
+      covers: exhaustive ? "From the start in the cell file, for 1.6 s. Complete: all sequences are accounted for." : "From the start in the cell file, for 1.6 s. Not complete.",
+    },
+    obligations: [
+      { need: "searched", says: "Everything was looked at", ...(exhaustive ? { standing: "shown", figure: "all sequences of 8 actions" } : { standing: "open", why: "320 sequences were tried, which shows nothing of the others" }) },
+      { need: "heeds", says: "Which sensors a robot heeds", about: "R2", standing: "assumed", by: "A. B.", because: "wired so", tried: "392 runs" },
+      { need: "presses", says: "Controls are worked as often as people like", standing: "open", why: "controls are worked once at most", accept: "[[accept]]\nwhat = \"presses\"\nat_most = 1" },
+    ],
     subject: {
       cell: "invented-cell", cell_found: "cells/invented/cell.toml", cell_sha256: "5b7abcfb551913fec788e2d71a3460021982a57de0505ad8a1c8dab2a7c04800", path: "cells/invented/cell.toml",
       fmus: [{ unit: "", sha256: "b9897c6cc788e402dd5e2a71e3065e2c4113bb2d497b08557f4decde4045b00b", fmi_version: "2.0", model_name: "invented", generation_tool: "by hand" }], couplings: [],
@@ -290,7 +299,6 @@ function whole(hazards) {
     places: hazards.map(({ id, body_region, robot_link, ratio, time_s, person_xy_m }, index) => ({
       id, body_region, robot_link, ratio, time_s, confirmed: index < 7, xy_m: person_xy_m, posture: "bent forward", walks_in: index % 2 === 1, start_m: index % 2 === 1 ? [1.4, -1.2] : person_xy_m,
     })),
-    reasons: ["3 cells of the floor are open: whether anybody is hit there is not known"],
   };
 }
 

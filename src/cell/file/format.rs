@@ -1,8 +1,9 @@
 //! The cell file as it is written: TOML tables, one struct each. Units stand in the key names (`_m`, `_deg`, `_kg`).
 //!
-//! The file as a whole, FMUs and times are here; `robot`, `surroundings`, `person`, `criteria` and `explain` have the rest. Nothing
+//! The file as a whole, FMUs and times are here; `accept`, `robot`, `surroundings`, `person`, `criteria` and `explain` have the rest. Nothing
 //! is interpreted here; [`super::validate`] turns this into a [`crate::cell::Workcell`].
 
+mod accept;
 mod criteria;
 mod explain;
 mod person;
@@ -18,6 +19,7 @@ use toml::Spanned;
 
 use crate::hazard::Criterion;
 
+pub use accept::{AcceptTable, Acceptable};
 pub use criteria::{
     ClampingTable, ContactTable, CriteriaTable, MovingTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff,
 };
@@ -28,8 +30,8 @@ pub use robot::{
     VariableTable,
 };
 pub use surroundings::{
-    ControlKind, ControlTable, ControlledBy, MovesTable, ObstacleTable, SensorKind, SensorTable, StaticMeshTable,
-    WhileTable, ZoneTable,
+    ControlKind, ControlTable, ControlledBy, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable,
+    StaticMeshTable, WhileTable, ZoneTable,
 };
 
 /// The whole file.
@@ -104,6 +106,10 @@ pub struct CellFile {
     /// What `explain` may change, and how far.
     #[serde(default)]
     pub explain: ExplainTable,
+    /// What can only be tried out of the FMU, and is accepted.
+    #[serde(default, rename = "accept")]
+    #[schemars(with = "Vec<AcceptTable>")]
+    pub accepts: Vec<Spanned<AcceptTable>>,
 }
 
 /// The schema of the file: what a whole cell needs, a file that extends another may leave to that one.

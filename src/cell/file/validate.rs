@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::accepted::Subjects;
 use super::checker::Checker;
 use super::criteria::Chosen;
 use super::format::{CellFile, FailOnTable, SearchTable};
@@ -87,6 +88,16 @@ impl Checker<'_> {
         let floor = self.problems.keep(self.floor_polygon(human.floor_m.as_ref(), "human.floor_m"));
         let region = self.floor_polygon(human.start_region_m.as_ref(), "human.start_region_m");
         let region = self.problems.keep(region);
+        let accepted = self.accepted(
+            &file,
+            &Subjects {
+                robots: &robots,
+                sensors: &sensors,
+                controls: &controls,
+                clamping: chosen.as_ref().map(|chosen| &chosen.clamping),
+                has_pose: !file.pose.is_empty(),
+            },
+        );
         self.limits(&file);
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
@@ -136,6 +147,7 @@ impl Checker<'_> {
             separation: chosen.separation,
             search,
             baseline: baseline?,
+            accepted,
             file: Arc::new(file),
         })
     }

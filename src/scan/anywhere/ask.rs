@@ -7,6 +7,7 @@ use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
+use crate::obligations::{Need, Point};
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
@@ -39,10 +40,11 @@ impl<'a> Looking<'a> {
             }
             watched_s *= 2.0;
         }
-        self.found.reasons.push(format!(
+        let why = format!(
             "how long a cycle is was not found: within {LONGEST_WATCHED_S:.0} s of the start the robots do not repeat what they do while \
-             nobody comes. Say it in seconds, for instance --until 6s"
-        ));
+             nobody comes"
+        );
+        self.said.push((Need::Searched, Point::open_until(why, "Say it in seconds, for instance --until 6s")));
         Ok(None)
     }
 
@@ -87,9 +89,9 @@ impl<'a> Looking<'a> {
                     return Ok(Some(start));
                 }
             }
-            self.found.reasons.push(
-                "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen"
-                    .to_owned(),
+            self.open(
+                Need::Searched,
+                "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen",
             );
             return Ok(None);
         }
@@ -98,7 +100,7 @@ impl<'a> Looking<'a> {
             Somewhere::Nowhere => Ok(None),
             Somewhere::Unknown => {
                 let words = words(prepared, first);
-                self.found.reasons.push(format!("whether sensors ever report {words} is not known"));
+                self.open(Need::Searched, format!("whether sensors ever report {words} is not known"));
                 Ok(None)
             }
         }
@@ -136,7 +138,7 @@ impl<'a> Looking<'a> {
         let told = ToldPeople::ask(&mut asking, search.floor(), &mut |share| tell(Told::Asked(share)))?;
         let Some(told) = told else {
             if self.goes_on(tell) {
-                self.found.reasons.push("sensors inside the FMU report too many different things together".to_owned());
+                self.open(Need::Searched, "sensors inside the FMU report too many different things together");
             }
             return Ok(None);
         };

@@ -3,12 +3,20 @@
 use super::alike::{Kind, Trial};
 use super::{Looking, SEED};
 use crate::host::PlantError;
+use crate::obligations::{Assumption, Need, Point};
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
 use crate::sim::anywhere::machine::Part;
 
 impl Looking<'_> {
+    /// Something was tried out.
+    fn tried(&mut self, need: Need, assumption: &Assumption, tried: &str) {
+        let (cell, fmu) = (&self.prepared.cell, self.prepared.subject.fmu_digest());
+        let point = Point::tried(assumption, tried, &cell.accepted, &fmu);
+        self.said.push((need, point));
+    }
+
     /// Robots that are looked at together, with the sensors that they heed; nothing if that cannot be known.
     pub(super) fn parts(
         &mut self,
@@ -34,17 +42,17 @@ impl Looking<'_> {
         };
         if !cell.pose.is_empty() {
             match trial.are_people_alike() {
-                Ok(true) => self.found.rests_on.push(
-                    "the FMU is told where people are; its robots did the same with all people of whom its sensors report the \
-                     same, in all runs in which that was tried"
-                        .to_owned(),
-                ),
+                Ok(true) => {
+                    let tried = "the robots did the same with all people of whom the sensors report the same, in all runs in which \
+                                 that was tried";
+                    self.tried(Need::PeopleAlike, &Assumption::PeopleAlike, tried);
+                }
                 Err(error) if error.stopped => return Err(error),
                 Ok(false) | Err(_) => {
-                    self.found.reasons.push(
+                    self.open(
+                        Need::PeopleAlike,
                         "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
-                         instead: [[human.start_area]] in the cell file"
-                            .to_owned(),
+                         instead: [[human.start_area]] in the cell file",
                     );
                     return Ok(None);
                 }
@@ -64,19 +72,10 @@ impl Looking<'_> {
             } else {
                 parts.push(Part { sensors: sensors.clone(), links: links.collect() });
             }
-            let unheeded: Vec<&str> = cell
-                .sensors
-                .iter()
-                .zip(sensors)
-                .filter(|(_, heeds)| !**heeds)
-                .map(|(sensor, _)| sensor.name.as_str())
-                .collect();
-            if !unheeded.is_empty() {
-                let name = &cell.robots[robot].name;
-                self.found.rests_on.push(format!(
-                    "{name} does not heed {}: it did the same whatever that reported, in all runs in which it was tried",
-                    unheeded.join(" and ")
-                ));
+            for (sensor, _) in cell.sensors.iter().zip(sensors).filter(|(_, heeds)| !**heeds) {
+                let (robot, sensor) = (cell.robots[robot].name.clone(), sensor.name.clone());
+                let tried = "it did the same whatever that reported, in all runs in which it was tried";
+                self.tried(Need::Heeds, &Assumption::RobotIgnoresSensor { robot, sensor }, tried);
             }
         }
         if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) {

@@ -9,6 +9,7 @@ use crate::hazard::{Finding, Group, Identity};
 use crate::host::{self, PlantError};
 use crate::human::action::ACTION_S;
 use crate::report::anywhere::{ANYWHERE, Anywhere};
+use crate::report::headline::Headline;
 use crate::report::model::{
     Begin, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Shortest, Spent, Subject, Verdict,
 };
@@ -88,10 +89,11 @@ impl Looked {
         hazards.sort_by(|a, b| b.ratio.total_cmp(&a.ratio).then_with(|| a.id.cmp(&b.id)));
         let rung = footing.rung(prepared);
         let causes = causes(prepared, rung, &hazards, None);
-        let report = ScanReport {
+        let mut report = ScanReport {
             schema_version: SCHEMA_VERSION,
             tool: found.tool.clone(),
             verdict: found.verdict,
+            headline: Headline::default(),
             // It is about none of the cell's beginnings.
             subject: Subject { beginning: None, ..prepared.subject.clone() },
             settings: settings(prepared, found),
@@ -114,8 +116,9 @@ impl Looked {
             self_test: prepared.self_test.clone(),
             standard_edition: STANDARD_EDITION,
             tables: of_every_scan().collect(),
-            unknown: Vec::new(),
+            obligations: found.obligations.clone(),
         };
+        report.headline = found.headline(&report);
         Scanned { report, rung, effort: rest.did, remembered: 0 }
     }
 }
@@ -147,14 +150,13 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
     }
 }
 
-/// What the user should know, and why the absence of further hazards is not shown.
+/// What the user should know.
 fn warnings(found: &Anywhere, hazards: &[Hazard]) -> Vec<String> {
     let mut all = found.warnings.clone();
     let unconfirmed = hazards.iter().filter(|hazard| hazard.confirmed != Some(true)).count();
     if unconfirmed > 0 {
         all.push(format!("{unconfirmed} hazards were not confirmed by another fresh run"));
     }
-    all.extend(found.reasons.iter().map(|reason| format!("not complete: {reason}")));
     if found.verdict == Verdict::HazardsFound {
         all.push("of each body region and robot link the worst that was tried is told; there may be others".to_owned());
     }

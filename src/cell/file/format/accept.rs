@@ -1,0 +1,45 @@
+//! What the cell file accepts of an FMU that can only be tried out.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use toml::Spanned;
+
+/// What can be accepted: a closed list. A scan prints the lines for what it needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Acceptable {
+    /// `robot` does the same whatever `sensor` reports.
+    RobotIgnoresSensor,
+    /// The robots do the same with all people of whom the sensors report the same.
+    PeopleAlike,
+    /// `sensor`, which is inside the FMU, sees the same people at any time.
+    SensorSeesAlike,
+    /// Controls are not worked more often than `at_most`, all together, in the time that a scan from anywhere looks at.
+    Presses,
+    /// Robots go on after a contact as far as they did when that was tried out.
+    TravelAfterContact,
+}
+
+/// Something that can only be tried out, and that somebody accepts.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AcceptTable {
+    /// What is accepted.
+    pub what: Acceptable,
+    /// The robot that it is about.
+    #[serde(default)]
+    pub robot: Option<String>,
+    /// The sensor that it is about.
+    #[serde(default)]
+    pub sensor: Option<String>,
+    /// How often, of `presses`.
+    #[serde(default)]
+    pub at_most: Option<u32>,
+    /// The FMU that it was tried out with: its SHA-256, as the scan prints it.
+    #[schemars(with = "String")]
+    pub fmu: Spanned<String>,
+    /// Who accepts it.
+    pub by: String,
+    /// Why it holds.
+    pub because: String,
+}

@@ -1,0 +1,29 @@
+//! What a result rests on, in words for a terminal: what is open with what to do about it, what is accepted, and on request what is
+//! shown.
+
+use super::paragraph::wrapped_to;
+use super::terminal::View;
+use crate::obligations::{Obligations, Standing};
+
+/// All of it.
+pub(super) fn rests_on(obligations: &Obligations, view: View) -> String {
+    let mut out = String::new();
+    for one in obligations.all() {
+        let head = match &one.standing {
+            Standing::Open { .. } => "  Not shown ",
+            Standing::Assumed { .. } => "  Accepted  ",
+            Standing::Shown { .. } if view.verbose => "  Shown     ",
+            Standing::Shown { .. } => continue,
+        };
+        out += &wrapped_to(view.width, head, &one.words());
+    }
+    if let Some(lines) = obligations.lines_to_accept() {
+        let head = "            ";
+        out += &wrapped_to(view.width, head, "Whoever accepts what was only tried out adds to the cell file:");
+        for line in lines.lines() {
+            out += format!("{head}  {line}").trim_end();
+            out.push('\n');
+        }
+    }
+    out
+}

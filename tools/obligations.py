@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""What the answers of the repaired examples rest on: the table in docs/src/verdicts.md.
+
+    tools/obligations.py FMI_HAZARD            writes it (a quarter of an hour)
+    tools/obligations.py FMI_HAZARD --only mat  prints the lines of the examples whose names hold this
+
+Each example is scanned from its start and from anywhere; where all that is open can be accepted, once more with the lines that the
+scan prints. FMI_HAZARD is the program.
+"""
+
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "src" / "verdicts.md"
+BEGIN, END = "<!-- obligations of the examples -->\n", "<!-- end of them -->\n"
+UNTIL = "2s"
+TIME = "240s"
+
+
+def scanned(program, folder, cell, more):
+    """The verdict and the obligations of a scan."""
+    out = folder / "out"
+    shutil.rmtree(out, ignore_errors=True)
+    words = [program, "scan", str(cell), "--no-advice", "--quiet", "--out", str(out), "--time", TIME, *more]
+    ended = subprocess.run(words, capture_output=True, text=True, check=False)
+    if not (out / "scan.json").exists():
+        return ended.stderr.strip().splitlines()[-1] if ended.stderr.strip() else "no result", []
+    report = json.loads((out / "scan.json").read_text(encoding="utf-8"))
+    return report["verdict"], report["obligations"]
+
+
+def is_open(one):
+    """Whether it is not known."""
+    return one["standing"] == "open"
+
+
+def accepting(cell, obligations):
+    """A cell file beside this one that accepts all that can be."""
+    lines = "".join(one["accept"] + "\n" for one in obligations if is_open(one) and "accept" in one)
+    lines = lines.replace('by = ""', 'by = "tools/obligations.py"').replace('because = ""', 'because = "for the table"')
+    other = cell.with_name("accepting.toml")
+    other.write_text(f'extends = "{cell.name}"\nname = "accepting"\n{lines}', encoding="utf-8")
+    return other
+
+
+def names(obligations):
+    """What they are, each once."""
+    return ", ".join(dict.fromkeys(one["need"].replace("_", " ") for one in obligations))
+
+
+def answer(program, folder, cell, more):
+    """What comes out, in a few words."""
+    verdict, obligations = scanned(program, folder, cell, more)
+    left = [one for one in obligations if is_open(one)]
+    if verdict == "none_found":
+        return "yes"
+    if verdict != "inconclusive" or not left:
+        return verdict.replace("_", " ")
+    if all("accept" in one for one in left):
+        again, _ = scanned(program, folder, accepting(cell, obligations), more)
+        return f"with acceptance of: {names(left)}" if again == "none_found" else f"accepted, {again}: {names(left)}"
+    return f"no: {names([one for one in left if 'accept' not in one])}"
+
+
+def lines(program, only):
+    """A line for each example."""
+    yield f"| repaired example | from its start | from anywhere, {UNTIL} |"
+    yield "|---|---|---|"
+    with tempfile.TemporaryDirectory() as made:
+        folder = pathlib.Path(made)
+        subprocess.run([program, "examples", "export", str(folder)], check=True, capture_output=True)
+        for cell in sorted(folder.glob("*/fixed.toml")):
+            if only in cell.parent.name:
+                start = answer(program, folder, cell, ["--from", "start"])
+                anywhere = answer(program, folder, cell, ["--from", "anywhere", "--until", UNTIL])
+                yield f"| {cell.parent.name} | {start} | {anywhere} |"
+
+
+def main():
+    """Writes or prints them."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--only")
+    arguments = parser.parse_args()
+    program = str(pathlib.Path(arguments.program).resolve())
+    if arguments.only is not None:
+        for line in lines(program, arguments.only):
+            print(line, flush=True)
+        return
+    text = PAGE.read_text(encoding="utf-8")
+    head, rest = text.split(BEGIN)
+    tail = rest.split(END)[1]
+    PAGE.write_text(head + BEGIN + "\n".join(lines(program, "")) + "\n" + END + tail, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
