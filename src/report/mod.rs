@@ -18,6 +18,7 @@
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
 //! - [`distance`]: safeguards and their distances
+//! - [`share`]: how much of the robots' cycle a search from the start met
 //! - [`speeds`]: told speeds that are not those of the motion
 //! - [`terminal`]: the table on the terminal
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
@@ -59,6 +60,7 @@ mod paragraph;
 pub mod people;
 pub mod recorded;
 pub mod sarif;
+pub mod share;
 pub mod speeds;
 pub mod survey;
 pub mod survey_page;

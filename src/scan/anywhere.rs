@@ -3,7 +3,6 @@
 
 mod alike;
 mod ask;
-mod cycle;
 pub(super) mod map;
 mod parts;
 mod pressing;

@@ -8,7 +8,9 @@ use super::footing::not_repeatable;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
+use super::share::share;
 use crate::cell::file::format::ControlledBy;
+use crate::cell::workcell::Robot;
 use crate::cell::{Control, Workcell};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
@@ -24,6 +26,7 @@ use crate::report::model::{
 };
 use crate::report::people::SecondRecord;
 use crate::report::speeds::Speeds;
+use crate::sim::Coverage;
 use crate::sim::curtain::Curtain;
 use crate::sim::journal::Journal;
 use crate::standards::provenance::Table;
@@ -65,6 +68,18 @@ pub fn scan_with(
     journal: Journal,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
+    let mut scanned = scan_alone(prepared, options, journal, tell)?;
+    scanned.report.cycle = share(prepared, tell);
+    Ok(scanned)
+}
+
+/// The same, without asking how much of the robots' cycle was met.
+pub(super) fn scan_alone(
+    prepared: &Prepared,
+    options: ScanOptions,
+    journal: Journal,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let Attempt { footing, searched, hazards, notes, effort, doubt } =
         attempts(prepared, options, journal, &links, tell)?;
@@ -76,7 +91,7 @@ pub fn scan_with(
         broken,
         mut certificate,
         figures,
-        coverage,
+        mut coverage,
         motion,
         mut faults,
         fmu_steps,
@@ -116,7 +131,9 @@ pub fn scan_with(
             "its time ended the search; on another machine it may end elsewhere. Give it more with --time".to_owned(),
         );
     }
-    let vacuous = coverage.vacuous(motion.moved);
+    // Also in runs in which a plane tells of an arm.
+    coverage.robots.iter_mut().enumerate().for_each(|(number, robot)| robot.moved |= motion.moved.contains(&number));
+    let vacuous = coverage.vacuous().or_else(|| not_met(&prepared.cell, &coverage));
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {}", error.message), actions: Vec::new() });
     }
@@ -178,6 +195,7 @@ pub fn scan_with(
         hazards,
         certificate,
         coverage,
+        cycle: None,
         spent,
         speeds: speeds.records,
         faults,
@@ -188,6 +206,15 @@ pub fn scan_with(
         warnings,
     };
     Ok(Scanned { report, rung, effort, remembered })
+}
+
+/// Why a robot was not met, where that says nothing of it: the first of them.
+fn not_met(cell: &Workcell, coverage: &Coverage) -> Option<String> {
+    let of = |(number, robot): (usize, &Robot)| {
+        let never = coverage.never_met(number).filter(|never| !never.is_shown())?;
+        Some(never.words(&robot.name))
+    };
+    cell.robots.iter().enumerate().find_map(of)
 }
 
 /// The tables behind what counts in a cell.
