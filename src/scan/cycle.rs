@@ -17,6 +17,9 @@ pub(super) const STILL_M: f64 = 10.0 * SAME_M;
 /// So long robots are watched for a cycle, s.
 pub(super) const LONGEST_WATCHED_S: f64 = 64.0;
 
+/// Rounding of what is added, generously, m.
+const ROUNDING_M: f64 = 1e-9;
+
 /// What is repeated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cycle {
@@ -62,6 +65,12 @@ pub(super) fn cycle(instants: &[Vec<Vec3>]) -> Option<Cycle> {
     };
     (2..=count / 2).find_map(|steps| {
         let last = count - 2 * steps;
+        // Soon said of most: the last instant is not one of these, however much of a step later.
+        let (before, end) = (count - steps - 1, count - 1);
+        let moved = apart(&instants[before], &instants[before + 1]);
+        if apart(&instants[before], &instants[end]) > SAME_M + (1.0 + SAME_SHARE) * moved + ROUNDING_M {
+            return None;
+        }
         if farthest(last, last + steps) < WHOLE * farthest(last, count) || farthest(last, count) < STILL_M {
             return None;
         }

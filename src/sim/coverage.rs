@@ -44,10 +44,10 @@ pub struct Coverage {
     pub sensor_actions: Vec<u64>,
     /// Actions in which an obstacle stopped the person's walk.
     pub walks_blocked: u64,
-    /// For each control, the number of actions in which it was worked.
+    /// For each control, the number of actions in which it was worked. Empty as `robots` is.
     #[serde(default)]
     pub control_actions: Vec<u64>,
-    /// Each robot, in the order of the cell.
+    /// Each robot, in the order of the cell. Empty where that was not looked at, as from anywhere.
     #[serde(default)]
     pub robots: Vec<RobotCoverage>,
 }
@@ -82,7 +82,7 @@ impl Coverage {
     pub fn of(cell: &Workcell) -> Self {
         Self {
             control_actions: vec![0; cell.controls.len()],
-            robots: vec![RobotCoverage::default(); cell.robots.len()],
+            robots: cell.robots.iter().map(|robot| RobotCoverage::named(&robot.name)).collect(),
             ..Self::new(cell.sensors.len())
         }
     }

@@ -5,6 +5,7 @@ use super::*;
 /// A robot that moved and that somebody was near.
 fn met() -> RobotCoverage {
     RobotCoverage {
+        name: String::new(),
         top_speed_m_s: 0.8,
         moved: true,
         reachable: true,
@@ -22,7 +23,8 @@ fn seen(robots: &[RobotCoverage]) -> Coverage {
 #[test]
 fn robots_and_controls_of_two_runs_come_together_each_by_itself() {
     let still = RobotCoverage { reachable: true, ..RobotCoverage::default() };
-    let mut one = seen(&[met(), still]);
+    let mut one = seen(&[met(), still.clone()]);
+    one.robots[1].name = "R2".to_owned();
     one.control_actions = vec![2, 0];
     let mut other = seen(&[
         RobotCoverage { top_speed_m_s: 1.5, moved: false, closest_approach_m: 0.7, instants_in_reach: 1, ..met() },
@@ -33,8 +35,9 @@ fn robots_and_controls_of_two_runs_come_together_each_by_itself() {
     both.merge(&other);
     assert_eq!(both.control_actions, [3, 1]);
     let first = RobotCoverage { top_speed_m_s: 1.5, instants_to_walk_to: 18, instants_in_reach: 5, ..met() };
-    let second = RobotCoverage { top_speed_m_s: 0.1, moved: true, instants_to_walk_to: 3, ..still };
-    assert_eq!(both.robots, [first, second]);
+    let name = "R2".to_owned();
+    let second = RobotCoverage { name, top_speed_m_s: 0.1, moved: true, instants_to_walk_to: 3, ..still };
+    assert_eq!(both.robots, [first.clone(), second.clone()]);
     // The other way round, and after a question that knew of no robots but the second.
     other.merge(&one);
     assert_eq!(other, both);
@@ -61,17 +64,21 @@ fn each_robot_is_judged_by_itself() {
     let as_it_is = |_: &mut Coverage| {};
     let still = RobotCoverage { top_speed_m_s: 0.0, moved: false, ..met() };
     let away = RobotCoverage { instants_in_reach: 0, closest_approach_m: f64::MAX, ..met() };
-    let far = RobotCoverage { instants_to_walk_to: 0, ..away };
+    let far = RobotCoverage { instants_to_walk_to: 0, ..away.clone() };
     assert_eq!(never(met(), &as_it_is), None);
-    assert_eq!(never(still, &as_it_is), Some(NeverMet::NeverMoved { controls_worked: false }));
+    assert_eq!(never(still.clone(), &as_it_is), Some(NeverMet::NeverMoved { controls_worked: false }));
     // Told to be fast, or seen to move: either is enough, whichever of the two is wrong.
-    assert_eq!(never(RobotCoverage { moved: true, ..still }, &as_it_is), None);
-    assert_eq!(never(RobotCoverage { top_speed_m_s: 0.5, ..still }, &as_it_is), None);
+    assert_eq!(never(RobotCoverage { moved: true, ..still.clone() }, &as_it_is), None);
+    assert_eq!(never(RobotCoverage { top_speed_m_s: 0.5, ..still.clone() }, &as_it_is), None);
     let worked = |coverage: &mut Coverage| coverage.control_actions = vec![0, 3];
     assert_eq!(never(still, &worked), Some(NeverMet::NeverMoved { controls_worked: true }));
-    assert_eq!(never(away, &as_it_is), Some(NeverMet::NeverNear));
+    assert_eq!(never(away.clone(), &as_it_is), Some(NeverMet::NeverNear));
     assert_eq!(never(away, &|coverage| coverage.walks_blocked = 1), Some(NeverMet::KeptOut));
-    assert_eq!(never(far, &|coverage| coverage.walks_blocked = 1), Some(NeverMet::TooFar), "no obstacle is why");
+    assert_eq!(
+        never(far.clone(), &|coverage| coverage.walks_blocked = 1),
+        Some(NeverMet::TooFar),
+        "no obstacle is why"
+    );
     // What is too far to be touched is so whether it moves or not.
     assert_eq!(never(RobotCoverage { moved: false, top_speed_m_s: 0.0, ..far }, &worked), Some(NeverMet::TooFar));
     // An exhaustive search that drops its only state has simulated nothing, and knows why.

@@ -10,8 +10,10 @@ use super::Coverage;
 use crate::hazard::contact::STANDSTILL_M_S;
 
 /// Figures of one robot.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RobotCoverage {
+    /// Its name in the cell.
+    pub name: String,
     /// Highest speed bound of any of its links, m/s, by the speeds that the FMU tells.
     pub top_speed_m_s: f64,
     /// Whether anything of it changed its place, whatever speeds the FMU told.
@@ -35,6 +37,7 @@ pub struct RobotCoverage {
 impl Default for RobotCoverage {
     fn default() -> Self {
         Self {
+            name: String::new(),
             top_speed_m_s: 0.0,
             moved: false,
             reachable: false,
@@ -46,8 +49,16 @@ impl Default for RobotCoverage {
 }
 
 impl RobotCoverage {
+    /// Nothing seen yet of the robot of this name.
+    pub(super) fn named(name: &str) -> Self {
+        Self { name: name.to_owned(), ..Self::default() }
+    }
+
     /// Adds the figures of another run of the same cell.
     pub(super) fn merge(&mut self, other: &Self) {
+        if self.name.is_empty() {
+            self.name.clone_from(&other.name);
+        }
         self.top_speed_m_s = self.top_speed_m_s.max(other.top_speed_m_s);
         self.moved |= other.moved;
         self.reachable |= other.reachable;
