@@ -119,7 +119,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion);
         lies = of_speeds(&source, &prepared, &speeds);
         warnings.extend(speeds.warnings);
-        if found.fastest_m_s < 1e-3 && !found.motion.moved {
+        if found.fastest_m_s < 1e-3 && found.motion.moved.is_empty() {
             warnings.push(format!(
                 "no robot moves in {run_s} s while nobody is detected: are all [inputs] as they should be?"
             ));

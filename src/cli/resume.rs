@@ -63,7 +63,7 @@ pub(super) fn journal(out: &Path, prepared: &Prepared, goes_on: bool) -> Result<
     if !goes_on {
         let _ = std::fs::remove_file(&path);
     }
-    let subject = subject(prepared, &format!("journal 4, beginning {}", prepared.cell.beginning + 1));
+    let subject = subject(prepared, &format!("journal 5, beginning {}", prepared.cell.beginning + 1));
     Journal::open(&path, &subject).map_err(|e| cannot_go_on(&path, &e))
 }
 

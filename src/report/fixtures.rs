@@ -96,6 +96,7 @@ pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
         certificate: None,
         residual: None,
         coverage: Coverage::new(0),
+        cycle: None,
         spent: Spent { iterations: 1, actions: 1, fmu_steps: 10, fmu_states: 1, contact_checks: 10, arm_checks: 10 },
         speeds: Vec::new(),
         faults: Vec::new(),

@@ -74,7 +74,10 @@ fn asked_from_start(report: &ScanReport) -> String {
         Some(beginning) if beginning.of > 1 => format!("beginning {} of {}", beginning.number, beginning.of),
         _ => "the start in the cell file".to_owned(),
     };
-    format!("From {which}, for {horizon_s:.1} s")
+    match &report.cycle {
+        Some(cycle) => format!("From {which}, {}", cycle.words()),
+        None => format!("From {which}, for {horizon_s:.1} s"),
+    }
 }
 
 /// Which sequences were looked at.

@@ -19,6 +19,7 @@
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
 //! - [`distance`]: safeguards and their distances
+//! - [`share`]: how much of the robots' cycle a search from the start met
 //! - [`speeds`]: told speeds that are not those of the motion
 //! - [`headline`]: what was found, and of what that is said
 //! - `resting`: what a result rests on, in words
@@ -65,6 +66,7 @@ pub mod people;
 pub mod recorded;
 mod resting;
 pub mod sarif;
+pub mod share;
 pub mod speeds;
 pub mod survey;
 pub mod survey_page;

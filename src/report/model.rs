@@ -10,6 +10,7 @@ use super::headline::Headline;
 use super::immovable;
 use super::judged::Judged;
 use super::people::SecondRecord;
+use super::share::CycleShare;
 use super::speeds::SpeedRecord;
 use super::worked::{ControlRecord, Working, worked_words};
 use crate::hazard::{Class, Criterion, Group, finding};
@@ -65,6 +66,10 @@ pub struct ScanReport {
     pub residual: Option<Residual>,
     /// What was seen.
     pub coverage: Coverage,
+    /// How much of the robots' cycle a search from the start met; none if the search was stopped before that was asked, or is one from
+    /// anywhere. The run that this takes is not counted in `spent`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<CycleShare>,
     /// What it cost.
     pub spent: Spent,
     /// Speeds that the FMU tells and that are not those of the motion: with any of them nothing is certified.

@@ -8,8 +8,10 @@ use super::judged::measure_cell;
 use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport};
 use super::paragraph::{WIDTH, wrapped_to};
 use super::resting::rests_on;
+use crate::hazard::contact::STANDSTILL_M_S;
 use crate::human::Action;
 use crate::human::arm::ArmModel;
+use crate::sim::coverage::RobotCoverage;
 
 /// How the result is shown.
 #[derive(Clone, Copy, Debug)]
@@ -385,13 +387,16 @@ fn coverage(report: &ScanReport, view: View, out: &mut String) {
         c.actions, report.spent.fmu_steps, c.contact_checks
     );
     say("  Coverage  ", &spent);
-    let approach =
-        if c.closest_approach_m < 1e6 { format!("{:.2} m", c.closest_approach_m) } else { "never near".to_owned() };
     let robot = format!(
-        "robot moved at up to {:.2} m/s; closest approach of the body {approach}; robot within arm's reach at {} instants",
-        c.robot_top_speed_m_s, c.checks_with_robot_in_arm_reach
+        "robot moved at up to {:.2} m/s; closest approach of the body {}; robot within arm's reach at {} instants",
+        c.robot_top_speed_m_s,
+        approach(c.closest_approach_m),
+        c.checks_with_robot_in_arm_reach
     );
     say(UNDER, &robot);
+    for robot in c.robots.iter().filter(|_| c.robots.len() > 1) {
+        say(UNDER, &of_robot(robot));
+    }
     let contacts = format!(
         "{} contacts within the limits (highest {:.2}x); obstacles stopped the person {} times",
         c.contacts_within_limits, c.highest_ratio_within_limits, c.walks_blocked
@@ -403,6 +408,25 @@ fn coverage(report: &ScanReport, view: View, out: &mut String) {
         _ => format!("reported the person in {sensors:?} actions"),
     };
     say(UNDER, &format!("sensors {text}"));
+}
+
+/// How near somebody came.
+fn approach(closest_m: f64) -> String {
+    if closest_m < 1e6 { format!("{closest_m:.2} m") } else { "never near".to_owned() }
+}
+
+/// What was seen of one of several robots.
+fn of_robot(robot: &RobotCoverage) -> String {
+    let moved = match (robot.moved, robot.top_speed_m_s) {
+        (false, speed) if speed < STANDSTILL_M_S => "never moved".to_owned(),
+        (_, speed) => format!("up to {speed:.2} m/s"),
+    };
+    let closest = match (robot.instants_in_reach, robot.closest_approach_m) {
+        // Too slow to harm whenever somebody was near: its distance was not asked for.
+        (1.., closest_m) if closest_m >= 1e6 => String::new(),
+        (_, closest_m) => format!("closest approach {}; ", approach(closest_m)),
+    };
+    format!("{}: {moved}; {closest}near enough to touch at {} instants", robot.name, robot.instants_in_reach)
 }
 
 #[cfg(test)]

@@ -3,7 +3,6 @@
 
 mod alike;
 mod ask;
-mod cycle;
 mod fields;
 mod keys;
 pub(super) mod map;

@@ -8,9 +8,11 @@ use super::footing::{Doubt, not_repeatable};
 use super::options::{Exhaustive, Method, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
+use crate::cell::workcell::Robot;
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
 use crate::report::speeds::Speeds;
 use crate::report::terminal::grouped;
+use crate::sim::coverage::{NeverMet, RobotCoverage};
 
 /// A search that has ended.
 pub(super) struct FromStart<'a> {
@@ -164,19 +166,36 @@ impl<'a> FromStart<'a> {
         Reply::Points(vec![Point::tried(&Assumption::TravelAfterContact, tried, &cell.accepted, &fmu)])
     }
 
-    fn moves(&self) -> Reply {
+    /// What is known of each robot, where that is not `open` of it.
+    fn of_robots(&self, open: impl Fn(NeverMet) -> bool, figure: impl Fn(&RobotCoverage) -> String) -> Reply {
         let coverage = &self.searched.coverage;
-        let moved =
-            coverage.robot_top_speed_m_s >= crate::hazard::contact::STANDSTILL_M_S || self.searched.motion.moved;
-        // A start control that is prevented from starting the robot does what it is there for.
-        let open = (!moved && !self.fields.worked).then(|| Point::open("the robot never moved"));
-        Reply::unless(open.into_iter().collect(), format!("up to {:.2} m/s", coverage.robot_top_speed_m_s))
+        let several = self.prepared.cell.robots.len() > 1;
+        let of = |(number, robot): (usize, &Robot)| {
+            let never = coverage.never_met(number);
+            let figures = coverage.robots.get(number).map_or_else(|| "nothing".to_owned(), &figure);
+            let point = match never {
+                Some(never) if open(never) => Point::open(never.words(&robot.name)),
+                Some(never) => Point::shown(never.words(&robot.name)),
+                None => Point::shown(figures),
+            };
+            if several { point.of(robot.name.clone()) } else { point }
+        };
+        Reply::Points(self.prepared.cell.robots.iter().enumerate().map(of).collect())
+    }
+
+    fn moves(&self) -> Reply {
+        let open = |never: NeverMet| matches!(never, NeverMet::NeverMoved { .. }) && !never.is_shown();
+        self.of_robots(open, |robot| format!("up to {:.2} m/s", robot.top_speed_m_s))
     }
 
     fn near(&self) -> Reply {
-        let coverage = &self.searched.coverage;
-        let instants = coverage.checks_with_robot_in_arm_reach;
-        Reply::Points(vec![Point::shown(format!("within arm's reach at {} instants", grouped(&instants.to_string())))])
+        let open = |never: NeverMet| match never {
+            NeverMet::NotSimulated | NeverMet::TooFar | NeverMet::NeverNear | NeverMet::KeptOut => !never.is_shown(),
+            // That is told as such.
+            NeverMet::NeverMoved { .. } => false,
+        };
+        let times = |robot: &RobotCoverage| grouped(&robot.instants_in_reach.to_string());
+        self.of_robots(open, |robot| format!("near enough to touch at {} instants", times(robot)))
     }
 
     fn reported(&self) -> Reply {

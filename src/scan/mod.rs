@@ -24,6 +24,8 @@
 //! - [`film`]: its replay, and what its FMU gets
 //! - `arms`: the person's arms in it
 //! - [`there`]: where and when a hazard begins, for whatever runs its sequence
+//! - `cycle`: how often the robots repeat what they do while nobody comes
+//! - `share`: how much of that a search from the start met
 //! - `outline`: parts of a cell from above, for both
 //! - [`verify`]: known hazards tried again
 //! - [`explain`]: what there is to tell about a hazard
@@ -39,6 +41,7 @@ pub mod campaign;
 pub mod causes;
 pub mod comparison;
 mod contact_stop;
+mod cycle;
 pub mod distance;
 pub mod exhaustive;
 pub mod explain;
@@ -60,6 +63,7 @@ pub mod residual;
 pub mod run;
 mod searched;
 mod seeds;
+mod share;
 pub mod stepping;
 mod stop_time;
 pub mod there;

@@ -8,6 +8,7 @@ use super::from_start::FromStart;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
+use super::share::share;
 use crate::cell::Workcell;
 use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
@@ -60,8 +61,22 @@ pub fn scan_with(
     journal: Journal,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
+    let mut scanned = scan_alone(prepared, options, journal, tell)?;
+    scanned.report.cycle = share(prepared, tell);
+    // How much of the cycle that is stands in it.
+    scanned.report.headline = headline::from_start(&scanned.report);
+    Ok(scanned)
+}
+
+/// The same, without asking how much of the robots' cycle was met.
+pub(super) fn scan_alone(
+    prepared: &Prepared,
+    options: ScanOptions,
+    journal: Journal,
+    tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
+) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    let Attempt { footing, searched, hazards, notes, effort, doubt } =
+    let Attempt { footing, mut searched, hazards, notes, effort, doubt } =
         attempts(prepared, options, journal, &links, tell)?;
     let mut warnings = prepared.warnings();
     warnings.extend(notes);
@@ -76,6 +91,9 @@ pub fn scan_with(
             "its time ended the search; on another machine it may end elsewhere. Give it more with --time".to_owned(),
         );
     }
+    // Also in runs in which a plane tells of an arm.
+    let Searched { coverage, motion, .. } = &mut searched;
+    coverage.robots.iter_mut().enumerate().for_each(|(number, robot)| robot.moved |= motion.moved.contains(&number));
     // An arm's run in which what follows the FMU does otherwise is not the FMU's failure.
     let not_evaluated = searched.coverage.not_evaluated();
     let strayed = not_evaluated && searched.faults.is_empty() && !prepared.cell.following.is_empty();
@@ -122,6 +140,7 @@ pub fn scan_with(
         hazards,
         certificate,
         coverage,
+        cycle: None,
         spent,
         speeds: speeds.records,
         faults,

@@ -17,12 +17,13 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 use super::Coverage;
+use super::coverage::RobotCoverage;
 
 /// What a question is known by: a part of the SHA-256 of what it follows from.
 pub(super) type Key = [u8; 16];
 
 /// What came out of a question.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) enum Answer {
     /// Something: it is worked out again, for what it is.
     Something,
@@ -31,7 +32,7 @@ pub(super) enum Answer {
 }
 
 /// The part of [`Coverage`] that a question adds to.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Counted {
     contact_checks: u64,
     arm_checks: u64,
@@ -39,6 +40,8 @@ pub(super) struct Counted {
     arm_runs_not_evaluated: u64,
     arm_boxes: u64,
     closest_approach_m: f64,
+    /// Of each robot, as far as any was looked at.
+    closest_of_robots_m: Vec<f64>,
     checks_with_robot_in_arm_reach: u64,
     contacts_within_limits: u64,
     highest_ratio_within_limits: f64,
@@ -63,8 +66,12 @@ impl Counted {
             robot_top_speed_m_s,
             sensor_actions,
             walks_blocked,
+            control_actions,
+            robots,
         } = coverage;
-        let others = episodes + episodes_not_evaluated + actions + walks_blocked + sensor_actions.iter().sum::<u64>();
+        let others = episodes + episodes_not_evaluated + actions + walks_blocked;
+        let others = others + sensor_actions.iter().chain(control_actions).sum::<u64>();
+        let closest_of_robots_m = robots.iter().map(RobotCoverage::of_question).collect::<Option<_>>()?;
         (others == 0 && *robot_top_speed_m_s <= 0.0).then_some(Self {
             contact_checks: *contact_checks,
             arm_checks: *arm_checks,
@@ -72,6 +79,7 @@ impl Counted {
             arm_runs_not_evaluated: *arm_runs_not_evaluated,
             arm_boxes: *arm_boxes,
             closest_approach_m: *closest_approach_m,
+            closest_of_robots_m,
             checks_with_robot_in_arm_reach: *checks_with_robot_in_arm_reach,
             contacts_within_limits: *contacts_within_limits,
             highest_ratio_within_limits: *highest_ratio_within_limits,
@@ -80,7 +88,9 @@ impl Counted {
 
     /// The same for a cell with so many sensors.
     pub(super) fn coverage(&self, sensors: usize) -> Coverage {
+        let closest = |&closest_approach_m: &f64| RobotCoverage { closest_approach_m, ..RobotCoverage::default() };
         Coverage {
+            robots: self.closest_of_robots_m.iter().map(closest).collect(),
             contact_checks: self.contact_checks,
             arm_checks: self.arm_checks,
             arm_checks_incomplete: self.arm_checks_incomplete,
@@ -127,7 +137,7 @@ impl Answers {
     }
 
     pub(super) fn get(&self, key: &Key) -> Option<Answer> {
-        let found = self.known.get(key).copied();
+        let found = self.known.get(key).cloned();
         let counter = if found.is_some() { &self.looked_up } else { &self.unanswered };
         counter.fetch_add(1, Ordering::Relaxed);
         found
@@ -232,8 +242,11 @@ mod tests {
         (coverage.arm_boxes, coverage.contact_checks, coverage.closest_approach_m) = (7, 2, 0.25);
         let counted = Counted::of(&coverage).unwrap();
         assert_eq!(counted.coverage(3), coverage);
+        coverage.robot(1).closest_approach_m = 0.25;
+        let counted = Counted::of(&coverage).unwrap();
+        assert_eq!(counted.coverage(3), coverage, "which robot was how near");
         let mut part = Share::new(1, 1);
-        part.add(keys[1], Answer::Nothing(counted));
+        part.add(keys[1], Answer::Nothing(counted.clone()));
         part.add(keys[0], Answer::Something);
         let mut answers = Answers::default();
         answers.add(&part.into_bytes().unwrap()).unwrap();
@@ -242,5 +255,9 @@ mod tests {
         assert!(answers.add(b"\xff\xff\xff").is_err());
         coverage.actions = 1;
         assert_eq!(Counted::of(&coverage), None, "it would be lost");
+        coverage.actions = 0;
+        assert!(Counted::of(&coverage).is_some());
+        coverage.robot(1).instants_in_reach = 1;
+        assert_eq!(Counted::of(&coverage), None, "it would be lost, too");
     }
 }

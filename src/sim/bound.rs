@@ -18,8 +18,8 @@ const ROUNDING_M: f64 = 1e-6;
 /// Balls that the robots cannot leave.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobotBounds {
-    /// Centre, world, and radius, m; nothing if some robot is not bounded.
-    balls: Option<Vec<(Vec3, f64)>>,
+    /// Centre, world, and radius, m, of each robot; nothing if it is not bounded.
+    balls: Vec<Option<(Vec3, f64)>>,
     /// How fast the person gets on, m/s.
     person_m_s: f64,
 }
@@ -31,7 +31,7 @@ impl RobotBounds {
         let person_m_s = f64::from(cell.repertoire.strides()) * WALKING_SPEED_M_S;
         // How far a robot has to stay away is known from its stops only.
         if cell.separation.is_some() {
-            return Self { balls: None, person_m_s };
+            return Self { balls: vec![None; cell.robots.len()], person_m_s };
         }
         let ball = |(index, robot): (usize, &Robot)| {
             let links: Vec<&Link> = cell.links.iter().filter(|l| l.robot == index).collect();
@@ -44,14 +44,21 @@ impl RobotBounds {
     /// may touch a robot within `actions` actions.
     #[must_use]
     pub fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
+        self.balls.iter().any(|ball| self.may_meet_in(ball, position, reach_m, actions))
+    }
+
+    /// The same of each robot by itself.
+    pub(super) fn each(&self, position: Vec3, reach_m: f64, actions: usize) -> Vec<bool> {
+        self.balls.iter().map(|ball| self.may_meet_in(ball, position, reach_m, actions)).collect()
+    }
+
+    fn may_meet_in(&self, ball: &Option<(Vec3, f64)>, position: Vec3, reach_m: f64, actions: usize) -> bool {
         #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
         let walk = self.person_m_s * ACTION_S * actions as f64;
-        let Some(balls) = &self.balls else { return true };
-        balls.iter().any(|(centre, radius)| {
-            let to = *centre - (position + Vec3::Z);
-            let along = (libm::hypot(to.x, to.y) - walk).max(0.0);
-            libm::hypot(along, to.z) <= radius + reach_m + ROUNDING_M
-        })
+        let Some((centre, radius)) = ball else { return true };
+        let to = *centre - (position + Vec3::Z);
+        let along = (libm::hypot(to.x, to.y) - walk).max(0.0);
+        libm::hypot(along, to.z) <= radius + reach_m + ROUNDING_M
     }
 }
 
@@ -99,7 +106,7 @@ mod tests {
         for name in ["safety-fence", "sensor-mat", "light-curtain", "two-scanners", "heavy-workpiece"] {
             let cell = open(&folder.path().join(name).join("cell.toml"), None).unwrap().cell;
             let bounds = RobotBounds::new(&cell);
-            let balls = bounds.balls.as_ref().unwrap();
+            let balls: Vec<(Vec3, f64)> = bounds.balls.iter().map(|ball| ball.unwrap()).collect();
             for (index, robot) in cell.robots.iter().enumerate() {
                 let tree = &robot.kinematics.as_ref().unwrap().tree;
                 let mut farthest: f64 = 0.0;
@@ -124,16 +131,20 @@ mod tests {
 
     #[test]
     fn distance_speed_and_reach_by_hand() {
-        let bounds = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 1.0), 1.0)]), person_m_s: 1.6 };
+        let bounds = RobotBounds { balls: vec![Some((Vec3::new(0.0, 0.0, 1.0), 1.0))], person_m_s: 1.6 };
         // 1 m of robot, 1.2 m of person, 0.32 m of walking an action.
         assert!(bounds.may_meet(Vec3::new(3.15, 0.0, 0.0), 1.2, 3));
         assert!(!bounds.may_meet(Vec3::new(3.17, 0.0, 0.0), 1.2, 3));
         assert!(bounds.may_meet(Vec3::new(0.0, -3.47, 0.0), 1.2, 4));
-        let high = RobotBounds { balls: Some(vec![(Vec3::new(0.0, 0.0, 3.3), 1.0)]), person_m_s: 1.6 };
+        let high = RobotBounds { balls: vec![Some((Vec3::new(0.0, 0.0, 3.3), 1.0))], person_m_s: 1.6 };
         assert!(!high.may_meet(Vec3::ZERO, 1.2, 5) && high.may_meet(Vec3::ZERO, 1.4, 0));
         // Who runs at 4.8 m/s gets 0.96 m an action.
         let runs = RobotBounds { person_m_s: 4.8, ..bounds };
         assert!(runs.may_meet(Vec3::new(5.07, 0.0, 0.0), 1.2, 3));
         assert!(!runs.may_meet(Vec3::new(5.09, 0.0, 0.0), 1.2, 3));
+        // Of two that are far apart each by itself; what is not bounded may be anywhere.
+        let balls = vec![Some((Vec3::Z, 1.0)), Some((Vec3::new(9.0, 0.0, 1.0), 1.0)), None];
+        let three = RobotBounds { balls, person_m_s: 1.6 };
+        assert_eq!(three.each(Vec3::new(3.15, 0.0, 0.0), 1.2, 3), [true, false, true]);
     }
 }

@@ -1,7 +1,12 @@
 //! What a run has seen, so that "no hazard" never stands alone.
 
+mod robots;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+pub use self::robots::{NeverMet, RobotCoverage};
+use crate::cell::Workcell;
 
 /// Figures beside a verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,6 +44,12 @@ pub struct Coverage {
     pub sensor_actions: Vec<u64>,
     /// Actions in which an obstacle stopped the person's walk.
     pub walks_blocked: u64,
+    /// For each control, the number of actions in which it was worked. Empty as `robots` is.
+    #[serde(default)]
+    pub control_actions: Vec<u64>,
+    /// Each robot, in the order of the cell. Empty where that was not looked at, as from anywhere.
+    #[serde(default)]
+    pub robots: Vec<RobotCoverage>,
 }
 
 impl Coverage {
@@ -61,6 +72,18 @@ impl Coverage {
             robot_top_speed_m_s: 0.0,
             sensor_actions: vec![0; sensors],
             walks_blocked: 0,
+            control_actions: Vec::new(),
+            robots: Vec::new(),
+        }
+    }
+
+    /// Nothing seen yet of this cell.
+    #[must_use]
+    pub fn of(cell: &Workcell) -> Self {
+        Self {
+            control_actions: vec![0; cell.controls.len()],
+            robots: cell.robots.iter().map(|robot| RobotCoverage::named(&robot.name)).collect(),
+            ..Self::new(cell.sensors.len())
         }
     }
 
@@ -81,6 +104,10 @@ impl Coverage {
         self.robot_top_speed_m_s = self.robot_top_speed_m_s.max(other.robot_top_speed_m_s);
         self.sensor_actions.iter_mut().zip(&other.sensor_actions).for_each(|(a, b)| *a += b);
         self.walks_blocked += other.walks_blocked;
+        let controls = self.control_actions.len().max(other.control_actions.len());
+        self.control_actions.resize(controls, 0);
+        self.control_actions.iter_mut().zip(&other.control_actions).for_each(|(a, b)| *a += b);
+        other.robots.iter().enumerate().for_each(|(number, robot)| self.robot(number).merge(robot));
     }
 
     /// Whether something is not known because the FMU could not finish it.
@@ -89,20 +116,16 @@ impl Coverage {
         self.episodes_not_evaluated > 0 || self.arm_runs_not_evaluated > 0
     }
 
-    /// Why a run without hazards would say nothing, if that is so. `moved`: whether anything changed its place, whatever
-    /// speeds the FMU told.
+    /// Why a run without hazards would say nothing of any robot, if that is so. Of single ones see [`Self::never_met`].
     #[must_use]
-    pub fn vacuous(&self, moved: bool) -> Option<String> {
-        if self.robot_top_speed_m_s < crate::hazard::contact::STANDSTILL_M_S && !moved {
-            return Some("the robot never moved".to_owned());
-        }
-        if self.contact_checks == 0 {
-            return Some("no action could be evaluated".to_owned());
-        }
-        if !self.sensor_actions.is_empty() && self.sensor_actions.iter().all(|&n| n == 0) {
-            return Some("no sensor ever reported the person".to_owned());
-        }
-        None
+    pub fn vacuous(&self) -> Option<String> {
+        (self.contact_checks == 0).then(|| "no action could be evaluated".to_owned())
+    }
+
+    /// Numbers of the sensors that never reported anybody. That alone does not make a result empty: where somebody was near a robot that
+    /// moved, what they met was looked at without these sensors' help.
+    pub fn silent_sensors(&self) -> impl Iterator<Item = usize> {
+        self.sensor_actions.iter().enumerate().filter(|(_, actions)| **actions == 0).map(|(sensor, _)| sensor)
     }
 }
 
@@ -112,3 +135,7 @@ impl Coverage {
 pub(super) const fn cost(steps: u64, questions: u64, boxes: u64) -> u64 {
     steps + questions * 6 / 10 + boxes / 4
 }
+
+#[cfg(test)]
+#[path = "coverage_tests.rs"]
+mod tests;

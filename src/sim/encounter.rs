@@ -144,7 +144,7 @@ impl Encounter {
         counts: impl Fn(&Contact) -> bool,
         coverage: &mut Coverage,
     ) -> Option<Contact> {
-        let touching = self.touching(&person.body, frame, &mut coverage.closest_approach_m);
+        let touching = self.touching(&person.body, frame, Some(coverage));
         let mut harmful: Vec<Contact> = Vec::new();
         let mut harmless: Option<f64> = None;
         for contact in touching.iter().flat_map(|pair| self.body_contacts(person, frame, pair)) {
@@ -292,7 +292,7 @@ impl Encounter {
         space: &ArmSpace<'_>,
         coverage: &mut Coverage,
     ) -> Proximity {
-        let touching = self.touching(&person.body, frame, &mut 0.0);
+        let touching = self.touching(&person.body, frame, None);
         let touched = touching
             .iter()
             .map(|pair| Contact::new(&touch_of_body(person, frame, pair), frame.strike(pair.link)).ratio());
@@ -486,27 +486,34 @@ impl Encounter {
         std::iter::once(self.as_judged(free)).chain(held)
     }
 
-    /// The pairs of body part and link that touch or overlap; `closest_m` takes in the least signed distance of any pair.
-    fn touching(&self, body: &PlacedBody, frame: &RobotFrame, closest_m: &mut f64) -> Vec<Pair> {
+    /// The pairs of body part and link that touch or overlap; `coverage` takes in the least signed distance of any pair, and of any
+    /// with each robot.
+    fn touching(&self, body: &PlacedBody, frame: &RobotFrame, mut coverage: Option<&mut Coverage>) -> Vec<Pair> {
         let mut pairs = Vec::new();
         for (link, solid) in frame.links.iter().enumerate() {
             let (centre, radius) = solid.bounding_sphere();
+            let robot = frame.robot(link);
+            let mut closest_m = coverage.as_mut().map_or(0.0, |coverage| coverage.robot(robot).closest_approach_m);
             for &(part, capsule) in body.parts() {
                 // A cheap lower bound first: most pairs are far from the closest.
                 let middle = (capsule.a + capsule.b) * 0.5;
                 let half = (capsule.b - capsule.a).length() * 0.5 + capsule.radius;
                 let bound = (centre - middle).length() - radius - half;
-                if bound > 0.0 && bound >= *closest_m {
+                if bound > 0.0 && bound >= closest_m {
                     continue;
                 }
                 let near = solid.segment_distance(capsule.a, capsule.b);
                 let distance = near.distance - capsule.radius;
-                *closest_m = closest_m.min(distance);
+                closest_m = closest_m.min(distance);
                 let is_kept = || self.obstacles.iter().any(|wall| is_kept_from(&capsule, solid, wall));
                 if distance <= 0.0 && !is_kept() {
                     let on_body = on_surface(near.on_first, near.on_second, near.distance < 0.0, capsule.radius);
                     pairs.push(Pair { distance, part, capsule, link, on_body, on_robot: near.on_second });
                 }
+            }
+            if let Some(coverage) = &mut coverage {
+                coverage.robot(robot).closest_approach_m = closest_m;
+                coverage.closest_approach_m = coverage.closest_approach_m.min(closest_m);
             }
         }
         pairs

@@ -85,6 +85,8 @@ struct Transition {
     sensed: Sensed,
     /// Where it leads everybody, where what follows the FMU has that differ from their ways.
     amid: Option<Walks>,
+    /// Controls that are worked in it, by any of the actions that it stands for.
+    worked: Presses,
 }
 
 /// What is not known yet of what an action from a state brings somebody.
@@ -146,12 +148,13 @@ struct Goes<'a> {
 }
 
 impl Goes<'_> {
-    fn each(&self) -> impl Iterator<Item = &Way> {
-        std::iter::once(self.first).chain(self.second)
-    }
-
     fn starts(&self) -> Places {
         Places { first: self.first.walked.start, second: self.second.map(|way| way.walked.start) }
+    }
+
+    fn traces(&self) -> Vec<(Who, &WalkTrace)> {
+        let second = self.second.map(|way| (Who::Second, &way.walked));
+        std::iter::once((Who::First, &self.first.walked)).chain(second).collect()
     }
 
     fn walks(&self) -> Walks {
@@ -192,7 +195,7 @@ impl<P: Plant> Expander<P> {
             workers: workers.max(1),
             by_bytes,
             bundles: BTreeMap::new(),
-            coverage: Coverage::new(world.cell.sensors.len()),
+            coverage: world.nothing_seen(),
             questions: 0,
             journal: Journal::default(),
             world,
@@ -339,6 +342,7 @@ impl<P: Plant> Expander<P> {
                 Reached::Elsewhere => continue,
             };
             expanded.effects.push(Effect::To(next));
+            transitions[transition].worked = transitions[transition].worked.and(key.2.presses);
             let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who) };
             match second {
                 None => pending.push(of(Who::First, way)),
@@ -347,6 +351,10 @@ impl<P: Plant> Expander<P> {
                     joined.add((number, index), action, both, pending);
                 }
             }
+        }
+        for transition in &transitions {
+            let controls = self.coverage.control_actions.iter_mut().enumerate();
+            controls.for_each(|(control, actions)| *actions += u64::from(transition.worked.has(control)));
         }
         Ok((expanded, transitions))
     }
@@ -371,11 +379,12 @@ impl<P: Plant> Expander<P> {
         if self.world.follows() && self.robots.says_otherwise(&goes.walks(), node).is_some() {
             return Ok(Reached::Elsewhere);
         }
-        let blocked = goes.each().any(|way| way.walked.blocked.contains(&true));
+        let walks = goes.traces();
         let ends = Places { first: goes.first.walked.end(), second: goes.second.map(|way| way.walked.end()) };
         let places = self.robots.amid_what_is_said(&ends, node);
-        let transition = Transition { node, frames: self.robots.frames(node), sensed: sensed.clone(), amid: None };
-        self.arrive((places, blocked, last), transition, expanded, transitions)
+        let (frames, worked) = (self.robots.frames(node), Presses::NONE);
+        let transition = Transition { node, frames, sensed: sensed.clone(), amid: None, worked };
+        self.arrive((places, &walks, last), transition, expanded, transitions)
     }
 
     /// The same of an action in which what follows the FMU changes: for itself.
@@ -402,10 +411,10 @@ impl<P: Plant> Expander<P> {
             return Ok(to.clone());
         }
         let places = self.robots.amid_what_is_said(&walks.ends(), node);
-        let blocked = walks.blocked();
-        let frames = self.robots.frames(node);
-        let transition = Transition { node, frames, sensed: sensed.clone(), amid: Some(walks.clone()) };
-        let to = self.arrive((places, blocked, last), transition, expanded, transitions)?;
+        let traces: Vec<_> = walks.each().collect();
+        let (frames, worked) = (self.robots.frames(node), Presses::NONE);
+        let transition = Transition { node, frames, sensed: sensed.clone(), amid: Some(walks.clone()), worked };
+        let to = self.arrive((places, &traces, last), transition, expanded, transitions)?;
         amid.push((walks, sensed, to.clone()));
         Ok(to)
     }
@@ -413,16 +422,18 @@ impl<P: Plant> Expander<P> {
     /// A new successor, and the transition to it.
     fn arrive(
         &mut self,
-        (places, blocked, last): (Places, bool, bool),
+        (places, walks, last): (Places, &[(Who, &WalkTrace)], bool),
         transition: Transition,
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
     ) -> Result<Reached, PlantError> {
         let Transition { node, sensed, .. } = &transition;
+        self.robots.note(walks, *node, Presses::NONE, &mut self.coverage);
         // Where the sequences end, nothing depends on which state it is.
         let node = if last { *node } else { self.representative(*node, &places.first, &sensed.delays)? };
         let (delays, switched) = (sensed.delays.clone().into_boxed_slice(), sensed.switched);
         expanded.next.push(State { places, node, delays, switched });
+        let blocked = walks.iter().any(|(_, walked)| walked.blocked.contains(&true));
         self.look(blocked, sensed, &transition.frames);
         transitions.push(transition);
         Ok(Reached::To(expanded.next.len() - 1, transitions.len() - 1))

@@ -176,11 +176,14 @@ impl Comparison {
         };
         let mean = rows.mean(number, way);
         faster(&mut seen.fastest[0], length(&mean));
-        motion.moved |= length(&mean) > rough;
+        let mut moves = length(&mean) > rough;
         let known = end < rows.last;
         let creeps = known && end >= rows.first + self.long && step.is_multiple_of((self.long / 8).max(1));
         let long = (end, self.long);
-        motion.moved |= creeps && length(&rows.mean(number, long)) > signal.rough() / 10.0;
+        moves |= creeps && length(&rows.mean(number, long)) > signal.rough() / 10.0;
+        if moves {
+            motion.moved.insert(signal.robot);
+        }
         if !signal.is_told() {
             return;
         }

@@ -231,6 +231,12 @@ impl RobotFrame {
         contact
     }
 
+    /// The number of the robot of shape `link`.
+    #[must_use]
+    pub fn robot(&self, link: usize) -> usize {
+        self.robot_of[link]
+    }
+
     /// Programme phase of the robot of shape `link`.
     #[must_use]
     pub fn phase(&self, link: usize) -> Option<i64> {

@@ -6,13 +6,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::Coverage;
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
 use super::world::{Command, Earlier, Frames, HadTold, Window, World};
 use crate::hazard::contact::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
-use crate::human::{Arrangement, Place};
+use crate::human::walk::WalkTrace;
+use crate::human::{Arrangement, Place, Presses, Who};
 
 /// Most motions of robots that are remembered at a time, and most frames that differ, some hundred MB each; beyond
 /// that all are forgotten and worked out again when they are needed.
@@ -65,6 +67,8 @@ pub(super) struct Moved {
     pub(super) frames: Frames,
     /// For each frame a number that only equal ones have.
     pub(super) numbers: Arc<[u32]>,
+    /// Robots of which anything changes its place.
+    pub(super) moving: BTreeSet<usize>,
 }
 
 /// The FMU's states, and the robots as its outputs tell them.
@@ -182,8 +186,11 @@ impl<P: Plant> Robots<P> {
             different.entry(bits).or_insert_with(new).clone()
         };
         let (numbers, frames): (Vec<u32>, Vec<_>) = rows.chunks(world.binding.columns()).map(frame).unzip();
+        let known = std::mem::take(&mut self.motion.moved);
         self.compare_speeds(node, &frames);
-        Moved { frames: frames.into(), numbers: numbers.into() }
+        let moving = self.motion.moved.clone();
+        self.motion.moved.extend(known);
+        Moved { frames: frames.into(), numbers: numbers.into(), moving }
     }
 
     /// Compares the told speeds with the motion over the action into `node`, and looks at how fast the links are.
@@ -278,6 +285,18 @@ impl<P: Plant> Robots<P> {
             since.extend(self.frames(at).iter().cloned());
         }
         Ok(never())
+    }
+
+    /// Notes of an action into `node`, so many before it, which robots moved in it, how fast they are, and who was near them.
+    pub(super) fn note(&mut self, walks: &[(Who, &WalkTrace)], node: NodeId, worked: Presses, coverage: &mut Coverage) {
+        let before = self.recall.depth(self.recall.parent(node));
+        let moved = self.moved(node).clone();
+        for robot in moved.moving {
+            coverage.robot(robot).moved = true;
+        }
+        self.world.count_near(walks, before, &moved.frames, coverage);
+        let controls = coverage.control_actions.iter_mut().enumerate();
+        controls.for_each(|(control, actions)| *actions += u64::from(worked.has(control)));
     }
 
     /// What was seen so far of the robots' motion.

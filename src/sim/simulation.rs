@@ -191,7 +191,7 @@ impl<P: Plant> Simulation<P> {
             evaluated: true,
         };
         Ok(Self {
-            coverage: Coverage::new(world.cell.sensors.len()),
+            coverage: world.nothing_seen(),
             robots,
             imagination: Imagination::new(&world),
             world,
@@ -207,7 +207,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Begins a new run: what was seen and found is forgotten, what is known of the cell stays.
     pub fn begin_run(&mut self) {
-        self.coverage = Coverage::new(self.world.cell.sensors.len());
+        self.coverage = self.world.nothing_seen();
         self.findings.clear();
         self.faults.clear();
         self.imagination.forget();
@@ -445,7 +445,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Walks, runs the sensors and the FMU, and compares people and robots at every step.
     fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
-        let mut coverage = Coverage::new(self.world.cell.sensors.len());
+        let mut coverage = Coverage::of(&self.world.cell);
         coverage.actions = 1;
         self.robots.take_reached();
         let Gone { walks, sensed, advanced } = self.go(action)?;
@@ -466,6 +466,8 @@ impl<P: Plant> Simulation<P> {
                 });
             }
         };
+        let worked = self.world.worked_by(&walks.starts(), action).presses;
+        self.robots.note(&walks.each().collect::<Vec<_>>(), node, worked, &mut coverage);
         let frames = self.robots.frames(node);
         coverage.robot_top_speed_m_s = frames.iter().map(|f| f.fastest).fold(0.0, f64::max);
         for (sensor, fired) in coverage.sensor_actions.iter_mut().enumerate() {

@@ -4,6 +4,7 @@
 //! Nothing here changes over a scan, so threads may share it.
 
 mod following;
+mod near;
 mod passing;
 mod people;
 mod sensing;

@@ -60,6 +60,7 @@ mod replays;
 mod report_page;
 mod residual;
 mod robots;
+mod robots_met;
 mod roles;
 mod rules_twice;
 mod safeguards;

@@ -37,7 +37,10 @@ fn a_search_that_ended_early_or_took_samples_says_nothing_clean() {
         ("safety-fence/cell.toml", &["--strategy", "random", "--iterations", "1"]),
         ("light-curtain/fixed.toml", &["--max-states", "40"]),
         ("head-collision/fixed.toml", &["--strategy", "exhaustive", "--max-states", "50"]),
-        ("sensor-mat/sensor-mat-fmi3.fmu", &["--cell", "sensor-mat/fixed.toml", "--strategy", "mcts-dpw", "--iterations", "5"]),
+        (
+            "sensor-mat/sensor-mat-fmi3.fmu",
+            &["--cell", "sensor-mat/fixed.toml", "--strategy", "mcts-dpw", "--iterations", "5"],
+        ),
         ("heavy-workpiece/fixed.toml", &["--strategy", "hybrid", "--iterations", "5"]),
     ];
     for (path, more) in cases {
@@ -98,6 +101,9 @@ fn what_was_only_tried_out_counts_once_it_is_accepted() {
         (own(&|lines| lines.replace(fmu, "0123")), "another FMU"),
         (own(&|lines| lines.replace(fmu, "0123")), fmu),
     ] {
-        assert!(said.replace('\n', " ").contains(words) || said.replace(['\n', ' ', '│'], "").contains(words), "{words}: {said}");
+        assert!(
+            said.replace('\n', " ").contains(words) || said.replace(['\n', ' ', '│'], "").contains(words),
+            "{words}: {said}"
+        );
     }
 }

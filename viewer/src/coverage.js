@@ -73,13 +73,27 @@ function residual(r) {
   ];
 }
 
+const approach = (closest) => (closest < 1e6 ? `${closest.toFixed(2)} m${closest < 0 ? " (shapes overlap)" : ""}` : "never near");
+
+/** What was seen of each of several robots; of a single one the rows of all robots say it. */
+function ofRobots(robots = []) {
+  if (robots.length < 2) {
+    return [];
+  }
+  return robots.map(({ name, moved, top_speed_m_s: top, instants_in_reach: near, closest_approach_m: closest }) => {
+    const moves = moved || top >= 1e-3 ? `up to ${speed(top)}` : "never moved";
+    // Too slow to harm whenever somebody was near: its distance was not asked for.
+    const distance = near > 0 && closest >= 1e6 ? "" : `; closest approach of the body ${approach(closest)}`;
+    return [name, `${moves}${distance}; near enough to touch at ${count(near, "instant")}`];
+  });
+}
+
 function seen(scan, cell) {
   const { coverage: c, spent, certificate: complete } = scan;
   if (fromAnywhere(scan)) {
     const cost = `${count(spent.fmu_steps, "FMU step")}, ${count(spent.fmu_states, "FMU state")}, ${count(spent.contact_checks, "set")} of poses, ${count(spent.arm_checks, "arm search").replace("searchs", "searches")}`;
     return [h("h3", {}, "Coverage"), definitions([["spent", cost]])];
   }
-  const near = c.closest_approach_m < 1e6 ? `${c.closest_approach_m.toFixed(2)} m${c.closest_approach_m < 0 ? " (shapes overlap)" : ""}` : "never near";
   const names = cell.sensors;
   const fired = c.sensor_actions.map((times, index) => `${names[index]} in ${count(times, "action")}`).join(", ");
   return [
@@ -88,7 +102,8 @@ function seen(scan, cell) {
       ["sequences", complete ? "" : `${grouped(spent.iterations)}, ${grouped(c.episodes_not_evaluated)} not evaluated`],
       ["spent", `${count(c.actions, "action")}, ${count(spent.fmu_steps, "FMU step")}, ${count(spent.fmu_states, "FMU state")}, ${count(c.contact_checks, "contact check")}, ${count(c.arm_checks, "arm search").replace("searchs", "searches")}${c.arm_checks_incomplete > 0 ? ` (${grouped(c.arm_checks_incomplete)} ended early)` : ""}${c.arm_runs_not_evaluated > 0 ? `; ${grouped(c.arm_runs_not_evaluated)} runs in which a plane tells of an arm could not be finished by the FMU` : ""}`],
       ["robot", `moved at up to ${speed(c.robot_top_speed_m_s)}; within arm's reach at ${count(c.checks_with_robot_in_arm_reach, "instant")}`],
-      ["closest approach", `of the body: ${near}`],
+      ["closest approach", `of the body: ${approach(c.closest_approach_m)}`],
+      ...ofRobots(c.robots),
       ["within the limits", `${count(c.contacts_within_limits, "contact")}${c.contacts_within_limits > 0 ? `, highest ${ratio(c.highest_ratio_within_limits)}` : ""}`],
       ["walks", `obstacles stopped the person ${count(c.walks_blocked, "time")}`],
       ["sensors", fired ? `reported the person: ${fired}` : "none in this cell: the safeguard is the guarding itself"],

@@ -2,12 +2,12 @@
 //! is reported of people elsewhere, which only the FMU knows of sensors that are inside it.
 
 use super::alike::Kind;
-use super::cycle::{cycle, points};
 use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
 use crate::obligations::{Need, Point};
+use crate::scan::cycle::{LONGEST_WATCHED_S, cycle, points};
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
@@ -15,9 +15,6 @@ use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople};
 use crate::sim::anywhere::{Anywhere as Search, Somewhere, known};
 use crate::sim::expansion::Merge;
 use crate::sim::robot::RobotFrame;
-
-/// So long robots are watched for a cycle, s.
-const LONGEST_WATCHED_S: f64 = 64.0;
 
 impl<'a> Looking<'a> {
     /// How long after the start of the FMU is looked, s; nothing if that is not known.

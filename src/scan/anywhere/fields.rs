@@ -38,8 +38,6 @@ pub(super) struct Fields {
     pub planes: bool,
     /// Names of light curtains that let a hand through by what the cell file says of them.
     pub coarse: Vec<String>,
-    /// Names of robots.
-    pub robots: Vec<String>,
 }
 
 impl Fields {
@@ -91,6 +89,7 @@ impl Fields {
             search,
         } = cell;
         keys(file);
+        robots.iter().for_each(robot);
         links.iter().for_each(link);
         beginnings.iter().for_each(beginning);
         let mut fields = Self {
@@ -101,7 +100,6 @@ impl Fields {
             by_approach: approaches(search),
             by_others: others(cell, criteria, clamping, separation.as_ref()),
             planes: sensors.iter().any(|sensor| sensor.zone.plane().is_some()),
-            robots: robots.iter().map(robot).collect(),
             ..Self::default()
         };
         obstacles.iter().for_each(|one| fields.obstacle(one));
@@ -138,9 +136,7 @@ impl Fields {
 }
 
 /// Where it stands, how it moves and how heavy it is, is looked at as it is.
-fn robot(Robot { name, world_from_base: _, kinematics: _, moving_mass_kg: _, mass_place: _ }: &Robot) -> String {
-    name.clone()
-}
+fn robot(Robot { name: _, world_from_base: _, kinematics: _, moving_mass_kg: _, mass_place: _ }: &Robot) {}
 
 /// Its shape is looked at as it is; its contact is of pressure, which is not looked at.
 fn link(Link { name: _, robot: _, joint: _, shape: _, place: _, looks: _, contact: _ }: &Link) {}

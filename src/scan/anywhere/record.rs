@@ -103,6 +103,7 @@ impl Looked {
             certificate: None,
             residual: None,
             coverage: rest.coverage.clone(),
+            cycle: None,
             spent: Spent {
                 iterations: 0,
                 actions: 0,

@@ -19,8 +19,6 @@ use crate::sim::curtain::Curtain;
 /// What a cell asks that stepping and looking do not answer.
 #[derive(Debug, Default)]
 pub(super) struct Fields {
-    /// Whether there are controls that somebody works.
-    pub worked: bool,
     /// Names of curtains and the like of which a hand of somebody low may be below before the body is in them.
     pub room_for_legs: Vec<String>,
     /// Names of controls that a hand may get to through more than one plane.
@@ -90,13 +88,13 @@ impl Fields {
         keys(file);
         robots.iter().for_each(robot);
         obstacles.iter().for_each(obstacle);
+        controls.iter().for_each(control);
         beginnings.iter().for_each(beginning);
         counts(criteria, separation.as_ref(), search);
         if let Some(second) = second {
             person(second);
         }
         let mut fields = Self {
-            worked: controls.iter().filter(|one| control(one)).count() > 0,
             room_for_legs: planes_with_room_for_legs(cell),
             behind_planes: controls_between_planes(cell),
             pressure: cell.links_of_unknown_pressure().into_iter().map(str::to_owned).collect(),
@@ -163,14 +161,13 @@ fn counts(criteria: &Criteria, separation: Option<&Separation>, search: &SearchT
     let SearchTable { iterations: _, actions: _, seed: _, reach_tolerance_m: _, criterion: _ } = search;
 }
 
-/// Whether it is worked: in any action, by whoever may.
-fn control(Control { name: _, place: _, by, kind, steps: _, door: _ }: &Control) -> bool {
+/// Worked in any action, by whoever may.
+fn control(Control { name: _, place: _, by, kind, steps: _, door: _ }: &Control) {
     match kind {
         ControlKind::Momentary | ControlKind::Held | ControlKind::Toggled => {}
     }
     match by {
-        ControlledBy::Person | ControlledBy::Anyone => true,
-        ControlledBy::Nobody => false,
+        ControlledBy::Person | ControlledBy::Anyone | ControlledBy::Nobody => {}
     }
 }
 

@@ -15,11 +15,13 @@ use crate::scan::causes::member;
 use crate::scan::hosting::StateChoice;
 use crate::scan::options::{Method, Progress, StrategyName};
 use crate::scan::prepare::Prepared;
-use crate::scan::{Exhaustive, ScanOptions, scan};
+use crate::scan::run::scan_alone;
+use crate::scan::{Exhaustive, ScanOptions};
 use crate::search::exhaustive::Budget;
 use crate::search::{End, Environment as _, Rng};
 use crate::sim::Simulation;
 use crate::sim::expansion::Merge;
+use crate::sim::journal::Journal;
 use crate::standards::BodyRegion;
 
 use super::behaviour::{Answers, Behaviour};
@@ -278,7 +280,9 @@ impl<'a> Changed<'a> {
             }
             if met.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let report = scan(&prepared, options, &mut tell).map_err(|e| Why::NotTried(e.cause.message))?.report;
+        let report = scan_alone(&prepared, options, Journal::default(), &mut tell)
+            .map_err(|e| Why::NotTried(e.cause.message))?
+            .report;
         let states = report.certificate.as_ref().map_or(0, |certificate| certificate.states);
         purse.pay(states, report.coverage.arm_boxes);
         let is_cut_short = |certificate: &Certificate| certificate.complete_for_actions < certificate.horizon;
@@ -290,7 +294,7 @@ impl<'a> Changed<'a> {
         }
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
-        let nothing = || "nothing moved in it, or no sensor could report anybody".to_owned();
+        let nothing = || "a robot never moved in it, or nobody was ever near one".to_owned();
         let has_reasons = report.certificate.as_ref().is_some_and(|certificate| !certificate.reasons.is_empty());
         let says_nothing = (report.verdict == Verdict::Inconclusive && !has_reasons).then(nothing);
         match report.certificate {

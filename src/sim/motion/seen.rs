@@ -48,8 +48,8 @@ pub struct Motion {
     pub(super) seen: Vec<Seen>,
     /// The greatest speed of a link that no robot has: index of the link, m/s, number of the step.
     pub implausible: Option<(usize, f64, usize)>,
-    /// Whether anything changed its place.
-    pub moved: bool,
+    /// Robots of which anything changed its place, by their numbers.
+    pub moved: BTreeSet<usize>,
     /// Number of the last step that was looked at.
     pub last: usize,
 }
@@ -96,7 +96,7 @@ impl Motion {
             a.1.total_cmp(&b.1).then_with(|| (b.2, b.0).cmp(&(a.2, a.0)))
         };
         self.implausible = self.implausible.into_iter().chain(other.implausible).max_by(further);
-        self.moved |= other.moved;
+        self.moved.extend(&other.moved);
         self.last = self.last.max(other.last);
     }
 }

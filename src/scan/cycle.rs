@@ -1,4 +1,5 @@
-//! How often the robots repeat what they do while nobody comes: what `--until 2cycles` is counted in.
+//! How often the robots repeat what they do while nobody comes: what `--until 2cycles` is counted in, and what the share of a cycle is
+//! of that a search met.
 
 use crate::geometry::{Solid, Vec3};
 use crate::sim::robot::RobotFrame;
@@ -10,6 +11,14 @@ const SAME_SHARE: f64 = 0.1;
 const PARTS: u32 = 20;
 /// Of the way that the robots take altogether, they take at least this share in a cycle.
 const WHOLE: f64 = 0.95;
+/// Robots that get no farther than this stand still, m.
+pub(super) const STILL_M: f64 = 10.0 * SAME_M;
+
+/// So long robots are watched for a cycle, s.
+pub(super) const LONGEST_WATCHED_S: f64 = 64.0;
+
+/// Rounding of what is added, generously, m.
+const ROUNDING_M: f64 = 1e-9;
 
 /// What is repeated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,20 +38,40 @@ pub(super) fn points(frame: &RobotFrame) -> Vec<Vec3> {
     frame.links.iter().flat_map(of).collect()
 }
 
+/// How far apart the points are at two instants, the farthest of them, m.
+fn apart(a: &[Vec3], b: &[Vec3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max)
+}
+
+/// How far anything gets from where it is at first, m.
+pub(super) fn way_m(instants: &[Vec<Vec3>]) -> f64 {
+    let Some(first) = instants.first() else { return 0.0 };
+    instants.iter().map(|instant| apart(instant, first)).fold(0.0, f64::max)
+}
+
 /// The shortest cycle of which the last two are equal; nothing if robots stand still at last, or do not repeat what they do.
 pub(super) fn cycle(instants: &[Vec<Vec3>]) -> Option<Cycle> {
     let count = instants.len();
-    let apart = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
     let farthest = |from: usize, to: usize| {
         instants[from..to].iter().map(|instant| apart(instant, &instants[from])).fold(0.0, f64::max)
     };
+    // Nothing is farther apart than twice what all are from the first.
+    if way_m(instants) < STILL_M / 2.0 {
+        return None;
+    }
     // What the robots did at an instant, and part of a step later.
     let later = |at: usize, part: f64| -> Vec<Vec3> {
         instants[at].iter().zip(&instants[at + 1]).map(|(a, b)| *a + (*b - *a) * part).collect()
     };
     (2..=count / 2).find_map(|steps| {
         let last = count - 2 * steps;
-        if farthest(last, last + steps) < WHOLE * farthest(last, count) || farthest(last, count) < 10.0 * SAME_M {
+        // Soon said of most: the last instant is not one of these, however much of a step later.
+        let (before, end) = (count - steps - 1, count - 1);
+        let moved = apart(&instants[before], &instants[before + 1]);
+        if apart(&instants[before], &instants[end]) > SAME_M + (1.0 + SAME_SHARE) * moved + ROUNDING_M {
+            return None;
+        }
+        if farthest(last, last + steps) < WHOLE * farthest(last, count) || farthest(last, count) < STILL_M {
             return None;
         }
         (0..PARTS).find_map(|part| {
