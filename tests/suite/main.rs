@@ -49,6 +49,7 @@ mod long_tests;
 mod machine_formats;
 mod mcap;
 mod mutated_fmus;
+mod narrower_questions;
 mod obstacles;
 mod pipelines;
 mod published;
