@@ -47,17 +47,17 @@ def explain(
 
 
 def compare(before: Scan | PathLike, after: Scan | PathLike) -> Answer[Comparison]:
-    """Compares two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse."""
+    """Compares two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse, 4 if that is not shown."""
     return _printed("compare", [_folder(before), _folder(after)], {})
 
 
 def verify(scan: Scan | PathLike, path: PathLike, **options: Unpack[VerifyOptions]) -> Answer[list[VerifiedHazard]]:
-    """Tries the hazards of a scan again in a changed cell. Exit code 1 if one is still there."""
+    """Tries the hazards of a scan again in a changed cell. Exit code 1 if one is still there, 4 if one is not shown to be gone."""
     return _printed("verify", [_folder(scan), path], options)
 
 
 def replay(scan: Scan | PathLike, id: str = "all", **options: Unpack[ReplayOptions]) -> Answer[list[ReplayedHazard]]:
-    """Simulates recorded hazards again and says whether they reproduce. Exit code 1 if one does."""
+    """Simulates recorded hazards again and says whether they reproduce. Exit code 1 if one does, 4 if none could be tried."""
     return _printed("replay", [_folder(scan), id], options)
 
 
@@ -74,7 +74,10 @@ def _lines(ended: Ended) -> list[str]:
 
 
 def _printed(
-    command: str, arguments: list[PathLike], options: Mapping[str, Any], results: tuple[int, ...] = (0, HAZARDS)
+    command: str,
+    arguments: list[PathLike],
+    options: Mapping[str, Any],
+    results: tuple[int, ...] = (0, HAZARDS, INCONCLUSIVE),
 ) -> Answer[Any]:
     words = [command, *(os.fspath(argument) for argument in arguments), "--format", "json", *_options(options)]
     return wait(Running(words, lambda ended: _answer(ended, results)), progress=False)

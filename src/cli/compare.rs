@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::exit::{Failure, HAZARDS, NO_HAZARD};
+use super::exit::{Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::output::Format;
 use super::{earlier, output};
 use crate::report::difference::Difference;
@@ -29,5 +29,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             output::json(&(text + "\n"));
         }
     }
-    Ok(if difference.is_worse() { HAZARDS } else { NO_HAZARD })
+    Ok(match (difference.is_worse(), difference.is_shown()) {
+        (true, _) => HAZARDS,
+        (false, true) => NO_HAZARD,
+        (false, false) => INCONCLUSIVE,
+    })
 }

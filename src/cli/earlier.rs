@@ -9,8 +9,8 @@ use crate::cell::find::whole_text;
 use crate::host::selftest::Rung;
 use crate::report::model::{FileSubject, FmuSubject, Hazard};
 use crate::report::recorded::Recorded;
-use crate::scan::prepare::prepare_in;
-use crate::scan::{Hosting, Prepared};
+use crate::scan::prepare::prepare_unplaced;
+use crate::scan::{Hosting, PrepareError, Prepared};
 
 /// A recorded scan: its scan.json, or the folder with its results.
 pub(super) fn read(path: &Path) -> Result<Recorded, Failure> {
@@ -56,9 +56,9 @@ pub(super) struct Elsewhere {
     fmu: Option<PathBuf>,
 }
 
-/// What was scanned, again: from where it was, or from where it is now. Warns of what is not as it was.
-pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting) -> Result<Prepared, Failure> {
-    let own = &scan.subject;
+/// What was scanned, again: from where it was, or from where it is now, with the person where they began. Warns of what is not as it
+/// was.
+pub(super) fn prepare(scan: &mut Recorded, elsewhere: &Elsewhere, hosting: &Hosting) -> Result<Prepared, Failure> {
     let (path, cell_file) = (scan.subject_path(), scan.cell_file());
     let (path, cell_file) = match (elsewhere.cell.clone(), elsewhere.fmu.clone()) {
         (Some(cell), Some(fmu)) => (fmu, Some(cell)),
@@ -87,7 +87,14 @@ pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting)
         }
         None => is_there(&path, "--fmu FILE, or --cell FILE with a cell file that names it")?,
     }
-    let prepared = beginning_of(scan, prepare_in(&path, cell_file.as_deref(), hosting)?)?;
+    let (prepared, free_start) = prepare_unplaced(&path, cell_file.as_deref(), hosting)?;
+    match free_start {
+        // It begins where the scan did.
+        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::SeenAtTimes { .. }) => {}
+        Err(error) => return Err(error.into()),
+    }
+    let prepared = as_begun(scan, prepared)?;
+    let own = &scan.subject;
     if own.cell_sha256 != prepared.subject.cell_sha256 {
         output::warning("the cell file has changed since the scan");
     }
@@ -105,12 +112,29 @@ pub(super) fn prepare(scan: &Recorded, elsewhere: &Elsewhere, hosting: &Hosting)
     Ok(prepared)
 }
 
-/// The cell with the beginning that the scan was about. From anywhere each hazard has its own.
-pub(super) fn beginning_of(scan: &Recorded, prepared: Prepared) -> Result<Prepared, Failure> {
-    if scan.is_from_anywhere() {
-        return Ok(prepared);
+/// The cell with the beginning that the scan was about, and the body that the person had then. Where the cell has no such beginning any
+/// more, or another person, hazards say themselves where they begin. From anywhere each does.
+fn as_begun(scan: &mut Recorded, prepared: Prepared) -> Result<Prepared, Failure> {
+    let recorded = scan.looks().and_then(|looks| looks.body);
+    let other = recorded.filter(|body| *body != (&prepared.cell.body).into()).and_then(|body| body.body());
+    if other.is_some() {
+        output::warning(
+            "the cell has a person with another body now: here they have the one that they had in the scan",
+        );
     }
-    Ok(prepared.beginning_of(scan.subject.beginning.as_ref())?)
+    if scan.is_from_anywhere() {
+        return Ok(prepared.with_body(other));
+    }
+    let begins = scan.begins().unwrap_or_else(|| prepared.begins_at_once());
+    match prepared.beginning_at(begins) {
+        Some(number) if other.is_none() => return Ok(prepared.beginning(number)?),
+        Some(_) => {}
+        None => {
+            output::warning(&format!("the cell has no such beginning any more: here people begin {}", begins.words()))
+        }
+    }
+    scan.hazards.iter_mut().for_each(|hazard| hazard.begins = hazard.begins.or(Some(begins)));
+    Ok(prepared.with_body(other))
 }
 
 fn is_cell(path: &Path) -> bool {

@@ -13,7 +13,7 @@ use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
 use crate::scan::explain::explain;
 use crate::scan::remedy::{Effort, MILLIONS, Purse, STATES, remedies};
-use crate::scan::verify::verify;
+use crate::scan::verify::Again;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 use crate::stop::Stop;
 
@@ -55,33 +55,21 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let recorded = earlier::read(&arguments.scan)?;
-    let hazard = earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
+    let mut recorded = earlier::read(&arguments.scan)?;
+    earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
     let stop = Stop::default();
     let hosting = arguments.hosting.heeding(&stop)?;
     output::phase("running the hazard's sequences again");
-    let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &hosting)?;
+    let prepared = earlier::prepare(&mut recorded, &arguments.elsewhere, &hosting)?;
     let prepared = earlier::as_plainly(prepared, &arguments.scan);
+    let hazard = earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
     stopping::by_signals(&stop);
-    match verify(&prepared, recorded.looks().as_ref(), hazard).outcome {
+    match Again::new(&prepared, &recorded)?.verify(hazard)?.outcome {
         _ if stop.is_asked() => return Ok(INTERRUPTED),
         Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
         Outcome::StillThere { body_region, robot_link, .. }
             if body_region == hazard.body_region.to_string() && robot_link == hazard.robot_link => {}
-        other => {
-            let now = match other {
-                Outcome::StillThere { body_region, robot_link, .. } => {
-                    format!("its sequences lead to {body_region} <- {robot_link} now")
-                }
-                Outcome::NotJudged => "the cell does not judge as strictly any more".to_owned(),
-                Outcome::NoRoom => "nobody has room any more where it begins".to_owned(),
-                _ => "its sequences end without an unsafe contact now".to_owned(),
-            };
-            return Err(Failure::unusable_with_help(
-                format!("{} is not there any more in {}: {now}", hazard.id, prepared.subject.path),
-                "the cell or the FMU has changed since the scan: scan again, or name the cell that was scanned with --cell",
-            ));
-        }
+        other => return Err(gone(hazard, &prepared, other)),
     }
     let failed = |cause| Failure::from(ScanError { cause });
     let there = prepared.of_hazard(hazard)?;
@@ -119,6 +107,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         return Ok(INTERRUPTED);
     }
     Ok(NO_HAZARD)
+}
+
+/// That a hazard is not there any more, and why.
+fn gone(hazard: &Hazard, prepared: &Prepared, outcome: Outcome) -> Failure {
+    let now = match outcome {
+        Outcome::StillThere { body_region, robot_link, .. } => {
+            format!("its sequences lead to {body_region} <- {robot_link} now")
+        }
+        outcome => outcome.words(),
+    };
+    Failure::unusable_with_help(
+        format!("{} is not there any more in {}: {now}", hazard.id, prepared.subject.path),
+        "the cell or the FMU has changed since the scan: scan again, or name the cell that was scanned with --cell",
+    )
 }
 
 /// Tries the changes; each that holds is told at once.

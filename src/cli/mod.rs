@@ -67,9 +67,9 @@ enum Command {
     Report(report::Arguments),
     /// Explain a hazard in plain words, with its formula, the safe speed, and the smallest changes that remove it
     Explain(explain::Arguments),
-    /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse
+    /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse, 4 if that is not shown
     Compare(compare::Arguments),
-    /// Try known hazards again in a changed cell. Exit code 1 if one is still there
+    /// Try known hazards again in a changed cell, from where they began. Exit code 1 if one is still there, 4 if one is not shown to be gone
     Verify(verify::Arguments),
     /// Show what an FMU is, without loading it
     Inspect(inspect::Arguments),

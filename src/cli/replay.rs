@@ -7,11 +7,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::events::Event;
-use super::exit::{Failure, HAZARDS, NO_HAZARD};
+use super::exit::{Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
 use super::{earlier, output, recording};
 use crate::report::model::{Begin, Hazard};
+use crate::report::recorded::Recorded;
+use crate::report::verified::Standing;
+use crate::scan::verify::Again;
 use crate::scan::{Prepared, StateChoice};
 use crate::sim::replay::replay;
 use crate::standards::BodyRegion;
@@ -100,20 +103,32 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let recorded = earlier::read(&arguments.scan)?;
-    let wanted: Vec<&Hazard> = if arguments.id == "all" && !recorded.hazards.is_empty() {
-        recorded.hazards.iter().collect()
-    } else {
-        vec![earlier::hazard(&recorded, &arguments.id, &arguments.scan)?]
+    let mut recorded = earlier::read(&arguments.scan)?;
+    let wanted = |recorded: &Recorded| -> Result<Vec<Hazard>, Failure> {
+        if arguments.id == "all" && !recorded.hazards.is_empty() {
+            return Ok(recorded.hazards.clone());
+        }
+        Ok(vec![earlier::hazard(recorded, &arguments.id, &arguments.scan)?.clone()])
     };
+    let count = wanted(&recorded)?.len();
     if let Some(file) = &arguments.mcap {
-        recording::possible(wanted.len(), file)?;
+        recording::possible(count, file)?;
     }
-    let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &arguments.hosting.hosting()?)?;
-    let mut all = Vec::with_capacity(wanted.len());
-    let total = wanted.len() as u64;
-    for (done, hazard) in (1..).zip(wanted) {
-        let replayed = again(&prepared, hazard, arguments.mcap.as_deref())?;
+    let prepared = earlier::prepare(&mut recorded, &arguments.elsewhere, &arguments.hosting.hosting()?)?;
+    let known = Again::new(&prepared, &recorded)?;
+    let wanted = wanted(&recorded)?;
+    let mut all = Vec::with_capacity(count);
+    let (mut shown, total) = (true, count as u64);
+    for (done, hazard) in (1..).zip(&wanted) {
+        let mut replayed = again(&prepared, hazard, arguments.mcap.as_deref())?;
+        if replayed.now.is_none() {
+            // Whether that says something.
+            let outcome = known.verify(hazard)?.outcome;
+            shown &= outcome.standing() == Standing::Fixed;
+            if matches!(outcome.standing(), Standing::NotJudged | Standing::NotShown) {
+                replayed.because = Some(outcome.words());
+            }
+        }
         if arguments.format == Format::Table {
             output::result(&(replayed.line() + "\n"));
         }
@@ -123,7 +138,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if arguments.format == Format::Json {
         output::json_of(&all)?;
     }
-    Ok(if all.iter().any(|replayed| replayed.now.is_some()) { HAZARDS } else { NO_HAZARD })
+    Ok(match all.iter().any(|replayed| replayed.now.is_some()) {
+        true => HAZARDS,
+        false if shown => NO_HAZARD,
+        false => INCONCLUSIVE,
+    })
 }
 
 /// A hazard once more.

@@ -30,7 +30,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let recorded = earlier::read(&arguments.scan)?;
+    let mut recorded = earlier::read(&arguments.scan)?;
     let asked: Vec<String> = if arguments.all {
         recorded.hazards.iter().map(|hazard| hazard.id.clone()).collect()
     } else {
@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         arguments.hazards.iter().map(id).collect::<Result<_, Failure>>()?
     };
     let stop = Stop::default();
-    let prepared = earlier::prepare(&recorded, &arguments.elsewhere, &arguments.hosting.heeding(&stop)?)?;
+    let prepared = earlier::prepare(&mut recorded, &arguments.elsewhere, &arguments.hosting.heeding(&stop)?)?;
     let prepared = earlier::as_plainly(prepared, &arguments.scan);
     stopping::by_signals(&stop);
     output::phase("running the sequences again");

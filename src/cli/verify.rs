@@ -6,9 +6,10 @@ use super::exit::{FMU_FAILED, Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
 use super::{earlier, output};
-use crate::report::verified::{Outcome, as_junit, render, rows};
-use crate::scan::prepare::prepare_in;
-use crate::scan::verify::verify;
+use crate::report::verified::{Standing, as_junit, render, rows, together};
+use crate::scan::PrepareError;
+use crate::scan::prepare::prepare_unplaced;
+use crate::scan::verify::Again;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -31,13 +32,18 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let known = earlier::read(&arguments.scan)?;
-    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
-    let prepared = earlier::beginning_of(&known, prepared)?;
-    let looks = known.looks();
+    let (prepared, free_start) =
+        prepare_unplaced(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.hosting()?)?;
+    match free_start {
+        // It begins where the scan did, not where the cell says.
+        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::SeenAtTimes { .. }) => {}
+        Err(error) => return Err(error.into()),
+    }
+    let again = Again::new(&prepared, &known)?;
     let mut progress = output::Progress::new(known.hazards.len() as u64, "hazards");
     let mut verified = Vec::with_capacity(known.hazards.len());
     for (done, hazard) in (1..).zip(&known.hazards) {
-        verified.push(verify(&prepared, looks.as_ref(), hazard));
+        verified.push(again.verify(hazard)?);
         progress.at(done, "");
     }
     progress.finish();
@@ -48,14 +54,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if let Some(path) = &arguments.junit {
         output::write_file(path, &as_junit(&prepared.cell.name, &known.causes, &verified).map_err(Failure::unusable)?)?;
     }
-    let any = |of: fn(&Outcome) -> bool| verified.iter().any(|one| of(&one.outcome));
-    Ok(if any(|outcome| matches!(outcome, Outcome::StillThere { .. })) {
-        HAZARDS
-    } else if any(|outcome| matches!(outcome, Outcome::NotRun { .. })) {
-        FMU_FAILED
-    } else if any(|outcome| matches!(outcome, Outcome::NotJudged)) {
-        INCONCLUSIVE
-    } else {
-        NO_HAZARD
+    Ok(match together(&verified) {
+        Some(Standing::StillThere) => HAZARDS,
+        Some(Standing::NotRun) => FMU_FAILED,
+        // Where nothing was known nothing was tried.
+        Some(Standing::NotJudged | Standing::NotShown) | None => INCONCLUSIVE,
+        Some(Standing::Fixed) => NO_HAZARD,
     })
 }

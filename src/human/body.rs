@@ -149,6 +149,7 @@ pub enum BodyError {
 /// A body with its measures, not yet placed anywhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
+    measures: Anthropometry,
     stature_m: f64,
     scale: f64,
     /// In the order of `BodyPart::ALL`, scaled, in the frames of `BodyPart::reference_capsule`.
@@ -204,7 +205,13 @@ impl Body {
                 rotation_about(Vec3::X, -left) * rotation_about(Vec3::Y, forward)
             })
         });
-        Ok(Self { stature_m, scale, capsules, bends, legs })
+        Ok(Self { measures: *parameters, stature_m, scale, capsules, bends, legs })
+    }
+
+    /// What it was made from.
+    #[must_use]
+    pub const fn measures(&self) -> &Anthropometry {
+        &self.measures
     }
 
     /// Stature, m.

@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::cause::{Cause, Grouped, grouped};
 use super::difference::Change;
 use super::looks::Looks;
-use super::model::{Hazard, ScanReport, Verdict};
-use super::recorded::Recorded;
+use super::model::{Hazard, ScanReport};
+use super::narrower::Narrower;
+use super::recorded::{Recorded, RecordedSubject};
 
 /// Known hazards by id, and their causes.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +16,8 @@ pub struct Baseline {
     hazards: Vec<Hazard>,
     causes: Vec<Cause>,
     looks: Option<Looks>,
+    edition: Option<String>,
+    subject: Option<RecordedSubject>,
 }
 
 /// How a hazard stands to a baseline.
@@ -36,7 +39,15 @@ impl Baseline {
     #[must_use]
     pub fn of(scan: Recorded) -> Self {
         let known = scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect();
-        Self { known, looks: scan.looks(), hazards: scan.hazards, causes: scan.causes }
+        let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
+        Self {
+            known,
+            looks,
+            edition: Some(scan.standard_edition),
+            subject: Some(scan.subject),
+            hazards: scan.hazards,
+            causes: scan.causes,
+        }
     }
 
     /// How a hazard stands to it.
@@ -67,13 +78,22 @@ impl Baseline {
         grouped(&self.causes, &self.hazards).into_iter().filter(gone).collect()
     }
 
-    /// Whether the scan, which accounted for every sequence, would have told this hazard if it were still there.
+    /// Why the scan may not have told this hazard though it is still there, if it is complete; nothing if it would have.
     #[must_use]
-    pub fn would_tell(&self, report: &ScanReport, hazard: &Hazard) -> bool {
-        let found = report.hazards.iter().map(|hazard| hazard.class);
-        let says_something = report.verdict != Verdict::Inconclusive;
-        says_something
-            && self.looks.as_ref().is_some_and(|its| Looks::from(&report.settings).would_tell(its, hazard, found))
+    pub fn narrower(&self, report: &ScanReport, hazard: &Hazard) -> Option<Narrower> {
+        let ScanReport { subject, settings, standard_edition, .. } = report;
+        let mut mine = Looks::from(settings);
+        let (Some(mut its), Some(edition)) = (self.looks.clone(), &self.edition) else {
+            return Some(Narrower::NotRecorded);
+        };
+        if edition != standard_edition {
+            return Some(Narrower::Edition);
+        }
+        if self.subject.as_ref().is_some_and(|known| known.is_cell(&subject.cell_sha256, &subject.files)) {
+            its.or_of(&mine);
+            mine.or_of(&its);
+        }
+        mine.narrower(&its, hazard, report.hazards.iter().map(|hazard| hazard.class))
     }
 
     /// Hazards of a scan that are new or became worse.

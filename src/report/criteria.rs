@@ -39,6 +39,9 @@ pub struct SeparationTerms {
     /// The sensor or input that stops the robots; none if their stop is stated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stop: Option<String>,
+    /// The figures of a stop that is stated; older versions did not write them down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stated: Option<StatedStop>,
     /// How far a part of the body gets in before the person is seen, m.
     pub intrusion_m: f64,
     /// Uncertainty of where the person is, m.
@@ -47,6 +50,60 @@ pub struct SeparationTerms {
     pub robot_uncertainty_m: f64,
     /// Speed at which people approach, m/s.
     pub approach_m_s: f64,
+}
+
+/// A stop of the robots, as the cell file states it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StatedStop {
+    /// From the command until they begin to brake, s.
+    pub reaction_s: f64,
+    /// From then until they stand, s.
+    pub stop_time_s: f64,
+    /// How far a point of them gets while they brake, m.
+    pub stop_distance_m: f64,
+}
+
+impl ClampingRecord {
+    /// Whether robots are stated to go on less far than they were stated to, or seen to. Where the FMU shows it, the machine is what
+    /// it is.
+    #[must_use]
+    pub fn is_looser_than(&self, earlier: &Self) -> bool {
+        let Self { contact_signal, travel_after_contact_m } = self;
+        contact_signal.is_none() && *travel_after_contact_m < earlier.travel_after_contact_m
+    }
+}
+
+impl SeparationTerms {
+    /// The key of the cell file that makes the distance smaller than `earlier` had it, or perhaps smaller. A stop that the FMU shows
+    /// is what it is.
+    #[must_use]
+    pub fn looser_than(&self, earlier: &Self) -> Option<&'static str> {
+        let Self { stop, stated, intrusion_m, person_uncertainty_m, robot_uncertainty_m, approach_m_s } = self;
+        let shorter = match (stop, &earlier.stop) {
+            (Some(_), _) => None,
+            (None, Some(_)) => Some("stop"),
+            (None, None) => match (stated, earlier.stated) {
+                (Some(mine), Some(its)) => mine.shorter_than(&its),
+                _ => Some("stop"),
+            },
+        };
+        let less = |mine: &f64, its: f64, key: &'static str| (*mine < its).then_some(key);
+        shorter
+            .or_else(|| less(approach_m_s, earlier.approach_m_s, "approach_m_s"))
+            .or_else(|| less(intrusion_m, earlier.intrusion_m, "intrusion_m"))
+            .or_else(|| less(person_uncertainty_m, earlier.person_uncertainty_m, "person_uncertainty_m"))
+            .or_else(|| less(robot_uncertainty_m, earlier.robot_uncertainty_m, "robot_uncertainty_m"))
+    }
+}
+
+impl StatedStop {
+    fn shorter_than(&self, earlier: &Self) -> Option<&'static str> {
+        let Self { reaction_s, stop_time_s, stop_distance_m } = self;
+        let less = |mine: &f64, its: f64, key: &'static str| (*mine < its).then_some(key);
+        less(reaction_s, earlier.reaction_s, "reaction_s")
+            .or_else(|| less(stop_time_s, earlier.stop_time_s, "stop_time_s"))
+            .or_else(|| less(stop_distance_m, earlier.stop_distance_m, "stop_distance_m"))
+    }
 }
 
 impl CriteriaRecord {
@@ -111,6 +168,7 @@ mod tests {
     fn record(separation: bool) -> CriteriaRecord {
         let terms = SeparationTerms {
             stop: None,
+            stated: None,
             intrusion_m: 0.2,
             person_uncertainty_m: 0.0,
             robot_uncertainty_m: 0.0,

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::cause::{Grouped, grouped};
 use super::model::{FmuSubject, Hazard};
+use super::narrower::Narrower;
 use super::paragraph::wrapped_under;
 use super::recorded::{Recorded, RecordedSubject};
 
@@ -27,9 +28,9 @@ pub enum Change {
     Same,
     /// In both, less hard after.
     Less,
-    /// Only before, and the later scan was not complete, or did not look for it as closely: it may still be there.
+    /// Only before, and the later scan was not complete, or asked less: it may still be there.
     NotFoundAgain,
-    /// Only before, and the later scan accounted for every sequence.
+    /// Only before, and the later scan is complete, and would have told it.
     Fixed,
 }
 
@@ -76,6 +77,25 @@ pub struct Row {
     pub before: Option<f64>,
     /// Force ratio after.
     pub after: Option<f64>,
+    /// Why the later scan may not have told it though it is still there, if it was not found again and what the later scan asks
+    /// is narrower.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub narrower: Option<Narrower>,
+}
+
+impl Row {
+    /// Of a hazard of the earlier scan.
+    fn of(hazard: &Hazard, change: Change) -> Self {
+        Self {
+            change,
+            id: hazard.id.clone(),
+            body_region: hazard.body_region.to_string(),
+            robot_link: hazard.robot_link.clone(),
+            before: Some(hazard.ratio),
+            after: None,
+            narrower: None,
+        }
+    }
 }
 
 /// A cause in both scans or in one of them.
@@ -106,7 +126,7 @@ pub struct Difference {
     pub counts: BTreeMap<Change, usize>,
     /// What of the inputs is different, in words.
     pub inputs: Vec<String>,
-    /// Whether each of the two accounted for every sequence.
+    /// Whether each of the two is complete: what it did not find is not there, within what it asks.
     pub complete: [bool; 2],
 }
 
@@ -120,8 +140,23 @@ impl Difference {
         let (old, new) = (by_id(before), by_id(after));
         let mut hazards: Vec<Row> = old
             .values()
-            .map(|hazard| row(Some(hazard), new.get(&hazard.id), hazard, after.would_tell(before, hazard)))
-            .chain(new.values().filter(|h| !old.contains_key(&h.id)).map(|h| row(None, Some(h), h, true)))
+            .map(|hazard| match new.get(&hazard.id) {
+                Some(found) => {
+                    Row { after: Some(found.ratio), ..Row::of(hazard, Change::of_ratio(hazard.ratio, found.ratio)) }
+                }
+                None => Row {
+                    narrower: after.narrower(before, hazard),
+                    ..Row::of(
+                        hazard,
+                        if after.would_tell(before, hazard) { Change::Fixed } else { Change::NotFoundAgain },
+                    )
+                },
+            })
+            .chain(new.values().filter(|hazard| !old.contains_key(&hazard.id)).map(|hazard| Row {
+                before: None,
+                after: Some(hazard.ratio),
+                ..Row::of(hazard, Change::New)
+            }))
             .collect();
         hazards.sort_by(|a, b| a.change.cmp(&b.change).then_with(|| a.id.cmp(&b.id)));
         let mut counts = BTreeMap::new();
@@ -146,6 +181,13 @@ impl Difference {
     #[must_use]
     pub fn is_worse(&self) -> bool {
         self.count(Change::New) + self.count(Change::Worse) > 0
+    }
+
+    /// Whether the later scan shows that nothing is new or worse, and what it calls gone: it is complete, and would have told all that it
+    /// did not find again.
+    #[must_use]
+    pub fn is_shown(&self) -> bool {
+        self.complete[1] && self.count(Change::NotFoundAgain) == 0
     }
 
     /// For people; with every hazard if that is wanted.
@@ -193,9 +235,19 @@ impl Difference {
         }
         for (scan, complete) in ["first", "second"].iter().zip(self.complete) {
             if !complete {
-                let _ =
-                    writeln!(out, " The {scan} scan did not account for every sequence: it may have missed hazards.");
+                let _ = writeln!(out, " The {scan} scan is not complete: it may have missed hazards.");
             }
+        }
+        let mut narrower: BTreeMap<&Narrower, usize> = BTreeMap::new();
+        self.hazards
+            .iter()
+            .filter_map(|row| row.narrower.as_ref())
+            .for_each(|why| *narrower.entry(why).or_default() += 1);
+        for (why, n) in narrower {
+            let s = if n == 1 { "" } else { "s" };
+            let text =
+                format!("{n} hazard{s} may still be there: the second scan {}. To know, {}.", why.words(), why.help());
+            out += &wrapped_under(" ", &text);
         }
         out
     }
@@ -243,23 +295,6 @@ fn causes(before: &Recorded, after: &Recorded, hazards: &[Row]) -> Vec<CauseRow>
     all
 }
 
-fn row(before: Option<&Hazard>, after: Option<&Hazard>, one: &Hazard, complete: bool) -> Row {
-    let change = match (before, after) {
-        (None, _) => Change::New,
-        (Some(_), None) if complete => Change::Fixed,
-        (Some(_), None) => Change::NotFoundAgain,
-        (Some(before), Some(after)) => Change::of_ratio(before.ratio, after.ratio),
-    };
-    Row {
-        change,
-        id: one.id.clone(),
-        body_region: one.body_region.to_string(),
-        robot_link: one.robot_link.clone(),
-        before: before.map(|hazard| hazard.ratio),
-        after: after.map(|hazard| hazard.ratio),
-    }
-}
-
 /// What of the inputs is different.
 fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<String> {
     let mut out = Vec::new();
@@ -271,9 +306,8 @@ fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<
     tell("tool", &before.tool, &after.tool);
     tell("edition of the limits", &before.standard_edition, &after.standard_edition);
     tell("cell", &before.subject.cell, &after.subject.cell);
-    let begins = |scan: &Recorded| {
-        scan.subject.beginning.as_ref().map_or_else(|| "as the cell file says".to_owned(), |b| b.words())
-    };
+    let begins =
+        |scan: &Recorded| scan.begins().map_or_else(|| "as the cell file says".to_owned(), |begins| begins.words());
     tell("the person begins", &begins(before), &begins(after));
     let unit = |scan: &Recorded, name: &str| {
         let found = scan.subject.fmus.iter().find(|fmu| fmu.unit == name);
@@ -287,7 +321,7 @@ fn inputs(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Vec<
         tell(format!("FMU {name}").trim_end(), &unit(before, name), &unit(after, name));
     }
     let keys: std::collections::BTreeSet<&String> = before.settings.keys().chain(after.settings.keys()).collect();
-    for key in keys {
+    for key in keys.into_iter().filter(|key| *key != "begins") {
         let value = |scan: &Recorded| scan.settings.get(key).map_or_else(|| "none".to_owned(), ToString::to_string);
         tell(&format!("settings.{key}"), &value(before), &value(after));
     }

@@ -129,6 +129,11 @@ fn settings() -> Settings {
         controls: Vec::new(),
         until_s: None,
         presses: None,
+        begins: None,
+        seen_at_start: Vec::new(),
+        body: None,
+        floor_m: None,
+        start_region_m: None,
     }
 }
 

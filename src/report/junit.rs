@@ -6,9 +6,10 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use super::baseline::{Baseline, Standing};
 use super::cause::grouped;
 use super::model::{Hazard, ScanReport, Verdict};
+use super::recorded::is_complete;
 
 /// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that
-/// knows and is not there any more is a success if the scan accounted for every sequence; else it may still be there, and is
+/// knows and is not there any more is a success if the scan is complete and would have told it; else it may still be there, and is
 /// skipped too.
 ///
 /// # Errors
@@ -43,20 +44,7 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
         };
         cases.push(case(&xml(&cause.title()), &cell, status));
     }
-    let complete = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
-    for (known, cause) in
-        baseline.into_iter().flat_map(|known| known.gone_causes(report).into_iter().map(move |cause| (known, cause)))
-    {
-        let told = |hazard: &&Hazard| known.would_tell(report, hazard);
-        let status = if complete && cause.hazards.iter().all(told) {
-            TestCaseStatus::success()
-        } else if complete {
-            skipped("not found again, but the scan did not look for it as closely as the baseline")
-        } else {
-            skipped("not found again, but the scan did not account for every sequence")
-        };
-        cases.push(case(&xml(&cause.title()), &cell, status));
-    }
+    cases.extend(baseline.into_iter().flat_map(|known| gone(report, known, &cell)));
     for fault in &report.faults {
         let mut error = TestCaseStatus::non_success(NonSuccessKind::Error);
         error.set_type("FMU fault");
@@ -75,6 +63,23 @@ pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String
     };
     cases.push(case("the scan has a result", &cell, scan));
     write(&cell, cases)
+}
+
+/// A case for each cause that the baseline knows and the scan did not find.
+fn gone(report: &ScanReport, known: &Baseline, cell: &str) -> Vec<TestCase> {
+    let certified = report.certificate.as_ref().is_some_and(|certificate| certificate.complete);
+    let complete = is_complete(report.verdict, &report.settings.strategy, certified);
+    let gone = known.gone_causes(report).into_iter().map(|cause| {
+        let status = match cause.hazards.iter().find_map(|hazard| known.narrower(report, hazard)) {
+            _ if !complete => skipped("not found again, but the scan is not complete"),
+            Some(narrower) => {
+                skipped(&xml(&format!("not found again, but the scan {}: {}", narrower.words(), narrower.help())))
+            }
+            None => TestCaseStatus::success(),
+        };
+        case(&xml(&cause.title()), cell, status)
+    });
+    gone.collect()
 }
 
 /// The XML of one suite.

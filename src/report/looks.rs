@@ -1,11 +1,23 @@
 //! What a scan looks for, as its settings say: whether a later scan would have told a hazard that an earlier one did. A hazard
 //! that is not looked for any more is not fixed.
+//!
+//! Two kinds of things stand in a cell file. Some **describe the machine**: the FMU and its parameters, robots and their moving mass,
+//! shapes, padding and surface of links, obstacles, sensors, what follows the FMU, how far robots go on after a contact or a stop
+//! where the FMU itself shows it. These are what a repair changes: they are not compared here, and a hazard that is gone with them
+//! is fixed. Others **ask the question**: who the people are, where and when they begin, what they do and work, what counts as
+//! unsafe, for how long and how finely it is looked at. Where one of these asks for less than it did, nothing that is not found is
+//! fixed. Terms of a criterion that the cell file states, and nothing measures, belong to the question, even those that describe a
+//! machine (a stated stopping distance, the uncertainty of a position): nobody sees the machine change with them.
+//!
+//! Everything that a result says of its settings is taken apart here, so that something new does not build before it is decided
+//! which of the two it is.
 
 use serde::Deserialize;
 
 use super::criteria::{CriteriaRecord, judges, tells_all};
-use super::model::{Hazard, Settings};
-use super::people::SecondRecord;
+use super::model::{Begin, Hazard, Settings};
+use super::narrower::Narrower;
+use super::people::{BodyRecord, SecondRecord};
 use super::worked::ControlRecord;
 use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::hazard::{Class, Criterion};
@@ -43,24 +55,68 @@ pub struct Looks {
     pub until_s: Option<f64>,
     /// And how often controls are worked at most.
     pub presses: Option<u32>,
+    /// Of a scan from a start: where and when the person begins.
+    pub begins: Option<Begin>,
+    /// Of such a scan: the sensors that see somebody there already.
+    #[serde(default)]
+    pub seen_at_start: Vec<String>,
+    /// The person's body.
+    pub body: Option<BodyRecord>,
+    /// Of a scan from anywhere: the floor that people may be on, if that is bounded.
+    pub floor_m: Option<Vec<[f64; 2]>>,
+    /// And where they come from, if that is not the outside.
+    pub start_region_m: Option<Vec<[f64; 2]>>,
 }
 
 impl From<&Settings> for Looks {
     fn from(settings: &Settings) -> Self {
+        let Settings {
+            // How it was searched: whether that was enough, the certificate says.
+            strategy: _,
+            seed: _,
+            iterations: _,
+            stop_at_first: _,
+            posture_sweep: _,
+            // The same for all.
+            action_s: _,
+            actions_per_sequence,
+            contact_check_interval_s,
+            reach_tolerance_m,
+            speed_criterion,
+            criteria,
+            arm_speed_m_s,
+            held_m,
+            also,
+            run_m_s,
+            second,
+            controls,
+            until_s,
+            presses,
+            begins,
+            seen_at_start,
+            body,
+            floor_m,
+            start_region_m,
+        } = settings.clone();
         Self {
-            speed_criterion: settings.speed_criterion,
-            criteria: settings.criteria.clone(),
-            arm_speed_m_s: settings.arm_speed_m_s,
-            held_m: settings.held_m,
-            also: settings.also.clone(),
-            run_m_s: settings.run_m_s,
-            second: settings.second.clone(),
-            controls: settings.controls.clone(),
-            actions_per_sequence: settings.actions_per_sequence,
-            contact_check_interval_s: settings.contact_check_interval_s,
-            reach_tolerance_m: settings.reach_tolerance_m,
-            until_s: settings.until_s,
-            presses: settings.presses,
+            speed_criterion,
+            criteria,
+            arm_speed_m_s,
+            held_m,
+            also,
+            run_m_s,
+            second,
+            controls,
+            actions_per_sequence,
+            contact_check_interval_s,
+            reach_tolerance_m,
+            until_s,
+            presses,
+            begins,
+            seen_at_start,
+            body,
+            floor_m,
+            start_region_m,
         }
     }
 }
@@ -72,40 +128,145 @@ impl Looks {
         serde_json::from_value(serde_json::Value::Object(settings.clone())).ok()
     }
 
-    /// Whether a contact that was a hazard of this class by what `earlier` looked for is one by this. Terms that describe the
-    /// machine (how far something gets in unseen, how far a robot goes on) may differ: they are what is changed in a cell.
+    /// Takes what it does not say of where the person begins, and of the body, from what another says of the same cell file. Which of
+    /// several beginnings it was, both would say.
+    pub fn or_of(&mut self, other: &Self) {
+        if self.until_s.is_none() {
+            self.begins = self.begins.or(other.begins);
+        }
+        self.body = self.body.or(other.body);
+        if let (Some(mine), Some(its)) = (&mut self.second, &other.second) {
+            mine.body = mine.body.or(its.body);
+        }
+        if let (Some(mine), Some(its)) = (&mut self.criteria, &other.criteria)
+            && let (Some(mine), Some(its)) = (&mut mine.separation, &its.separation)
+        {
+            mine.stated = mine.stated.or(its.stated);
+        }
+    }
+
+    /// Why a hazard of `earlier`, run here again from where it began then with the body that the person had then, may not be told
+    /// though it is there; nothing if it would be told.
     #[must_use]
-    pub fn judges_as_strictly_as(&self, earlier: &Self, class: Class) -> bool {
+    pub fn judges_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
+        let Self {
+            speed_criterion: _,
+            criteria: _,
+            arm_speed_m_s: _,
+            held_m: _,
+            also: _,
+            run_m_s: _,
+            second: _,
+            controls: _,
+            contact_check_interval_s,
+            reach_tolerance_m,
+            presses: _,
+            // Of sequences that are run as they were recorded, from where they were: the same, whatever the cell says.
+            actions_per_sequence: _,
+            until_s: _,
+            begins: _,
+            seen_at_start: _,
+            body: _,
+            floor_m: _,
+            start_region_m: _,
+        } = self;
+        self.judges_more_loosely(earlier, hazard.class)
+            .or_else(|| (!self.reaches_as_fast_as(earlier)).then_some(Narrower::Arms))
+            .or_else(|| self.does_otherwise(earlier))
+            .or_else(|| self.works_less(earlier, hazard))
+            .or_else(|| (*contact_check_interval_s > earlier.contact_check_interval_s).then_some(Narrower::Interval))
+            .or_else(|| (*reach_tolerance_m > earlier.reach_tolerance_m).then_some(Narrower::Tolerance))
+    }
+
+    /// Why a scan that accounted for everything, and found hazards of these classes, may not have told this hazard of an earlier
+    /// scan though it is still there; nothing if it would have.
+    #[must_use]
+    pub fn narrower(&self, earlier: &Self, hazard: &Hazard, found: impl Iterator<Item = Class>) -> Option<Narrower> {
+        let when = |narrower: bool, what: Narrower| narrower.then_some(what);
+        self.begins_otherwise(earlier)
+            .or_else(|| when(!self.is_as_long(earlier, hazard), Narrower::Horizon))
+            .or_else(|| when(self.body != earlier.body, Narrower::Body))
+            .or_else(|| self.judges_less(earlier, hazard))
+            .or_else(|| when(!tells_all(self.criteria.as_ref(), hazard.class, found), Narrower::Hidden))
+    }
+
+    /// Where and when people begin, and the floor that they may be on.
+    fn begins_otherwise(&self, earlier: &Self) -> Option<Narrower> {
+        if self.until_s.is_some() != earlier.until_s.is_some() {
+            return Some(Narrower::FromElsewhere);
+        }
+        // A body is told by every version that tells where people begin.
+        let told = |looks: &Self| looks.body.is_some() && (looks.until_s.is_some() || looks.begins.is_some());
+        if !told(self) || !told(earlier) {
+            return Some(Narrower::NotRecorded);
+        }
+        let begins = |looks: &Self| looks.begins.map(|begins| begins.bits());
+        let floor = |looks: &Self| (looks.floor_m.clone(), looks.start_region_m.clone());
+        if begins(self) != begins(earlier) {
+            return Some(Narrower::Beginning);
+        }
+        if floor(self) != floor(earlier) {
+            return Some(Narrower::Floor);
+        }
+        // Who begins on a mat meets a robot that stands, which shows nothing.
+        let sensor = self.seen_at_start.iter().find(|sensor| !earlier.seen_at_start.contains(sensor))?;
+        Some(Narrower::SeenAtStart { sensor: sensor.clone() })
+    }
+
+    fn is_as_long(&self, earlier: &Self, hazard: &Hazard) -> bool {
+        match (self.until_s, earlier.until_s) {
+            (Some(mine), Some(its)) => mine >= its,
+            _ => self.actions_per_sequence as usize >= hazard.shortest.actions.len(),
+        }
+    }
+
+    /// Why a contact that was a hazard of this class by what `earlier` looked for may be none by this.
+    fn judges_more_loosely(&self, earlier: &Self, class: Class) -> Option<Narrower> {
         let (mine, its) = (self.criteria.as_ref(), earlier.criteria.as_ref());
+        if !judges(mine, class) {
+            return Some(Narrower::Criterion { class });
+        }
         let by_force = |looks: &Self| match &looks.criteria {
             Some(criteria) => criteria.transient_force,
             None => Some(looks.speed_criterion),
         };
-        judges(mine, class)
-            && match class {
-                // The force by the robot's own speed and by the speed of approach: neither is always the larger one.
-                Class::Force | Class::HeadContact => by_force(self) == by_force(earlier),
-                Class::Clamping | Class::Pressure => true,
-                Class::MovingContact => {
-                    let from = |of: Option<&CriteriaRecord>| of.and_then(|of| of.moving_contact_faster_than_m_s);
-                    from(mine) <= from(its)
-                }
-                Class::Separation => {
-                    let terms = |of: Option<&CriteriaRecord>| of.and_then(|of| of.separation.clone());
-                    terms(mine).map(|terms| terms.approach_m_s) >= terms(its).map(|terms| terms.approach_m_s)
-                }
+        match class {
+            // The force by the robot's own speed and by the speed of approach: neither is always the larger one.
+            Class::Force | Class::HeadContact => (by_force(self) != by_force(earlier)).then_some(Narrower::Speed),
+            Class::Pressure => None,
+            Class::Clamping => {
+                let clamping = |of: Option<&CriteriaRecord>| of.and_then(|of| of.clamping.clone());
+                let shorter = clamping(mine).zip(clamping(its)).is_some_and(|(mine, its)| mine.is_looser_than(&its));
+                shorter.then_some(Narrower::Travel)
             }
+            Class::MovingContact => {
+                let from = |of: Option<&CriteriaRecord>| of.and_then(|of| of.moving_contact_faster_than_m_s);
+                (from(mine) > from(its)).then_some(Narrower::MovingContact)
+            }
+            Class::Separation => {
+                let terms = |of: Option<&CriteriaRecord>| of.and_then(|of| of.separation.clone());
+                let term = terms(mine)?.looser_than(&terms(its)?)?;
+                Some(Narrower::Separation { term: term.to_owned() })
+            }
+        }
     }
 
-    /// Whether all controls that are worked on the way to a hazard of `earlier` are worked here too, under the same numbers, in the
-    /// same way, and at least as often: what anyone works at any moment, the person does too.
-    #[must_use]
-    pub fn works_as_much_as(&self, earlier: &Self, hazard: &Hazard) -> bool {
+    /// Which of the controls that are worked on the way to a hazard of `earlier` is missing here, is another under its number, or is
+    /// worked otherwise, or less often: what anyone works at any moment, the person does too.
+    fn works_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
         let sequences = [&hazard.actions, &hazard.shortest.actions];
         let mut worked = sequences.into_iter().flatten().flat_map(|action| action.presses().numbers()).peekable();
         // From one beginning there is no limit; from anywhere there is.
         let as_often = worked.peek().is_none() || self.until_s.is_none() || self.presses >= earlier.presses;
-        as_often && worked.all(|control| self.works(earlier, control))
+        if !as_often {
+            return Some(Narrower::Presses);
+        }
+        let other = worked.find(|control| !self.works(earlier, *control))?;
+        let its = earlier.controls.get(other);
+        let control = its.map_or_else(|| (other + 1).to_string(), |its| its.name.clone());
+        let there =
+            self.controls.get(other).is_some_and(|mine| mine.name == control && mine.by != ControlledBy::Nobody);
+        Some(if there { Narrower::ControlOtherwise { control } } else { Narrower::ControlMissing { control } })
     }
 
     /// Whether arms are as fast here, or anywhere at once.
@@ -114,17 +275,19 @@ impl Looks {
         self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
     }
 
-    /// Whether the people do the same here, and a second one begins at the same place. What somebody can do matters for every hazard,
+    /// Whether the people do something else here, or a second one begins elsewhere. What somebody can do matters for every hazard,
     /// not only for those on the way to which it is done: who may be below a light curtain is not held back by it.
-    #[must_use]
-    pub fn does_the_same_as(&self, earlier: &Self) -> bool {
+    fn does_otherwise(&self, earlier: &Self) -> Option<Narrower> {
         let beside = match (&self.second, &earlier.second) {
             (Some(mine), Some(its)) => mine.does_the_same_as(its),
             (None, None) => true,
             _ => false,
         };
-        let own = |looks: &Self| (looks.run_m_s, looks.held_m);
-        beside && self.also == earlier.also && own(self) == own(earlier)
+        if !beside {
+            return Some(Narrower::Second);
+        }
+        let own = |looks: &Self| (looks.also.clone(), looks.run_m_s, looks.held_m);
+        (own(self) != own(earlier)).then_some(Narrower::Abilities)
     }
 
     fn works(&self, earlier: &Self, control: usize) -> bool {
@@ -144,172 +307,8 @@ impl Looks {
             (&mine.name, mine.kind) == (&its.name, its.kind) && as_often && as_long
         })
     }
-
-    /// Whether a scan that accounted for every sequence, and found hazards of these classes, would have told this hazard of an
-    /// earlier scan if it were still there.
-    #[must_use]
-    pub fn would_tell(&self, earlier: &Self, hazard: &Hazard, found: impl Iterator<Item = Class>) -> bool {
-        let long_enough = match (self.until_s, earlier.until_s) {
-            (None, None) => self.actions_per_sequence as usize >= hazard.shortest.actions.len(),
-            (Some(mine), Some(its)) => mine >= its,
-            // One is about people from anywhere, the other about one beginning.
-            _ => false,
-        };
-        long_enough
-            && self.contact_check_interval_s <= earlier.contact_check_interval_s
-            && self.reach_tolerance_m <= earlier.reach_tolerance_m
-            && self.reaches_as_fast_as(earlier)
-            && self.does_the_same_as(earlier)
-            && self.works_as_much_as(earlier, hazard)
-            && self.judges_as_strictly_as(earlier, hazard.class)
-            && tells_all(self.criteria.as_ref(), hazard.class, found)
-    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::criteria::SeparationTerms;
-    use super::*;
-
-    fn looks() -> Looks {
-        let separation = SeparationTerms {
-            stop: None,
-            intrusion_m: 0.2,
-            person_uncertainty_m: 0.0,
-            robot_uncertainty_m: 0.0,
-            approach_m_s: 1.6,
-        };
-        Looks {
-            speed_criterion: Criterion::Absolute,
-            criteria: Some(CriteriaRecord {
-                transient_force: Some(Criterion::Absolute),
-                clamping: None,
-                pressure: true,
-                moving_contact_faster_than_m_s: Some(0.1),
-                separation: Some(separation),
-            }),
-            arm_speed_m_s: Some(2.0),
-            held_m: None,
-            also: Vec::new(),
-            run_m_s: None,
-            second: None,
-            controls: Vec::new(),
-            actions_per_sequence: 8,
-            contact_check_interval_s: 0.02,
-            reach_tolerance_m: 0.02,
-            until_s: None,
-            presses: None,
-        }
-    }
-
-    #[test]
-    fn whoever_does_other_things_is_another_person() {
-        let with = |also: &[Ability], run_m_s| Looks { also: also.to_vec(), run_m_s, ..looks() };
-        let (walks, crawls) = (with(&[], None), with(&[Ability::Crawl], None));
-        let runs = |fast| with(&[Ability::Run], Some(fast));
-        for (after, before, same) in [
-            (&walks, &walks, true),
-            (&crawls, &crawls, true),
-            (&walks, &crawls, false),
-            (&crawls, &walks, false),
-            (&runs(3.2), &runs(3.2), true),
-            (&runs(4.8), &runs(3.2), false),
-            (&Looks { held_m: Some(0.3), ..looks() }, &walks, false),
-        ] {
-            assert_eq!(after.does_the_same_as(before), same, "{after:?} {before:?}");
-        }
-    }
-
-    #[test]
-    fn slower_arms_reach_less() {
-        let with = |arm_speed_m_s| Looks { arm_speed_m_s, ..looks() };
-        for (after, before, as_fast) in [
-            (None, None, true),
-            (None, Some(2.0), true),
-            (Some(2.0), Some(2.0), true),
-            (Some(3.0), Some(2.0), true),
-            (Some(1.6), Some(2.0), false),
-            (Some(2.0), None, false),
-        ] {
-            assert_eq!(with(after).reaches_as_fast_as(&with(before)), as_fast, "{after:?} {before:?}");
-        }
-    }
-
-    /// A control counts as worked if it is the same, and whoever worked it before may still.
-    #[test]
-    fn what_is_worked_less_is_not_told() {
-        use ControlledBy::{Anyone, Nobody, Person};
-        let with = |name: &str, by, kind| Looks {
-            controls: vec![ControlRecord {
-                name: name.to_owned(),
-                by,
-                kind,
-                pressed_steps: (kind == ControlKind::Momentary).then_some(10),
-                door: false,
-            }],
-            ..looks()
-        };
-        let momentary = |by| with("reset", by, ControlKind::Momentary);
-        for (before, after, works) in [
-            (Person, Person, true),
-            (Person, Anyone, true),
-            (Anyone, Anyone, true),
-            (Anyone, Person, false),
-            (Person, Nobody, false),
-            (Anyone, Nobody, false),
-        ] {
-            assert_eq!(momentary(after).works(&momentary(before), 0), works, "{before:?} {after:?}");
-        }
-        assert!(!with("mode", Person, ControlKind::Momentary).works(&momentary(Person), 0));
-        assert!(!with("reset", Person, ControlKind::Held).works(&momentary(Person), 0));
-        // The same time in half as long steps is the same; a shorter one is not, nor one of which nothing is said.
-        for (pressed_steps, step_s, works) in
-            [(Some(10), 0.02, true), (Some(20), 0.01, true), (Some(10), 0.01, false), (None, 0.02, false)]
-        {
-            let mut after = Looks { contact_check_interval_s: step_s, ..momentary(Person) };
-            after.controls[0].pressed_steps = pressed_steps;
-            assert_eq!(after.works(&momentary(Person), 0), works, "{pressed_steps:?} {step_s}");
-        }
-        assert!(with("mode", Person, ControlKind::Held).works(&with("mode", Person, ControlKind::Held), 0));
-        assert!(!looks().works(&momentary(Person), 0) && !momentary(Person).works(&momentary(Person), 1));
-    }
-
-    /// Each criterion, loosened by itself, says nothing of its own hazards any more and as much as before of the others.
-    #[test]
-    fn what_is_judged_more_loosely_is_not_told() {
-        const ALL: [Class; 6] = [
-            Class::Force,
-            Class::HeadContact,
-            Class::Clamping,
-            Class::Pressure,
-            Class::MovingContact,
-            Class::Separation,
-        ];
-        type Loosen = fn(&mut CriteriaRecord);
-        let cases: [(Loosen, &[Class]); 6] = [
-            (|c| c.transient_force = Some(Criterion::Approach), &[Class::Force, Class::HeadContact]),
-            (|c| c.transient_force = None, &[Class::Force, Class::HeadContact]),
-            (|c| c.pressure = false, &[Class::Pressure]),
-            (|c| c.moving_contact_faster_than_m_s = Some(0.5), &[Class::MovingContact]),
-            (|c| c.separation.as_mut().unwrap().approach_m_s = 0.5, &[Class::Separation]),
-            (|c| c.separation.as_mut().unwrap().intrusion_m = 0.1, &[]),
-        ];
-        let before = looks();
-        for (loosen, lost) in cases {
-            let mut after = looks();
-            loosen(after.criteria.as_mut().unwrap());
-            for class in ALL.into_iter().filter(|class| *class != Class::Clamping) {
-                assert_eq!(after.judges_as_strictly_as(&before, class), !lost.contains(&class), "{class:?} {after:?}");
-            }
-        }
-        // Stricter is strict enough, without a record as with one.
-        let mut after = looks();
-        after.criteria.as_mut().unwrap().moving_contact_faster_than_m_s = Some(0.0);
-        assert!(ALL.iter().all(|class| after.judges_as_strictly_as(&before, *class) || *class == Class::Clamping));
-        let plain = |speed_criterion| Looks { criteria: None, speed_criterion, ..looks() };
-        let [absolute, approach] = [Criterion::Absolute, Criterion::Approach].map(plain);
-        assert!(absolute.judges_as_strictly_as(&before, Class::Force));
-        assert!(!approach.judges_as_strictly_as(&before, Class::Force));
-        assert!(!approach.judges_as_strictly_as(&absolute, Class::HeadContact));
-    }
-}
+#[path = "looks_tests.rs"]
+mod tests;

@@ -5,6 +5,7 @@
 //! - [`recorded`]: the same, read back
 //! - [`moved`]: its paths, so that it can be moved
 //! - [`looks`]: what a scan looks for, and whether that is as much as an earlier one did
+//! - [`narrower`]: why it is not
 //! - [`difference`]: two scans side by side
 //! - [`baseline`]: hazards that are known already
 //! - [`assessment`]: what people decided about hazards
@@ -59,6 +60,7 @@ pub mod looks;
 pub mod mcap;
 pub mod model;
 pub mod moved;
+pub mod narrower;
 pub mod page;
 pub mod paper;
 mod paragraph;

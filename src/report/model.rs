@@ -9,7 +9,7 @@ use super::criteria::CriteriaRecord;
 use super::headline::Headline;
 use super::immovable;
 use super::judged::Judged;
-use super::people::SecondRecord;
+use super::people::{BodyRecord, SecondRecord};
 use super::share::CycleShare;
 use super::speeds::SpeedRecord;
 use super::worked::{ControlRecord, Working, worked_words};
@@ -158,15 +158,20 @@ impl BeginningSubject {
     /// Whether it is the same start at the same time, whatever its number.
     #[must_use]
     pub fn same(&self, other: &Self) -> bool {
-        let figures = |b: &Self| [b.xy_m[0], b.xy_m[1], b.heading_deg, b.begins_s].map(f64::to_bits);
-        figures(self) == figures(other)
+        self.begin().bits() == other.begin().bits()
+    }
+
+    /// The same without its number.
+    #[must_use]
+    pub const fn begin(&self) -> Begin {
+        let Self { number: _, of: _, xy_m, heading_deg, begins_s } = *self;
+        Begin { xy_m, heading_deg, begins_s }
     }
 
     /// For people.
     #[must_use]
     pub fn words(&self) -> String {
-        let Self { xy_m, heading_deg, begins_s, .. } = *self;
-        Begin { xy_m, heading_deg, begins_s }.words()
+        self.begin().words()
     }
 }
 
@@ -182,6 +187,13 @@ pub struct Begin {
 }
 
 impl Begin {
+    /// For comparisons: to the last bit.
+    #[must_use]
+    pub fn bits(&self) -> [u64; 4] {
+        let Self { xy_m: [x, y], heading_deg, begins_s } = *self;
+        [x, y, heading_deg, begins_s].map(f64::to_bits)
+    }
+
     /// For people.
     #[must_use]
     pub fn words(&self) -> String {
@@ -268,6 +280,21 @@ pub struct Settings {
     /// Of such a scan: how often controls were worked at most, if the cell has any that are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub presses: Option<u32>,
+    /// Of a scan from a start: where and when the person begins.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub begins: Option<Begin>,
+    /// Of such a scan: the sensors that see somebody there already; of those inside the FMU it is not known before it runs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub seen_at_start: Vec<String>,
+    /// The person's body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<BodyRecord>,
+    /// Of a scan from anywhere: corners of the floor that people may be on, floor plan, m, if that is bounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub floor_m: Option<Vec<[f64; 2]>>,
+    /// Of such a scan: corners of the floor from which they come, floor plan, m, if that is not the outside.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_region_m: Option<Vec<[f64; 2]>>,
 }
 
 /// What the search cost.

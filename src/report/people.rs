@@ -1,10 +1,57 @@
-//! A second person of a cell, as results tell of them.
+//! People of a cell, as results tell of them: their bodies, and a second person.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::cell::Workcell;
-use crate::human::Ability;
+use crate::cell::file::format::Sex;
+use crate::human::{Ability, Anthropometry, Body, Radii};
+use crate::standards::anthropometry::{Percentile, Sex as Surveyed};
+
+/// Whose body it is and how far it bends.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BodyRecord {
+    /// Sex of the body measures.
+    pub sex: Sex,
+    /// Percentile of the body measures: 5, 50 or 95.
+    pub percentile: u8,
+    /// How far they bend forward, degrees.
+    pub bend_forward_deg: f64,
+    /// How far they bend to the side, degrees.
+    pub bend_lateral_deg: f64,
+    /// Radii of body parts that the cell file says, m.
+    #[serde(default, skip_serializing_if = "is_median")]
+    pub radii_m: Radii,
+}
+
+fn is_median(radii: &Radii) -> bool {
+    *radii == Radii::default()
+}
+
+impl From<&Body> for BodyRecord {
+    fn from(body: &Body) -> Self {
+        let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *body.measures();
+        let sex = match sex {
+            Surveyed::Female => Sex::Woman,
+            Surveyed::Male => Sex::Man,
+        };
+        Self { sex, percentile: percentile.into(), bend_forward_deg, bend_lateral_deg, radii_m }
+    }
+}
+
+impl BodyRecord {
+    /// The body itself; none if there is no such body.
+    #[must_use]
+    pub fn body(&self) -> Option<Body> {
+        let sex = match self.sex {
+            Sex::Woman => Surveyed::Female,
+            Sex::Man => Surveyed::Male,
+        };
+        let Self { sex: _, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *self;
+        let percentile = Percentile::try_from(percentile).ok()?;
+        Body::new(&Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m }).ok()
+    }
+}
 
 /// A second person.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -24,15 +71,19 @@ pub struct SecondRecord {
     /// How far what they hold reaches beyond the finger tips, m, if they hold something.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held_m: Option<f64>,
+    /// Their body; older versions did not write it down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<BodyRecord>,
 }
 
 impl SecondRecord {
-    /// Whether they do the same from the same place, whatever they are called.
+    /// Whether they are and do the same, from the same place, whatever they are called.
     #[must_use]
     pub fn does_the_same_as(&self, other: &Self) -> bool {
-        let figures = |of: &Self| [of.xy_m[0], of.xy_m[1], of.heading_deg].map(f64::to_bits);
-        let does = |of: &Self| (of.also.clone(), of.run_m_s, of.held_m);
-        figures(self) == figures(other) && does(self) == does(other)
+        let Self { names: _, xy_m, heading_deg, also, run_m_s, held_m, body } = self;
+        let figures = |xy_m: [f64; 2], heading_deg: f64| [xy_m[0], xy_m[1], heading_deg].map(f64::to_bits);
+        figures(*xy_m, *heading_deg) == figures(other.xy_m, other.heading_deg)
+            && (also, run_m_s, held_m, body) == (&other.also, &other.run_m_s, &other.held_m, &other.body)
     }
 
     /// That of a cell, if it has one.
@@ -46,6 +97,7 @@ impl SecondRecord {
             also: second.repertoire.abilities().to_vec(),
             run_m_s: second.repertoire.run_m_s(),
             held_m: Some(second.held_m).filter(|held_m| *held_m > 0.0),
+            body: Some((&second.body).into()),
         })
     }
 }

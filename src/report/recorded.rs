@@ -7,8 +7,10 @@ use serde::Deserialize;
 use super::anywhere::ANYWHERE;
 use super::cause::{Cause, CauseAdvice};
 use super::looks::Looks;
-use super::model::{BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION, Verdict};
+use super::model::{Begin, BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION, Verdict};
 use super::moved::found;
+use super::narrower::Narrower;
+use crate::obligations::Obligations;
 
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
@@ -19,6 +21,9 @@ pub struct Recorded {
     pub tool: String,
     /// Overall outcome.
     pub verdict: Verdict,
+    /// What it rests on; nothing if it does not say.
+    #[serde(default)]
+    pub obligations: Obligations,
     /// What was scanned.
     pub subject: RecordedSubject,
     /// How it was searched.
@@ -44,14 +49,56 @@ impl Recorded {
         Looks::of(&self.settings)
     }
 
+    /// Where and when its person begins, of a scan from a start; none if it does not say. Versions that did not always write it
+    /// down did so where a cell had several beginnings.
+    #[must_use]
+    pub fn begins(&self) -> Option<Begin> {
+        let of_subject = || self.subject.beginning.as_ref().map(BeginningSubject::begin);
+        self.looks().and_then(|looks| looks.begins).or_else(of_subject)
+    }
+
     /// Whether it would have told this hazard of an earlier scan if it were still there.
     #[must_use]
     pub fn would_tell(&self, earlier: &Self, hazard: &Hazard) -> bool {
-        let both = self.looks().zip(earlier.looks());
-        let found = self.hazards.iter().map(|hazard| hazard.class);
-        // Where nothing moved, or nobody was seen, nothing was shown.
-        let says_something = self.verdict != Verdict::Inconclusive;
-        self.complete() && says_something && both.is_some_and(|(mine, its)| mine.would_tell(&its, hazard, found))
+        self.complete() && self.narrower(earlier, hazard).is_none()
+    }
+
+    /// Why it may not have told this hazard of an earlier scan though it is still there, if it is complete; nothing if it would have.
+    #[must_use]
+    pub fn narrower(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
+        if self.standard_edition != earlier.standard_edition {
+            return Some(Narrower::Edition);
+        }
+        let Some((mut mine, mut its)) = self.looks().zip(earlier.looks()) else { return Some(Narrower::NotRecorded) };
+        (mine.begins, its.begins) = (self.begins(), earlier.begins());
+        if self.subject.is_cell(&earlier.subject.cell_sha256, &earlier.subject.files) {
+            // What one of them does not say of the same file, the other does.
+            mine.or_of(&its);
+            its.or_of(&mine);
+        }
+        mine.narrower(&its, hazard, self.hazards.iter().map(|hazard| hazard.class))
+    }
+}
+
+impl RecordedSubject {
+    /// Whether it is the same cell file, and all that it extends or names besides FMUs is the same.
+    #[must_use]
+    pub fn is_cell(&self, sha256: &str, files: &[FileSubject]) -> bool {
+        let contents = |files: &[FileSubject]| files.iter().map(|file| file.sha256.clone()).collect::<Vec<_>>();
+        self.cell_sha256 == sha256 && contents(&self.files) == contents(files)
+    }
+}
+
+/// Whether a scan is complete: whatever it did not find is not there, within what it asks. All that calls something gone
+/// asks this.
+#[must_use]
+pub fn is_complete(verdict: Verdict, strategy: &str, certified: bool) -> bool {
+    match verdict {
+        // Where nothing moved, or nobody was seen, nothing was shown; nor where it was ended.
+        Verdict::Inconclusive | Verdict::FmuFailed | Verdict::Interrupted => false,
+        // From anywhere the worst of each region and link is told where something is found.
+        Verdict::HazardsFound | Verdict::NoneFound(_) if strategy == ANYWHERE => verdict.is_clean(),
+        Verdict::HazardsFound | Verdict::NoneFound(_) => certified,
     }
 }
 
@@ -166,12 +213,18 @@ impl Recorded {
     /// Whether it is about people from anywhere, and none of the cell's beginnings.
     #[must_use]
     pub fn is_from_anywhere(&self) -> bool {
-        self.settings.get("strategy").is_some_and(|strategy| strategy == ANYWHERE)
+        self.strategy() == ANYWHERE
     }
 
-    /// Whether every sequence was accounted for.
+    fn strategy(&self) -> &str {
+        self.settings.get("strategy").and_then(serde_json::Value::as_str).unwrap_or_default()
+    }
+
+    /// Whether it is complete, see [`is_complete`].
     #[must_use]
     pub fn complete(&self) -> bool {
-        self.certificate.as_ref().is_some_and(|certificate| certificate.complete)
+        let certified = self.certificate.as_ref().is_some_and(|certificate| certificate.complete);
+        // One of an earlier version does not say what it rests on.
+        is_complete(self.verdict, self.strategy(), certified) && self.obligations.clean().is_some()
     }
 }

@@ -16,13 +16,13 @@ use crate::cell::file::layers::as_one;
 use crate::cell::file::validate::validate;
 use crate::cell::find::{OpenedCell, open};
 use crate::cell::foreign::ssp::Wiring;
-use crate::cell::workcell::{Beginning, FileLine};
+use crate::cell::workcell::FileLine;
 use crate::cell::{Binding, Workcell, binding};
 use crate::fmi::Fmu;
 use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
-use crate::human::{Start, Who};
+use crate::human::Who;
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
@@ -59,7 +59,7 @@ pub struct Prepared {
     pub missing_protection: Vec<String>,
     source: Source,
     /// The cell file and where it is.
-    found: CellSource,
+    pub(super) found: CellSource,
     /// How the FMUs are connected, when they come as a system.
     wiring: Option<Wiring>,
     /// What came out when its sensors were tried.
@@ -81,6 +81,21 @@ pub fn prepare(path: &Path, cell: Option<&Path>) -> Result<Prepared, PrepareErro
 /// # Errors
 /// [`PrepareError`].
 pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result<Prepared, PrepareError> {
+    let (prepared, free_start) = prepare_unplaced(path, cell, hosting)?;
+    free_start?;
+    prepared.knowing_contact_stop()
+}
+
+/// The same for runs from elsewhere than where the cell file says, [`Prepared::begun`]: whether somebody can begin there is told
+/// beside it.
+///
+/// # Errors
+/// [`PrepareError`].
+pub fn prepare_unplaced(
+    path: &Path,
+    cell: Option<&Path>,
+    hosting: &Hosting,
+) -> Result<(Prepared, Result<(), PrepareError>), PrepareError> {
     let cell_file = cell.map(|cell| cell.display().to_string());
     let OpenedCell { cell, source: cell_source, fmus, wiring, found } = open(path, cell)?;
     let text = as_one(&cell_source);
@@ -146,8 +161,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         couplings,
     };
     accepted_for(cell.file(), &cell_source, &subject.fmu_digest())?;
-    free_start?;
-    Prepared {
+    let prepared = Prepared {
         cell,
         text,
         binding,
@@ -162,8 +176,8 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
         wiring,
         suspicions: Vec::new(),
         unsteady,
-    }
-    .knowing_contact_stop()
+    };
+    Ok((prepared, free_start))
 }
 
 /// The files that the cell's robots come from, and the system that its FMUs come in.
@@ -180,7 +194,7 @@ fn told_beginning(cell: &Workcell) -> Option<BeginningSubject> {
 }
 
 /// One of a cell's beginnings, from 0, as results tell it.
-fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
+pub(super) fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
     let beginning = &cell.beginnings[number];
     BeginningSubject {
         number: number + 1,
@@ -221,7 +235,8 @@ fn fit(
     let free_start = if let Some(sensor) = at_times.first() {
         let message = format!("somebody begins where `{sensor}` sees them, which counts only while the FMU says so");
         let help = "begin where it sees nobody: whether it counts as the FMU begins is not known".to_owned();
-        Err(PrepareError::Bind(source.error(source.table("human"), "here", message, Some(help))))
+        let error = source.error(source.table("human"), "here", message, Some(help));
+        Err(PrepareError::SeenAtTimes { sensor: (*sensor).to_owned(), error })
     } else if let Some(second) = second {
         let start = second.position(&second.start());
         let message = format!(
@@ -230,7 +245,7 @@ fn fit(
         );
         let span = cell.file().human.second.as_ref().map_or_else(|| source.table("human"), |table| table.start.span());
         let help = "move it; the body needs 0.14 m of room around it".to_owned();
-        Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
+        Err(PrepareError::NoRoom(source.error(span, "here", message, Some(help))))
     } else if world.start_is_free() {
         Ok(())
     } else {
@@ -242,7 +257,7 @@ fn fit(
         let which = if number == 0 { "human.start" } else { "this one of human.other_starts" };
         let help = format!("move {which}; the body needs 0.14 m of room around it");
         let span = starts.get(number).map_or_else(|| source.table("human"), |start| start.span());
-        Err(PrepareError::Bind(source.error(span, "here", message, Some(help))))
+        Err(PrepareError::NoRoom(source.error(span, "here", message, Some(help))))
     };
     Ok(Fitted { cell, binding, setup, free_start })
 }
@@ -269,35 +284,13 @@ impl Prepared {
         Ok(other)
     }
 
-    /// The same cell with another start, so long after the FMU's own, for so many actions.
-    ///
-    /// # Errors
-    /// When the person has no room there.
-    pub fn standing(&self, start: Start, lead_in_steps: usize, actions: u32) -> Result<Self, PrepareError> {
-        let mut cell = Workcell::clone(&self.cell);
-        cell.beginnings = vec![Beginning { start, lead_in_steps }];
-        cell.search.actions = actions;
-        self.with(self.found.clone(), cell, self.text.clone(), 0)
-    }
-
-    /// The same cell with the beginning that a scan recorded; one that recorded none was about the only one, at once.
-    ///
-    /// # Errors
-    /// When there is no such beginning any more.
-    pub fn beginning_of(&self, recorded: Option<&BeginningSubject>) -> Result<Self, PrepareError> {
-        let is = |number: &usize| match recorded {
-            Some(recorded) => recorded.same(&beginning_subject(&self.cell, *number)),
-            None => self.cell.beginnings[*number].lead_in_steps == 0,
-        };
-        match (0..self.cell.beginnings.len()).find(is) {
-            Some(number) => self.beginning(number),
-            None => Err(PrepareError::BeginningGone {
-                what: recorded.map_or_else(|| "at the FMU's own start".to_owned(), BeginningSubject::words),
-            }),
-        }
-    }
-
-    fn with(&self, found: CellSource, cell: Workcell, text: String, beginning: usize) -> Result<Self, PrepareError> {
+    pub(super) fn with(
+        &self,
+        found: CellSource,
+        cell: Workcell,
+        text: String,
+        beginning: usize,
+    ) -> Result<Self, PrepareError> {
         let count = cell.beginnings.len();
         if beginning >= count {
             return Err(PrepareError::NoBeginning { number: beginning + 1, count });

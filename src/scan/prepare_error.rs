@@ -19,19 +19,23 @@ pub enum PrepareError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Bind(#[from] Box<CellError>),
+    /// Somebody has no room at their start.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NoRoom(Box<CellError>),
+    /// Somebody begins in the zone of a sensor that does not always count.
+    #[error("{error}")]
+    #[diagnostic(forward(error))]
+    SeenAtTimes {
+        /// The sensor.
+        sensor: String,
+        /// As messages show it.
+        error: Box<CellError>,
+    },
     /// The FMUs cannot be stepped one after the other.
     #[error(transparent)]
     #[diagnostic(help("give one of its connections delay_steps = 1: its value then counts from the next step on"))]
     Coupling(#[from] AlgebraicLoop),
-    /// The cell has changed.
-    #[error("the cell has no beginning {what} any more")]
-    #[diagnostic(help(
-        "what was found from there cannot be tried: put it back into human.other_starts and human.begins_s"
-    ))]
-    BeginningGone {
-        /// Where and when it was.
-        what: String,
-    },
     /// A beginning that the cell has not.
     #[error("the cell has no beginning {number}")]
     #[diagnostic(help(

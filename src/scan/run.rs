@@ -16,7 +16,7 @@ use crate::host::selftest::Rung;
 use crate::human::action::ACTION_S;
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Obligations, Verdict};
-use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms};
+use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
 use crate::report::headline::{self, Headline};
 use crate::report::model::{FaultRecord, Residual, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
 use crate::report::people::SecondRecord;
@@ -186,6 +186,12 @@ pub(super) fn criteria(cell: &Workcell) -> Option<CriteriaRecord> {
                 Stop::Measured(name) => Some(name.clone()),
                 Stop::Stated { .. } => None,
             },
+            stated: match separation.stop {
+                Stop::Measured(_) => None,
+                Stop::Stated { reaction_s, stop_time_s, stop_distance_m } => {
+                    Some(StatedStop { reaction_s, stop_time_s, stop_distance_m })
+                }
+            },
             intrusion_m: separation.intrusion_m,
             person_uncertainty_m: separation.person_uncertainty_m,
             robot_uncertainty_m: separation.robot_uncertainty_m,
@@ -216,5 +222,10 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: None,
         presses: None,
+        begins: Some(prepared.begins()),
+        seen_at_start: prepared.seen_at_start(),
+        body: Some((&prepared.cell.body).into()),
+        floor_m: None,
+        start_region_m: None,
     }
 }

@@ -1,16 +1,19 @@
-//! Where and when a hazard begins: the cell as its sequence is run in it, and runs of sequences of several hazards.
+//! Where and when people begin, in a scan and in a hazard: the cell as its sequence is run in it, and runs of sequences of several hazards.
 
 use std::ops::Deref;
+use std::sync::Arc;
 
 use super::film;
 use super::hosting::StateChoice;
-use super::prepare::Prepared;
+use super::prepare::{Prepared, beginning_subject};
 use super::prepare_error::PrepareError;
+use crate::cell::Workcell;
+use crate::cell::workcell::Beginning;
 use crate::host::{Hosted, PlantError};
-use crate::human::Start;
-use crate::report::model::Hazard;
-use crate::sim::Simulation;
+use crate::human::{Body, Start};
+use crate::report::model::{Begin, Hazard};
 use crate::sim::simulation::Watched;
+use crate::sim::{Simulation, World};
 
 /// A cell with the beginning of a hazard.
 pub enum There<'a> {
@@ -32,18 +35,86 @@ impl Deref for There<'_> {
 }
 
 impl Prepared {
+    /// Where and when the person begins.
+    #[must_use]
+    pub fn begins(&self) -> Begin {
+        beginning_subject(&self.cell, self.cell.beginning).begin()
+    }
+
+    /// Where the person begins of a scan that recorded nothing of that: of the only beginning, at once.
+    #[must_use]
+    pub fn begins_at_once(&self) -> Begin {
+        let at_once = self.cell.beginnings.iter().position(|beginning| beginning.lead_in_steps == 0);
+        beginning_subject(&self.cell, at_once.unwrap_or_default()).begin()
+    }
+
+    /// The sensors that see somebody who stands where people begin, by their names. Those inside the FMU are not asked.
+    #[must_use]
+    pub fn seen_at_start(&self) -> Vec<String> {
+        let seen = World::new(Arc::clone(&self.cell), Arc::clone(&self.binding)).seen_at_start();
+        let names = self.cell.sensors.iter().map(|sensor| sensor.name.clone());
+        names.zip(seen).filter_map(|(name, seen)| seen.then_some(name)).collect()
+    }
+
+    /// The same cell with another start, so long after the FMU's own, for so many actions.
+    ///
+    /// # Errors
+    /// When the person has no room there.
+    pub fn standing(&self, start: Start, lead_in_steps: usize, actions: u32) -> Result<Self, PrepareError> {
+        self.of_body(None, start, lead_in_steps, actions)
+    }
+
+    fn of_body(
+        &self,
+        body: Option<Body>,
+        start: Start,
+        lead_in_steps: usize,
+        actions: u32,
+    ) -> Result<Self, PrepareError> {
+        let mut cell = Workcell::clone(&self.cell);
+        cell.body = body.unwrap_or(cell.body);
+        cell.beginnings = vec![Beginning { start, lead_in_steps }];
+        cell.search.actions = actions;
+        self.with(self.found.clone(), cell, self.text.clone(), 0)
+    }
+
+    /// The same cell from where and when a scan of another began, for so many actions at least; with the body that the person had
+    /// then, if that is told.
+    ///
+    /// # Errors
+    /// When the person has no room there.
+    pub fn begun(&self, begins: Begin, body: Option<Body>, actions: usize) -> Result<Self, PrepareError> {
+        let [x, y] = begins.xy_m;
+        let start = Start::new(x, y, begins.heading_deg);
+        let actions = self.cell.search.actions.max(u32::try_from(actions).unwrap_or(u32::MAX));
+        let lead_in_steps = film::steps(self, begins.begins_s);
+        self.of_body(body, start, lead_in_steps, actions)
+    }
+
+    /// The same with another body, if one is given, for runs that begin elsewhere than the cell says.
+    #[must_use]
+    pub fn with_body(mut self, body: Option<Body>) -> Self {
+        if let Some(body) = body {
+            self.cell = Arc::new(Workcell { body, ..Workcell::clone(&self.cell) });
+        }
+        self
+    }
+
+    /// The number of the cell's beginning that begins there and then, if it has one, from 0.
+    #[must_use]
+    pub fn beginning_at(&self, begins: Begin) -> Option<usize> {
+        let is = |number: &usize| beginning_subject(&self.cell, *number).begin().bits() == begins.bits();
+        (0..self.cell.beginnings.len()).find(is)
+    }
+
     /// The cell as the sequences of a hazard are run in it: from its own beginning, if it has one, and for as many actions as
     /// they take.
     ///
     /// # Errors
     /// When the person has no room at the beginning of its own.
     pub fn of_hazard(&self, hazard: &Hazard) -> Result<There<'_>, PrepareError> {
-        let Some(begins) = &hazard.begins else { return Ok(There::Same(self)) };
-        let [x, y] = begins.xy_m;
-        let start = Start::new(x, y, begins.heading_deg);
-        let longest = hazard.actions.len().max(hazard.shortest.actions.len());
-        let actions = self.cell.search.actions.max(u32::try_from(longest).unwrap_or(u32::MAX));
-        let there = self.standing(start, film::steps(self, begins.begins_s), actions)?;
+        let Some(begins) = hazard.begins else { return Ok(There::Same(self)) };
+        let there = self.begun(begins, None, hazard.actions.len().max(hazard.shortest.actions.len()))?;
         Ok(There::Own(Box::new(there)))
     }
 }

@@ -1,67 +1,210 @@
-//! Hazards that are known, tried again in a cell that was changed.
+//! Hazards that are known, tried again in a cell that was changed: from where and when they began then, and with the body that the
+//! person had then, whatever the changed cell says of these. What is not met then is fixed only where the changed cell asks as much
+//! as the scan did, and where something could have been met.
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
+use super::prepare_error::PrepareError;
 use super::run::criteria;
-use crate::cell::Workcell;
-use crate::hazard::Finding;
+use crate::cell::{Workcell, Zone};
+use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::{Class, Finding};
 use crate::host::PlantError;
-use crate::human::Action;
+use crate::human::{Action, Body};
 use crate::report::looks::Looks;
-use crate::report::model::Hazard;
+use crate::report::model::{Begin, Hazard};
+use crate::report::narrower::Narrower;
 use crate::report::people::SecondRecord;
+use crate::report::recorded::Recorded;
 use crate::report::verified::{Outcome, Verified};
 use crate::sim::replay::replay;
+use crate::sim::simulation::Instant;
 
-/// Runs the worst and the shortest sequence of a hazard from a fresh instance each, from where and when it begins. `earlier` is
-/// what the scan looked for that knows it.
-#[must_use]
-pub fn verify(prepared: &Prepared, earlier: Option<&Looks>, hazard: &Hazard) -> Verified {
-    // The FMU and its variables are bound already: what can be wrong is the place.
-    let Ok(there) = prepared.of_hazard(hazard) else {
-        return Verified { hazard: hazard.clone(), outcome: Outcome::NoRoom };
-    };
-    let looks = looks(&there.cell);
-    let judged = earlier.is_some_and(|earlier| {
-        looks.judges_as_strictly_as(earlier, hazard.class)
-            && looks.reaches_as_fast_as(earlier)
-            && looks.does_the_same_as(earlier)
-            && looks.works_as_much_as(earlier, hazard)
-    });
-    if !judged {
-        return Verified { hazard: hazard.clone(), outcome: Outcome::NotJudged };
-    }
-    let run = |actions: &[Action]| -> Result<Option<Finding>, PlantError> {
-        let (cell, binding) = (Arc::clone(&there.cell), Arc::clone(&there.binding));
-        replay(cell, binding, there.plant(StateChoice::Replay), actions, None)
-    };
-    let sequences = [&hazard.actions, &hazard.shortest.actions];
-    let different = if sequences[0] == sequences[1] { 1 } else { 2 };
-    let mut worst: Option<Finding> = None;
-    for actions in &sequences[..different] {
-        match run(actions) {
-            Err(error) => {
-                return Verified { hazard: hazard.clone(), outcome: Outcome::NotRun { cause: error.message } };
-            }
-            Ok(Some(found)) if worst.as_ref().is_none_or(|w| found.contact.ratio() > w.contact.ratio()) => {
-                worst = Some(found);
-            }
-            Ok(_) => {}
-        }
-    }
-    let outcome = worst.map_or(Outcome::Fixed, |found| Outcome::StillThere {
-        ratio: found.contact.ratio(),
-        force_n: found.contact.deciding_force_n(),
-        body_region: found.contact.region.to_string(),
-        robot_link: prepared.cell.links[found.contact.link].name.clone(),
-        time_s: found.time_s,
-    });
-    Verified { hazard: hazard.clone(), outcome }
+/// A changed cell, and what a scan of another knows.
+pub struct Again<'a> {
+    prepared: &'a Prepared,
+    /// What the scan looked for; nothing if the cell file is the one that was scanned, in which all of it is the same.
+    earlier: Option<Looks>,
+    /// Where hazards begin that have no beginning of their own.
+    begun: Result<Place, Outcome>,
 }
 
-/// What a scan of the cell would look for.
+/// A cell as the person begins at one place.
+struct Place {
+    prepared: Prepared,
+    /// What there is to see while the person stands there.
+    rest: OnceCell<Result<Vec<Instant>, PlantError>>,
+}
+
+impl<'a> Again<'a> {
+    /// Ready to try what `scan` knows.
+    ///
+    /// # Errors
+    /// When the changed cell cannot be simulated from there, but for want of room.
+    pub fn new(prepared: &'a Prepared, scan: &Recorded) -> Result<Self, PrepareError> {
+        let same = scan.subject.is_cell(&prepared.subject.cell_sha256, &prepared.subject.files);
+        let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
+        let not_recorded = || Outcome::NotJudged { cause: Narrower::NotRecorded };
+        let body = looks.as_ref().and_then(|looks| looks.body?.body());
+        let actions = scan.hazards.iter().map(longest).max().unwrap_or_default();
+        let begins = looks.as_ref().and_then(|looks| looks.begins);
+        let begun = match (begins, body) {
+            _ if scan.is_from_anywhere() => Err(not_recorded()),
+            (Some(begins), Some(body)) => Place::new(prepared, begins, Some(body), actions)?,
+            // Of the same file what is not written down is the same.
+            (begins, _) if same => {
+                let begins = begins.unwrap_or_else(|| prepared.begins_at_once());
+                Place::new(prepared, begins, None, actions)?
+            }
+            _ => Err(not_recorded()),
+        };
+        Ok(Self { prepared, earlier: looks.filter(|_| !same), begun })
+    }
+
+    /// Runs the worst and the shortest sequence of a hazard from a fresh instance each, from where and when it begins.
+    ///
+    /// # Errors
+    /// When the changed cell cannot be simulated from there, but for want of room.
+    pub fn verify(&self, hazard: &Hazard) -> Result<Verified, PrepareError> {
+        let outcome = match self.asks_less(hazard) {
+            Some(cause) => Outcome::NotJudged { cause },
+            None => self.outcome(hazard)?,
+        };
+        Ok(Verified { hazard: hazard.clone(), outcome })
+    }
+
+    /// Why the changed cell may not tell the hazard though it is there.
+    fn asks_less(&self, hazard: &Hazard) -> Option<Narrower> {
+        let cell = &self.prepared.cell;
+        let link = &hazard.robot_link;
+        if hazard.class == Class::Pressure && cell.links_of_unknown_pressure().contains(&link.as_str()) {
+            return Some(Narrower::Surface { link: link.clone() });
+        }
+        looks(cell).judges_less(self.earlier.as_ref()?, hazard)
+    }
+
+    fn outcome(&self, hazard: &Hazard) -> Result<Outcome, PrepareError> {
+        let own;
+        let place = match (hazard.begins, &self.begun) {
+            (None, Ok(begun)) => begun,
+            (None, Err(outcome)) => return Ok(outcome.clone()),
+            (Some(begins), _) => {
+                let body = self.earlier.as_ref().and_then(|earlier| earlier.body?.body());
+                if self.earlier.is_some() && body.is_none() {
+                    return Ok(Outcome::NotJudged { cause: Narrower::NotRecorded });
+                }
+                match Place::new(self.prepared, begins, body, longest(hazard))? {
+                    Ok(place) => own = place,
+                    Err(outcome) => return Ok(outcome),
+                }
+                &own
+            }
+        };
+        let sequences = [&hazard.actions, &hazard.shortest.actions];
+        let different = if sequences[0] == sequences[1] { 1 } else { 2 };
+        let mut worst: Option<Finding> = None;
+        for actions in &sequences[..different] {
+            match place.run(actions) {
+                Err(error) => return Ok(Outcome::NotRun { cause: error.message }),
+                Ok(Some(found)) if worst.as_ref().is_none_or(|w| found.contact.ratio() > w.contact.ratio()) => {
+                    worst = Some(found);
+                }
+                Ok(_) => {}
+            }
+        }
+        let Some(found) = worst else {
+            return Ok(place.shows_nothing(hazard, &self.saw(hazard, place)).unwrap_or(Outcome::Fixed));
+        };
+        Ok(Outcome::StillThere {
+            ratio: found.contact.ratio(),
+            force_n: found.contact.deciding_force_n(),
+            body_region: found.contact.region.to_string(),
+            robot_link: self.prepared.cell.links[found.contact.link].name.clone(),
+            time_s: found.time_s,
+        })
+    }
+}
+
+impl Again<'_> {
+    /// The sensors that reported somebody who stood there when the hazard was found.
+    fn saw(&self, hazard: &Hazard, place: &Place) -> Vec<String> {
+        match &self.earlier {
+            // The same zones.
+            None => place.prepared.seen_at_start(),
+            Some(earlier) if hazard.begins.is_none() => earlier.seen_at_start.clone(),
+            // Who comes from anywhere begins where no zone is, and has no hands on anything.
+            Some(_) => {
+                let sensors = place.prepared.cell.sensors.iter();
+                let hands = sensors.filter(|sensor| matches!(sensor.zone, Zone::TwoHand { .. }));
+                hands.map(|sensor| sensor.name.clone()).collect()
+            }
+        }
+    }
+}
+
+/// How many actions a hazard takes.
+fn longest(hazard: &Hazard) -> usize {
+    hazard.actions.len().max(hazard.shortest.actions.len())
+}
+
+impl Place {
+    /// The cell from there, for so many actions at least; or why nothing can be tried from there.
+    fn new(
+        prepared: &Prepared,
+        begins: Begin,
+        body: Option<Body>,
+        actions: usize,
+    ) -> Result<Result<Self, Outcome>, PrepareError> {
+        match prepared.begun(begins, body, actions) {
+            Ok(prepared) => Ok(Ok(Self { prepared, rest: OnceCell::new() })),
+            Err(PrepareError::NoRoom(_)) => Ok(Err(Outcome::NoRoom)),
+            Err(PrepareError::SeenAtTimes { sensor, .. }) => Ok(Err(Outcome::Seen { sensor })),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn run(&self, actions: &[Action]) -> Result<Option<Finding>, PlantError> {
+        let Prepared { cell, binding, .. } = &self.prepared;
+        replay(Arc::clone(cell), Arc::clone(binding), self.prepared.plant(StateChoice::Replay), actions, None)
+    }
+
+    /// Why it says nothing that nothing was met from there: a sensor that saw nobody there reports somebody who only stands there,
+    /// or the robot does not move then. Where a control is worked that may be what is repaired.
+    fn shows_nothing(&self, hazard: &Hazard, seen_before: &[String]) -> Option<Outcome> {
+        let rest = self.rest.get_or_init(|| {
+            let mut simulation = self.prepared.simulation(StateChoice::Replay, false)?;
+            let actions = vec![Action::REST; self.prepared.cell.search.actions as usize];
+            Ok(simulation.watch(&actions, &[])?.instants)
+        });
+        let rest = match rest {
+            Ok(rest) => rest,
+            Err(error) => return Some(Outcome::NotRun { cause: error.message.clone() }),
+        };
+        let cell = &self.prepared.cell;
+        let rest = &rest[..rest.len().min(longest(hazard) * cell.steps_per_action + 1)];
+        let reports = |sensor: usize| rest.iter().any(|instant| instant.readings[sensor]);
+        let mut sensors = cell.sensors.iter().enumerate().filter(|(_, sensor)| !seen_before.contains(&sensor.name));
+        if let Some((_, sensor)) = sensors.find(|(number, _)| reports(*number)) {
+            return Some(Outcome::Seen { sensor: sensor.name.clone() });
+        }
+        let link = cell.links.iter().find(|link| link.name == hazard.robot_link);
+        let is_its = |robot: usize| link.is_none_or(|link| link.robot == robot);
+        let moves = |instant: &Instant| {
+            let mut speeds = cell.links.iter().zip(&instant.frame.speed_bounds);
+            speeds.any(|(link, speed)| is_its(link.robot) && *speed > STANDSTILL_M_S)
+        };
+        if !hazard.worked.is_empty() || rest.iter().any(moves) {
+            return None;
+        }
+        let robot = link.map_or_else(|| "the robot".to_owned(), |link| cell.robots[link.robot].name.clone());
+        Some(Outcome::Still { robot })
+    }
+}
+
+/// What a scan of the cell would look for, but from where and how long.
 fn looks(cell: &Workcell) -> Looks {
     Looks {
         speed_criterion: cell.search.criterion,
@@ -77,5 +220,10 @@ fn looks(cell: &Workcell) -> Looks {
         reach_tolerance_m: cell.search.reach_tolerance_m,
         until_s: None,
         presses: None,
+        begins: None,
+        seen_at_start: Vec::new(),
+        body: Some((&cell.body).into()),
+        floor_m: None,
+        start_region_m: None,
     }
 }

@@ -50,6 +50,7 @@ mod long_tests;
 mod machine_formats;
 mod mcap;
 mod mutated_fmus;
+mod narrower_questions;
 mod obligations;
 mod obstacles;
 mod pipelines;

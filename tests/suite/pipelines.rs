@@ -247,7 +247,8 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
     assert_eq!(again.status.code(), Some(1), "{command}: {}", said(&again));
     assert_eq!(json(&moved.join("results/a/again/scan.json"))["hazards"], result["hazards"]);
     let (code, _, text) = ran(dir, &["compare", "elsewhere/results/a", "elsewhere/results/a/again"]);
-    assert_eq!(code, Some(0), "{text}");
+    // A quick search is not complete.
+    assert_eq!(code, Some(4), "{text}");
     // A scan that was interrupted before goes on there.
     let rest = serde_json::json!({
         "arguments": ["--no-advice", "cells/cell.toml", "--strategy", "hybrid", "--iterations", "12", "--out", "results/a"],

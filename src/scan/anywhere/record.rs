@@ -148,6 +148,11 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
         presses: found.presses,
+        begins: None,
+        seen_at_start: Vec::new(),
+        body: Some((&prepared.cell.body).into()),
+        floor_m: prepared.cell.floor.clone(),
+        start_region_m: prepared.cell.start_region.clone(),
     }
 }
 

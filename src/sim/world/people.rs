@@ -138,7 +138,8 @@ impl World {
     }
 
     /// What each sensor sees at the start.
-    pub(super) fn seen_at_start(&self) -> Vec<bool> {
+    #[must_use]
+    pub fn seen_at_start(&self) -> Vec<bool> {
         let of = |world: &Self| world.seen_by_each(&world.start(), Posture::Upright);
         let own = of(self);
         match &self.second {
