@@ -11,12 +11,13 @@ use super::exit::{Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
 use super::{earlier, output, recording};
+use crate::hazard::Finding;
 use crate::report::model::{Begin, Hazard};
 use crate::report::recorded::Recorded;
 use crate::report::verified::Standing;
 use crate::scan::verify::Again;
 use crate::scan::{Prepared, StateChoice};
-use crate::sim::replay::replay;
+use crate::sim::replay::{Wanted, replay_watched};
 use crate::standards::BodyRegion;
 
 /// A recorded hazard, simulated again.
@@ -167,13 +168,21 @@ fn again(prepared: &Prepared, hazard: &Hazard, recording: Option<&Path>) -> Resu
     };
     let cell = (Arc::clone(&there.cell), Arc::clone(&there.binding));
     let who = there.cell.who(hazard.person.as_deref());
-    let found = replay(cell.0, cell.1, there.plant(StateChoice::Replay), &hazard.actions, who)
+    // In one action somebody may be hit first and clamped then.
+    let like = |found: &Finding| {
+        let link = &there.cell.links[found.contact.link].name;
+        found.class == hazard.class
+            && found.time_s.to_bits() == hazard.time_s.to_bits()
+            && (found.contact.region, link) == (hazard.body_region, &hazard.robot_link)
+    };
+    let plant = there.plant(StateChoice::Replay);
+    let again = replay_watched(cell.0, cell.1, plant, &hazard.actions, &Wanted { who, like: &like })
         .map_err(|error| Failure::running(format!("{}: the FMU failed: {error}", hazard.id)))?;
     if let Some(file) = recording {
         recording::write(&there, hazard, file)?;
         output::note(&format!("   Wrote   {}", file.display()));
     }
-    let Some(found) = found else {
+    let Some(found) = again.found else {
         let because = "the sequence ends without an unsafe contact".to_owned();
         return Ok(replayed(Reproduction::NotReproduced, None, Some(because)));
     };

@@ -56,6 +56,8 @@ pub struct Contact {
     pub apart: Option<Apart>,
     class: Option<Class>,
     ratio: f64,
+    /// Of clamping alone: force or pressure on a part that cannot give way, over its limit.
+    clamping_ratio: f64,
     counts_force: bool,
 }
 
@@ -203,6 +205,7 @@ impl Contact {
             apart: None,
             class: None,
             ratio: 0.0,
+            clamping_ratio: 0.0,
             counts_force: strike.criteria.transient_force.is_some(),
         };
         contact.judge(touch.area, strike);
@@ -222,7 +225,8 @@ impl Contact {
         let counts = strike.criteria.transient_force.is_some();
         let force = if counts { self.transient_force_n() / self.limit_n } else { 0.0 };
         let clamping = self.clamp.map_or(0.0, |clamp| clamp.force_n / clamp.limit_n);
-        let ranked = [(Class::Force, force), (Class::Clamping, clamping.max(of(held))), (Class::Pressure, of(free))];
+        self.clamping_ratio = clamping.max(of(held));
+        let ranked = [(Class::Force, force), (Class::Clamping, self.clamping_ratio), (Class::Pressure, of(free))];
         let mut worst = ranked[0];
         for one in ranked {
             if one.1 > worst.1 {
@@ -279,6 +283,13 @@ impl Contact {
     #[must_use]
     pub fn breaking(self, class: Option<Class>) -> Self {
         Self { class, ..self }
+    }
+
+    /// The same as a clamping, whatever else it breaks; of no class where it is none.
+    #[must_use]
+    pub fn as_clamping(self) -> Self {
+        let class = (self.clamping_ratio > 1.0).then_some(Class::Clamping);
+        Self { class, ratio: self.clamping_ratio, ..self }
     }
 
     /// The same as of a robot that is too near.

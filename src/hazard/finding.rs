@@ -2,6 +2,7 @@
 
 use super::contact::Contact;
 use super::criterion::Class;
+use super::group::place_cell;
 use crate::geometry::Vec3;
 use crate::human::{Action, Who};
 
@@ -37,6 +38,13 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// Whether both are the same kind of hazard to an engineer: what [`Identity`](super::Identity) tells apart.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        let of = |f: &Self| (f.class, f.contact.region, f.contact.link, f.phase, place_cell(f.person), f.who);
+        of(self) == of(other) && self.sensors == other.sensors
+    }
+
     /// Whether it is told rather than another one of the same action, with neither of which sequences end: a contact before a
     /// distance, then the worse one, then this.
     #[must_use]

@@ -322,7 +322,9 @@ fn what_happens(hazard: &Hazard, around: &Circumstances) -> String {
 fn does(hazard: &Hazard) -> (&'static str, String) {
     match (hazard.class, hazard.clamping()) {
         (Class::Clamping, Some(clamping)) => {
-            ("clamps", format!(" against {}, with {:.0} mm of room", clamping.against, 1000.0 * clamping.gap_m))
+            let after = hazard.first_contact.as_ref().map_or_else(String::new, |first| format!(", {}", first.words()));
+            let (against, gap_mm) = (&clamping.against, 1000.0 * clamping.gap_m);
+            ("clamps", format!(" against {against}, with {gap_mm:.0} mm of room{after}"))
         }
         (Class::Pressure, _) => ("presses", " with too small a surface".to_owned()),
         (Class::MovingContact, _) => ("touches", String::new()),

@@ -13,7 +13,7 @@ use super::people::{BodyRecord, SecondRecord};
 use super::share::CycleShare;
 use super::speeds::SpeedRecord;
 use super::worked::{ControlRecord, Working, worked_words};
-use crate::hazard::{Class, Criterion, Group, finding};
+use crate::hazard::{Class, Criterion, Finding, Group, finding};
 use crate::host::selftest::SelfTest;
 use crate::human::Ability;
 use crate::human::action::Action;
@@ -404,6 +404,9 @@ pub struct Hazard {
     /// Controls that are worked in it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub worked: Vec<Working>,
+    /// The first hazard by contact of the sequence, where a clamping comes behind it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_contact: Option<FirstContact>,
     /// Iteration in which the hazard was first met, from 1.
     pub first_iteration: u64,
     /// Sequences found that end in this hazard.
@@ -414,6 +417,48 @@ pub struct Hazard {
     pub sequences: Option<String>,
     /// The shortest and calmest sequence.
     pub shortest: Shortest,
+}
+
+/// The first hazard by contact of a sequence in which somebody is clamped later.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FirstContact {
+    /// Time of the contact, s.
+    pub time_s: f64,
+    /// Why it is a hazard.
+    pub class: Class,
+    /// Who is hit, where there are two people.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub person: Option<String>,
+    /// Body region touched.
+    pub body_region: BodyRegion,
+    /// Robot link that touches.
+    pub robot_link: String,
+    /// What is broken worst, over its limit.
+    pub ratio: f64,
+}
+
+impl FirstContact {
+    /// That of a finding.
+    #[must_use]
+    pub fn of(first: &Finding, link_names: &[String], people: Option<&[String; 2]>) -> Self {
+        Self {
+            time_s: first.time_s,
+            class: first.class,
+            person: people.map(|names| names[first.who as usize].clone()),
+            body_region: first.contact.region,
+            robot_link: link_names[first.contact.link].clone(),
+            ratio: first.contact.ratio(),
+        }
+    }
+
+    /// "after the tool hit the chest at 0.62 s".
+    #[must_use]
+    pub fn words(&self) -> String {
+        let [done, _] = self.class.done();
+        let whose = self.person.as_ref().map_or_else(String::new, |person| format!(" of {person}"));
+        let (region, time_s) = (self.body_region.words(), self.time_s);
+        format!("after the {region}{whose} was {done} by {} at {time_s:.2} s", self.robot_link)
+    }
 }
 
 /// A plane that told of an arm: a light curtain, a door, a two-hand control that it let go.
@@ -683,6 +728,7 @@ impl Hazard {
                 .collect(),
             actions: f.actions.clone(),
             worked: Vec::new(),
+            first_contact: None,
             first_iteration: group.first_iteration,
             times_found: group.times_found,
             earliest_time_s: group.earliest_s,
@@ -775,7 +821,9 @@ impl Hazard {
                 let against = self.clamping().map_or_else(String::new, |c| {
                     format!(", held against {} {:.0} mm away", c.against, 1000.0 * c.gap_m)
                 });
-                format!("{} on the {}{against}: {described}", self.measure_words(), self.struck_words())
+                let after =
+                    self.first_contact.as_ref().map_or_else(String::new, |first| format!(", {}", first.words()));
+                format!("{} on the {}{against}{after}: {described}", self.measure_words(), self.struck_words())
             }
             Class::Pressure => format!("{} on the {}: {described}", self.measure_words(), self.struck_words()),
             Class::MovingContact => {

@@ -15,11 +15,11 @@ use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, PlantError, Policy, Unlike};
 use crate::human::Action;
 use crate::obligations::{Need, Point};
-use crate::report::model::Hazard;
+use crate::report::model::{FirstContact, Hazard};
 use crate::report::worked::Working;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
-use crate::sim::replay::replay_watched;
+use crate::sim::replay::{Replayed, Wanted, replay_watched};
 use crate::sim::{Options, Simulation, World};
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
@@ -84,9 +84,10 @@ pub(super) fn attempts(
             let mut hazard = Hazard::new(group, links, &sensors, prepared.cell.names());
             hazard.worked = worked(prepared, &mut plain, &hazard.actions);
             hazard.name_obstacles(|number| prepared.cell.obstacles[number].name.clone());
-            let (confirmed, since) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
+            let (confirmed, again) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
             hazard.confirmed = confirmed;
-            for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
+            hazard.first_contact = again.first.map(|first| FirstContact::of(&first, links, prepared.cell.names()));
+            for (sensor, since_s) in hazard.sensors.iter_mut().zip(again.reported_s) {
                 sensor.since_s = since_s;
             }
             hazard.shortest.confirmed = match group.shortest == group.worst {
@@ -263,27 +264,27 @@ pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Worki
     Working::all(presses, &prepared.cell.controls, prepared.cell.second.is_some())
 }
 
-/// Whether a fresh instance without any restore gives the same contact to the last bit, and for how long each sensor had
-/// reported the person by then; nothing if there was no time to see, or the FMU does not begin any more: why is put into
+/// Whether a fresh instance without any restore gives the same contact to the last bit, and what goes with it; nothing if there was no time to see, or the FMU does not begin any more: why is put into
 /// `not_run`.
 pub(super) fn confirm(
     prepared: &Prepared,
     plant: &mut Hosted,
     finding: &Finding,
     not_run: &mut Option<PlantError>,
-) -> (Option<bool>, Vec<Option<f64>>) {
+) -> (Option<bool>, Replayed) {
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    match replay_watched(cell, binding, plant, &finding.actions, Some(finding.who)) {
-        Ok((again, since)) => match again.as_ref() == Some(finding) {
-            true => (Some(true), since),
-            false => (Some(false), Vec::new()),
+    let wanted = Wanted { who: Some(finding.who), like: &|found| found == finding };
+    match replay_watched(cell, binding, plant, &finding.actions, &wanted) {
+        Ok(again) => match again.found.as_ref() == Some(finding) {
+            true => (Some(true), again),
+            false => (Some(false), Replayed::default()),
         },
         Err(error) if error.tried_nothing() => {
             if !error.stopped {
                 not_run.get_or_insert(error);
             }
-            (None, Vec::new())
+            (None, Replayed::default())
         }
-        Err(_) => (Some(false), Vec::new()),
+        Err(_) => (Some(false), Replayed::default()),
     }
 }

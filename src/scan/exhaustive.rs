@@ -16,7 +16,7 @@ use crate::host::{Effort, Hosted, PlantError};
 use crate::human::Action;
 use crate::obligations::{Need, Point};
 use crate::report::model::{Certificate, FaultRecord, Hazard, RandomSearch, RunAgain};
-use crate::search::exhaustive::{Account, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
+use crate::search::exhaustive::{Account, Before, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
 use crate::search::statistics::Independent;
 use crate::sim::expansion::{Expander, State};
 use crate::sim::journal::Journal;
@@ -129,7 +129,7 @@ impl Expansion for Watched<'_> {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[&State],
+        states: &[(&State, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, Ended> {
         let looked = match self.look(go_on) {
@@ -216,9 +216,9 @@ pub(super) fn census(
                 tell(Progress::Found(&Hazard::new(group, links, &sensors, people)))
             })
         }
-        Told::Noted { unsafe_state, prefixes } => {
+        Told::Noted { unsafe_state, prefixes, with_end } => {
             // Of two who are hit at once the sequence counts for the first.
-            let counted = unsafe_state.class.ends().then_some(BigUint::ZERO);
+            let counted = with_end.then_some(BigUint::ZERO);
             let finding = after(&world, prefixes, unsafe_state);
             let Some(id) = groups.add_counted(finding, counted, 0, links) else {
                 return ControlFlow::Continue(());
@@ -331,6 +331,19 @@ fn gaps(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, aga
         let why = "the FMU could not finish some actions: what follows from them is not known";
         gaps.push((Need::Finished, Point::open(why)));
     }
+    if account.behind_not_evaluated {
+        reasons.push(
+            "the FMU could not finish some actions behind a first contact: whether somebody is clamped there is not known"
+                .to_owned(),
+        );
+    }
+    if let Some(actions) = account.behind_cut {
+        reasons.push(format!(
+            "what comes behind a first contact took more than half of the budget of {}: for clamping it was looked at in \
+             sequences of {actions} actions, in longer ones in part. Raise --max-states, --max-memory or --max-work",
+            words(options.budget),
+        ));
+    }
     let runs = expander.coverage().arm_runs_not_evaluated;
     if runs > 0 {
         let (need, why) = match (expander.arm_run_strayed(), expander.arm_run_unfinished().is_some()) {
@@ -424,9 +437,11 @@ mod tests {
                 harmless: BigUint::from(36_u32),
                 excluded: BigUint::ZERO,
                 not_evaluated: BigUint::ZERO,
-                levels: vec![Level { states: 1, dropped: 0 }],
+                levels: vec![Level { states: 1, ..Level::default() }],
                 depth: 1,
                 stopped: Stopped::Complete,
+                behind_cut: None,
+                behind_not_evaluated: false,
             };
             let budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };
             let options = Exhaustive { budget, merge: Merge::History, workers: 1 };

@@ -52,15 +52,15 @@ pub fn minimise<P: Plant>(
 /// What is unsafe in a sequence.
 fn run<P: Plant>(simulation: &mut Simulation<P>, actions: &[Action]) -> Result<Vec<Finding>, PlantError> {
     simulation.reset()?;
-    let _ = simulation.take_findings();
+    let _ = (simulation.take_findings(), simulation.take_behind());
     for action in actions {
-        if simulation.take(*action)?.end.is_some() {
+        if simulation.take(*action)?.end.is_some() && !simulation.goes_on() {
             break;
         }
     }
-    let findings = simulation.take_findings();
+    let findings = simulation.take_findings().into_iter().chain(simulation.take_behind());
     let taken = simulation.taken().to_vec();
-    Ok(findings.into_iter().filter(|f| taken.starts_with(&f.actions)).collect())
+    Ok(findings.filter(|f| taken.starts_with(&f.actions)).collect())
 }
 
 /// What may be shorter or calmer, the most daring first.

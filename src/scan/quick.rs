@@ -21,6 +21,9 @@ use crate::sim::{Coverage, Options, Simulation};
 /// Looking for shorter sequences may cost as much as half the search, and this, in communication steps about.
 const SHORTENING: u64 = 500_000;
 
+/// Tells the chances behind a first contact from those of the strategy.
+const BEHIND: u64 = 0x0043_4c41_4d50;
+
 /// A search by a strategy that can be continued.
 pub(super) struct Quick<'a> {
     footing: Footing,
@@ -32,6 +35,8 @@ pub(super) struct Quick<'a> {
     strategy: Box<dyn Strategy<Simulation<Hosted>>>,
     simulation: Simulation<Hosted>,
     rng: Rng,
+    /// Of what comes behind a first contact: the strategy's chances stay what they are.
+    rng_behind: Rng,
     watch: Watch,
     /// What it found.
     pub groups: Groups,
@@ -86,6 +91,7 @@ impl<'a> Quick<'a> {
             strategy: strategy.build(),
             simulation,
             rng: Rng::new(options.seed),
+            rng_behind: Rng::new(options.seed ^ BEHIND),
             watch: Watch::new(options.iterations),
             groups: Groups::default(),
             done: 0,
@@ -125,6 +131,8 @@ impl<'a> Quick<'a> {
         while self.done < self.options.iterations && !self.has_ended() && goes_on(self.done, self.cost()) {
             let outcome = self.strategy.iterate(&mut self.simulation, &mut self.rng);
             let findings = self.simulation.take_findings();
+            let outcome =
+                outcome.and_then(|iteration| self.simulation.look_behind(&mut self.rng_behind).map(|()| iteration));
             if outcome.as_ref().is_err_and(|error| error.stopped) {
                 self.interrupted = true;
                 break;
@@ -133,7 +141,8 @@ impl<'a> Quick<'a> {
             if let Ok(iteration) = &outcome {
                 self.watch.after(iteration, &findings, &self.groups, self.links);
             }
-            for finding in findings {
+            let behind = self.simulation.take_behind();
+            for finding in findings.into_iter().chain(behind) {
                 let Some(id) = self.groups.add(finding, u64::from(self.done), self.links) else { continue };
                 if let Some(group) = self.groups.get(&id) {
                     let hazard = Hazard::new(group, self.links, &self.sensors, self.people.as_ref());

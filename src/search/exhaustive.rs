@@ -5,6 +5,11 @@
 //! it meets an unsafe state (counted at its first), or reaches the horizon without, or comes to a state from which, by a
 //! bound, no unsafe state can be met any more.
 //!
+//! **Behind the first unsafe state** a search may go on for what is worse and comes later, where the environment says where an
+//! unsafe action leads. That changes no count: a sequence is hazardous from its first unsafe state on. What is met there is noted.
+//! A state that safe and unsafe sequences lead to is expanded once for both; those that only unsafe ones lead to may take half of the
+//! budget, and are given up beyond that ([`Account::behind_cut`]).
+//!
 //! What makes states equal, and the bound, are the environment's: see [`Expansion`].
 
 use std::collections::BTreeMap;
@@ -18,21 +23,73 @@ use num_bigint::BigUint;
 pub enum Effect<U> {
     /// Leads to the state with this index in [`Expanded::next`].
     To(usize),
-    /// Leads to an unsafe state: the sequence ends.
-    Unsafe(U),
+    /// Leads to an unsafe state: the sequence counts as hazardous.
+    Unsafe {
+        /// What is unsafe.
+        met: U,
+        /// The index of the state that it leads to, where the search goes on for what comes behind it.
+        then: Option<usize>,
+    },
     /// The simulator could not finish it: what it leads to is not known.
     NotEvaluated(String),
+}
+
+impl<U> Effect<U> {
+    /// The same of an action in which something unsafe is met, where the search goes on behind it or not.
+    #[must_use]
+    pub fn hits(&self, met: U, goes_on: bool) -> Self {
+        let then = match self {
+            Self::To(index) if goes_on => Some(*index),
+            _ => None,
+        };
+        Self::Unsafe { met, then }
+    }
 }
 
 /// A state with all that can be done from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expanded<S, U> {
-    /// Successors that safe actions lead to.
+    /// Successors, of actions that are safe, and of others behind which the search goes on.
     pub next: Vec<S>,
     /// What each action does.
     pub effects: Vec<Effect<U>>,
-    /// What is unsafe on the way of an action without ending it: the action, and what is known of it.
-    pub noted: Vec<(usize, U)>,
+    /// What else is unsafe on the way of actions, and counts no sequence.
+    pub noted: Vec<Noted<U>>,
+}
+
+/// Something unsafe on the way of an action that counts no sequence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noted<U> {
+    /// The action.
+    pub action: usize,
+    /// What is known of it.
+    pub met: U,
+    /// Which sequences meet it.
+    pub of: Of,
+}
+
+/// Which of the sequences that lead to a state meet something in the next action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// Those that are safe until then.
+    Safe,
+    /// The same, together with what makes the action unsafe: another person's.
+    WithEnd,
+    /// Those that met something unsafe before.
+    Unsafe,
+    /// All.
+    Either,
+}
+
+/// What the sequences met that lead to a state which is expanded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Before {
+    /// Nothing unsafe.
+    Safe,
+    /// All of them something unsafe: what is asked is what comes behind it alone.
+    Unsafe,
+    /// Some nothing, some something.
+    Either,
 }
 
 /// Expanded states of an [`Expansion`], in the order in which they were asked for.
@@ -65,15 +122,15 @@ pub trait Expansion {
     /// Whether an unsafe state may be met from `state` in `remaining` actions. `false` needs proof.
     fn may_matter(&self, state: &Self::State, remaining: usize) -> bool;
 
-    /// All actions from each of `states`, which are `depth` actions from the start; nothing if `go_on`, asked now and
-    /// then, says no.
+    /// All actions from each of `states`, which are `depth` actions from the start, with what was met before; nothing if `go_on`,
+    /// asked now and then, says no. From states behind something unsafe no action is unsafe, only noted.
     ///
     /// # Errors
     /// When the simulation cannot go on at all.
     fn expand(
         &mut self,
         depth: usize,
-        states: &[&Self::State],
+        states: &[(&Self::State, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, Self::Error>;
 
@@ -116,6 +173,12 @@ pub struct Prefixes {
 }
 
 impl Prefixes {
+    /// The same with an action more.
+    fn then(&self, lead: Lead) -> Self {
+        let (effort, calmest) = (self.effort + lead.effort, with(&self.calmest, lead.action));
+        Self { count: &self.count * lead.count, effort, calmest }
+    }
+
     fn join(&mut self, other: Self) {
         self.count += other.count;
         if (other.effort, &other.calmest) < (self.effort, &self.calmest) {
@@ -142,12 +205,14 @@ pub enum Told<'a, U> {
     Working,
     /// An unsafe state.
     Met(Met<'a, U>),
-    /// Something unsafe with which sequences do not end.
+    /// Something unsafe that counts no sequence: it does not end them, or comes behind what did.
     Noted {
         /// What it is.
         unsafe_state: U,
-        /// The sequences before it.
+        /// The sequences before it; without their number where they met something unsafe before.
         prefixes: &'a Prefixes,
+        /// Whether it comes together with what makes these sequences hazardous.
+        with_end: bool,
     },
     /// An action that could not be evaluated.
     Failed {
@@ -189,6 +254,8 @@ pub struct Level {
     pub states: usize,
     /// Of these, dropped because no unsafe state can be met from them any more.
     pub dropped: usize,
+    /// Distinct states besides, that only sequences lead to which met something unsafe, and that were not dropped.
+    pub behind: usize,
 }
 
 /// Where every sequence went.
@@ -210,9 +277,30 @@ pub struct Account {
     pub depth: usize,
     /// Why the search stopped.
     pub stopped: Stopped,
+    /// What comes behind something unsafe was looked at for sequences of so many actions only, because that took too much; nothing
+    /// where all of it was looked at.
+    pub behind_cut: Option<usize>,
+    /// Whether the simulator could not finish some of what comes behind something unsafe.
+    pub behind_not_evaluated: bool,
 }
 
 impl Account {
+    /// Of so many sequences nothing is known yet.
+    fn of(total: BigUint) -> Self {
+        Self {
+            total,
+            hazardous: BigUint::ZERO,
+            harmless: BigUint::ZERO,
+            excluded: BigUint::ZERO,
+            not_evaluated: BigUint::ZERO,
+            levels: Vec::new(),
+            depth: 0,
+            stopped: Stopped::Complete,
+            behind_cut: None,
+            behind_not_evaluated: false,
+        }
+    }
+
     /// Sequences whose fate is known.
     #[must_use]
     pub fn covered(&self) -> BigUint {
@@ -223,6 +311,12 @@ impl Account {
     #[must_use]
     pub fn states(&self) -> usize {
         self.levels.iter().map(|l| l.states).sum()
+    }
+
+    /// Distinct states of all levels that only sequences lead to which met something unsafe.
+    #[must_use]
+    pub fn states_behind(&self) -> usize {
+        self.levels.iter().map(|l| l.behind).sum()
     }
 }
 
@@ -251,103 +345,259 @@ pub fn exhaust<E: Expansion>(
     budget: Budget,
     tell: &mut dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()>,
 ) -> Result<Account, E::Error> {
-    let (actions, horizon) = (environment.actions(), environment.horizon());
-    let power = |exponent: usize| BigUint::from(actions).pow(u32::try_from(exponent).unwrap_or(u32::MAX));
-    let mut account = Account {
-        total: power(horizon),
-        hazardous: BigUint::ZERO,
-        harmless: BigUint::ZERO,
-        excluded: BigUint::ZERO,
-        not_evaluated: BigUint::ZERO,
-        levels: Vec::new(),
-        depth: 0,
-        stopped: Stopped::Complete,
-    };
+    let horizon = environment.horizon();
+    let start = environment.start()?;
     let first = Prefixes { count: BigUint::from(1_u32), effort: 0, calmest: Vec::new() };
-    let mut level = BTreeMap::from([(environment.start()?, first)]);
+    let account = Account::of(power(environment.actions(), horizon));
+    let (mut level, mut behind) = (BTreeMap::from([(start, first)]), BTreeMap::new());
+    let (next, behind_next) = (BTreeMap::new(), BTreeMap::new());
+    let mut search = Search { environment, budget, tell, account, next, behind: behind_next, open: 0 };
     for depth in 0..horizon {
-        let mut figures = Level { states: level.len(), dropped: 0 };
-        let mut open: Vec<(E::State, Prefixes)> = Vec::with_capacity(level.len());
+        let (open, other) = search.sorted(level, behind, horizon - depth);
+        search.open = open.len() + other.len();
+        if let Some(stopped) = search.safe(depth, &open)? {
+            search.account.stopped = stopped;
+            return Ok(search.account);
+        }
+        if let Some(stopped) = search.unsafe_before(depth, &other)? {
+            search.account.stopped = stopped;
+            return Ok(search.account);
+        }
+        search.account.depth = depth + 1;
+        (level, behind) = (std::mem::take(&mut search.next), std::mem::take(&mut search.behind));
+        search.environment.release_before(depth + 1);
+    }
+    Ok(search.account)
+}
+
+/// A level's states by their prefixes.
+type LevelOf<S> = BTreeMap<S, Prefixes>;
+
+/// A state, the safe sequences that lead there, and the calmest of the others if there are any.
+type Open<S> = (S, Prefixes, Option<Prefixes>);
+
+/// A search under way.
+struct Search<'a, 'b, E: Expansion> {
+    environment: &'a mut E,
+    budget: Budget,
+    tell: &'a mut (dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()> + 'b),
+    account: Account,
+    /// The next level, by safe sequences.
+    next: LevelOf<E::State>,
+    /// The same, by sequences that met something unsafe: no number of sequences, but the calmest.
+    behind: LevelOf<E::State>,
+    /// States of this level.
+    open: usize,
+}
+
+impl<E: Expansion> Search<'_, '_, E> {
+    /// The states of a level that are to be expanded: those that safe sequences lead to, and those that only others lead to.
+    fn sorted(
+        &mut self,
+        level: LevelOf<E::State>,
+        mut behind: LevelOf<E::State>,
+        remaining: usize,
+    ) -> (Vec<Open<E::State>>, Vec<(E::State, Prefixes)>) {
+        let mut figures = Level { states: level.len(), ..Level::default() };
+        let mut open = Vec::with_capacity(level.len());
         for (state, prefixes) in level {
-            if budget.drop && !environment.may_matter(&state, horizon - depth) {
+            let others = behind.remove(&state);
+            if self.budget.drop && !self.environment.may_matter(&state, remaining) {
                 figures.dropped += 1;
-                account.excluded += prefixes.count * power(horizon - depth);
+                self.account.excluded += prefixes.count * power(self.environment.actions(), remaining);
             } else {
-                open.push((state, prefixes));
+                open.push((state, prefixes, others));
             }
         }
-        account.levels.push(figures);
-        let left = power(horizon - depth - 1);
-        let mut next: BTreeMap<E::State, Prefixes> = BTreeMap::new();
-        let before = account.states();
-        let together = environment.together().max(1);
+        if self.budget.drop {
+            behind.retain(|state, _| self.environment.may_matter(state, remaining));
+        }
+        figures.behind = behind.len();
+        self.account.levels.push(figures);
+        (open, behind.into_iter().collect())
+    }
+
+    /// Expands what safe sequences lead to; why that ended early, if it did.
+    fn safe(&mut self, depth: usize, open: &[Open<E::State>]) -> Result<Option<Stopped>, E::Error> {
+        let together = self.environment.together().max(1);
+        let before = self.account.states();
         for (number, chunk) in open.chunks(together).enumerate() {
-            let bytes = environment.bytes() + (open.len() + next.len()) * (environment.state_bytes() + STATE_BYTES);
-            let spent = environment.work() > budget.work;
-            if before + next.len() > budget.states || bytes > budget.bytes || spent {
-                account.stopped = Stopped::Budget;
-                return Ok(account);
+            if self.behind_is_spent() {
+                self.give_up_behind(depth);
             }
-            let states: Vec<&E::State> = chunk.iter().map(|(state, _)| state).collect();
-            let Some(expanded) = environment.expand(depth, &states, &mut || tell(Told::Working).is_continue())? else {
-                account.stopped = Stopped::Asked;
-                return Ok(account);
-            };
-            for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
-                for (_, unsafe_state) in expanded.noted {
-                    let _ = tell(Told::Noted { unsafe_state, prefixes });
-                }
-                // For each state that follows, how many actions lead there, and the calmest of them.
-                let mut lead: Vec<Option<(u32, u32, usize)>> = vec![None; expanded.next.len()];
-                for (action, effect) in expanded.effects.into_iter().enumerate() {
-                    match effect {
-                        Effect::To(index) => {
-                            let effort = environment.effort(action);
-                            lead[index] = Some(match lead[index] {
-                                None => (1, effort, action),
-                                Some((count, known, by)) if (known, by) <= (effort, action) => (count + 1, known, by),
-                                Some((count, ..)) => (count + 1, effort, action),
-                            });
-                        }
-                        Effect::NotEvaluated(reason) => {
-                            account.not_evaluated += &prefixes.count * &left;
-                            let _ = tell(Told::Failed { reason, action, prefixes });
-                        }
-                        Effect::Unsafe(unsafe_state) => {
-                            let sequences = &prefixes.count * &left;
-                            account.hazardous += &sequences;
-                            let _ = tell(Told::Met(Met { unsafe_state, action, prefixes, sequences }));
-                        }
-                    }
-                }
-                for (state, lead) in expanded.next.into_iter().zip(lead) {
-                    let Some((count, effort, action)) = lead else { continue };
-                    let count = &prefixes.count * count;
-                    if depth + 1 == horizon {
-                        account.harmless += count;
-                        continue;
-                    }
-                    let (effort, calmest) = (prefixes.effort + effort, with(&prefixes.calmest, action));
-                    let longer = Prefixes { count, effort, calmest };
-                    match next.entry(state) {
-                        Entry::Occupied(mut known) => known.get_mut().join(longer),
-                        Entry::Vacant(new) => {
-                            new.insert(longer);
-                        }
-                    }
-                }
+            let spent = self.environment.work() > self.budget.work;
+            if before + self.next.len() > self.budget.states || self.bytes() > self.budget.bytes || spent {
+                return Ok(Some(Stopped::Budget));
+            }
+            let before_of = |others: &Option<Prefixes>| if others.is_some() { Before::Either } else { Before::Safe };
+            let states: Vec<_> = chunk.iter().map(|(state, _, others)| (state, before_of(others))).collect();
+            let Some(expanded) = self.expand(depth, &states)? else { return Ok(Some(Stopped::Asked)) };
+            for ((_, prefixes, others), expanded) in chunk.iter().zip(expanded) {
+                self.take_in(depth, (Some(prefixes), others.as_ref()), expanded);
             }
             let done = (number * together + chunk.len()).min(open.len());
-            if tell(Told::Progress { depth, done, of: open.len(), cost: environment.cost() }).is_break() {
-                account.stopped = Stopped::Asked;
-                return Ok(account);
+            let cost = self.environment.cost();
+            if (self.tell)(Told::Progress { depth, done, of: open.len(), cost }).is_break() {
+                return Ok(Some(Stopped::Asked));
             }
         }
-        account.depth = depth + 1;
-        level = next;
-        environment.release_before(depth + 1);
+        Ok(None)
     }
-    Ok(account)
+
+    /// Expands what only sequences lead to that met something unsafe before.
+    fn unsafe_before(&mut self, depth: usize, behind: &[(E::State, Prefixes)]) -> Result<Option<Stopped>, E::Error> {
+        for chunk in behind.chunks(self.environment.together().max(1)) {
+            if self.behind_is_spent() {
+                self.give_up_behind(depth);
+            }
+            if self.account.behind_cut.is_some() {
+                break;
+            }
+            let states: Vec<_> = chunk.iter().map(|(state, _)| (state, Before::Unsafe)).collect();
+            let Some(expanded) = self.expand(depth, &states)? else { return Ok(Some(Stopped::Asked)) };
+            for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
+                self.take_in(depth, (None, Some(prefixes)), expanded);
+            }
+            if (self.tell)(Told::Working).is_break() {
+                return Ok(Some(Stopped::Asked));
+            }
+        }
+        Ok(None)
+    }
+
+    fn expand(&mut self, depth: usize, states: &[(&E::State, Before)]) -> Result<Option<ExpandedBy<E>>, E::Error> {
+        let tell = &mut *self.tell;
+        self.environment.expand(depth, states, &mut || tell(Told::Working).is_continue())
+    }
+
+    /// What the actions from a state lead to: of safe sequences, and of those that met something unsafe before.
+    fn take_in(
+        &mut self,
+        depth: usize,
+        (safe, others): (Option<&Prefixes>, Option<&Prefixes>),
+        expanded: Expanded<E::State, E::Unsafe>,
+    ) {
+        for Noted { met, of, .. } in expanded.noted {
+            // Of what both kinds of sequences meet, the calmest is told.
+            let prefixes = match of {
+                Of::Safe | Of::WithEnd => safe,
+                Of::Unsafe => others,
+                Of::Either => [safe, others].into_iter().flatten().min_by_key(|p| (p.effort, &p.calmest)),
+            };
+            if let Some(prefixes) = prefixes {
+                let _ = (self.tell)(Told::Noted { unsafe_state: met, prefixes, with_end: of == Of::WithEnd });
+            }
+        }
+        let left = power(self.environment.actions(), self.environment.horizon() - depth - 1);
+        // For each state that follows, how many actions lead there, and the calmest of them.
+        let mut lead: Vec<Option<Lead>> = vec![None; expanded.next.len()];
+        let mut lead_behind = lead.clone();
+        for (action, effect) in expanded.effects.into_iter().enumerate() {
+            let one = Lead { count: 1, effort: self.environment.effort(action), action };
+            match effect {
+                Effect::To(index) => {
+                    Lead::add(&mut lead[index], one);
+                    Lead::add(&mut lead_behind[index], one);
+                }
+                Effect::NotEvaluated(reason) => {
+                    // Of a sequence that is unsafe already nothing more is counted.
+                    if let Some(prefixes) = safe {
+                        self.account.not_evaluated += &prefixes.count * &left;
+                        let _ = (self.tell)(Told::Failed { reason, action, prefixes });
+                    } else {
+                        self.account.behind_not_evaluated = true;
+                    }
+                }
+                Effect::Unsafe { met, then } => {
+                    if let Some(index) = then {
+                        Lead::add(&mut lead_behind[index], one);
+                    }
+                    let Some(prefixes) = safe else { continue };
+                    if let Some(index) = then.filter(|_| depth + 1 < self.environment.horizon()) {
+                        let state = expanded.next[index].clone();
+                        self.goes_on(state, prefixes, one);
+                    }
+                    let sequences = &prefixes.count * &left;
+                    self.account.hazardous += &sequences;
+                    let _ = (self.tell)(Told::Met(Met { unsafe_state: met, action, prefixes, sequences }));
+                }
+            }
+        }
+        for (state, (lead, lead_behind)) in expanded.next.into_iter().zip(lead.into_iter().zip(lead_behind)) {
+            if let (Some(prefixes), Some(lead)) = (others, lead_behind)
+                && depth + 1 < self.environment.horizon()
+            {
+                self.goes_on(state.clone(), prefixes, lead);
+            }
+            let (Some(prefixes), Some(lead)) = (safe, lead) else { continue };
+            if depth + 1 == self.environment.horizon() {
+                self.account.harmless += &prefixes.count * lead.count;
+            } else {
+                put(&mut self.next, state, prefixes.then(lead));
+            }
+        }
+    }
+
+    /// A sequence goes on though it met something unsafe.
+    fn goes_on(&mut self, state: E::State, prefixes: &Prefixes, lead: Lead) {
+        if self.account.behind_cut.is_none() {
+            put(&mut self.behind, state, Prefixes { count: BigUint::ZERO, ..prefixes.then(lead) });
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let states = self.open + self.next.len() + self.behind.len();
+        self.environment.bytes() + states * (self.environment.state_bytes() + STATE_BYTES)
+    }
+
+    /// What only unsafe sequences lead to may take half of what there is: what is safe until then counts more.
+    fn behind_is_spent(&self) -> bool {
+        let states = self.account.states_behind() + self.behind.len();
+        let is_used = states > 0 && self.account.behind_cut.is_none();
+        is_used
+            && (states > self.budget.states / 2
+                || self.bytes() > self.budget.bytes / 2
+                || self.environment.work() > self.budget.work / 2)
+    }
+
+    fn give_up_behind(&mut self, depth: usize) {
+        self.account.behind_cut.get_or_insert(depth);
+        self.behind.clear();
+    }
+}
+
+/// So many actions from a state lead to another one, and this is the calmest of them.
+#[derive(Clone, Copy)]
+struct Lead {
+    count: u32,
+    effort: u32,
+    action: usize,
+}
+
+impl Lead {
+    fn add(known: &mut Option<Self>, one: Self) {
+        *known = Some(match *known {
+            None => one,
+            Some(known) => {
+                let calmer = if (known.effort, known.action) <= (one.effort, one.action) { known } else { one };
+                Self { count: known.count + one.count, ..calmer }
+            }
+        });
+    }
+}
+
+fn put<S: Ord>(level: &mut LevelOf<S>, state: S, prefixes: Prefixes) {
+    match level.entry(state) {
+        Entry::Occupied(mut known) => known.get_mut().join(prefixes),
+        Entry::Vacant(new) => {
+            new.insert(prefixes);
+        }
+    }
+}
+
+/// Sequences of so many actions each.
+fn power(actions: usize, length: usize) -> BigUint {
+    BigUint::from(actions).pow(u32::try_from(length).unwrap_or(u32::MAX))
 }
 
 fn with(actions: &[u32], action: usize) -> Vec<u32> {

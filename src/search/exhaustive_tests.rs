@@ -13,18 +13,24 @@ struct Ring {
     /// States asked for, to see that equal ones are asked for once.
     expanded: usize,
     drop_beyond: Option<i64>,
+    /// Whether the search goes on behind an unsafe state: there, fields that are multiples of 4 are pinching.
+    goes_on: bool,
 }
 
 const MOVES: [i64; 4] = [0, 1, -1, 3];
 
 impl Ring {
     fn new(horizon: usize) -> Self {
-        Self { horizon, expanded: 0, drop_beyond: None }
+        Self { horizon, expanded: 0, drop_beyond: None, goes_on: false, works: false }
+    }
+
+    fn pinches(field: i64, action: usize) -> bool {
+        field % 4 == 0 && action != 2
     }
 
     fn effect(depth: usize, field: i64, action: usize) -> Effect<(usize, i64, usize)> {
         match action {
-            3 if field % 5 == 0 && depth % 2 == 1 => Effect::Unsafe((depth, field, action)),
+            3 if field % 5 == 0 && depth % 2 == 1 => Effect::Unsafe { met: (depth, field, action), then: None },
             2 if field == 7 => Effect::NotEvaluated("seven".to_owned()),
             _ => Effect::To(action),
         }
@@ -54,23 +60,36 @@ impl Expansion for Ring {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[&i64],
+        states: &[(&i64, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, ()> {
         if !go_on() {
             return Ok(None);
         }
         self.expanded += states.len();
-        let expand = |field: i64| Expanded {
-            next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
-            effects: (0..MOVES.len()).map(|a| Self::effect(depth, field, a)).collect(),
-            noted: Vec::new(),
+        let effect = |field: i64, before: Before, action: usize| match Self::effect(depth, field, action) {
+            Effect::Unsafe { met, .. } if self.goes_on && before != Before::Unsafe => {
+                Effect::Unsafe { met, then: Some(action) }
+            }
+            Effect::Unsafe { .. } if before == Before::Unsafe => Effect::To(action),
+            effect => effect,
         };
-        Ok(Some(states.iter().map(|s| expand(**s)).collect()))
+        let expand = |field: i64, before: Before| Expanded {
+            next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
+            effects: (0..MOVES.len()).map(|a| effect(field, before, a)).collect(),
+            noted: (0..MOVES.len())
+                .filter(|a| before != Before::Safe && Self::pinches(field, *a))
+                .map(|action| Noted { action, met: (depth, field, action), of: Of::Unsafe })
+                .collect(),
+        };
+        Ok(Some(states.iter().map(|(field, before)| expand(**field, *before)).collect()))
     }
     fn release_before(&mut self, _: usize) {}
     fn bytes(&self) -> usize {
         0
+    }
+    fn work(&self) -> u64 {
+        if self.works { self.expanded as u64 } else { 0 }
     }
 }
 
@@ -106,7 +125,7 @@ fn enumerated(horizon: usize) -> (Unsafe, [u64; 3]) {
                     fate = 2;
                     break;
                 }
-                Effect::Unsafe(state) => {
+                Effect::Unsafe { met: state, .. } => {
                     fate = 0;
                     let prefix: Vec<u32> = actions[..depth].iter().map(|a| u32::try_from(*a).unwrap()).collect();
                     let entry = met.entry(state).or_insert((0, effort, prefix.clone()));
@@ -138,6 +157,73 @@ fn every_sequence_is_accounted_for_as_in_plain_enumeration() {
         assert_eq!((account.depth, account.stopped), (horizon, Stopped::Complete));
         assert!(ring.expanded <= 11 * horizon, "equal states are expanded once: {}", ring.expanded);
     }
+}
+
+/// What is met behind an unsafe state, and the calmest that leads there: by plain enumeration.
+fn enumerated_behind(horizon: usize) -> BTreeMap<(usize, i64, usize), (u32, Vec<u32>)> {
+    let ring = Ring::new(horizon);
+    let mut noted: BTreeMap<(usize, i64, usize), (u32, Vec<u32>)> = BTreeMap::new();
+    for code in 0..MOVES.len().pow(u32::try_from(horizon).unwrap()) {
+        let actions = (0..horizon).map(|i| code / MOVES.len().pow(u32::try_from(i).unwrap()) % 4);
+        let (mut field, mut effort, mut prefix, mut is_unsafe) = (2_i64, 0, Vec::new(), false);
+        for (depth, action) in actions.enumerate() {
+            if is_unsafe && Ring::pinches(field, action) {
+                let one = (effort, prefix.clone());
+                let known = noted.entry((depth, field, action)).or_insert_with(|| one.clone());
+                *known = one.min(known.clone());
+            }
+            match Ring::effect(depth, field, action) {
+                Effect::NotEvaluated(_) => break,
+                Effect::Unsafe { .. } => is_unsafe = true,
+                Effect::To(_) => {}
+            }
+            field = (field + MOVES[action]).rem_euclid(11);
+            effort += ring.effort(action);
+            prefix.push(u32::try_from(action).unwrap());
+        }
+    }
+    noted
+}
+
+/// Behind the first unsafe state it goes on: counts stay, and what comes there is noted with the calmest sequence.
+#[test]
+fn what_comes_behind_is_noted_as_in_plain_enumeration_and_counts_nothing() {
+    for horizon in 1..=7 {
+        let mut noted: BTreeMap<(usize, i64, usize), (u32, Vec<u32>)> = BTreeMap::new();
+        let mut ring = Ring { goes_on: true, ..Ring::new(horizon) };
+        let account = exhaust(&mut ring, BUDGET, &mut |told| {
+            if let Told::Noted { unsafe_state, prefixes, with_end } = told {
+                assert!(!with_end && prefixes.count == BigUint::ZERO);
+                let one = (prefixes.effort, prefixes.calmest.clone());
+                assert!(noted.insert(unsafe_state, one).is_none(), "told once");
+            }
+            ControlFlow::Continue(())
+        });
+        let account = account.unwrap();
+        assert_eq!(noted, enumerated_behind(horizon), "horizon {horizon}");
+        assert!(horizon < 4 || !noted.is_empty());
+        let (plain, _) = exhausted(&mut Ring::new(horizon), BUDGET);
+        let counts = |a: &Account| [a.hazardous.clone(), a.harmless.clone(), a.not_evaluated.clone()];
+        assert_eq!(counts(&account), counts(&plain));
+        assert_eq!((account.states(), plain.states_behind()), (plain.states(), 0));
+        assert!(ring.expanded <= 11 * horizon, "a state is expanded once for all that lead there: {}", ring.expanded);
+    }
+}
+
+/// What comes behind an unsafe state may take half of a budget, and costs the rest nothing.
+#[test]
+fn what_comes_behind_is_given_up_before_what_is_safe_until_then() {
+    let run = |goes_on: bool, budget: Budget| {
+        let mut ring = Ring { goes_on, works: true, ..Ring::new(8) };
+        let account = exhaust(&mut ring, budget, &mut |_| ControlFlow::Continue(())).unwrap();
+        (account, ring.expanded)
+    };
+    let ((plain, least), (whole, _)) = (run(false, BUDGET), run(true, BUDGET));
+    assert!(whole.behind_cut.is_none() && whole.states_behind() > 0);
+    // As much work as the search takes without.
+    let (cut, _) = run(true, Budget { work: least as u64, ..BUDGET });
+    assert_eq!((cut.stopped, &cut.hazardous), (Stopped::Complete, &plain.hazardous));
+    assert!(cut.behind_cut.is_some_and(|actions| 0 < actions && actions < 8), "{cut:?}");
 }
 
 #[test]

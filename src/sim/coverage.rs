@@ -110,6 +110,14 @@ impl Coverage {
         other.robots.iter().enumerate().for_each(|(number, robot)| self.robot(number).merge(robot));
     }
 
+    /// Adds what looking for arms cost in the same place once more, and what of it is not known.
+    pub(super) fn merge_arms(&mut self, other: &Self) {
+        self.arm_checks += other.arm_checks;
+        self.arm_checks_incomplete += other.arm_checks_incomplete;
+        self.arm_runs_not_evaluated += other.arm_runs_not_evaluated;
+        self.arm_boxes += other.arm_boxes;
+    }
+
     /// Whether something is not known because the FMU could not finish it.
     #[must_use]
     pub const fn not_evaluated(&self) -> bool {

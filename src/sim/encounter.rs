@@ -175,7 +175,7 @@ impl Encounter {
         coverage: &mut Coverage,
     ) -> Option<Encountered> {
         let any = self.arm_contact(person, frame, space, &ANY_HAZARD, coverage)?;
-        if !self.worst || self.judge != Judge::Ending {
+        if !self.worst || matches!(self.judge, Judge::Moving(_)) {
             return Some(any).filter(|(contact, _)| contact.class().is_some());
         }
         // Without clamping the search begins from nothing, as it always has: results stay what they were.
@@ -437,6 +437,7 @@ impl Encounter {
     fn as_judged(&self, contact: Contact) -> Contact {
         match self.judge {
             Judge::Ending => contact,
+            Judge::Clamping => contact.as_clamping(),
             Judge::Moving(limit) if contact.speed_m_s > limit.max(STANDSTILL_M_S) => {
                 contact.breaking(Some(Class::MovingContact))
             }
@@ -462,14 +463,13 @@ impl Encounter {
         Some(Contact::new(&touch_of_body(person, frame, &pair), frame.strike(link)))
     }
 
-    /// The contacts of a part of the body with a link: as somebody who can give way, and where they cannot.
+    /// The contacts of a part of the body with a link, as what is looked for: as somebody who can give way, and where they cannot.
     fn body_contacts(&self, person: &Person, frame: &RobotFrame, pair: &Pair) -> impl Iterator<Item = Contact> {
         let strike = frame.strike(pair.link);
         let free = Contact::new(&touch_of_body(person, frame, pair), strike);
         let region_of = |at: Vec3| person.body.region_of(pair.part, at);
-        let held = (self.judge == Judge::Ending && self.clamping.is_some())
-            .then(|| self.clamps_part(&pair.capsule, frame, pair.link, region_of))
-            .flatten();
+        let looks = !matches!(self.judge, Judge::Moving(_)) && self.clamping.is_some();
+        let held = looks.then(|| self.clamps_part(&pair.capsule, frame, pair.link, region_of)).flatten();
         let held = held.map(|(region, clamped)| {
             let touch = Touch {
                 region,
@@ -483,7 +483,7 @@ impl Encounter {
             };
             Contact::judged(&touch, Some(&clamped), strike)
         });
-        std::iter::once(self.as_judged(free)).chain(held)
+        std::iter::once(free).chain(held).map(|contact| self.as_judged(contact))
     }
 
     /// The pairs of body part and link that touch or overlap; `coverage` takes in the least signed distance of any pair, and of any

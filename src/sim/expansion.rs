@@ -26,6 +26,7 @@ use self::ahead::{Move, Outlook, Way};
 use self::joined::{Joined, Met};
 use self::situations::Situations;
 use super::Coverage;
+use super::befallen::is_told;
 use super::bound::RobotBounds;
 use super::going::{Begin, Gone};
 use super::journal::Journal;
@@ -38,7 +39,7 @@ use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Presses, Who};
-use crate::search::exhaustive::{Effect, Expanded, Expansion};
+use crate::search::exhaustive::{Before, Effect, Expanded, Expansion, Noted, Of};
 
 /// A state of the cell at the end of an action. Equal states have the same future.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -99,6 +100,8 @@ struct Pending {
     /// Index of the action, or with two people the number of this question; and the action as the person takes it there.
     index: usize,
     action: Action,
+    /// Whether a hazard by contact came before: then clamping alone is asked for.
+    struck: bool,
 }
 
 /// Where an action leads.
@@ -287,7 +290,7 @@ impl<P: Plant> Expander<P> {
     fn advance(
         &mut self,
         (number, depth): (usize, usize),
-        state: &State,
+        (state, before): (&State, Before),
         outlook: &Outlook,
         pending: &mut Vec<Pending>,
         joined: &mut Joined,
@@ -343,7 +346,8 @@ impl<P: Plant> Expander<P> {
             };
             expanded.effects.push(Effect::To(next));
             transitions[transition].worked = transitions[transition].worked.and(key.2.presses);
-            let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who) };
+            let struck = before == Before::Unsafe;
+            let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who), struck };
             match second {
                 None => pending.push(of(Who::First, way)),
                 Some((_, second)) => {
@@ -452,6 +456,55 @@ impl<P: Plant> Expander<P> {
     }
 }
 
+/// Takes in what an only person meets in an action at an instant.
+fn alone(
+    (expanded, before): (&mut Expanded<State, Finding>, Before),
+    p: &Pending,
+    (found, clamping): (Finding, Option<Finding>),
+    goes_on: bool,
+) {
+    let in_action = |finding: Finding| Finding { actions: vec![p.action], ..finding };
+    let (found, clamping) = (in_action(found), clamping.map(in_action));
+    let Expanded { noted, effects, .. } = expanded;
+    if p.struck {
+        note_clamping(noted, (p.index, found), before, false);
+        return;
+    }
+    let known = noted.iter().position(|noted| noted.action == p.index);
+    if !found.class.ends() {
+        match known {
+            Some(known) if noted[known].met.outweighs(&found) => {}
+            Some(known) => noted[known].met = found,
+            None => noted.push(Noted { action: p.index, met: found, of: Of::Safe }),
+        }
+        return;
+    }
+    // What does not end the action is told unless something does.
+    known.map(|known| noted.remove(known));
+    if let Some(clamping) = clamping {
+        let is_told = is_told(&clamping, Some(&found));
+        note_clamping(noted, (p.index, clamping), before, is_told);
+    }
+    effects[p.index] = effects[p.index].hits(found, goes_on);
+}
+
+/// Notes a clamping behind a hazard by contact; of one kind in one action the worst. What is told with the end of the action is news
+/// for sequences only that met a hazard before.
+fn note_clamping(noted: &mut Vec<Noted<Finding>>, (action, met): (usize, Finding), before: Before, is_told: bool) {
+    let of = match (before, is_told) {
+        (Before::Safe, true) => return,
+        (Before::Either, true) | (Before::Unsafe, _) => Of::Unsafe,
+        (Before::Safe, false) => Of::Safe,
+        (Before::Either, false) => Of::Either,
+    };
+    let alike = |noted: &&mut Noted<Finding>| noted.action == action && noted.of == of && noted.met.is_like(&met);
+    match noted.iter_mut().find(alike) {
+        Some(known) if known.met.contact.ratio() >= met.contact.ratio() => {}
+        Some(known) => known.met = met,
+        None => noted.push(Noted { action, met, of }),
+    }
+}
+
 #[cfg(test)]
 impl<P: Plant> Expander<P> {
     /// The same, as if this had been seen.
@@ -494,17 +547,19 @@ impl<P: Plant> Expansion for Expander<P> {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[&State],
+        states: &[(&State, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let Some(outlook) = self.look_ahead(states, go_on) else { return Ok(None) };
+        let (states, befores): (Vec<&State>, Vec<Before>) = states.iter().copied().unzip();
+        let Some(outlook) = self.look_ahead(&states, go_on) else { return Ok(None) };
         let mut joined = Joined::default();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
         for (index, state) in states.iter().enumerate() {
             if !go_on() {
                 return Ok(None);
             }
-            let (one, own) = self.advance((index, depth), state, &outlook, &mut pending, &mut joined)?;
+            let (state, before) = (*state, befores[index]);
+            let (one, own) = self.advance((index, depth), (state, before), &outlook, &mut pending, &mut joined)?;
             expanded.push(one);
             transitions.push(own);
         }
@@ -514,41 +569,34 @@ impl<P: Plant> Expansion for Expander<P> {
             Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
             None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
         };
-        let mut met = Met::of(&joined);
+        let (mut met, goes_on) = (Met::of(&joined), self.world.goes_on());
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
             let (questions, places) = self.to_ask((depth, i), asked, &pending, &transitions, &walked);
             let Some(answers) = self.answer(&questions, &situations.all, go_on) else { return Ok(None) };
             let mut places = places.iter();
-            pending.retain(|p| {
+            pending.retain_mut(|p| {
                 let Some(&(q, s)) = places.next().and_then(Option::as_ref) else { return true };
                 let Some(hit) = &answers[q][s] else { return true };
                 let transition = &transitions[p.state][p.transition];
                 let readings = &transition.sensed.readings[i];
                 let frame = &transition.frames[i];
-                let finding = self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
-                let Some(finding) = finding else { return true };
+                let finding = |hit| self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
+                let Some(found) = finding(hit) else { return true };
+                let clamping = hit.clamps.as_deref().and_then(finding);
+                let ends = !p.struck && found.class.ends();
                 if joined.is_used() {
-                    return met.keeps_on(p.index, finding);
+                    let course = met.course(p.index);
+                    if p.struck { course.is_clamped(found) } else { course.meets(found, clamping) }
+                } else {
+                    alone((&mut expanded[p.state], befores[p.state]), p, (found, clamping), goes_on);
                 }
-                let finding = Finding { actions: vec![p.action], ..finding };
-                let noted = &mut expanded[p.state].noted;
-                let known = noted.iter().position(|(action, _)| *action == p.index);
-                if finding.class.ends() {
-                    known.map(|known| noted.remove(known));
-                    expanded[p.state].effects[p.index] = Effect::Unsafe(finding);
-                    return false;
-                }
-                match known {
-                    Some(known) if noted[known].1.outweighs(&finding) => {}
-                    Some(known) => noted[known].1 = finding,
-                    None => noted.push((p.index, finding)),
-                }
-                true
+                p.struck |= ends;
+                !ends || goes_on
             });
         }
-        joined.settle(&met, &mut expanded);
+        joined.settle(&met, &befores, goes_on, &mut expanded);
         Ok(Some(expanded))
     }
 

@@ -13,7 +13,8 @@
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`between`]: where they may be in a part of a communication step
-//! - `befallen`: what befalls two people in one action
+//! - `befallen`: what befalls people in one action
+//! - `behind`: what comes behind the first hazard by contact
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
 //! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
 //! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
@@ -24,6 +25,7 @@
 pub mod answers;
 pub mod anywhere;
 mod befallen;
+mod behind;
 pub mod between;
 pub mod bound;
 pub mod clamping;

@@ -22,11 +22,30 @@ pub fn replay<P: Plant>(
     actions: &[Action],
     who: Option<Who>,
 ) -> Result<Option<Finding>, PlantError> {
-    Ok(replay_watched(cell, binding, plant, actions, who)?.0)
+    Ok(replay_watched(cell, binding, plant, actions, &Wanted { who, like: &|_| false })?.found)
 }
 
-/// The same, and for how long before the contact each sensor had reported the person without a break, s; none for those that
-/// do not report them at the contact.
+/// What is wanted of the contacts that a sequence leads to.
+pub struct Wanted<'a> {
+    /// Of two people that of this one; nothing for either.
+    pub who: Option<Who>,
+    /// Of several in the last action one of which this is true; else the worst.
+    pub like: &'a dyn Fn(&Finding) -> bool,
+}
+
+/// What a sequence leads to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Replayed {
+    /// The unsafe contact, if there is one.
+    pub found: Option<Finding>,
+    /// For how long before it each sensor had reported the person without a break, s; none for those that do not report them at the
+    /// contact.
+    pub reported_s: Vec<Option<f64>>,
+    /// The first hazard by contact of the sequence, if that came before it.
+    pub first: Option<Finding>,
+}
+
+/// The same of what is wanted, and what goes with it.
 ///
 /// # Errors
 /// As [`replay`].
@@ -35,32 +54,39 @@ pub fn replay_watched<P: Plant>(
     binding: Arc<Binding>,
     plant: P,
     actions: &[Action],
-    who: Option<Who>,
-) -> Result<(Option<Finding>, Vec<Option<f64>>), PlantError> {
+    wanted: &Wanted<'_>,
+) -> Result<Replayed, PlantError> {
     let options = Options { policy: Policy::Replay, posture_sweep: false };
     let mut simulation = Simulation::new(cell, binding, plant, options)?;
     simulation.reset()?;
     let mut end = None;
     for action in actions {
         end = simulation.take(*action)?.end;
-        if end.is_some() {
+        // Behind a hazard by contact clamping is looked for.
+        let goes_on = end == Some(End::Unsafe) && simulation.goes_on();
+        if end.is_some() && !goes_on {
             break;
         }
     }
     // What was found before it is known all the same.
     let not_evaluated = end == Some(End::NotEvaluated) || !simulation.is_evaluated();
     let mut found = simulation.take_findings();
-    found.retain(|finding| who.is_none_or(|who| finding.who == who));
-    // Of those in the last action the worst, where several people are hit at once.
-    let last = found.last().map(|finding| finding.actions.len());
+    let first = found.iter().find(|finding| finding.class.ends()).cloned();
+    found.extend(simulation.take_behind());
+    found.retain(|finding| wanted.who.is_none_or(|who| finding.who == who));
+    // Of those in the last action the worst, where there are several.
+    let last = found.iter().map(|finding| finding.actions.len()).max();
     found.retain(|finding| Some(finding.actions.len()) == last);
-    match found.into_iter().reduce(|a, b| if a.contact.ratio() > b.contact.ratio() { a } else { b }) {
+    let like = found.iter().find(|finding| (wanted.like)(finding)).cloned();
+    let worst = found.into_iter().reduce(|a, b| if a.contact.ratio() > b.contact.ratio() { a } else { b });
+    match like.or(worst) {
         None if not_evaluated => Err(simulation.not_evaluated()),
-        None => Ok((None, Vec::new())),
+        None => Ok(Replayed::default()),
         Some(found) => {
             // What the FMU did is known by now: nothing is stepped again.
             let reported = simulation.watch(actions, &[]).map(|watched| reported(&simulation, &watched, &found));
-            Ok((Some(found), reported.unwrap_or_default()))
+            let first = first.filter(|first| first.step < found.step);
+            Ok(Replayed { found: Some(found), reported_s: reported.unwrap_or_default(), first })
         }
     }
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::Coverage;
-use super::befallen::Befallen;
+use super::befallen::{Befallen, Course};
 use super::encounter::ArmSpace;
 use super::going::{Begin, Gone};
 use super::imagination::Imagination;
@@ -46,6 +46,8 @@ pub struct Snapshot {
     actions: Vec<Action>,
     /// Whether the FMU could finish every run in which a plane tells of an arm, on the way here.
     evaluated: bool,
+    /// Whether a hazard by contact came before, where that does not end a sequence for clamping.
+    struck: bool,
 }
 
 /// An action the FMU could not finish.
@@ -131,6 +133,8 @@ struct Outcome {
     reached: BTreeSet<NodeId>,
     /// Findings with the last action only; the sequence that led here goes in front.
     findings: Vec<Finding>,
+    /// Clampings behind the first hazard by contact, in the same way.
+    behind: Vec<Finding>,
     fault: Option<String>,
     /// Whether the FMU could finish every run in which a plane tells of an arm, or none was needed to find a contact.
     evaluated: bool,
@@ -140,7 +144,8 @@ struct Outcome {
 
 /// Everything an [`Outcome`] depends on. The number of actions so far follows from the node, and so do controls that are
 /// switched over.
-type Question = (NodeId, Places, Vec<DelayLine>, Action);
+/// Whether a hazard by contact came before, comes last.
+type Question = (NodeId, Places, Vec<DelayLine>, Action, bool);
 
 /// The same of what one of the people meets in it.
 type Looked = (Who, Question);
@@ -148,8 +153,7 @@ type Looked = (Who, Question);
 /// What the contact check of an action tells.
 #[derive(Clone, Debug)]
 struct Look {
-    /// In the order of time; of an only person what is told in the end.
-    met: Vec<Finding>,
+    met: Course,
     coverage: Coverage,
     /// States of the FMU that had to be reached for it.
     reached: BTreeSet<NodeId>,
@@ -169,6 +173,7 @@ pub struct Simulation<P: Plant> {
     state: Snapshot,
     coverage: Coverage,
     findings: Vec<Finding>,
+    behind: Vec<Finding>,
     faults: Vec<Fault>,
 }
 
@@ -189,6 +194,7 @@ impl<P: Plant> Simulation<P> {
             switched: Presses::NONE,
             actions: Vec::new(),
             evaluated: true,
+            struck: false,
         };
         Ok(Self {
             coverage: world.nothing_seen(),
@@ -201,6 +207,7 @@ impl<P: Plant> Simulation<P> {
             state: root.clone(),
             root,
             findings: Vec::new(),
+            behind: Vec::new(),
             faults: Vec::new(),
         })
     }
@@ -209,6 +216,7 @@ impl<P: Plant> Simulation<P> {
     pub fn begin_run(&mut self) {
         self.coverage = self.world.nothing_seen();
         self.findings.clear();
+        self.behind.clear();
         self.faults.clear();
         self.imagination.forget();
         self.state = self.root.clone();
@@ -225,6 +233,17 @@ impl<P: Plant> Simulation<P> {
     /// Findings since the last call.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         std::mem::take(&mut self.findings)
+    }
+
+    /// Clampings since the last call that came behind the first hazard by contact of their sequence.
+    pub fn take_behind(&mut self) -> Vec<Finding> {
+        std::mem::take(&mut self.behind)
+    }
+
+    /// Whether more actions may be taken for what comes behind the first hazard by contact: one came, and clamping counts.
+    #[must_use]
+    pub const fn goes_on(&self) -> bool {
+        self.state.struck
     }
 
     /// Actions since the last reset, as they were taken.
@@ -361,7 +380,7 @@ impl<P: Plant> Simulation<P> {
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
         let placed = |(who, own): (Who, &World)| {
             let (place, posture) = (own.start(), Posture::Upright);
-            let stance = Stance { who, place, posture, moved: 0, broken: Vec::new(), raised: None };
+            let stance = Stance { who, place, posture, moved: 0, broken: Vec::new(), raised: None, struck: false };
             (own.position(&place), own.body_of(&stance))
         };
         let (position, body) = placed((Who::First, world));
@@ -384,6 +403,7 @@ impl<P: Plant> Simulation<P> {
         // What was looked for may not have been looked for to its end.
         if self.world.stop().is_due() {
             self.findings.clear();
+            self.behind.clear();
             return Err(PlantError::stopped());
         }
         Ok(step)
@@ -395,10 +415,12 @@ impl<P: Plant> Simulation<P> {
         self.coverage.merge(&outcome.coverage);
         self.imagination.add_reached(&outcome.reached);
         let mut actions = self.state.actions.clone();
-        for finding in &outcome.findings {
-            let mut finding = finding.clone();
-            finding.actions.splice(0..0, actions.iter().copied());
-            self.findings.push(finding);
+        for (told, list) in [(&outcome.findings, &mut self.findings), (&outcome.behind, &mut self.behind)] {
+            for finding in told {
+                let mut finding = finding.clone();
+                finding.actions.splice(0..0, actions.iter().copied());
+                list.push(finding);
+            }
         }
         actions.push(action);
         let arm = (outcome.coverage.arm_runs_not_evaluated > 0).then(|| self.robots.unfinished()).flatten();
@@ -411,8 +433,10 @@ impl<P: Plant> Simulation<P> {
         let evaluated = self.state.evaluated && outcome.evaluated;
         if let Some((node, places, delays, switched)) = &outcome.to {
             let (node, places, switched) = (*node, *places, *switched);
-            self.state = Snapshot { node, places, delays: delays.clone(), switched, actions, evaluated };
-            if outcome.end.is_some() {
+            let was_struck = self.state.struck;
+            let struck = was_struck || (outcome.end == Some(End::Unsafe) && self.world.goes_on());
+            self.state = Snapshot { node, places, delays: delays.clone(), switched, actions, evaluated, struck };
+            if outcome.end.is_some() && !was_struck {
                 self.imagination.observe(&self.world, &self.robots.recall, node, &self.state.actions);
             }
         }
@@ -431,7 +455,7 @@ impl<P: Plant> Simulation<P> {
         if self.options.policy == Policy::Replay {
             return Ok(Arc::new(self.work_out(action)?));
         }
-        let question = (self.state.node, self.state.places, self.state.delays.clone(), action);
+        let question = (self.state.node, self.state.places, self.state.delays.clone(), action, self.state.struck);
         if let Some(known) = self.outcomes.get(&question) {
             return Ok(Arc::clone(known));
         }
@@ -460,6 +484,7 @@ impl<P: Plant> Simulation<P> {
                     end: Some(End::NotEvaluated),
                     reached: BTreeSet::new(),
                     findings: Vec::new(),
+                    behind: Vec::new(),
                     fault: Some(fault.message.clone()),
                     evaluated: false,
                     coverage,
@@ -474,18 +499,19 @@ impl<P: Plant> Simulation<P> {
             let any = (0..frames.len()).any(|i| self.world.reading(sensor, &sensed.readings[i], &frames[i]));
             *fired = u64::from(any);
         }
-        let mut findings = Vec::new();
+        let mut told = Told::default();
         if self.options.posture_sweep {
             for (who, _) in walks.each() {
-                self.sweep(&walks, (who, action), &sensed, node, &mut findings, &mut coverage)?;
+                self.sweep(&walks, (who, action), &sensed, node, &mut told, &mut coverage)?;
             }
         }
         let unfinished = coverage.arm_runs_not_evaluated;
         let befallen = self.befallen(&walks, action, &sensed, node, &mut coverage)?;
         let ends = !befallen.ends.is_empty();
         let evaluated = ends || coverage.arm_runs_not_evaluated == unfinished;
-        findings.extend(befallen.noted.into_iter().chain(befallen.ends));
-        let (reward, end) = if ends {
+        told.add(befallen, self.state.struck, |_| true);
+        // Behind a hazard by contact an episode is over, and clamping is all that is asked.
+        let (reward, end) = if ends || self.state.struck {
             (UNSAFE_REWARD, Some(End::Unsafe))
         } else if self.state.actions.len() + 1 < self.horizon() {
             (0.0, None)
@@ -505,7 +531,8 @@ impl<P: Plant> Simulation<P> {
         };
         let to = Some((node, self.robots.amid_what_is_said(&walks.ends(), node), sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
-        Ok(Outcome { to, reward, end, reached, findings, fault: None, evaluated, coverage })
+        let Told { findings, behind } = told;
+        Ok(Outcome { to, reward, end, reached, findings, behind, fault: None, evaluated, coverage })
     }
 
     /// What becomes of an action from the present state.
@@ -523,7 +550,7 @@ impl<P: Plant> Simulation<P> {
         (who, action): (Who, Action),
         sensed: &Sensed,
         node: NodeId,
-        findings: &mut Vec<Finding>,
+        told: &mut Told,
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
         let world = Arc::clone(&self.world);
@@ -544,7 +571,7 @@ impl<P: Plant> Simulation<P> {
                 self.befallen(&walks, sibling, &sensed, node, coverage)?
             };
             // What befalls the other one is told with their own postures.
-            findings.extend(found.noted.into_iter().chain(found.ends).filter(|finding| finding.who == who));
+            told.add(found, self.state.struck, |finding| finding.who == who);
         }
         Ok(())
     }
@@ -562,7 +589,7 @@ impl<P: Plant> Simulation<P> {
         for (who, _) in walks.each() {
             each.push(self.of_one(walks, (who, action), sensed, node, coverage)?);
         }
-        Ok(Befallen::of(each.iter().map(Vec::as_slice)))
+        Ok(Befallen::of(each.iter()))
     }
 
     /// What one of the people meets in the action into `node`, as if they were alone, remembered or looked for.
@@ -573,16 +600,16 @@ impl<P: Plant> Simulation<P> {
         sensed: &Sensed,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Vec<Finding>, PlantError> {
-        let Some(walked) = walks.of(who) else { return Ok(Vec::new()) };
+    ) -> Result<Course, PlantError> {
+        let Some(walked) = walks.of(who) else { return Ok(Course::default()) };
         let own = action.of(who);
         let in_action = |finding: Finding| Finding { actions: vec![action], ..finding };
         if self.options.policy == Policy::Replay {
             let met = self.look((who, walked), own, sensed, node, coverage)?;
-            return Ok(met.into_iter().map(in_action).collect());
+            return Ok(met.each(in_action));
         }
         // With the state that it leads to, what was sensed follows from what was on its way before.
-        let question = (who, (node, walks.starts(), self.state.delays.clone(), action));
+        let question = (who, (node, walks.starts(), self.state.delays.clone(), action, self.state.struck));
         let known = self.looks.get(&question).map(Arc::clone);
         let look = if let Some(known) = known {
             known
@@ -600,7 +627,7 @@ impl<P: Plant> Simulation<P> {
         };
         self.robots.add_reached(&look.reached);
         coverage.merge(&look.coverage);
-        Ok(look.met.iter().cloned().map(in_action).collect())
+        Ok(look.met.clone().each(in_action))
     }
 
     fn look(
@@ -610,32 +637,50 @@ impl<P: Plant> Simulation<P> {
         sensed: &Sensed,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Vec<Finding>, PlantError> {
+    ) -> Result<Course, PlantError> {
         let frames = self.robots.frames(node);
-        let is_alone = self.world.of(Who::Second).is_none();
-        // What does not end the action is told unless something does.
-        let mut met: Vec<Finding> = Vec::new();
+        let (mut met, mut struck) = (Course::default(), self.state.struck);
         for i in 0..frames.len() {
             let when = (self.state.actions.len(), i);
             let stance = self.world.stance((who, walked), when, action.posture(), sensed);
+            let stance = Stance { struck, ..stance };
             let told = self.world.any_reports(&sensed.readings[i], &frames[i]);
             let mut earlier = Instead::new(&mut self.robots, node, i, told);
             let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
-            let finding = self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], when);
-            let Some(finding) = finding.map(|finding| Finding { actions: vec![action], ..finding }) else { continue };
-            match (finding.class.ends(), is_alone) {
-                (true, true) => return Ok(vec![finding]),
-                (true, false) => {
-                    met.push(finding);
-                    return Ok(met);
-                }
-                (false, false) => met.push(finding),
-                (false, true) if met.first().is_none_or(|noted| !noted.outweighs(&finding)) => met = vec![finding],
-                (false, true) => {}
+            let finding = |hit| self.world.finding(hit, &stance, &sensed.readings[i], &frames[i], when);
+            let Some(found) = finding(&hit) else { continue };
+            if struck {
+                met.is_clamped(found);
+                continue;
             }
+            let ends = found.class.ends();
+            met.meets(found, hit.clamps.as_deref().and_then(finding));
+            if ends && !self.world.goes_on() {
+                break;
+            }
+            struck = ends;
         }
         Ok(met)
+    }
+}
+
+/// What is told of an action.
+#[derive(Default)]
+struct Told {
+    /// Until the first hazard by contact.
+    findings: Vec<Finding>,
+    /// Clampings behind it.
+    behind: Vec<Finding>,
+}
+
+impl Told {
+    /// Adds what befalls people of whom this is asked; `struck` where a hazard by contact came before.
+    fn add(&mut self, befallen: Befallen, struck: bool, counts: impl Fn(&Finding) -> bool) {
+        let Befallen { ends, noted, clampings } = befallen;
+        self.findings.extend(noted.into_iter().chain(ends).filter(&counts));
+        let news = clampings.into_iter().filter(|(_, is_told)| struck || !is_told);
+        self.behind.extend(news.map(|(finding, _)| finding).filter(counts));
     }
 }
 

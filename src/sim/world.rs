@@ -3,6 +3,7 @@
 //!
 //! Nothing here changes over a scan, so threads may share it.
 
+mod behind;
 mod following;
 mod near;
 mod passing;
@@ -59,15 +60,21 @@ pub struct Stance {
     pub broken: Vec<usize>,
     /// Where arms take their time: for so many steps they have not hung any more. Nothing once they may be anywhere.
     pub raised: Option<usize>,
+    /// Whether a hazard by contact came before: then clamping alone is asked for.
+    pub struck: bool,
 }
 
 /// As if there were one person only, for the first: what was written down of cells without a second one stays known by it.
 impl Hash for Stance {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        let Self { who, place, posture, moved, broken, raised } = self;
+        let Self { who, place, posture, moved, broken, raised, struck } = self;
         (place, posture, moved, broken, raised).hash(state);
         if *who != Who::First {
             who.hash(state);
+        }
+        // The same for what comes behind a hazard by contact.
+        if *struck {
+            struck.hash(state);
         }
     }
 }
@@ -92,11 +99,13 @@ pub struct Hit {
     pub phase: Option<i64>,
     /// Where planes told of the arm: when.
     pub windows: Vec<Window>,
+    /// With a hazard by contact, and where clamping counts: the worst clamping at the same instant, which may be another contact.
+    pub clamps: Option<Box<Hit>>,
 }
 
 impl Hit {
     fn new((contact, arm): (Contact, Option<ArmPose>), frame: &RobotFrame) -> Self {
-        Self { phase: frame.phase(contact.link), contact, arm, windows: Vec::new() }
+        Self { phase: frame.phase(contact.link), contact, arm, windows: Vec::new(), clamps: None }
     }
 }
 
@@ -205,6 +214,8 @@ pub struct World {
     reached: Memo<(Place, Posture, usize), Hands>,
     /// The same with moving contacts as what is looked for, where they count.
     moving: Option<Box<World>>,
+    /// The same with clamping alone as what is looked for, where it counts: a hazard by contact does not end a sequence for it.
+    clamping: Option<Box<World>>,
     /// The same for the second person, if there is one.
     second: Option<Box<World>>,
     /// What stops the robots, where separation counts.
@@ -230,8 +241,12 @@ impl World {
             let judge = Judge::Moving(limit_m_s.max(STANDSTILL_M_S));
             Box::new(Self::looking_for(Arc::clone(&cell), Arc::clone(&binding), judge))
         });
+        let clamping = cell
+            .criteria
+            .clamping
+            .then(|| Box::new(Self::looking_for(Arc::clone(&cell), Arc::clone(&binding), Judge::Clamping)));
         let second = cell.of_second().map(|cell| Box::new(Self::new(Arc::new(cell), Arc::clone(&binding))));
-        Self { moving, second, ..Self::looking_for(cell, binding, Judge::Ending) }
+        Self { moving, clamping, second, ..Self::looking_for(cell, binding, Judge::Ending) }
     }
 
     fn looking_for(cell: Arc<Workcell>, binding: Arc<Binding>, judge: Judge) -> Self {
@@ -246,7 +261,7 @@ impl World {
             reach_tolerance_m: cell.search.reach_tolerance_m,
             worst: true,
             judge,
-            clamping: (cell.criteria.clamping && judge == Judge::Ending)
+            clamping: (cell.criteria.clamping && !matches!(judge, Judge::Moving(_)))
                 .then(|| Clamping { travel_m: cell.travel_after_contact_m.clone() }),
             stop: WorkStop::default(),
         };
@@ -283,6 +298,7 @@ impl World {
             fits: Memo::new(),
             reached: Memo::new(),
             moving: None,
+            clamping: None,
             second: None,
             stop_command,
         };
@@ -298,6 +314,7 @@ impl World {
     #[must_use]
     pub fn heeding(mut self, stop: WorkStop) -> Self {
         self.moving = self.moving.map(|moving| Box::new(moving.heeding(stop.clone())));
+        self.clamping = self.clamping.map(|clamping| Box::new(clamping.heeding(stop.clone())));
         self.second = self.second.map(|second| Box::new(second.heeding(stop.clone())));
         for encounter in &mut self.encounters {
             encounter.stop = stop.clone();
@@ -333,13 +350,14 @@ impl World {
     }
 
     /// The same, but where there is an unsafe arm contact any such is told, not the worst: whether there is one, is the
-    /// same, and much sooner known.
+    /// same, and much sooner known. What comes behind a hazard by contact is not looked for.
     #[must_use]
     pub fn content_with_any(mut self) -> Self {
         for encounter in &mut self.encounters {
             encounter.worst = false;
         }
         self.moving = self.moving.map(|moving| Box::new(moving.content_with_any()));
+        self.clamping = None;
         self.second = self.second.map(|second| Box::new(second.content_with_any()));
         self
     }
@@ -383,7 +401,7 @@ impl World {
     ) -> Stance {
         let (place, broken) = (walked.places[i], sensed.broken[i].clone());
         let raised = self.raised(before * self.cell.steps_per_action + i + 1);
-        Stance { who, place, posture, moved: Self::moved(walked, i), broken, raised }
+        Stance { who, place, posture, moved: Self::moved(walked, i), broken, raised, struck: false }
     }
 
     /// So many steps, as long as arms cannot be anywhere after them.
@@ -398,7 +416,8 @@ impl World {
         Some(self.cell.arm_speed_m_s? * steps as f64 * self.cell.step_s)
     }
 
-    /// The unsafe contact of a person with the robots after step `i` of an action, if there is one.
+    /// The unsafe contact of a person with the robots after step `i` of an action, if there is one; of somebody who met a hazard by
+    /// contact before, the clamping.
     ///
     /// # Errors
     /// What `earlier` reports; it is asked only where there are light curtains.
@@ -415,14 +434,17 @@ impl World {
             return own.contact(stance, frames, i, earlier, coverage);
         }
         coverage.contact_checks += 1;
-        if !self.near(&stance.place, &frames[i]) && self.cell.separation.is_none() {
+        let near = self.near(&stance.place, &frames[i]);
+        if !near && (self.cell.separation.is_none() || stance.struck) {
             return Ok(None);
         }
         let person = self.person(stance);
-        if self.near(&stance.place, &frames[i])
-            && let Some(hit) = self.contact_near(&person, stance, (frames, i), true, earlier, coverage)?
-        {
-            return Ok(Some(hit));
+        if stance.struck {
+            return self.clamping_near(&person, stance, (frames, i), earlier, coverage);
+        }
+        if near && let Some(hit) = self.contact_near(&person, stance, (frames, i), true, earlier, coverage)? {
+            let clamps = self.clamping_near(&person, stance, (frames, i), earlier, coverage)?;
+            return Ok(Some(Hit { clamps: clamps.map(Box::new), ..hit }));
         }
         self.passing(&person, stance, (frames, i), earlier, coverage)
     }
@@ -443,7 +465,11 @@ impl World {
         if !std::ptr::eq(own, self) {
             return own.contacts(stance, posed, instants, coverage);
         }
+        if stance.struck {
+            return self.clampings(stance, posed, instants, coverage);
+        }
         let mut hits = self.ending_contacts(stance, posed, instants, coverage)?;
+        self.with_clampings(stance, posed, instants, &mut hits, coverage)?;
         if self.moving.is_none() && self.cell.separation.is_none() {
             return Ok(hits);
         }

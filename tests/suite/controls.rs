@@ -114,8 +114,15 @@ fn a_hand_that_gets_there_is_not_missed() {
         let walked = world.walk(place, Action::new(walks[step % 5], posture));
         let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
         let known = !world.worked(&walked, action).presses.is_none();
-        let stance =
-            Stance { who: Who::First, place: walked.start, posture, moved: 0, broken: Vec::new(), raised: None };
+        let stance = Stance {
+            who: Who::First,
+            place: walked.start,
+            posture,
+            moved: 0,
+            broken: Vec::new(),
+            raised: None,
+            struck: false,
+        };
         let body = world.body_of(&stance);
         let mut touched = false;
         for side in Side::BOTH.into_iter().filter(|side| shoulder::is_available(&body, *side, &obstacles)) {

@@ -25,6 +25,7 @@ mod campaign_engines;
 mod campaigns;
 mod causes;
 mod clamping;
+mod clamping_behind;
 mod controls;
 mod criteria;
 mod criteria_cells;

@@ -109,7 +109,8 @@ impl Class {
         }
     }
 
-    /// Whether sequences end with it: after a contact within all limits, or a distance that is too short, they go on.
+    /// Whether sequences end with it: after a contact within all limits, or a distance that is too short, they go on. Where clamping
+    /// counts it is looked for behind such a hazard too, which counts no sequence twice.
     #[must_use]
     pub const fn ends(self) -> bool {
         !matches!(self, Self::MovingContact | Self::Separation)

@@ -200,10 +200,10 @@ fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Wa
     }
     let mut hazard = with(&group);
     let mut plain = footing.plain(&there);
-    let (confirmed, since) = confirm(&there, &mut plain, &group.worst, &mut None);
+    let (confirmed, again) = confirm(&there, &mut plain, &group.worst, &mut None);
     hazard.confirmed = confirmed;
     hazard.worked = worked(&there, &mut plain, &hazard.actions);
-    for (sensor, since_s) in hazard.sensors.iter_mut().zip(since) {
+    for (sensor, since_s) in hazard.sensors.iter_mut().zip(again.reported_s) {
         sensor.since_s = since_s;
     }
     hazard.shortest.confirmed = match group.shortest == group.worst {

@@ -186,10 +186,16 @@ impl<'a> Changed<'a> {
         let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
         let mut simulation = self.simulation(&prepared, false)?;
         for actions in sequences {
-            let before = simulation.cost();
+            let (before, mut unfinished) = (simulation.cost(), false);
             simulation.reset().map_err(|e| Why::NotTried(e.message))?;
             for action in actions.iter().take(simulation.horizon()) {
                 match simulation.take(*action).map_err(|e| Why::NotTried(e.message))?.end {
+                    // Clamping is looked for behind a first contact.
+                    Some(End::Unsafe) if simulation.goes_on() => {}
+                    Some(End::NotEvaluated) if simulation.goes_on() => {
+                        unfinished = true;
+                        break;
+                    }
                     Some(End::NotEvaluated) => return Err(Why::NotTried(simulation.not_evaluated().message)),
                     Some(_) => break,
                     None => {}
@@ -199,7 +205,7 @@ impl<'a> Changed<'a> {
             if let Some(witness) = self.sort(&mut simulation, standpoint, pass) {
                 return Ok(Some(witness));
             }
-            if !simulation.is_evaluated() {
+            if unfinished || !simulation.is_evaluated() {
                 return Err(Why::NotTried(simulation.not_evaluated().message));
             }
             pass.goes_on()?;
@@ -214,9 +220,11 @@ impl<'a> Changed<'a> {
         // What a strategy that plans spends on imagining is more than these few sequences cost.
         let mut strategy = StrategyName::MctsDpw.build();
         let mut rng = Rng::new(prepared.cell.search.seed);
+        let mut behind = Rng::new(prepared.cell.search.seed);
         for _ in 0..iterations {
             let before = simulation.cost();
             let iteration = strategy.iterate(&mut simulation, &mut rng).map_err(|e| Why::NotTried(e.message))?;
+            simulation.look_behind(&mut behind).map_err(|e| Why::NotTried(e.message))?;
             if iteration.end == End::NotEvaluated {
                 return Err(Why::NotTried(simulation.not_evaluated().message));
             }
@@ -235,7 +243,8 @@ impl<'a> Changed<'a> {
 
     /// The first finding that counts; others are kept.
     fn sort(&self, simulation: &mut Simulation<Hosted>, standpoint: Standpoint, pass: &mut Pass) -> Option<Witness> {
-        for finding in simulation.take_findings() {
+        let behind = simulation.take_behind();
+        for finding in simulation.take_findings().into_iter().chain(behind) {
             let id = Identity::of(&finding, &self.bench.links).id();
             if self.bench.counts(pass.goal, &standpoint, (&id, &member_of(&self.own.cell, &finding)), self.moves) {
                 return Some(Witness::new(&finding, standpoint));

@@ -15,6 +15,8 @@ pub enum Judge {
     /// Contacts that break a limit: sequences end with them.
     #[default]
     Ending,
+    /// Clampings, whatever else a contact breaks.
+    Clamping,
     /// Contacts with a point of the robot that is faster than this, m/s.
     Moving(f64),
 }
@@ -63,7 +65,7 @@ impl<'a> Targets<'a> {
                 let link = pinch.link;
                 Target { frame, link, pinch: Some(pinch), counts: counts(link) }
             });
-            if judge == Judge::Ending {
+            if !matches!(judge, Judge::Moving(_)) {
                 all.extend(places);
             }
             before += frame.links.len();
@@ -132,6 +134,7 @@ impl ContactScore for Targets<'_> {
             (None, Judge::Ending) => {
                 frame.ratio(arm_region(segment), *link, frame.deciding_speed_bound(*link, self.velocity))
             }
+            (None, Judge::Clamping) => 0.0,
             (None, Judge::Moving(limit)) => Self::of_moving(limit, frame.speed_bounds[*link]),
         }
     }
@@ -144,6 +147,7 @@ impl ContactScore for Targets<'_> {
                 let speed = frame.deciding_speed_bound_near(*link, points, self.velocity);
                 frame.ratio(arm_region(segment), *link, speed)
             }
+            (None, Judge::Clamping) => 0.0,
             (None, Judge::Moving(limit)) => Self::of_moving(limit, frame.speed_bound_near(*link, points)),
         }
     }
@@ -157,6 +161,7 @@ impl ContactScore for Targets<'_> {
                 let speed = frame.strike(*link).deciding_speed(velocity, self.velocity);
                 frame.ratio(arm_region(segment), *link, speed)
             }
+            (None, Judge::Clamping) => 0.0,
             (None, Judge::Moving(limit)) => Self::of_moving(limit, velocity.length()),
         }
     }

@@ -1,11 +1,11 @@
 //! What becomes of the actions of two people: each of them is asked about alone, once for all actions that bring them the same, and an
 //! action is over for both when one of them is hit.
 
-use super::{Pending, State};
+use super::{Pending, State, note_clamping};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture};
-use crate::search::exhaustive::{Effect, Expanded};
-use crate::sim::befallen::Befallen;
+use crate::search::exhaustive::{Before, Expanded, Noted, Of};
+use crate::sim::befallen::{Befallen, Course};
 
 /// An action of two people, and the numbers of what is asked about either.
 struct Both {
@@ -26,8 +26,8 @@ pub(super) struct Joined {
     of_state: [Vec<Option<usize>>; 2],
 }
 
-/// What was met, by the number of the question: what ends the action comes last.
-pub(super) struct Met(Vec<Vec<Finding>>);
+/// What was met, by the number of the question.
+pub(super) struct Met(Vec<Course>);
 
 impl Joined {
     /// Goes on with another state.
@@ -65,17 +65,28 @@ impl Joined {
     }
 
     /// What becomes of every action.
-    pub(super) fn settle(self, met: &Met, expanded: &mut [Expanded<State, Finding>]) {
+    pub(super) fn settle(
+        self,
+        met: &Met,
+        befores: &[Before],
+        goes_on: bool,
+        expanded: &mut [Expanded<State, Finding>],
+    ) {
         for Both { state, index, action, asked } in self.all {
-            let befallen = Befallen::of(asked.iter().map(|number| met.0[*number].as_slice()));
+            let befallen = Befallen::of(asked.iter().map(|number| &met.0[*number]));
             let in_action = |finding: Finding| Finding { actions: vec![action], ..finding };
             let Expanded { effects, noted, .. } = &mut expanded[state];
             // Where both are hit at once, both is told, and the sequence counts for the first.
             let mut ends = befallen.ends.into_iter().map(in_action);
             if let Some(hit) = ends.next() {
-                effects[index] = Effect::Unsafe(hit);
+                effects[index] = effects[index].hits(hit, goes_on);
             }
-            noted.extend(befallen.noted.into_iter().map(in_action).chain(ends).map(|finding| (index, finding)));
+            let of = |of: Of| move |met: Finding| Noted { action: index, met, of };
+            noted.extend(befallen.noted.into_iter().map(in_action).map(of(Of::Safe)));
+            noted.extend(ends.map(of(Of::WithEnd)));
+            for (clamping, is_told) in befallen.clampings {
+                note_clamping(noted, (index, in_action(clamping)), befores[state], is_told);
+            }
         }
     }
 }
@@ -83,13 +94,11 @@ impl Joined {
 impl Met {
     /// Nothing yet.
     pub(super) fn of(joined: &Joined) -> Self {
-        Self(vec![Vec::new(); joined.asked])
+        Self(vec![Course::default(); joined.asked])
     }
 
-    /// Takes in what a question met; whether it is to be asked on.
-    pub(super) fn keeps_on(&mut self, number: usize, finding: Finding) -> bool {
-        let goes_on = !finding.class.ends();
-        self.0[number].push(finding);
-        goes_on
+    /// What a question met.
+    pub(super) fn course(&mut self, number: usize) -> &mut Course {
+        &mut self.0[number]
     }
 }

@@ -38,7 +38,11 @@ impl<P: Plant> Expander<P> {
             let next = numbers.len();
             let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
             let (walked, posture) = (walked(p), p.action.posture());
-            all.push(((p.who, walked.places[i], posture, World::moved(walked, i), broken), situation, number));
+            all.push((
+                (p.who, walked.places[i], posture, World::moved(walked, i), broken, p.struck),
+                situation,
+                number,
+            ));
         }
         all.sort_unstable();
         let mut questions: Vec<Question> = Vec::new();
@@ -58,7 +62,7 @@ impl<P: Plant> Expander<P> {
                 }
                 places[*number] = Some((questions.len(), situations.len() - 1));
             }
-            questions.push((stance, situations));
+            questions.push((Stance { struck: p.struck, ..stance }, situations));
         }
         (questions, places)
     }

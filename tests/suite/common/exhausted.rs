@@ -8,7 +8,7 @@ use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Hosted, PlantError};
 use fmi_hazard::human::{Action, Repertoire};
 use fmi_hazard::scan::{Prepared, StateChoice};
-use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, Told, exhaust};
+use fmi_hazard::search::exhaustive::{Account, Before, Budget, Expanded, Expansion, Told, exhaust};
 use fmi_hazard::sim::expansion::{Expander, Merge, State};
 
 /// No bound, and what is too far away is dropped.
@@ -74,11 +74,13 @@ impl Expansion for Few {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[&State],
+        states: &[(&State, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };
         for one in &mut all {
+            let few = |action: usize| self.1.iter().position(|few| self.2.index(*few) == Some(action));
+            one.noted.retain_mut(|noted| few(noted.action).map(|action| noted.action = action).is_some());
             one.effects = self.1.iter().map(|action| one.effects[self.2.index(*action).unwrap()].clone()).collect();
         }
         Ok(Some(all))

@@ -143,6 +143,7 @@ impl Asked {
             moved: i8::from(case.walks),
             broken: Vec::new(),
             raised: None,
+            struck: false,
         };
         let placed = world.body_of(&stance);
         let turned = placed.world_from_trunk().rotation;
