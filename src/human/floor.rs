@@ -36,6 +36,18 @@ pub fn is_without_room(body: &Body, obstacles: &[Cuboid], at: &PoseBox) -> bool 
     obstacles.iter().any(|o| apart(o) + at.place_moves_m() < capsule.radius)
 }
 
+/// Whether everybody has room to stand who is in a box.
+#[must_use]
+pub fn has_room_throughout(body: &Body, obstacles: &[Cuboid], at: &PoseBox) -> bool {
+    let capsule = body.blocking_capsule(at.position(), Posture::Upright);
+    let needs = capsule.radius + at.place_moves_m();
+    let far = needs + 0.5 * (capsule.b - capsule.a).length();
+    obstacles.iter().all(|o| {
+        let apart = (o.centre - (capsule.a + capsule.b) * 0.5).length();
+        apart > far + o.half.length() || segment_cuboid(capsule.a, capsule.b, o).distance >= needs
+    })
+}
+
 impl Floor {
     /// The rectangle from `low_m` to `high_m` in cells of `cell_m`, with room where some place of the cell has it.
     #[must_use]
@@ -109,6 +121,12 @@ impl Floor {
     #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
     pub fn corner(&self, (column, row): (usize, usize)) -> [f64; 2] {
         [self.low_m[0] + column as f64 * self.cell_m, self.low_m[1] + row as f64 * self.cell_m]
+    }
+
+    /// The rectangle, its low corner and its high one, m.
+    #[must_use]
+    pub fn bounds(&self) -> ([f64; 2], [f64; 2]) {
+        (self.low_m, self.corner((self.columns, self.rows)))
     }
 
     /// The cells beside which the rectangle ends; none if there is nothing beyond.

@@ -63,12 +63,17 @@ pub struct Anywhere {
     pub ground: Ground,
     /// Cells of the floor and postures of which it is not known whether anybody is hit in them.
     pub open: usize,
-    /// Where of the first ten thousand of those something is open, floor plan, m.
+    /// Where something is open: the middles of those cells, each once, floor plan, m.
     pub open_m: Vec<[f64; 2]>,
+    /// Cells of the floor that were not looked at to the end, where the search ended early: nobody was found to be hit there, and not
+    /// everything that sensors may report was followed.
+    pub not_looked_at: usize,
+    /// Where those are, and what is farther out, as rectangles by low x and y and high x and y, floor plan, m.
+    pub not_looked_at_m: Vec<[f64; 4]>,
     /// Cells of the floor and postures in which nobody is hit at any communication step, and somebody may be between two: robots are
     /// taken to be as much nearer then as they may move in half a step.
     pub between: usize,
-    /// Where the first ten thousand of those are, floor plan, m.
+    /// Where those are: the middles, each once, floor plan, m.
     pub between_m: Vec<[f64; 2]>,
     /// What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
     pub obligations: Obligations,
@@ -95,7 +100,8 @@ pub struct Watched {
 /// Somewhere to be hit.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Place {
-    /// Whether a run of its own shows it, with a fresh FMU and somebody who stands there.
+    /// Whether a run of its own shows it, with a fresh FMU and somebody who stands there or walks in, and who begins where people get to
+    /// unseen by the rules of a scan from the start. Where gaps leave less than 13 mm besides the person, that is not shown.
     pub confirmed: bool,
     /// Its id there.
     pub id: String,
@@ -209,6 +215,14 @@ pub struct Spent {
     pub arm_boxes: u64,
     /// Steps of the FMU that were run again from the start and compared.
     pub run_again: u64,
+}
+
+/// How often what sensors report changes, in words.
+pub(super) fn changes_words(changes: usize) -> String {
+    match changes {
+        1 => "What the sensors report changes at most once then.".to_owned(),
+        more => format!("What the sensors report changes at most {more} times then."),
+    }
 }
 
 /// How often controls are worked, in words.

@@ -29,6 +29,7 @@ const INK: &str = "#1c2430";
 const SOFT: &str = "#566273";
 const NOWHERE: &str = "#e2e5ea";
 const WATCHED: &str = "#d9e6fb";
+const UNLOOKED: &str = "url(#unlooked)";
 const OBSTACLE: &str = "#5b6675";
 const ZONE: &str = "#2563b8";
 /// Up to so many times the limit, in words, and its colour: pale to dark, told apart in grey as well.
@@ -183,8 +184,17 @@ fn definitions(view: &View) -> Definitions {
         .set("patternTransform", "rotate(45)")
         .add(Rectangle::new().set("width", 8).set("height", 8).set("fill", "#ffffff"))
         .add(Rectangle::new().set("width", 2.4).set("height", 8).set("fill", SOFT));
+    // Paler, and the other way, than what was looked at and is not known.
+    let unlooked = Pattern::new()
+        .set("id", "unlooked")
+        .set("width", 10)
+        .set("height", 10)
+        .set("patternUnits", "userSpaceOnUse")
+        .set("patternTransform", "rotate(-45)")
+        .add(Rectangle::new().set("width", 10).set("height", 10).set("fill", "#f4f5f7"))
+        .add(Rectangle::new().set("width", 1.2).set("height", 10).set("fill", SOFT));
     let frame = Rectangle::new().set("width", rounded(view.width())).set("height", rounded(view.height()));
-    Definitions::new().add(stripes).add(ClipPath::new().set("id", "frame").add(frame))
+    Definitions::new().add(stripes).add(unlooked).add(ClipPath::new().set("id", "frame").add(frame))
 }
 
 fn map(whole: &Whole<'_>, plan: &Plan, view: &View) -> Group {
@@ -192,9 +202,10 @@ fn map(whole: &Whole<'_>, plan: &Plan, view: &View) -> Group {
     let frame = Rectangle::new().set("width", rounded(view.width())).set("height", rounded(view.height()));
     let mut inside = Group::new()
         .set("clip-path", "url(#frame)")
-        .add(frame.set("fill", NOWHERE))
+        .add(frame.set("fill", if whole.ground.is_empty() { UNLOOKED } else { NOWHERE }))
         .add(view.boxes(&whole.ground.unseen_m).set("fill", "#ffffff"))
         .add(view.boxes(&whole.ground.watched_m).set("fill", WATCHED))
+        .add(view.boxes(whole.not_looked_at_m).set("fill", UNLOOKED))
         .add(view.boxes(&whole.ground.swept_m).set("fill", SOFT).set("fill-opacity", 0.18));
     let open = Group::new().set("fill", "url(#unknown)").set("stroke", SOFT).set("stroke-width", 0.8);
     inside = inside.add(whole.open_m.iter().fold(open, |open, at| open.add(view.square(*at, edge))));
@@ -344,11 +355,17 @@ fn legend(whole: &Whole<'_>, plan: &Plan, left: f64) -> (Group, f64) {
     if !whole.open_m.is_empty() {
         group = row(group, &mut y, plain("url(#unknown)"), "not known whether anybody is hit there");
     }
-    group = row(group, &mut y, plain("#ffffff"), "people come here unseen; no hit found");
-    if !whole.ground.watched_m.is_empty() {
-        group = row(group, &mut y, plain(WATCHED), "watched by sensors; no hit found");
+    if whole.looked_at {
+        group = row(group, &mut y, plain("#ffffff"), "people come here unseen; no hit found");
+        if !whole.ground.watched_m.is_empty() {
+            group = row(group, &mut y, plain(WATCHED), "watched by sensors; no hit found");
+        }
+    } else {
+        group = row(group, &mut y, plain(UNLOOKED), "not looked at to the end");
     }
-    group = row(group, &mut y, plain(NOWHERE), "nobody can stand here, or gets here");
+    if !whole.ground.is_empty() {
+        group = row(group, &mut y, plain(NOWHERE), "nobody can stand here, or gets here");
+    }
     if !whole.ground.swept_m.is_empty() {
         group = row(group, &mut y, plain("#c4c9d0"), "below what the robots sweep");
     }
@@ -419,6 +436,32 @@ mod tests {
         }
         assert!(drawn.contains("not known whether") && !drawn.contains("where sensors see"));
         assert_eq!(drawn, render(&whole(&floor, vec![[0.55, 0.05]], &ground), &plan));
+    }
+
+    /// Where not all was looked at, nothing is drawn as floor without a hit, however large it is; nor where no floor is known.
+    #[test]
+    fn floor_that_was_not_looked_at_is_not_drawn_as_floor_without_a_hit() {
+        let floor = squares(&[(true, 1.1)]);
+        let ground = Ground {
+            unseen_m: vec![[-10.0, -10.0, 10.0, 9.0]],
+            watched_m: vec![[-10.0, 9.0, 10.0, 10.0]],
+            ..Ground::default()
+        };
+        let drawn = |not_looked_at_m: &[[f64; 4]], ground: &Ground| {
+            let looked_at = not_looked_at_m.is_empty() && !ground.is_empty();
+            render(&Whole { not_looked_at_m, looked_at, ..whole(&floor, Vec::new(), ground) }, &Plan::default())
+        };
+        let whole = drawn(&[], &ground);
+        assert!(
+            whole.contains("no hit found") && !whole.contains("not looked at") && !whole.contains("=\"url(#unlooked)")
+        );
+        let short = drawn(&[[-10.0, -10.0, 10.0, 10.0]], &ground);
+        // In the legend and on the floor.
+        assert!(!short.contains("no hit found") && short.contains("not looked at to the end"), "{short}");
+        assert_eq!(short.matches("=\"url(#unlooked)").count(), 2, "{short}");
+        let none = drawn(&[], &Ground::default());
+        assert!(!none.contains("no hit found") && !none.contains("nobody can stand here"), "{none}");
+        assert_eq!(none.matches("=\"url(#unlooked)").count(), 2, "{none}");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::anywhere::{Anywhere, Cell, Ground, Place, presses_words};
+use super::anywhere::{Anywhere, Cell, Ground, Place, changes_words, presses_words};
 
 /// What a picture of the floor shows.
 #[derive(Clone, Debug, Serialize)]
@@ -16,6 +16,9 @@ pub struct Whole<'a> {
     /// How often controls are worked at most, if there are any.
     #[serde(skip)]
     pub presses: Option<u32>,
+    /// How often what sensors report changed at most, if that was limited.
+    #[serde(skip)]
+    pub changes: Option<usize>,
     /// Edge of a square, m.
     pub cell_m: f64,
     /// Length of the spans of time of `floor`, s.
@@ -26,6 +29,13 @@ pub struct Whole<'a> {
     pub floor: &'a [Cell],
     /// Middles of further squares of which it is not known whether anybody is hit there, m.
     pub open_m: Vec<[f64; 2]>,
+    /// How many squares without a hit were not looked at to the end.
+    #[serde(skip)]
+    pub not_looked_at: usize,
+    /// Where those are, and what is farther out, as rectangles by low x and y and high x and y, m.
+    pub not_looked_at_m: &'a [[f64; 4]],
+    /// Whether of all other floor without a hit that was looked at; else of none.
+    pub looked_at: bool,
     /// The floor, and what the robots sweep.
     pub ground: &'a Ground,
     /// Ways to be hit, those first that a run of their own shows, and of them the worst.
@@ -47,11 +57,15 @@ impl<'a> From<&'a Anywhere> for Whole<'a> {
             said: String::new(),
             until_s: found.until_s,
             presses: found.presses,
+            changes: found.changes,
             cell_m: edge,
             span_s: found.span_s,
             followed: found.followed,
             floor: &found.floor,
             open_m: open.difference(&known).map(middle).collect(),
+            not_looked_at: found.not_looked_at,
+            not_looked_at_m: &found.not_looked_at_m,
+            looked_at: found.not_looked_at_m.is_empty() && !found.ground.is_empty(),
             ground: &found.ground,
             places: &found.hazards,
             reasons: &found.reasons,
@@ -80,6 +94,9 @@ impl Whole<'_> {
         let walks = can(shown.is_some());
         let mut said = Vec::new();
         match (unseen, walked) {
+            (0, 0) if !self.looked_at => said.push(format!(
+                "So far no place was found where somebody who comes unseen is hit harder than allowed {within}."
+            )),
             (0, 0) => {
                 let but = if self.reasons.is_empty() { "" } else { ", and it is not shown that there is none" };
                 said.push(format!(
@@ -106,7 +123,15 @@ impl Whole<'_> {
         said.extend(
             shown.map(|worst| format!("The worst that a run of its own shows is {:.2} times the limit.", worst.ratio)),
         );
+        said.extend(self.changes.map(changes_words));
         said.extend(self.presses.map(presses_words));
+        if !self.looked_at {
+            let unknown = "whether anybody else is hit is not known.";
+            said.push(match self.not_looked_at {
+                0 => format!("The floor was not looked at to the end: {unknown}"),
+                squares => format!("{} of the floor were not looked at to the end: {unknown}", self.area(squares)),
+            });
+        }
         if !self.open_m.is_empty() {
             said.push(format!("Of {} it is not known.", self.area(self.open_m.len())));
         }
@@ -141,11 +166,15 @@ pub(super) mod tests {
             said: String::new(),
             until_s: 2.0,
             presses: None,
+            changes: None,
             cell_m: 0.1,
             span_s: 0.1,
             followed: true,
             floor,
             open_m,
+            not_looked_at: 0,
+            not_looked_at_m: &[],
+            looked_at: true,
             ground,
             places: &[],
             reasons: &[],
@@ -166,6 +195,22 @@ pub(super) mod tests {
              m² more, somebody who walks in may be, if they get there in time. Of 0.01 m² it is not known."
         );
         assert!(whole(&[], Vec::new(), &ground).said.starts_with("No place was found"));
+    }
+
+    #[test]
+    fn floor_that_was_not_looked_at_is_said_and_so_is_how_often_readings_change() {
+        let (ground, floor) = (Ground::default(), squares(&[(true, 1.2)]));
+        let mut unlooked =
+            Whole { looked_at: false, not_looked_at: 130, changes: Some(1), ..whole(&[], Vec::new(), &ground) };
+        assert_eq!(
+            unlooked.sentences(),
+            "So far no place was found where somebody who comes unseen is hit harder than allowed within 2.0 s of the start. What the \
+             sensors report changes at most once then. 1.3 m² of the floor were not looked at to the end: whether anybody else is hit \
+             is not known."
+        );
+        (unlooked.floor, unlooked.not_looked_at) = (&floor, 0);
+        let said = unlooked.sentences();
+        assert!(said.contains("The floor was not looked at to the end") && !said.contains("So far"), "{said}");
     }
 
     #[test]

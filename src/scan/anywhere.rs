@@ -3,6 +3,7 @@
 
 mod alike;
 mod ask;
+mod end;
 mod fields;
 mod keys;
 pub(super) mod map;
@@ -17,7 +18,9 @@ use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use self::alike::Kind;
+use self::end::{End, not_looked_at};
 use self::fields::Fields;
+use self::map::Walkable;
 use self::obligations::FromAnywhere;
 use self::record::Rest;
 use self::show::sensors;
@@ -39,7 +42,9 @@ use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
-use crate::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Histories, Means, Moment, told_in};
+use crate::sim::anywhere::{
+    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Histories, Means, Moment, Somewhere, told_in,
+};
 use crate::sim::between::STEP_TOLERANCE_M;
 use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
@@ -53,8 +58,6 @@ const LONGEST_TOLD_S: f64 = 0.3;
 const AROUND_M: f64 = 2.0;
 /// Of what is tried out at random.
 const SEED: u64 = 1;
-/// Open places that are told.
-const MOST_OPEN: usize = 10_000;
 
 /// What is told while it searches.
 #[derive(Clone, Copy, Debug)]
@@ -135,9 +138,12 @@ struct Looking<'a> {
     /// What was said on the way of what an answer needs.
     said: Vec<(Need, Point)>,
     /// Floor on which people can be.
-    walkable_m: Vec<[f64; 2]>,
-    /// Whether it was ended before all was looked at.
-    stopped: bool,
+    walkable: Walkable,
+    /// Cells of the floor, as they are told, in which something is open, and in which it is between two instants.
+    open: BTreeSet<[i64; 2]>,
+    between: BTreeSet<[i64; 2]>,
+    /// How far it got.
+    end: End,
     /// What was seen of the robots' motion and the speeds that are told of it.
     motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
@@ -190,6 +196,8 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         ground: Ground::default(),
         open: 0,
         open_m: Vec::new(),
+        not_looked_at: 0,
+        not_looked_at_m: Vec::new(),
         between: 0,
         between_m: Vec::new(),
         reasons: Vec::new(),
@@ -205,8 +213,10 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         rest: Rest::new(cell.sensors.len()),
         fields,
         said: Vec::new(),
-        walkable_m: Vec::new(),
-        stopped: false,
+        walkable: Walkable::default(),
+        open: BTreeSet::new(),
+        between: BTreeSet::new(),
+        end: End::Whole,
         motion: None,
         met: Vec::new(),
     };
@@ -215,20 +225,23 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         Ok(Some(until_s)) => {
             (looking.found.until_s, looking.found.span_s) = (until_s, map::span_s(until_s, cell.step_s));
         }
-        Ok(None) => return Ok(looking.conclude()),
+        Ok(None) => {
+            looking.end = End::Short;
+            return Ok(looking.conclude());
+        }
         Err(error) if error.stopped => {
-            looking.stopped = true;
+            looking.end = End::Stopped;
             return Ok(looking.conclude());
         }
         Err(cause) => return Err(ScanError { cause }),
     }
     for first in kinds {
-        let goes_on = match looking.from(&first, tell) {
-            Err(error) if error.stopped => false,
+        let end = match looking.from(&first, tell) {
+            Err(error) if error.stopped => End::Stopped,
             outcome => outcome.map_err(|cause| ScanError { cause })?,
         };
-        if !goes_on {
-            looking.stopped = true;
+        looking.end = looking.end.and(end);
+        if end == End::Stopped {
             break;
         }
     }
@@ -236,40 +249,50 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
 }
 
 impl<'a> Looking<'a> {
-    /// Looks from where the sensors report `first`; `false` if it was told to end.
-    fn from(&mut self, first: &[bool], tell: &mut Tell<'_>) -> Result<bool, PlantError> {
+    /// Looks from where the sensors report `first`.
+    fn from(&mut self, first: &[bool], tell: &mut Tell<'_>) -> Result<End, PlantError> {
         let prepared = self.prepared;
-        let Some((xy_m, heading)) = self.unseen_start(first)? else { return Ok(true) };
+        let (xy_m, heading) = match self.unseen_start(first)? {
+            Somewhere::At(xy_m, heading) => (xy_m, heading),
+            Somewhere::Nowhere => return Ok(End::Whole),
+            Somewhere::Unknown => return Ok(End::Short),
+        };
         let start = Start::new(xy_m[0], xy_m[1], heading.to_degrees());
         let there = prepared.standing(start, 0, 1).map_err(|error| PlantError::of(error.to_string().as_str()))?;
         let unmoved = self.unmoved(&there)?;
         let footing = Footing::asked(&there, self.effort.state, Merge::Auto);
-        let Some((search, told)) = self.ask(&there, footing, &unmoved, tell)? else { return Ok(self.goes_on(tell)) };
+        let Some((search, told)) = self.ask(&there, footing, &unmoved, tell)? else { return Ok(self.short(tell)) };
         if self.found.ground.is_empty() {
             self.found.ground = map::ground(&search, &unmoved);
-            self.walkable_m = map::walkable(&search);
+            self.walkable = map::walkable(&search);
         }
         let kinds = self.kinds(&search, told.as_ref(), first);
-        let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.goes_on(tell)) };
-        let all = parts.len();
+        let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.short(tell)) };
+        let (all, mut end) = (parts.len(), End::Whole);
         for (number, part) in parts.iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few robots")]
             let mut tell = |told: Told| match told {
                 Told::Floor(share, hazards) => tell(Told::Floor((number as f64 + share) / all as f64, hazards)),
                 told => tell(told),
             };
-            if !self.part(&there, footing, &search, part, &kinds, &mut tell)? {
-                return Ok(false);
+            end = end.and(self.part(&there, footing, &search, part, &kinds, &mut tell)?);
+            if end == End::Stopped {
+                break;
             }
         }
-        Ok(true)
+        Ok(end)
+    }
+
+    /// Nothing more can be looked at from there: because it was told to end, or for a reason that is told.
+    fn short(&self, tell: &mut Tell<'_>) -> End {
+        if self.goes_on(tell) { End::Short } else { End::Stopped }
     }
 
     fn goes_on(&self, tell: &mut Tell<'_>) -> bool {
         !self.prepared.stop().is_asked() && tell(Told::Asked(1.0)).is_continue()
     }
 
-    /// Looks at the robots of one part; `false` if it was told to end.
+    /// Looks at the robots of one part.
     fn part(
         &mut self,
         there: &Prepared,
@@ -278,17 +301,17 @@ impl<'a> Looking<'a> {
         part: &Part,
         kinds: &[Kind],
         tell: &mut Tell<'_>,
-    ) -> Result<bool, PlantError> {
+    ) -> Result<End, PlantError> {
         let (prepared, cell) = (self.prepared, &there.cell);
         let presses = self.found.presses.unwrap_or(0);
         let Some(Kind { readings: first, .. }) = kinds.first() else {
             self.open(Need::Searched, "where nobody is seen at the start is not known");
-            return Ok(true);
+            return Ok(End::Short);
         };
         let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()), presses);
         if zones.ways.is_empty() {
             self.open(Need::Searched, "where nobody is seen at the start is not known");
-            return Ok(true);
+            return Ok(End::Short);
         }
         // Of those that matter to these robots, what is reported is given; of the others, what is there at first, if that goes together.
         let person = |readings: &Vec<bool>| {
@@ -307,8 +330,9 @@ impl<'a> Looking<'a> {
             recall.merge_equal_states()?;
         }
         let mut machine = Machine::new(recall, (cell, &there.binding), (&zones, people), (part, presses));
-        if !self.explore(&mut machine, tell)? || !self.run_again(there, footing, &machine, tell)? {
-            return Ok(false);
+        let end = self.explore(&mut machine, tell)?;
+        if end == End::Stopped || !self.run_again(there, footing, &machine, tell)? {
+            return Ok(End::Stopped);
         }
         self.motion.get_or_insert_default().merge(machine.motion());
         let (histories, between) = (machine.histories(), machine.histories_between());
@@ -333,10 +357,9 @@ impl<'a> Looking<'a> {
             });
             self.found.spent.boxes += outcome.boxes;
             self.found.open += outcome.open.len();
-            self.found.open_m.extend(outcome.open.iter().take(MOST_OPEN.saturating_sub(self.found.open_m.len())));
+            self.open.extend(outcome.open.into_iter().map(told_in));
             self.found.between += outcome.between.len();
-            let room = MOST_OPEN.saturating_sub(self.found.between_m.len());
-            self.found.between_m.extend(outcome.between.iter().take(room));
+            self.between.extend(outcome.between.into_iter().map(told_in));
             // What was found is looked at once more, even where the time is up.
             prepared.stop().finishing();
             let harms = outcome.harms.iter().map(|harm| harm.at(history));
@@ -344,12 +367,12 @@ impl<'a> Looking<'a> {
             self.found.followed &= outcome.followed;
             self.show(search, first, (history, way), outcome.harms);
             if outcome.stopped {
-                return Ok(false);
+                return Ok(End::Stopped);
             }
             prepared.stop().searching();
             done += between.seen.len();
         }
-        Ok(true)
+        Ok(end)
     }
 
     /// Communication steps that are looked at.
@@ -358,12 +381,11 @@ impl<'a> Looking<'a> {
         (self.found.until_s / self.prepared.cell.step_s).ceil().max(1.0) as usize
     }
 
-    /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow; `false` if it was told to
-    /// end.
-    fn explore(&mut self, machine: &mut Machine<'_, Hosted>, tell: &mut Tell<'_>) -> Result<bool, PlantError> {
+    /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow.
+    fn explore(&mut self, machine: &mut Machine<'_, Hosted>, tell: &mut Tell<'_>) -> Result<End, PlantError> {
         let (steps, most) = (self.steps(), self.effort.most_states);
         let mut known: Option<usize> = None;
-        let (mut changes, mut told, mut is_last) = (1, 0, false);
+        let (mut changes, mut told, mut is_last, mut end) = (1, 0, false, End::Whole);
         loop {
             machine.begin();
             let mut asked = false;
@@ -376,7 +398,7 @@ impl<'a> Looking<'a> {
                 !asked && (is_last || machine.recall().states() < most)
             })?;
             if asked {
-                return Ok(false);
+                return Ok(End::Stopped);
             }
             if outcome.ended {
                 // What fewer changes lead to is known already.
@@ -385,6 +407,7 @@ impl<'a> Looking<'a> {
                         format!("the FMU has more than {most} states within this time while sensors see somebody once");
                     let what_to_do = "Ask for less with --until, or more with --max-states";
                     self.said.push((Need::Searched, Point::open_until(why, what_to_do)));
+                    end = End::Short;
                     break;
                 };
                 (changes, is_last) = (before, true);
@@ -403,8 +426,9 @@ impl<'a> Looking<'a> {
         if let Some(fault) = machine.fault() {
             let why = format!("the FMU could not finish some steps: {fault}");
             self.open(Need::Finished, why);
+            end = End::Short;
         }
-        Ok(true)
+        Ok(end)
     }
 
     /// Runs what the FMU did again from the start; `false` if it was told to end.
@@ -440,6 +464,8 @@ impl<'a> Looking<'a> {
         let (found, coverage) = (&mut self.found, &self.rest.coverage);
         let step_s = self.prepared.cell.step_s;
         found.floor = map::hazardous(&self.met, map::span(found.until_s, step_s), step_s);
+        found.open_m = self.open.iter().copied().map(map::middle).collect();
+        found.between_m = self.between.iter().copied().map(map::middle).collect();
         found.spent.arm_checks = coverage.arm_checks;
         found.spent.arm_boxes = coverage.arm_boxes;
         // What was not confirmed one way may have been another.
@@ -453,9 +479,13 @@ impl<'a> Looking<'a> {
         });
         found.hazards = once_each(std::mem::take(&mut found.hazards));
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
-        if self.stopped {
-            let why = leave_open(found, &self.walkable_m);
-            self.said.insert(0, (Need::Searched, Point::open(why)));
+        let is_part = self.effort.ledger.share().is_some();
+        let left = not_looked_at(found, &self.walkable, if is_part { End::Short.and(self.end) } else { self.end });
+        self.said.extend(left.map(|why| (Need::Searched, Point::open(why))));
+        if self.end == End::Stopped {
+            let when = if self.walkable.is_empty() { ", before any floor was looked at" } else { "" };
+            let why = format!("it was stopped, or its time was up{when}");
+            self.said.insert(0, (Need::Searched, Point::open_until(why, "Give it more with --time")));
         }
         let obligations = Obligations::of(&FromAnywhere::new(&self, speeds.as_ref()));
         let ended = Ended {
@@ -467,20 +497,8 @@ impl<'a> Looking<'a> {
         self.found.verdict = Verdict::of(ended, &obligations);
         self.found.reasons = obligations.reasons();
         self.found.obligations = obligations;
-        Looked { found: self.found, rest: self.rest, stopped: self.stopped }
+        Looked { found: self.found, rest: self.rest, stopped: self.end == End::Stopped }
     }
-}
-
-/// Of a search that was ended: all floor is open on which people can be and nothing was found. What of it was done is done for some of
-/// what sensors report only. Gives why.
-fn leave_open(found: &mut Anywhere, walkable_m: &[[f64; 2]]) -> String {
-    let when = if walkable_m.is_empty() { ", before any floor was looked at" } else { "" };
-    let bits = |at: &[f64; 2]| at.map(f64::to_bits);
-    let known: BTreeSet<[u64; 2]> = found.floor.iter().map(|cell| bits(&cell.xy_m)).collect();
-    found.open_m = walkable_m.iter().filter(|at| !known.contains(&bits(at))).copied().collect();
-    found.open = found.open_m.len();
-    found.open_m.truncate(MOST_OPEN);
-    format!("it was stopped, or its time was up{when}")
 }
 
 /// Each region that is hit by a link somewhere is told once, with the worst of it, however many histories lead there.

@@ -332,17 +332,16 @@ fn gaps(expander: &Expander<Hosted>, account: &Account, options: Exhaustive, aga
         gaps.push((Need::Finished, Point::open(why)));
     }
     if account.behind_not_evaluated {
-        reasons.push(
-            "the FMU could not finish some actions behind a first contact: whether somebody is clamped there is not known"
-                .to_owned(),
-        );
+        let why = "the FMU could not finish some actions behind a first contact: whether somebody is clamped there is not known";
+        gaps.push((Need::Finished, Point::open(why)));
     }
     if let Some(actions) = account.behind_cut {
-        reasons.push(format!(
+        let why = format!(
             "what comes behind a first contact took more than half of the budget of {}: for clamping it was looked at in \
-             sequences of {actions} actions, in longer ones in part. Raise --max-states, --max-memory or --max-work",
+             sequences of {actions} actions, in longer ones in part",
             words(options.budget),
-        ));
+        );
+        gaps.push((Need::Searched, Point::open_until(why, "Raise --max-states, --max-memory or --max-work")));
     }
     let runs = expander.coverage().arm_runs_not_evaluated;
     if runs > 0 {

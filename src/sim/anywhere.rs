@@ -20,20 +20,23 @@ mod controls;
 pub mod ledger;
 mod looks;
 pub mod machine;
+mod outside;
 mod readings;
 mod shoulders;
 pub mod told;
 mod within;
 pub mod zones;
 
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex};
 
 use serde::{Deserialize, Serialize};
 
 use self::behind::ToldOf;
 pub use self::looks::{Histories, InParts, Means};
+use self::outside::Outside;
 use self::readings::{may_report, may_stay_clear};
 use self::told::{Told, arc};
 use self::within::Within;
@@ -204,6 +207,8 @@ pub struct Anywhere<'a> {
     unseen: Vec<bool>,
     /// What is known of each plane.
     told_of: Vec<ToldOf>,
+    /// By which sensors matter, where people get to by the rules of a scan from the start: worked out when it is asked for.
+    outside: Mutex<BTreeMap<Vec<bool>, Arc<Outside>>>,
     /// How far somebody walks in a communication step, m.
     step_m: f64,
     /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
@@ -300,6 +305,7 @@ impl<'a> Anywhere<'a> {
             curtains,
             unseen: Vec::new(),
             told_of: Vec::new(),
+            outside: Mutex::default(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
             reach_m,
             body_m: cell.body.reach_from_one_metre(0.0, &[]),
@@ -314,6 +320,7 @@ impl<'a> Anywhere<'a> {
     #[must_use]
     pub fn with(mut self, told: Told) -> Self {
         self.told = Some(told);
+        self.outside = Mutex::default();
         self.look_for_unseen();
         self
     }

@@ -430,6 +430,7 @@ fn a_small_field_inside_the_fmu_is_found_by_asking_it() {
     let more = told(1.5, "\"ssm.distance\" = 2.0\n").replace("\"ssm.distance\" = 0.0\n", "");
     let more = look(dir.path(), &small(&more), 0.5, 2);
     assert_eq!((more.verdict, more.histories.len()), (Verdict::Inconclusive, 0), "{more:#?}");
+    assert!(more.not_looked_at > 0, "{more:#?}");
     assert!(more.reasons[0].contains("in more ways than its sensors report"), "{more:#?}");
 }
 
@@ -455,6 +456,7 @@ fn a_field_inside_the_fmu_is_found_by_asking_it() {
     // What the bar does depends on the distance too, and no sensor reports that.
     let more = look(dir.path(), &told(2.6, "\"ssm.distance\" = 3.0\n").replace("\"ssm.distance\" = 0.0\n", ""), 0.8, 2);
     assert_eq!((more.verdict, more.histories.len()), (Verdict::Inconclusive, 0), "{more:#?}");
+    assert!(more.not_looked_at > 0, "{more:#?}");
     assert!(more.reasons[0].contains("in more ways than its sensors report"), "{more:#?}");
 }
 
@@ -682,10 +684,13 @@ fn what_was_ended_goes_on(text: &str, until_s: f64) {
         assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
         // Of floor that was not looked at to the end nothing clean is said.
         let is_told = |cell: &Cell| {
-            let Anywhere { floor, open_m, .. } = &looked.found;
-            floor.iter().map(|other| &other.xy_m).chain(open_m).any(|at| *at == cell.xy_m)
+            let Anywhere { floor, not_looked_at_m, .. } = &looked.found;
+            let [x, y] = cell.xy_m;
+            let holds = |[left, low, right, high]: &[f64; 4]| *left < x && x < *right && *low < y && y < *high;
+            floor.iter().any(|other| other.xy_m == cell.xy_m) || not_looked_at_m.iter().any(holds)
         };
-        assert!(whole.floor.iter().all(is_told) && looked.found.open > 20, "{at}: {:?}", looked.found);
+        assert!(whole.floor.iter().all(is_told), "{at}: {:?}", looked.found);
+        assert_eq!(looked.found.not_looked_at > 20, at < 1.0, "{at}: {:?}", looked.found);
         let (known, _) = ledger.remembered();
         assert!(known > answered || at < 1.0, "{at}: {known} {answered}");
         answered = known;
@@ -701,6 +706,7 @@ fn what_was_ended_goes_on(text: &str, until_s: f64) {
         let found = look_with((&path, until_s, 1), &ledger, &mut |_| ControlFlow::Continue(())).found;
         assert!(!found.verdict.is_clean() && json(&found) != json(&whole), "{number}");
         assert!(found.reasons.iter().any(|reason| reason.contains(&format!("part {number}/2"))), "{found:?}");
+        assert!(found.not_looked_at > 20, "{found:?}");
     }
     let mut ledger = Ledger::default();
     [2, 1].into_iter().for_each(|number| ledger.take_in(&part(number), "cell").unwrap());

@@ -11,6 +11,7 @@ mod advice;
 mod anywhere;
 mod anywhere_arms;
 mod anywhere_instants;
+mod anywhere_outside;
 mod anywhere_presses;
 mod anywhere_sets;
 mod arm_speed;

@@ -24,6 +24,9 @@ const HARD = [
   { below: 2, text: "1.5 to 2 times", colour: "#d7261e" },
   { below: Infinity, text: "twice the limit and more", colour: "#7a0024" },
 ];
+const NOT_LOOKED_AT = "not looked at to the end";
+/** Without it nothing is known of where people can stand. */
+const isGroundKnown = ({ ground }) => ground.unseen_m.length + ground.watched_m.length > 0;
 /** Early to late. */
 const EARLY = ["#440154", "#3b528b", "#21918c", "#5ec962", "#d8e219"];
 
@@ -135,6 +138,9 @@ function drawn(data, key) {
   const bar = [svg("path", { d: `M${bx} ${number(by - 0.4 * letter)}v${number(0.4 * letter)}h1v${number(-0.4 * letter)}` }), svg("text", { x: bx + 0.5, y: number(by - 0.5 * letter), "font-size": number(letter) }, "1 m")];
   const frame = { width: number(size[0]), height: number(size[1]) };
   const stripes = svg("pattern", { id: `${key}-unknown`, width: 0.05, height: 0.05, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 0.05, height: 0.05, class: "blank" }), svg("rect", { width: 0.02, height: 0.05, class: "stripe" }));
+  // Paler, and the other way, than what was looked at and is not known.
+  const lines = svg("pattern", { id: `${key}-unlooked`, width: 0.08, height: 0.08, patternUnits: "userSpaceOnUse", patternTransform: "rotate(-45)" }, svg("rect", { width: 0.08, height: 0.08, class: "blank" }), svg("rect", { width: 0.01, height: 0.08, class: "stripe" }));
+  const unlooked = { style: `fill:url(#${key}-unlooked)`, "data-test": "whole-unlooked" };
   const open = svg("g", { class: "open", style: `fill:url(#${key}-unknown)` }, ...whole.open_m.map((middle) => squareAt(middle, {})));
   const element = svg(
     "svg",
@@ -145,13 +151,14 @@ function drawn(data, key) {
       "aria-label": "the floor from above",
       "data-test": "whole-map",
     },
-    svg("defs", {}, stripes, svg("clipPath", { id: `${key}-frame` }, svg("rect", frame))),
+    svg("defs", {}, stripes, lines, svg("clipPath", { id: `${key}-frame` }, svg("rect", frame))),
     svg(
       "g",
       { "clip-path": `url(#${key}-frame)` },
-      svg("rect", { ...frame, class: "nowhere" }),
+      svg("rect", isGroundKnown(whole) ? { ...frame, class: "nowhere" } : { ...frame, ...unlooked }),
       svg("path", { d: boxes(whole.ground.unseen_m), class: "unseen" }),
       svg("path", { d: boxes(whole.ground.watched_m), class: "watched" }),
+      whole.not_looked_at_m.length > 0 ? svg("path", { d: boxes(whole.not_looked_at_m), ...unlooked }) : null,
       svg("path", { d: boxes(whole.ground.swept_m), class: "swept" }),
       open,
       svg("g", { class: "hits" }, ...hits),
@@ -203,9 +210,9 @@ function surfaces({ whole, cell }) {
   return [
     whole.floor.every(({ unseen }) => unseen) ? null : kind("small", "small: only who walks in, if they get there in time"),
     whole.open_m.length > 0 ? kind("unknown", "not known whether anybody is hit there") : null,
-    kind("unseen", "people come here unseen; no hit found"),
-    whole.ground.watched_m.length > 0 ? kind("watched", "sensors see people here, or on the way here; no hit found") : null,
-    kind("nowhere", "nobody can stand here, or gets here"),
+    whole.looked_at ? kind("unseen", "people come here unseen; no hit found") : kind("unlooked", NOT_LOOKED_AT),
+    whole.looked_at && whole.ground.watched_m.length > 0 ? kind("watched", "sensors see people here, or on the way here; no hit found") : null,
+    isGroundKnown(whole) ? kind("nowhere", "nobody can stand here, or gets here") : null,
     whole.ground.swept_m.length > 0 ? kind("swept", "below what the robots sweep") : null,
     cell.obstacles.length > 0 ? kind("obstacle", "obstacle") : null,
     cell.zones.length > 0 ? kind("zone", "where sensors see") : null,
@@ -263,7 +270,7 @@ export function wholeSection(data) {
       const then = shown !== "moment" ? "" : now ? `; now ${ratio(now[1])}` : "; now no hit found";
       told.textContent = `${place(square.xy_m)}: up to ${ratio(square.ratio)}, first at ${time(square.earliest_s)}${square.unseen ? "" : ", only who walks in, if in time"}${then}`;
     } else {
-      told.textContent = `${place(chosen)}: ${open.has(squareOf(chosen)) ? "not known" : "no hit found"}`;
+      told.textContent = `${place(chosen)}: ${open.has(squareOf(chosen)) ? "not known" : whole.looked_at ? "no hit found" : NOT_LOOKED_AT}`;
     }
     picture.point(chosen);
   }

@@ -573,7 +573,7 @@ export const CHECKS = [
       await map.focus();
       await page.keyboard.press("ArrowRight");
       const worst = Math.max(...whole.floor.map(({ ratio }) => ratio));
-      assert.match(await told.textContent(), whole.floor.length > 0 ? new RegExp(`up to ${worst.toFixed(2)}x, first at [0-9.]+ s`) : /(not known|no hit found)$/);
+      assert.match(await told.textContent(), whole.floor.length > 0 ? new RegExp(`up to ${worst.toFixed(2)}x, first at [0-9.]+ s`) : /(not known|no hit found|not looked at to the end)$/);
       const before = await told.textContent();
       await page.keyboard.press("ArrowUp");
       assert.notEqual(await told.textContent(), before);
@@ -582,6 +582,8 @@ export const CHECKS = [
         await unclear.first().hover({ force: true });
         assert.match(await told.textContent(), /: not known$/);
       }
+      const key = await page.locator(test("whole-key")).textContent();
+      assert.deepEqual([key.includes("no hit found"), key.includes("not looked at to the end")], [whole.looked_at, !whole.looked_at]);
     },
   },
   {

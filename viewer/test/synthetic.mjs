@@ -295,6 +295,8 @@ function whole(hazards) {
     until_s: 2, cell_m: 0.1, span_s: 0.1, followed: true,
     floor: squares,
     open_m: [[-0.85, -0.45], [-0.85, -0.55], [0.85, -0.45]],
+    not_looked_at_m: [],
+    looked_at: true,
     ground: { unseen_m: [[-3, -3, 3, -0.15]], watched_m: [[-0.6, 1, 0.6, 1.6]], swept_m: [[-0.7, -0.4, 0.7, 0.9]] },
     places: hazards.map(({ id, body_region, robot_link, ratio, time_s, person_xy_m }, index) => ({
       id, body_region, robot_link, ratio, time_s, confirmed: index < 7, xy_m: person_xy_m, posture: "bent forward", walks_in: index % 2 === 1, start_m: index % 2 === 1 ? [1.4, -1.2] : person_xy_m,

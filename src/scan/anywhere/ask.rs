@@ -23,7 +23,7 @@ impl<'a> Looking<'a> {
             Until::Seconds(until_s) => return Ok(Some(until_s)),
             Until::Cycles(cycles) => cycles,
         };
-        let Some((xy_m, heading)) = self.unseen_start(first)? else { return Ok(None) };
+        let Somewhere::At(xy_m, heading) = self.unseen_start(first)? else { return Ok(None) };
         let start = Start::new(xy_m[0], xy_m[1], heading.to_degrees());
         let there = self.prepared.standing(start, 0, 1).map_err(|error| PlantError::of(error.to_string().as_str()))?;
         let (mut watched_s, step_s) = (8.0, there.cell.step_s);
@@ -71,8 +71,8 @@ impl<'a> Looking<'a> {
     }
 
     /// Where somebody may be of whom the sensors report `first`: decides nothing but where the person stands, as the FMU gets the
-    /// same inputs everywhere.
-    pub(super) fn unseen_start(&mut self, first: &[bool]) -> Result<Option<Stance>, PlantError> {
+    /// same inputs everywhere. Where that is not known, the reasons say so.
+    pub(super) fn unseen_start(&mut self, first: &[bool]) -> Result<Somewhere, PlantError> {
         let (prepared, cell) = (self.prepared, &*self.prepared.cell);
         let probe = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
         if !cell.pose.is_empty() {
@@ -83,24 +83,21 @@ impl<'a> Looking<'a> {
             for start in starts.filter(may) {
                 let mut asking = self.asking(prepared, Footing::asked(prepared, self.effort.state, Merge::Auto))?;
                 if !asking.reports(start)?.last().is_some_and(|last| last.contains(&true)) {
-                    return Ok(Some(start));
+                    return Ok(Somewhere::At(start.0, start.1));
                 }
             }
             self.open(
                 Need::Searched,
                 "sensors inside the FMU see whoever is where the cell file has people start: name a start at which nobody is seen",
             );
-            return Ok(None);
+            return Ok(Somewhere::Unknown);
         }
-        match probe.somewhere(first) {
-            Somewhere::At(xy_m, heading) => Ok(Some((xy_m, heading))),
-            Somewhere::Nowhere => Ok(None),
-            Somewhere::Unknown => {
-                let words = words(prepared, first);
-                self.open(Need::Searched, format!("whether sensors ever report {words} is not known"));
-                Ok(None)
-            }
+        let somewhere = probe.somewhere(first);
+        if somewhere == Somewhere::Unknown {
+            let words = words(prepared, first);
+            self.open(Need::Searched, format!("whether sensors ever report {words} is not known"));
         }
+        Ok(somewhere)
     }
 
     /// Ready to ask the FMU what its sensors report of people.

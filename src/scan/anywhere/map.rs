@@ -56,8 +56,24 @@ pub(super) fn hazardous(moments: &[(Moment, bool)], span: usize, step_s: f64) ->
     by.into_iter().map(cell).collect()
 }
 
-/// Middles of the cells of the floor, as they are told, on which people can be.
-pub(super) fn walkable(search: &Search<'_>) -> Vec<[f64; 2]> {
+/// Floor on which people can be.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walkable {
+    /// Cells as they are told.
+    pub cells: BTreeSet<[i64; 2]>,
+    /// What is farther out, as rectangles by low x and y and high x and y, m.
+    pub beyond_m: Vec<[f64; 4]>,
+}
+
+impl Walkable {
+    /// Whether there is none, or none was looked for.
+    pub fn is_empty(&self) -> bool {
+        self.cells.is_empty() && self.beyond_m.is_empty()
+    }
+}
+
+/// The floor on which people can be.
+pub(super) fn walkable(search: &Search<'_>) -> Walkable {
     let (floor, unseen, watched) = search.ground();
     let cells = (0..floor.cells()).filter(|cell| unseen[*cell] || watched[*cell]);
     // A cell may lie in several of those that are told.
@@ -67,12 +83,45 @@ pub(super) fn walkable(search: &Search<'_>) -> Vec<[f64; 2]> {
         let [x, y] = floor.middle(cell);
         corners.map(|[right, up]| told_in([x + right, y + up]))
     };
-    let all: BTreeSet<[i64; 2]> = cells.flat_map(of_cell).collect();
-    all.into_iter().map(middle).collect()
+    let beyond_m = floor.beyond(BEYOND_M).into_iter().map(|sides| sides.map(rounded)).collect();
+    Walkable { cells: cells.flat_map(of_cell).collect(), beyond_m }
 }
 
+/// Cells of the floor, as they are told, as rectangles: runs of a row, and equal ones above each other as one.
+pub(super) fn rectangles(cells: &BTreeSet<[i64; 2]>) -> Vec<[f64; 4]> {
+    let mut rows: BTreeMap<i64, Vec<[i64; 2]>> = BTreeMap::new();
+    let by_row: BTreeSet<[i64; 2]> = cells.iter().map(|[column, row]| [*row, *column]).collect();
+    for [row, column] in by_row {
+        let runs = rows.entry(row).or_default();
+        match runs.last_mut() {
+            Some([_, to]) if *to == column => *to += 1,
+            _ => runs.push([column, column + 1]),
+        }
+    }
+    // Columns from and to, rows from and to.
+    let mut all: Vec<[i64; 4]> = Vec::new();
+    let mut growing: BTreeMap<[i64; 2], usize> = BTreeMap::new();
+    for (row, runs) in rows {
+        let mut now = BTreeMap::new();
+        for run in runs {
+            let below = growing.get(&run).copied().filter(|number| all[*number][3] == row);
+            let number = below.unwrap_or(all.len());
+            match below {
+                Some(number) => all[number][3] += 1,
+                None => all.push([run[0], run[1], row, row + 1]),
+            }
+            now.insert(run, number);
+        }
+        growing = now;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
+    let at = |number: i64| rounded(number as f64 * 2.0 * CELL_M);
+    all.into_iter().map(|[left, right, low, high]| [at(left), at(low), at(right), at(high)]).collect()
+}
+
+/// The middle of a cell of the floor as it is told, m.
 #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-fn middle(cell: [i64; 2]) -> [f64; 2] {
+pub(super) fn middle(cell: [i64; 2]) -> [f64; 2] {
     cell.map(|at| (at as f64 + 0.5) * 2.0 * CELL_M)
 }
 
@@ -128,6 +177,25 @@ fn rounded(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cells_are_told_as_few_rectangles_that_hold_them_and_nothing_else() {
+        let holes = |[column, row]: &[i64; 2]| (column * 7 + row * 3) % 11 != 0 && !(-3..4).contains(column);
+        let some: BTreeSet<[i64; 2]> =
+            (-20..20).flat_map(|column| (-9..9).map(move |row| [column, row])).filter(holes).collect();
+        let told = rectangles(&some);
+        for (column, row) in (-21..21).flat_map(|column| (-10..10).map(move |row| (column, row))) {
+            let [x, y] = middle([column, row]);
+            let holds = |[left, low, right, high]: &&[f64; 4]| *left < x && x < *right && *low < y && y < *high;
+            assert_eq!(told.iter().filter(holds).count(), usize::from(some.contains(&[column, row])), "{column} {row}");
+        }
+        // By hand: 400 m² but for one cell are four: below it, beside it on both sides, and above.
+        let mut all: BTreeSet<[i64; 2]> = (0..200).flat_map(|column| (0..200).map(move |row| [column, row])).collect();
+        assert_eq!(rectangles(&all), [[0.0, 0.0, 20.0, 20.0]]);
+        all.remove(&[50, 70]);
+        let four = [[0.0, 0.0, 20.0, 7.0], [0.0, 7.0, 5.0, 7.1], [5.1, 7.0, 20.0, 7.1], [0.0, 7.1, 20.0, 20.0]];
+        assert_eq!(rectangles(&all), four);
+    }
 
     #[test]
     fn spans_are_whole_steps_and_not_too_many() {

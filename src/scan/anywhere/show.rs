@@ -1,4 +1,5 @@
-//! A harm that poses alone make possible is a hazard when a run of its own shows it: somebody stands there, or walks in.
+//! A harm that poses alone make possible is a hazard when a run of its own shows it: somebody stands there, or walks in. It begins where
+//! people get to by the rules of a scan from the start: the sets of places that are searched hold others as well.
 
 use std::collections::BTreeMap;
 
@@ -34,37 +35,9 @@ impl Looking<'_> {
         harms: Vec<Harm>,
     ) {
         let (prepared, cell) = (self.prepared, &*self.prepared.cell);
-        let is_unseen = way.unchanged && way.pressed.is_none();
         let as_told = sensors(prepared, &history.readings);
         for alike in alike(harms) {
-            let ways = |harm: &Harm| {
-                let step = history.seen[harm.instant].step;
-                // Standing there until arms are anywhere, for a whole action before, or where that is hit otherwise first for the last step.
-                let standing = || {
-                    let before = cell.raising_steps().into_iter().chain([cell.steps_per_action, 1]);
-                    before.map(|before| WalkIn::standing(harm, step, before, cell.steps_per_action)).collect()
-                };
-                if !history.seen[harm.instant].story.pressed.is_empty() {
-                    pressing::all(prepared, search, first, (history, harm), standing)
-                } else if is_unseen {
-                    standing()
-                } else {
-                    WalkIn::all(search, cell, first, history, harm)
-                }
-            };
-            let unseen = is_unseen.then_some(first);
-            let mut tried = 0;
-            let mut shown = None;
-            for harm in shown_first(history, &alike) {
-                let left = MOST_RUNS.saturating_sub(tried).min(MOST_WALKS);
-                if left == 0 || shown.is_some() {
-                    break;
-                }
-                shown = ways(harm).into_iter().take(left).find_map(|way| {
-                    tried += 1;
-                    shown_by(prepared, &way, unseen).map(|finding| (*harm, way, finding))
-                });
-            }
+            let shown = shown(prepared, search, first, (history, way), &alike);
             let (harm, way, finding) = match shown {
                 Some((harm, way, finding)) => (harm, way, Some(finding)),
                 None => {
@@ -162,6 +135,57 @@ fn shown_first<'h>(history: &History, harms: &'h [Harm]) -> Vec<&'h Harm> {
     let mut easy: Vec<&Harm> = others.iter().collect();
     easy.sort_by(|a, b| left_m(b).total_cmp(&left_m(a)));
     worst.iter().chain(easy.into_iter().take(MOST_EASY)).collect()
+}
+
+/// One of some harms that a run of its own shows, and the walk to it: from where people get to with no sensor seeing them that the robots
+/// heed.
+fn shown(
+    prepared: &Prepared,
+    search: &Search<'_>,
+    first: &[bool],
+    (history, way): (&History, &Way),
+    alike: &[Harm],
+) -> Option<(Harm, WalkIn, Finding)> {
+    let cell = &*prepared.cell;
+    let is_unseen = way.unchanged && way.pressed.is_none();
+    let heeds: Vec<bool> = history.readings.iter().map(Option::is_some).collect();
+    let comes = |xy_m: [f64; 2], heeds: &[bool]| search.comes_to(xy_m, heeds);
+    // Who walks in is seen where they are harmed; they do get there.
+    let none = vec![false; heeds.len()];
+    let there = if is_unseen { &heeds } else { &none };
+    let reached: Vec<Harm> = alike.iter().copied().filter(|harm| comes(harm.xy_m, there)).collect();
+    let ways = |harm: &Harm| {
+        let step = history.seen[harm.instant].step;
+        // Standing there until arms are anywhere, for a whole action before, or where that is hit otherwise first for the last step.
+        let standing = || {
+            let before = cell.raising_steps().into_iter().chain([cell.steps_per_action, 1]);
+            before.map(|before| WalkIn::standing(harm, step, before, cell.steps_per_action)).collect()
+        };
+        if !history.seen[harm.instant].story.pressed.is_empty() {
+            pressing::all(prepared, search, first, (history, harm), standing)
+        } else if is_unseen {
+            standing()
+        } else {
+            WalkIn::all(search, cell, first, history, harm)
+        }
+    };
+    let unseen = is_unseen.then_some(first);
+    let mut tried = 0;
+    for harm in shown_first(history, &reached) {
+        let left = MOST_RUNS.saturating_sub(tried).min(MOST_WALKS);
+        if left == 0 {
+            break;
+        }
+        let begun = ways(harm).into_iter().filter(|way| comes(way.xy_m, &heeds));
+        let found = begun.take(left).find_map(|way| {
+            tried += 1;
+            shown_by(prepared, &way, unseen).map(|finding| (*harm, way, finding))
+        });
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
 }
 
 /// The first harm that a walk leads to; while sensors report `readings`, if given.
