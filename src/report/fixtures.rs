@@ -5,7 +5,7 @@ use serde_json::json;
 use super::cause::Cause;
 use super::model::{Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::hazard::Criterion;
-use crate::host::selftest::{Agreement, SelfTest};
+use crate::host::selftest::{Agreement, Motion, SelfTest};
 use crate::sim::Coverage;
 
 /// A hand is hit by so many times its limit, which is 100 N here.
@@ -140,6 +140,10 @@ fn self_test() -> SelfTest {
         fresh_process: Agreement::NotOffered,
         reset: Agreement::NotOffered,
         serialize: Agreement::NotOffered,
+        half_steps: Motion::default(),
+        event_mode: Motion::default(),
+        uses_event_mode: false,
+        remarks: Vec::new(),
         bytes_per_state: None,
         output_range: 1.0,
     }

@@ -48,6 +48,7 @@ mod interrupted_scans;
 mod long_tests;
 mod machine_formats;
 mod mcap;
+mod motion;
 mod mutated_fmus;
 mod obstacles;
 mod pipelines;
