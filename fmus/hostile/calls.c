@@ -71,7 +71,7 @@ int setup(struct instance *instance, double start)
 
 int make_step(struct instance *instance, double time, double step)
 {
-    instance->now->stopped = instance->now->stop ? instance->now->stopped + 1 : 0;
+    instance->now->stopped_ms = instance->now->stop ? instance->now->stopped_ms + (int64_t)(step * 1000 + 0.5) : 0;
     int status = strike(instance, STEP);
     if (refuses(status))
         return status;

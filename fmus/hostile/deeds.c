@@ -46,9 +46,15 @@ const struct deed *asked_for(const char *what)
     return NULL;
 }
 
+/* Steps of 20 ms in a row with stop, begun ones too: in half steps it is not more of them. */
+static long stopped_steps(const struct state *now)
+{
+    return (long)((now->stopped_ms + 19) / 20);
+}
+
 bool has_begun(const struct deed *deed, const struct state *now)
 {
-    return deed->when_stopped ? now->stopped >= deed->at : now->steps > deed->at;
+    return deed->when_stopped ? stopped_steps(now) >= deed->at : now->steps > deed->at;
 }
 
 bool refuses(int status)
@@ -282,7 +288,7 @@ int strike(struct instance *instance, enum place place)
         if (deed->place != place)
             continue;
         /* Steps are counted in the state, from 0, or from 1 while it is stopped; all other calls in this process, from 1. */
-        long step = place != STEP ? 0 : deed->when_stopped ? (long)instance->now->stopped : (long)instance->now->steps;
+        long step = place != STEP ? 0 : deed->when_stopped ? stopped_steps(instance->now) : (long)instance->now->steps;
         long count = place == STEP ? step : call;
         long at = deed->has_at || place == STEP ? deed->at : 1;
         bool again = strcmp(deed->what, "leak") == 0 || strcmp(deed->what, "slow") == 0;

@@ -32,8 +32,8 @@ struct state {
     /* Hidden, ms. */
     int64_t clock;
     int64_t steps, stop;
-    /* Steps in a row in which stop was true. */
-    int64_t stopped;
+    /* How long stop has been true, ms. */
+    int64_t stopped_ms;
     /* 0: nothing to show; else qd is this minus 1: whether something outside could be done. */
     int64_t shown;
 };

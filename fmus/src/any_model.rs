@@ -143,6 +143,16 @@ impl AnyModel {
         }
     }
 
+    /// The next event that is known beforehand, ms.
+    pub fn announced(&self) -> Option<u64> {
+        if let AnyModel::Faulty(model) = self { model.announced() } else { None }
+    }
+
+    /// Whether it handles such an event by itself, where no event mode is used.
+    pub fn handles_announced(&self) -> bool {
+        matches!(self, AnyModel::Faulty(model) if model.handles_announced())
+    }
+
     /// Reads a model of the same kind from bytes.
     pub fn read(&self, input: &mut Reader) -> Option<Self> {
         match self {

@@ -236,12 +236,13 @@ impl Component {
         Ok(())
     }
 
-    /// `fmi3UpdateDiscreteStates`: once is enough for every model.
-    pub fn update_discrete(&mut self) -> Answer {
+    /// `fmi3UpdateDiscreteStates`: once is enough for every model. The time of the next event that is known, s.
+    #[expect(clippy::cast_precision_loss, reason = "exact below 2^53 ms")]
+    pub fn update_discrete(&mut self) -> Answer<Option<f64>> {
         self.expect_mode(&[Mode::Event])?;
         self.values_are_current = false;
         self.model.handle_event();
-        Ok(())
+        Ok(self.model.announced().map(|at| at as f64 / 1000.0))
     }
 
     /// `fmi2Terminate`.
@@ -329,7 +330,9 @@ impl Component {
         let reached = if early { half } else { time + step };
         let end = ticks_at(reached)?;
         let is_halfway = special == Special::EventHalfway;
-        let event_at = if is_halfway && !early { Some(ticks_at(half)?) } else { None };
+        let alone = !self.importer.uses_events && self.model.handles_announced();
+        let announced = self.model.announced().filter(|at| alone && (self.tick..=end).contains(at));
+        let event_at = if is_halfway && !early { Some(ticks_at(half)?) } else { announced };
         self.values_are_current = false;
         let (severity, message) = match self.advance(event_at, end) {
             Outcome::Done => {

@@ -258,6 +258,35 @@ fn an_event_halfway_is_left_to_an_importer_that_allows_an_early_return() {
     assert_ne!(future(&mut dropped, 30), expected, "nobody brought it through its event");
 }
 
+/// It is 50 ms after the beginning, announced in event mode only, and handled alone without, but by fault 20.
+#[test]
+fn an_announced_event_is_handled_where_it_is_announced_for_or_alone() {
+    let mut with = fault3(18, ABLE);
+    with.enter_event().unwrap();
+    assert_eq!(with.update_discrete(), Ok(Some(0.05)));
+    with.enter_step().unwrap();
+    assert!(!with.step(0.04, 0.01).unwrap().event, "it was announced");
+    with.enter_event().unwrap();
+    assert_eq!(with.update_discrete(), Ok(None));
+    with.enter_step().unwrap();
+    with.step(0.05, 0.06 - 0.05).unwrap();
+    let [mut alone, mut lost, mut honest] = [18, 20, 0].map(|kind| fault3(kind, Importer::default()));
+    for component in [&mut alone, &mut lost, &mut honest] {
+        component.step(0.04, 0.02).unwrap();
+    }
+    let expected = future(&mut alone, 30);
+    assert_eq!(future(&mut with, 30), expected);
+    let dropped = future(&mut lost, 30);
+    assert_eq!(dropped, future(&mut honest, 30));
+    assert_ne!(dropped, expected);
+    // That of fault 19 is found by a step that ends there only.
+    let [mut missed, mut found] = [fault3(19, Importer::default()), fault3(19, Importer::default())];
+    missed.step(0.04, 0.02).unwrap();
+    found.step(0.04, 0.01).unwrap();
+    found.step(0.05, 0.06 - 0.05).unwrap();
+    assert_eq!((future(&mut missed, 30), future(&mut found, 30)), (dropped, expected));
+}
+
 #[test]
 fn a_lying_step_is_made_in_full() {
     let mut component = fault3(13, ABLE);

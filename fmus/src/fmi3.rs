@@ -589,7 +589,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     }
 }
 
-/// `fmi3UpdateDiscreteStates`: one call handles everything, and the models know no event in advance.
+/// `fmi3UpdateDiscreteStates`: one call handles everything.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
     instance: *mut Instance,
@@ -607,7 +607,10 @@ pub unsafe extern "C" fn fmi3UpdateDiscreteStates(
                 array_mut(answer.cast::<u8>(), 1)?[0] = 0;
             }
             array_mut(next_event_time, 1)?[0] = 0.0;
-            instance.component.update_discrete()?;
+            if let Some(next) = instance.component.update_discrete()? {
+                array_mut(next_event_defined.cast::<u8>(), 1)?[0] = 1;
+                array_mut(next_event_time, 1)?[0] = next;
+            }
             if let Some(types) = &mut instance.types {
                 types.stop_clocks();
             }

@@ -14,7 +14,7 @@ use crate::fmi::{Fmu, number};
 use crate::host::PlantError;
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, affordable, examine, habits};
-use crate::host::selftest::{Agreement, Rung, SelfTest, selftest};
+use crate::host::selftest::{Agreement, Motion, Rung, SelfTest, selftest};
 use crate::scan::{Hosting, PrepareError};
 
 /// Steps of a run unless told otherwise.
@@ -112,6 +112,28 @@ struct Told<'a> {
     shortened: Option<&'a str>,
 }
 
+/// Whether it moves alike in half steps, and with Event Mode and without.
+fn motions(r: &SelfTest) -> String {
+    let mut text = String::new();
+    let mode = if r.uses_event_mode { "without the Event Mode it runs with" } else { "with its Event Mode" };
+    let halves = "nothing is shown: what it does depends on the step";
+    let modes = "nothing is shown: which motion is its own is not known";
+    // Without the mode that it is not run with nothing is lost.
+    let lost = matches!(r.half_steps, Motion::Failed { .. });
+    for (what, motion, otherwise, lost) in
+        [("the same motion in half steps", &r.half_steps, halves, lost), (mode, &r.event_mode, modes, false)]
+    {
+        let _ = writeln!(text, "  {what:<38} {motion}");
+        if lost || matches!(motion, Motion::Differs { .. }) {
+            let _ = writeln!(text, "  {:<38} means for a scan: {otherwise}", "");
+        }
+    }
+    for remark in &r.remarks {
+        let _ = writeln!(text, "  {remark}");
+    }
+    text
+}
+
 fn render(name: &str, r: &SelfTest, habits: &[Habit], shortened: Option<&str>) -> String {
     let mut text = String::new();
     let _ = writeln!(
@@ -147,6 +169,7 @@ fn render(name: &str, r: &SelfTest, habits: &[Habit], shortened: Option<&str>) -
             let _ = writeln!(text, "  {:<38} means for a scan: {otherwise}", "");
         }
     }
+    text += &motions(r);
     let bytes = r.bytes_per_state.map_or_else(|| "unknown".to_owned(), |b| b.to_string());
     let _ = writeln!(text, "  {:<38} {bytes}", "bytes in a state");
     let _ = writeln!(text, "  {:<38} {:.4}", "largest movement of an output", r.output_range);

@@ -15,6 +15,8 @@ pub(super) const TRUE: Boolean = 1;
 pub(super) const FALSE: Boolean = 0;
 /// `fmi2CoSimulation`.
 pub(super) const CO_SIMULATION: c_int = 1;
+/// `fmi2Terminated`.
+pub(super) const TERMINATED: c_int = 3;
 /// `fmi2LastSuccessfulTime`.
 pub(super) const LAST_SUCCESSFUL_TIME: c_int = 2;
 
@@ -61,6 +63,7 @@ table! {
             set_integer: "fmi2SetInteger" = fn(Component, *const ValueReference, usize, *const c_int) -> StatusCode;
             set_boolean: "fmi2SetBoolean" = fn(Component, *const ValueReference, usize, *const Boolean) -> StatusCode;
             get_real_status: "fmi2GetRealStatus" = fn(Component, c_int, *mut f64) -> StatusCode;
+            get_boolean_status: "fmi2GetBooleanStatus" = fn(Component, c_int, *mut Boolean) -> StatusCode;
         }
     }
 }

@@ -5,8 +5,8 @@
 use std::collections::BTreeMap;
 use std::ffi::{CStr, c_char};
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use super::Files;
 use super::abi::Common;
@@ -40,6 +40,11 @@ struct Inner {
     /// Start values of arrays by value reference.
     array_starts: BTreeMap<u32, Vec<f64>>,
     prefers_event_mode: AtomicBool,
+    needs_event_mode: bool,
+    /// The step of the default experiment, s.
+    step_size: Option<f64>,
+    /// When an FMU without Event Mode first said at the end of a step that an event is to be handled, s.
+    left_event_s: OnceLock<f64>,
     poisoned: AtomicBool,
     _files: Arc<Files>,
 }
@@ -70,6 +75,26 @@ impl Slave {
     #[must_use]
     pub fn prefers_event_mode(&self) -> bool {
         self.0.prefers_event_mode.load(Ordering::Relaxed)
+    }
+
+    /// Whether the FMU has clocks to be driven from outside.
+    pub(crate) fn needs_event_mode(&self) -> bool {
+        self.0.needs_event_mode
+    }
+
+    /// The step of the default experiment, s.
+    pub(crate) fn step_size(&self) -> Option<f64> {
+        self.0.step_size
+    }
+
+    /// When this FMU, which has no Event Mode, first said at the end of a step that an event is to be handled there, s.
+    pub(crate) fn left_event_s(&self) -> Option<f64> {
+        self.0.left_event_s.get().copied()
+    }
+
+    /// Notes that it said so.
+    pub(super) fn leaves_event(&self, at_s: f64) {
+        let _ = self.0.left_event_s.set(at_s);
     }
 
     pub(super) fn common(&self) -> &'static Common {
@@ -170,6 +195,9 @@ pub(super) fn load(
             .map(|v| (v.value_reference, v.numeric_start()))
             .collect(),
         prefers_event_mode: AtomicBool::new(description.needs_event_mode()),
+        needs_event_mode: description.needs_event_mode(),
+        step_size: description.default_experiment.step_size.filter(|step| step.is_finite() && *step > 0.0),
+        left_event_s: OnceLock::new(),
         poisoned: AtomicBool::new(false),
         _files: Arc::clone(files),
     })))

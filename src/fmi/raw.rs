@@ -32,6 +32,7 @@ pub struct State {
     handle: Option<StateHandle>,
     home: Arc<FreeList>,
     now: f64,
+    next_event: Option<f64>,
 }
 
 impl Drop for State {
@@ -52,6 +53,8 @@ pub(super) struct Raw {
     pub(super) events: bool,
     /// Communication time, s, for messages.
     pub(super) now: f64,
+    /// FMI 3.0: the next event that the FMU announced in Event Mode, s.
+    pub(super) next_event: Option<f64>,
     /// Memory for the booleans of FMI 2.0, which are integers, and of FMI 3.0, which are bytes: no allocation per step.
     pub(super) integers: Vec<c_int>,
     pub(super) bytes: Vec<u8>,
@@ -126,6 +129,7 @@ impl Raw {
             stepping: false,
             events,
             now: 0.0,
+            next_event: None,
             integers: Vec::new(),
             bytes: Vec::new(),
             id: NEXT_ID.fetch_add(1, Ordering::Relaxed),
@@ -175,6 +179,11 @@ impl Raw {
         Error::Call(Box::new(CallFailure { function, status, time_s, last_successful_s, note, log }))
     }
 
+    /// The error of an FMU that ends the simulation.
+    pub(super) fn ended(&self, time_s: f64) -> Error {
+        Error::Ended { time_s, log: self.environment.take() }
+    }
+
     /// The error of an FMU that answers OK and nonsense.
     pub(super) fn misbehaved(&self, message: String) -> Error {
         Error::Misbehaved { message, log: self.environment.take() }
@@ -216,7 +225,7 @@ impl Raw {
         // SAFETY: the instance is alive and not fatal.
         let status = unsafe { function(self.component) };
         self.check(name, status)?;
-        self.stepping = false;
+        (self.stepping, self.next_event) = (false, None);
         Ok(())
     }
 
@@ -230,7 +239,7 @@ impl Raw {
         let mut handle = reused.map_or(ptr::null_mut(), |h| h.0);
         // SAFETY: the handle is NULL or one that this instance gave and that has not been freed.
         let status = unsafe { function(self.component, &raw mut handle) };
-        self.received(name, handle, fresh, status)
+        self.received(name, handle, fresh, (self.next_event, status))
     }
 
     pub(super) fn restore(&mut self, state: &State) -> Result<(), Error> {
@@ -244,7 +253,7 @@ impl Raw {
         self.check(name, status)?;
         // States are saved while stepping, and the mode is part of a state.
         self.stepping = true;
-        self.now = state.now;
+        (self.now, self.next_event) = (state.now, state.next_event);
         Ok(())
     }
 
@@ -267,6 +276,10 @@ impl Raw {
         // SAFETY: the buffer has the size that the FMU asked for.
         let status = unsafe { serialize(self.component, handle, bytes.as_mut_ptr(), size) };
         self.check(names.serialize_state, status)?;
+        if self.events {
+            // What the FMU announced belongs to its state, and it does not tell it again.
+            bytes.extend(state.next_event.unwrap_or(f64::INFINITY).to_le_bytes());
+        }
         Ok(bytes)
     }
 
@@ -276,9 +289,15 @@ impl Raw {
         let (function, name) = (common.deserialize_state, common.names.deserialize_state);
         let function = function.ok_or(Error::MissingFunction(name))?;
         let mut handle = ptr::null_mut();
+        let (bytes, next_event) = match bytes.split_last_chunk() {
+            Some((rest, next)) if self.events => {
+                (rest, Some(f64::from_le_bytes(*next)).filter(|next| next.is_finite()))
+            }
+            _ => (bytes, None),
+        };
         // SAFETY: the bytes have the length that is passed; the handle is NULL, so the FMU makes a new one.
         let status = unsafe { function(self.component, bytes.as_ptr(), bytes.len(), &raw mut handle) };
-        self.received(name, handle, true, status)
+        self.received(name, handle, true, (next_event, status))
     }
 
     /// A handle as the FMU left it: owned whatever the status, so that it is freed.
@@ -287,7 +306,7 @@ impl Raw {
         function: &'static str,
         handle: FmuState,
         fresh: bool,
-        status: StatusCode,
+        (next_event, status): (Option<f64>, StatusCode),
     ) -> Result<State, Error> {
         if fresh && !handle.is_null() {
             self.handles.push(handle);
@@ -297,6 +316,7 @@ impl Raw {
             handle: Some(StateHandle(handle)),
             home: Arc::clone(&self.free_list),
             now: self.now,
+            next_event,
         });
         self.check(function, status)?;
         state.ok_or_else(|| self.misbehaved(format!("{function} returned OK but gave no state")))

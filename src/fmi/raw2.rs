@@ -57,7 +57,7 @@ impl Raw {
         self.check("fmi2EnterInitializationMode", status)
     }
 
-    /// `fmi2DoStep`.
+    /// `fmi2DoStep`. A step that is discarded is an error, with how far it came; or the end, if the FMU says so.
     pub(super) fn do_step2(&mut self, f: &Functions, time: f64, step: f64) -> Result<(), Error> {
         // SAFETY: the instance is alive and initialised.
         let status = unsafe { (f.do_step)(self.component, time, step, abi2::FALSE) };
@@ -70,6 +70,14 @@ impl Raw {
             // SAFETY: asking for the status after Discard is what the function is for.
             let answer = unsafe { ask(self.component, abi2::LAST_SUCCESSFUL_TIME, &raw mut value) };
             last = (answer == abi::OK && value.is_finite()).then_some(value);
+        }
+        if let (abi::DISCARD, Some(ask)) = (status, f.get_boolean_status) {
+            let mut terminated = abi2::FALSE;
+            // SAFETY: as above.
+            let answer = unsafe { ask(self.component, abi2::TERMINATED, &raw mut terminated) };
+            if answer == abi::OK && terminated != abi2::FALSE {
+                return Err(self.ended(last.unwrap_or(time)));
+            }
         }
         Err(self.failure("fmi2DoStep", status, Some(time), last))
     }

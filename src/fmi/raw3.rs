@@ -18,6 +18,8 @@ const PARTS: usize = 1000;
 /// How far, relative to the communication time, the time an FMU reached may be off and still be the one asked for:
 /// FMUs add up their internal steps.
 const TIME_TOLERANCE: f64 = 1e-9;
+/// What stands where an FMU writes how far it came, until it does: no time.
+const NOT_WRITTEN: f64 = f64::MIN;
 
 /// `fmi3InstantiateCoSimulation`.
 pub(super) fn instantiate(slave: &Slave, functions: &Functions, name: &str, events: bool) -> Result<Raw, Error> {
@@ -70,16 +72,21 @@ impl Raw {
         let (mut at, mut rest) = (time, step);
         for _ in 0..PARTS {
             self.now = at;
-            let part = self.part(f, at, rest)?;
-            if !(at - tolerance..=end + tolerance).contains(&part.reached) {
+            let to = self
+                .next_event
+                .filter(|next| self.stops_at_any_time() && (at + tolerance..end - tolerance).contains(next));
+            let part = self.part(f, at, to.map_or(rest, |to| to - at))?;
+            let aim = to.unwrap_or(end);
+            if !(at - tolerance..=aim + tolerance).contains(&part.reached) {
                 let message = format!(
-                    "the FMU says it reached t = {} s in a step from t = {at} s that was to end at t = {end} s",
+                    "the FMU says it reached t = {} s in a step from t = {at} s that was to end at t = {aim} s",
                     number(part.reached)
                 );
                 return Err(self.misbehaved(message));
             }
             self.now = part.reached;
-            if part.event && self.events {
+            let due = self.next_event.is_some_and(|next| next <= part.reached + tolerance);
+            if (part.event || due) && self.events {
                 self.enter_event_mode()?;
                 self.settle()?;
             } else if part.event {
@@ -107,8 +114,7 @@ impl Raw {
     /// One `fmi3DoStep`.
     fn part(&mut self, f: &Functions, time: f64, step: f64) -> Result<Part, Error> {
         let (mut event, mut end, mut early) = (0, 0, 0);
-        // FMUs that never end a step early are known to forget this one.
-        let mut reached = time + step;
+        let mut reached = NOT_WRITTEN;
         // SAFETY: the instance is alive and in Step Mode; the results are written during the call. States from before
         // `time` may be restored later, so the promise not to is never given.
         let status = unsafe {
@@ -126,6 +132,14 @@ impl Raw {
         if status != abi::OK && status != abi::WARNING {
             return Err(self.failure("fmi3DoStep", status, Some(time), None));
         }
+        if reached.to_bits() == NOT_WRITTEN.to_bits() {
+            if early != 0 {
+                let message = format!("the FMU ended the step from t = {time} s early and does not say when");
+                return Err(self.misbehaved(message));
+            }
+            // FMUs that never end a step early are known to forget this one.
+            reached = time + step;
+        }
         if end != 0 {
             return Err(self.ended(reached));
         }
@@ -137,6 +151,7 @@ impl Raw {
     fn may_go_on_without_event_mode(&self, at_the_end: bool) -> Result<(), Error> {
         let has_event_mode = self.slave.capabilities().has_event_mode;
         if at_the_end && !has_event_mode {
+            self.slave.leaves_event(self.now);
             return Ok(());
         }
         let why = match has_event_mode {
@@ -149,8 +164,9 @@ impl Raw {
         )))
     }
 
-    fn ended(&self, time_s: f64) -> Error {
-        Error::Ended { time_s, log: self.environment.take() }
+    /// Whether a step may end wherever the importer likes.
+    fn stops_at_any_time(&self) -> bool {
+        self.slave.capabilities().can_handle_variable_step
     }
 
     /// `fmi3EnterEventMode`.
@@ -159,7 +175,8 @@ impl Raw {
         self.plain("fmi3EnterEventMode", |f| f.enter_event_mode)
     }
 
-    /// In Event Mode: `fmi3UpdateDiscreteStates` until nothing changes, then `fmi3EnterStepMode`.
+    /// In Event Mode: `fmi3UpdateDiscreteStates` until nothing changes, then `fmi3EnterStepMode`. Steps end at the next event that
+    /// the FMU announces then, if it can stop there, and at the first point after it, if not.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
         const NAME: &str = "fmi3UpdateDiscreteStates";
         let Table::V3(f) = self.slave.table() else { return Ok(()) };
@@ -182,8 +199,16 @@ impl Raw {
             if end != 0 {
                 return Err(self.ended(self.now));
             }
-            // The next time event, if there is one, is for the FMU to stop at: it may return early from a step.
             if again == 0 {
+                self.next_event = (timed != 0).then_some(next);
+                let earliest = self.now - TIME_TOLERANCE * self.now.abs().max(1.0);
+                if self.next_event.is_some_and(|next| next.is_nan() || next < earliest) {
+                    return Err(self.misbehaved(format!(
+                        "the FMU announces its next event for t = {} s, at t = {} s",
+                        number(next),
+                        number(self.now)
+                    )));
+                }
                 return self.plain("fmi3EnterStepMode", |f| f.enter_step_mode);
             }
         }

@@ -9,8 +9,13 @@
 //! an integrator that restarts when an input changes hides there what its state lacks. All outputs count, also those that
 //! a cell does not bind. Each stage can run in a process of its own, so that what one of them does to the memory is not
 //! taken for another one's.
+//!
+//! What an FMU does wrong in all runs of the same steps alike shows in none of that. So at last the motion in half steps is
+//! compared, and that of the other of with Event Mode and without.
 
 mod agreement;
+mod motion;
+mod reliance;
 
 use std::fmt;
 
@@ -24,6 +29,8 @@ use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
 pub use agreement::{Agreement, Difference};
 pub(super) use agreement::{Columns, agreement};
+pub use motion::{Apart, Motion, Untried};
+pub(super) use reliance::Facts;
 
 /// A part of the self-test. Each may crash on an FMU that is badly made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -43,12 +50,19 @@ pub enum Stage {
     Serialize,
     /// `fmi2Reset`.
     Reset,
+    /// The first run in half steps.
+    HalfSteps,
+    /// The first run with Event Mode, if it was made without, or without.
+    EventMode,
 }
 
 impl Stage {
     /// Those after the first run, in their order.
     pub(super) const LATER: [Self; 6] =
         [Self::Deterministic, Self::SecondInstance, Self::Restore, Self::StateSize, Self::Serialize, Self::Reset];
+
+    /// Those that compare motions, after all others: only of an FMU that repeats its runs they say something.
+    pub(super) const MOTION: [Self; 2] = [Self::HalfSteps, Self::EventMode];
 }
 
 /// The outcome of the self-test.
@@ -76,6 +90,18 @@ pub struct SelfTest {
     pub reset: Agreement,
     /// A serialised state brought back in another instance.
     pub serialize: Agreement,
+    /// The motion of the first run against that in half steps.
+    #[serde(default)]
+    pub half_steps: Motion,
+    /// The motion of the first run against that of the other of with Event Mode and without.
+    #[serde(default)]
+    pub event_mode: Motion,
+    /// Whether an FMU is run with its Event Mode.
+    #[serde(default)]
+    pub uses_event_mode: bool,
+    /// What the FMUs said of events in the first run that could not be followed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
     /// Bytes of a serialised state.
     pub bytes_per_state: Option<usize>,
     /// Largest change of any output over the run: zero means that nothing moves.
@@ -103,7 +129,7 @@ impl SelfTest {
     }
 
     /// One that knows nothing but the first run.
-    pub(super) fn begun(setup: &SystemSetup, steps: usize, reference: &[f64]) -> Self {
+    pub(super) fn begun(setup: &SystemSetup, steps: usize, reference: &[f64], facts: &Facts) -> Self {
         let rows = setup.columns();
         let range = |c: usize| {
             let column = reference.iter().skip(c).step_by(rows);
@@ -122,6 +148,10 @@ impl SelfTest {
             fresh_process: Agreement::NotOffered,
             reset: Agreement::NotOffered,
             serialize: Agreement::NotOffered,
+            half_steps: facts.against_half_steps.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
+            event_mode: facts.against_other_mode.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
+            uses_event_mode: facts.event_mode.contains(&true),
+            remarks: facts.remarks.clone(),
             bytes_per_state: None,
             output_range: (0..setup.outputs.len()).map(range).fold(0.0, f64::max),
         }
@@ -135,7 +165,10 @@ impl SelfTest {
             (Stage::Restore, Found::Agreement(found)) => self.restore = found,
             (Stage::StateSize | Stage::Serialize, Found::Agreement(found)) => self.serialize = found,
             (Stage::Reset, Found::Agreement(found)) => self.reset = found,
+            (Stage::HalfSteps, Found::Motion(found)) => self.half_steps = found,
+            (Stage::EventMode, Found::Motion(found)) => self.event_mode = found,
             (_, Found::Bytes(bytes)) => self.bytes_per_state = Some(bytes),
+            (Stage::HalfSteps | Stage::EventMode, Found::Agreement(_)) | (_, Found::Motion(_)) => {}
         }
     }
 
@@ -213,6 +246,18 @@ pub(super) enum Found {
     Agreement(Agreement),
     /// Bytes of a serialised state.
     Bytes(usize),
+    /// How motions compare.
+    Motion(Motion),
+}
+
+impl Found {
+    /// What it is for a stage that it fails.
+    pub(super) fn failed(stage: Stage, error: PlantError) -> Self {
+        match stage {
+            Stage::HalfSteps | Stage::EventMode => Self::Motion(Motion::failed(error)),
+            _ => Self::Agreement(Agreement::failed(error)),
+        }
+    }
 }
 
 /// Runs the self-test for `steps` communication steps, without the stages in `skip`, all in this process.
@@ -227,9 +272,14 @@ pub fn selftest(
     activity: Activity,
 ) -> Result<SelfTest, PlantError> {
     let reference = reference(slaves, setup, steps, activity)?;
-    let mut result = SelfTest::begun(setup, steps, &reference);
+    let mut result = SelfTest::begun(setup, steps, &reference, &Facts::of(slaves, setup));
     for later in Stage::LATER {
         if result.wants(later, skip) {
+            result.note(later, stage(slaves, setup, steps, later, &reference, activity));
+        }
+    }
+    for later in Stage::MOTION {
+        if result.wants_motion(later, skip, true) {
             result.note(later, stage(slaves, setup, steps, later, &reference, activity));
         }
     }
@@ -272,11 +322,12 @@ pub(super) fn stage(
 ) -> Found {
     let built = System::new(slaves, setup.clone());
     if let Err(e) = built {
-        return Found::Agreement(Agreement::failed(PlantError::of(e.to_string())));
+        return Found::failed(stage, PlantError::of(e.to_string()));
     }
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
     let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
+    let again = motion::Run { slaves, setup, steps, inputs: &main, activity };
     let (width, columns) = (setup.inputs.len(), Columns::of(setup));
     let compare = |run: Result<Vec<f64>, PlantError>| agreement(reference, run, &columns);
     let offers_states = slaves.iter().all(|slave| slave.capabilities().can_get_and_set_state);
@@ -284,12 +335,14 @@ pub(super) fn stage(
     let offered = match stage {
         Stage::Restore => offers_states,
         Stage::StateSize | Stage::Serialize => serialises,
-        Stage::FirstRun | Stage::Deterministic | Stage::SecondInstance | Stage::Reset => true,
+        _ => true,
     };
     if !offered {
         return Found::Agreement(Agreement::NotOffered);
     }
     Found::Agreement(match stage {
+        Stage::HalfSteps => return Found::Motion(again.in_half_steps(reference)),
+        Stage::EventMode => return Found::Motion(again.in_the_other_mode(reference)),
         Stage::FirstRun | Stage::Deterministic => {
             // This process may not have made the first run, so here are two of its own.
             // The first instance is gone before the second one is made.

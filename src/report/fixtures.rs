@@ -6,7 +6,7 @@ use super::cause::Cause;
 use super::headline::Headline;
 use super::model::{Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::hazard::Criterion;
-use crate::host::selftest::{Agreement, SelfTest};
+use crate::host::selftest::{Agreement, Motion, SelfTest};
 use crate::obligations::Obligations;
 use crate::obligations::verdict::Ended;
 use crate::sim::Coverage;
@@ -150,6 +150,10 @@ fn self_test() -> SelfTest {
         fresh_process: Agreement::NotOffered,
         reset: Agreement::NotOffered,
         serialize: Agreement::NotOffered,
+        half_steps: Motion::default(),
+        event_mode: Motion::default(),
+        uses_event_mode: false,
+        remarks: Vec::new(),
         bytes_per_state: None,
         output_range: 1.0,
     }

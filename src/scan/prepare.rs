@@ -348,20 +348,29 @@ impl Prepared {
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let system = self.wiring.iter().flat_map(|wiring| &wiring.structure.warnings);
-        let cell = self.cell.warnings.iter().chain(&self.binding.warnings);
+        let cell = self.cell.warnings.iter().chain(&self.binding.warnings).chain(&self.self_test.remarks);
         system.chain(cell).chain(&self.suspicions).cloned().chain(stop_time::beyond(&self.cell, &self.fmus)).collect()
     }
 
-    /// Why nothing can be certified of these FMUs, whatever a search finds: what the self-test calls impossible for their
-    /// outputs together is possible for those that the cell binds.
+    /// Why nothing can be certified of these FMUs, whatever a search finds: all reasons, as one text.
     #[must_use]
     pub fn unsteady(&self) -> Option<String> {
-        let output = self.unsteady.as_ref()?;
-        Some(format!(
-            "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
-             a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
-             for a deterministic export, or for one without this output"
-        ))
+        let reasons = self.against_motion();
+        (!reasons.is_empty()).then(|| reasons.join(". Besides, "))
+    }
+
+    /// Why their motion is not to be relied on, all reasons: an output that they do not repeat (what the self-test calls impossible
+    /// for their outputs together is possible for those that the cell binds), and [`SelfTest::against_motion`].
+    #[must_use]
+    pub fn against_motion(&self) -> Vec<String> {
+        let unsteady = self.unsteady.as_ref().map(|output| {
+            format!(
+                "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
+                 a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
+                 for a deterministic export, or for one without this output"
+            )
+        });
+        unsteady.into_iter().chain(self.self_test.against_motion()).collect()
     }
 
     /// The files that the cell file extends, as messages call them, the next first.

@@ -15,6 +15,8 @@ struct Ring {
     drop_beyond: Option<i64>,
     /// Whether the search goes on behind an unsafe state: there, fields that are multiples of 4 are pinching.
     goes_on: bool,
+    /// Whether each expansion counts as work.
+    works: bool,
 }
 
 const MOVES: [i64; 4] = [0, 1, -1, 3];

@@ -257,7 +257,7 @@ fn start_values_and_limits() {
         "line 39, column 7: in <Boolean>: `start` is \"no\", it must be true or false",
     );
     wrong(
-        &changed("max=\"17\" start=\"0\"", "max=\"17\" start=\"0.5\""),
+        &changed("max=\"21\" start=\"0\"", "max=\"21\" start=\"0.5\""),
         "line 33, column 7: in <Integer>: `start` is \"0.5\", which is no such number",
     );
     for start in ["NaN", "INF", "-INF"] {
@@ -270,8 +270,8 @@ fn start_values_and_limits() {
     inspected(&with("min=\"-1\" start=\"-2\""), &[outside]);
     let limits = "line 42: the limits of `push` make no sense: min 2, max 1";
     inspected(&with("min=\"2\" max=\"1\" start=\"0\""), &[limits]);
-    let integer = "line 33: the start value 18 of `fault.kind` is outside its limits, 0 to 17";
-    inspected(&changed("max=\"17\" start=\"0\"", "max=\"17\" start=\"18\""), &[integer]);
+    let integer = "line 33: the start value 22 of `fault.kind` is outside its limits, 0 to 21";
+    inspected(&changed("max=\"21\" start=\"0\"", "max=\"21\" start=\"22\""), &[integer]);
     // A cell that leaves the limits is told so.
     let dir = folder_with(&with("min=\"-0.1\" max=\"0.1\" start=\"0\""));
     let cell = faulty_cell("x.fmu", 0, 0).replace("[human]", "[inputs]\n\"push\" = 0.5\n[human]");

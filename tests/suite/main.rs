@@ -51,6 +51,7 @@ mod interrupted_scans;
 mod long_tests;
 mod machine_formats;
 mod mcap;
+mod motion;
 mod mutated_fmus;
 mod narrower_questions;
 mod obligations;

@@ -16,6 +16,9 @@ const ACCELERATION: f64 = 1.0;
 /// Period of the hidden clock, ms: the drive runs up to 20 % faster in its middle.
 const PERIOD: u64 = 700;
 
+/// The step that faults 18 to 21 count on, ms.
+const CYCLE: u64 = 20;
+
 /// How many instances this process has made: what fault 5 depends on.
 static INSTANCES: AtomicU32 = AtomicU32::new(0);
 
@@ -32,9 +35,9 @@ pub struct Faulty {
     /// Milliseconds; hidden.
     clock: u64,
     steps_made: i32,
-    /// Fault 12: an event waits to be handled.
+    /// Fault 12 and the like: an event waits to be handled.
     event: bool,
-    /// Fault 12: the event was handled, the drive runs at double pace.
+    /// Fault 12 and the like: the event was handled, the drive runs at double pace.
     fast: bool,
     instance: u32,
 }
@@ -99,7 +102,22 @@ impl Faulty {
         }
     }
 
-    /// Fault 12: from now on the drive speeds up.
+    /// Faults 18 to 20: when their event is, ms: halfway in a step of 20 ms.
+    fn event_at(&self) -> u64 {
+        u64::from(self.step.unsigned_abs()) * CYCLE + CYCLE / 2
+    }
+
+    /// Faults 18 and 20 (with an event mode, or without): the event that is still to come, ms.
+    pub fn announced(&self) -> Option<u64> {
+        (matches!(self.kind, 18 | 20) && self.clock < self.event_at()).then(|| self.event_at())
+    }
+
+    /// Fault 20 forgets its event where no event mode is used.
+    pub fn handles_announced(&self) -> bool {
+        self.kind == 18
+    }
+
+    /// Fault 12 and the like: from now on the drive speeds up.
     pub fn handle_event(&mut self) {
         self.fast |= std::mem::take(&mut self.event);
     }
@@ -142,11 +160,18 @@ impl Faulty {
         }
     }
 
-    fn millisecond(&mut self) {
+    /// The drive's controller, which takes this time for the one since it was last called, s.
+    fn control(&mut self, time: f64) {
         let pace = if self.fast { 2.0 * SPEED } else { SPEED };
         let target = if self.stop { 0.0 } else { pace };
-        let change = ACCELERATION * 1e-3;
+        let change = ACCELERATION * time;
         self.drive += (target - self.drive).clamp(-change, change);
+    }
+
+    fn millisecond(&mut self) {
+        if self.kind != 21 {
+            self.control(1e-3);
+        }
         let phase = self.clock % PERIOD;
         let triangle = phase.min(PERIOD - phase);
         #[expect(clippy::cast_precision_loss, reason = "below 350")]
@@ -154,6 +179,7 @@ impl Faulty {
         self.qd = self.drive * swell + self.push;
         self.q += self.qd * 1e-3;
         self.clock = self.clock.wrapping_add(1);
+        self.event |= matches!(self.kind, 18 | 20) && self.clock == self.event_at();
     }
 }
 
@@ -183,9 +209,14 @@ impl Model for Faulty {
                 _ => {}
             }
         }
+        if self.kind == 21 {
+            self.control(0.02);
+        }
         for _ in 0..ticks {
             self.millisecond();
         }
+        // Fault 19 looks for its event where a step ends, and nowhere else.
+        self.fast |= self.kind == 19 && self.clock == self.event_at();
         self.event |= matches!(self.special(), Special::Event | Special::EventHalfway | Special::EventLeft);
         self.steps_made = self.steps_made.saturating_add(1);
         Outcome::Done

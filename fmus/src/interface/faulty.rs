@@ -27,14 +27,16 @@ fn variables() -> Vec<Variable> {
              q and qd are 0 until a step was made, and the joint begins at 1.2 rad; 15 q jumps by 0.5 rad, which qd does \
              not tell; 16 like 12, but a step ends at its half with the event, where FMI 3.0 allows that, and the event is \
              left to the importer then, also to one that uses no event mode; 17 like 12, but the event is left to any importer \
-             (FMI 3.0)",
+             (FMI 3.0); 18 an event like that of 12, 10 ms after the beginning of a step of 20 ms, announced in event mode and \
+             handled without; 19 the same, but it is lost if no step ends just then; 20 the same, but it is lost where event \
+             mode is not used; 21 the drive's controller runs once in a step, as if that always took 20 ms",
             Parameter,
-            Kind::integer_in(0, 0, 17),
+            Kind::integer_in(0, 0, 21),
         ),
         Variable::new(
             "fault.step",
             "Communication step, counted from 0, at which the fault strikes: kinds 2 to 4, 10 to 13, 16 and 17 in this \
-             step, the others from this step on",
+             step, 18 to 20 in this one of 20 ms, 21 always, the others from this step on",
             Parameter,
             Kind::integer_in(0, 0, i32::MAX),
         ),

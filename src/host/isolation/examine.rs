@@ -7,7 +7,7 @@ use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
 use crate::host::plant::{Plant as _, PlantError, insist};
-use crate::host::selftest::{Agreement, Columns, Found, SelfTest, Stage, agreement, moving, restore_test};
+use crate::host::selftest::{Agreement, Columns, Facts, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
 pub struct Examination {
@@ -100,7 +100,7 @@ type Tried = Result<(Answer, Vec<String>), PlantError>;
 
 /// The self-test may take about so long, and has the FMU run about so often.
 const AFFORDED: Duration = Duration::from_secs(30);
-const RUNS: u32 = 30;
+const RUNS: u32 = 33;
 
 /// Steps of each run where they take long: the most that can be afforded, and these at least.
 const FEW_STEPS: [usize; 2] = [20, 4];
@@ -142,6 +142,11 @@ pub fn affordable(launcher: &Launcher, steps: usize) -> usize {
 /// Most numbers of a first run that are kept; of a longer one each process makes its own.
 pub(super) const KEPT: usize = super::channel::AREA / 32;
 
+/// What a worker told as JSON.
+fn read<T: serde::de::DeserializeOwned>(told: &str) -> Result<T, PlantError> {
+    serde_json::from_str(told).map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))
+}
+
 /// Runs the self-test for `steps` communication steps, without the parts in `skip`.
 ///
 /// # Errors
@@ -150,31 +155,34 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
     let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;
-    let (mut reference, event_mode, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[]) {
-        Ok((Answer::FirstRun { rows, event_mode }, missing)) => (rows, event_mode, missing),
+    let (mut reference, facts, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[]) {
+        Ok((Answer::FirstRun { rows, facts }, missing)) => (rows, read::<Facts>(&facts)?, missing),
         Err(error) | Ok((Answer::Failed(error), _)) if launcher.is_sandboxed() => return Err(maybe_denied(error)),
         Err(error) | Ok((Answer::Failed(error), _)) => return Err(error),
         Ok((answer, _)) => return Err(unexpected(answer)),
     };
-    let launcher = launcher.clone().with_event_mode(event_mode);
-    let mut result = SelfTest::begun(launcher.setup(), steps, &reference);
+    let launcher = launcher.clone().with_event_mode(facts.event_mode.clone());
+    let mut result = SelfTest::begun(launcher.setup(), steps, &reference, &facts);
     if long {
         reference.clear();
     }
+    let tried = |stage: Stage| match in_a_process(&launcher, steps, stage, &reference) {
+        Ok((Answer::Tested(found), _)) => read(&found),
+        Ok((Answer::Failed(error), _)) => Ok(Found::failed(stage, error)),
+        Ok((answer, _)) => Err(unexpected(answer)),
+        Err(error) if error.lost => Ok(Found::failed(stage, error)),
+        Err(error) => Err(error),
+    };
     for stage in Stage::LATER {
-        if !result.wants(stage, skip) {
-            continue;
+        if result.wants(stage, skip) {
+            result.note(stage, tried(stage)?);
         }
-        let found = match in_a_process(&launcher, steps, stage, &reference) {
-            Ok((Answer::Tested(found), _)) => serde_json::from_str(&found)
-                .map_err(|e| PlantError::of(format!("the self-test's result cannot be read: {e}")))?,
-            Ok((Answer::Failed(error), _)) => Found::Agreement(Agreement::failed(error)),
-            Ok((answer, _)) => return Err(unexpected(answer)),
-            Err(error) if error.lost => Found::Agreement(Agreement::failed(error)),
-            Err(error) => return Err(error),
-        };
-        result.note(stage, found);
     }
     let step_time = try_processes(&launcher, steps, &mut result);
+    for stage in Stage::MOTION {
+        if result.wants_motion(stage, skip, !long) {
+            result.note(stage, tried(stage)?);
+        }
+    }
     Ok(Examination { result, launcher, missing, step_time })
 }

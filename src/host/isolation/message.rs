@@ -114,11 +114,11 @@ pub(super) enum Answer {
         rows: Vec<f64>,
         taken: Result<Taken, PlantError>,
     },
-    /// The first run of the self-test, and the event modes it settled on.
+    /// The first run of the self-test, and what else it told, as JSON.
     FirstRun {
         #[serde(with = "numbers")]
         rows: Vec<f64>,
-        event_mode: Vec<bool>,
+        facts: String,
     },
     /// What a later stage of the self-test found, as JSON.
     Tested(String),

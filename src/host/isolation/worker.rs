@@ -20,7 +20,7 @@ use super::sandbox;
 use crate::fmi::{self, Fmu, Slave};
 use crate::host::activity::{Activity, Call};
 use crate::host::plant::{Plant, PlantError};
-use crate::host::selftest::{self, Stage, moving};
+use crate::host::selftest::{self, Facts, Stage, moving};
 use crate::host::system::{self, System};
 
 /// Stands for the live process before there is one.
@@ -282,8 +282,8 @@ impl Server {
         if stage == Stage::FirstRun {
             // Of a run that is too long for a message the beginning is told.
             let rows = reference.into_iter().take(super::examine::KEPT).collect();
-            let event_mode = slaves.iter().map(Slave::prefers_event_mode).collect();
-            return Answer::FirstRun { rows, event_mode };
+            let facts = serde_json::to_string(&Facts::of(slaves, setup)).unwrap_or_default();
+            return Answer::FirstRun { rows, facts };
         }
         let found = selftest::stage(slaves, setup, steps, stage, &reference, self.activity);
         Answer::Tested(serde_json::to_string(&found).unwrap_or_default())

@@ -105,7 +105,7 @@ impl fmt::Display for Agreement {
 /// The columns of a run.
 pub(in crate::host) struct Columns {
     pub(super) names: Vec<String>,
-    kinds: Vec<PortKind>,
+    pub(super) kinds: Vec<PortKind>,
 }
 
 impl Columns {
@@ -113,6 +113,11 @@ impl Columns {
     pub(in crate::host) fn of(setup: &SystemSetup) -> Self {
         let kinds = setup.outputs.iter().chain(&setup.watched).map(|p| p.port.kind).collect();
         Self { names: setup.column_names(), kinds }
+    }
+
+    /// Of what type a column is.
+    pub(super) fn kind(&self, column: usize) -> PortKind {
+        self.kinds.get(column).copied().unwrap_or(PortKind::Real)
     }
 
     /// In what two different values of this place in a run differ.
