@@ -222,7 +222,7 @@ impl Engine for FromStart<'_> {
             }
             Need::Confirmed => Reply::unless(self.gaps(need), "all that was met"),
             Need::Repeatable => self.repeatable(),
-            Need::Steps => Reply::NotAsked("the self-test compares"),
+            Need::Steps => self.prepared.steps(),
             Need::Speeds => {
                 Reply::unless(self.speeds.refusal().map(Point::open).into_iter().collect(), "at every step")
             }

@@ -18,11 +18,12 @@ use crate::cell::find::{OpenedCell, open};
 use crate::cell::foreign::ssp::Wiring;
 use crate::cell::workcell::FileLine;
 use crate::cell::{Binding, Workcell, binding};
-use crate::fmi::Fmu;
+use crate::fmi::{Fmu, number};
 use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::human::Who;
+use crate::obligations::{Point, Reply};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
@@ -352,25 +353,31 @@ impl Prepared {
         system.chain(cell).chain(&self.suspicions).cloned().chain(stop_time::beyond(&self.cell, &self.fmus)).collect()
     }
 
-    /// Why nothing can be certified of these FMUs, whatever a search finds: all reasons, as one text.
+    /// Why nothing can be certified of these FMUs, whatever a search finds: what the self-test calls impossible for their
+    /// outputs together is possible for those that the cell binds.
     #[must_use]
     pub fn unsteady(&self) -> Option<String> {
-        let reasons = self.against_motion();
-        (!reasons.is_empty()).then(|| reasons.join(". Besides, "))
+        let output = self.unsteady.as_ref()?;
+        Some(format!(
+            "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
+             a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
+             for a deterministic export, or for one without this output"
+        ))
     }
 
-    /// Why their motion is not to be relied on, all reasons: an output that they do not repeat (what the self-test calls impossible
-    /// for their outputs together is possible for those that the cell binds), and [`SelfTest::against_motion`].
+    /// Whether the motion is the FMUs' own in steps of other lengths, and with Event Mode and without: what both engines reply.
     #[must_use]
-    pub fn against_motion(&self) -> Vec<String> {
-        let unsteady = self.unsteady.as_ref().map(|output| {
-            format!(
-                "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
-                 a random generator or the like, and where else that shows is not known, so nothing is certified. Ask its maker \
-                 for a deterministic export, or for one without this output"
-            )
-        });
-        unsteady.into_iter().chain(self.self_test.against_motion()).collect()
+    pub fn steps(&self) -> Reply {
+        let SelfTest { half_steps, .. } = &self.self_test;
+        let against = self.self_test.against_motion().into_iter().map(Point::open).collect();
+        let shown = self.self_test.motion_shown();
+        let step = number(self.cell.step_s * 1000.0);
+        let figure = match shown.is_empty() {
+            // The question is about these steps.
+            true => format!("in communication steps of {step} ms; in half of them: {half_steps}"),
+            false => shown.join("; "),
+        };
+        Reply::unless(against, figure)
     }
 
     /// The files that the cell file extends, as messages call them, the next first.

@@ -159,7 +159,7 @@ impl Engine for FromAnywhere<'_> {
             Need::BetweenSteps => self.between(),
             Need::Confirmed => self.confirmed(),
             Need::Repeatable => self.repeatable(),
-            Need::Steps => Reply::NotAsked("the self-test compares"),
+            Need::Steps => self.looking.prepared.steps(),
             Need::Speeds => {
                 let refusal = self.speeds.and_then(Speeds::refusal);
                 Reply::unless(refusal.map(Point::open).into_iter().collect(), "at every step")
