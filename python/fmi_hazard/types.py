@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal, NotRequired, TypeAlias, TypedDict
+from typing import Literal, NotRequired, TypeAlias
+
+from typing_extensions import TypedDict
 
 Ability: TypeAlias = Literal['kneel', 'crouch', 'crawl', 'step_back', 'run']
 """
@@ -68,6 +70,22 @@ class AnywhereSpent(TypedDict):
     run_again: int
     """
     Steps of the FMU that were run again from the start and compared.
+    """
+
+
+class Apart(TypedDict):
+    """
+    How far an output is apart in two runs.
+    """
+
+    output: str
+    """
+    Its name.
+    """
+    share: float
+    """
+    The largest difference as a share of what it ranges over; of one that counts or is true or false, the share of rows that
+    differ. What comes up to half a communication step earlier or later (a whole one, of the latter) is no difference.
     """
 
 
@@ -291,79 +309,44 @@ Who can work a control.
 """
 
 
-class Coverage(TypedDict):
-    """
-    Figures beside a verdict.
-    """
-
-    actions: int
-    """
-    Actions simulated.
-    """
-    arm_boxes: int
-    """
-    Boxes of joint angles that all arm searches together looked at: what their work is measured in.
-    """
-    arm_checks: int
-    """
-    Arm searches run (an arm is searched only when the robot is in reach and fast enough to matter).
-    """
-    arm_checks_incomplete: int
-    """
-    Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
-    """
-    arm_runs_not_evaluated: int
-    """
-    Runs in which a plane tells of an arm that the FMU could not finish: what the arm meets there is not evaluated, never
-    counted as safe.
-    """
-    checks_with_robot_in_arm_reach: int
-    """
-    Instants at which an arm could have bridged the distance to the robot, were nothing in between.
-    """
-    closest_approach_m: float
-    """
-    Smallest distance between trunk, head or legs and the robot, m; negative when they met. An exhaustive search takes
-    no notice of robots too slow to harm anyone.
-    """
-    contact_checks: int
-    """
-    Instants at which person and robot were compared.
-    """
-    contacts_within_limits: int
-    """
-    Contacts met that stay within the limits, at the ends of episodes or with the trunk.
-    """
-    episodes: int
-    """
-    Episodes begun.
-    """
-    episodes_not_evaluated: int
-    """
-    Episodes the FMU could not finish: not evaluated, never counted as safe.
-    """
-    highest_ratio_within_limits: float
-    """
-    Highest force ratio of those.
-    """
-    robot_top_speed_m_s: float
-    """
-    Highest speed bound of any robot link, m/s, by the speeds that the FMU tells.
-    """
-    sensor_actions: list[int]
-    """
-    For each sensor, the number of actions in which it reported the person.
-    """
-    walks_blocked: int
-    """
-    Actions in which an obstacle stopped the person's walk.
-    """
-
-
 Criterion: TypeAlias = Literal['absolute', 'approach']
 """
 Which speed makes the force that decides whether a contact is unsafe, and how bad.
 """
+
+
+class CycleShare(TypedDict):
+    """
+    The time in which people were followed, and what the robots repeat while somebody stands at the start and does nothing. Times count from
+    the FMU's own start.
+    """
+
+    cycle_s: float | None
+    """
+    The robots repeat what they do every so many seconds; nothing if that was not seen.
+    """
+    from_s: float
+    """
+    People begin then, s.
+    """
+    moves: bool
+    """
+    Whether any robot went anywhere meanwhile.
+    """
+    repeats_from_s: float | None
+    """
+    From this time on, s; what they do before it comes once. At the earliest the time at which the person begins: what is before that
+    was not watched.
+    """
+    until_s: float
+    """
+    Their sequences end then, s.
+    """
+    watched_s: float
+    """
+    So long the robots were watched, s. They are watched for 64 s or 3200 communication steps, whichever is less, not beyond the FMU's
+    stopTime, and no longer than they need to show the cycle twice. 0: the FMU could not finish the first 8 s.
+    """
 
 
 Difference: TypeAlias = Literal['number', 'truth', 'sign_of_zero', 'not_finite', 'unreadable']
@@ -501,6 +484,19 @@ class FileSubject(TypedDict):
     """
 
 
+FirstContact = TypedDict(
+    'FirstContact',
+    {
+        'body_region': BodyRegion,
+        'class': Class,
+        'person': NotRequired[str | None],
+        'ratio': float,
+        'robot_link': str,
+        'time_s': float,
+    },
+)
+
+
 Span: TypeAlias = int
 
 
@@ -576,37 +572,6 @@ class Ground(TypedDict):
     watched_m: list[list[float]]
     """
     Where else people can be: sensors see them there, or on the way there.
-    """
-
-
-class HazardChange(TypedDict):
-    """
-    A hazard in both scans or in one of them.
-    """
-
-    after: float | None
-    """
-    Force ratio after.
-    """
-    before: float | None
-    """
-    Force ratio before.
-    """
-    body_region: str
-    """
-    Body region.
-    """
-    change: Change2
-    """
-    What became of it.
-    """
-    id: str
-    """
-    Its id.
-    """
-    robot_link: str
-    """
-    Robot link.
     """
 
 
@@ -689,6 +654,257 @@ class Moment(TypedDict):
     """
     Time from the change until the robots stand still, s.
     """
+
+
+class MotionSame(TypedDict):
+    """
+    The same motion.
+    """
+
+    most: Apart
+    """
+    Of the outputs that are bound, the one that differs most.
+    """
+    result: Literal['same']
+    unbound: NotRequired[Apart | None]
+    """
+    An output that the cell does not bind and that shows another motion.
+    """
+
+
+class MotionDiffers(TypedDict):
+    """
+    Another motion.
+    """
+
+    most: Apart
+    """
+    The bound output that differs most.
+    """
+    result: Literal['differs']
+
+
+class MotionFailed(TypedDict):
+    """
+    The FMU failed in the other run.
+    """
+
+    reason: str
+    """
+    What it said.
+    """
+    result: Literal['failed']
+
+
+class NarrowerNotRecorded(TypedDict):
+    """
+    A record does not say where its person begins, or which body they have: an older version wrote it.
+    """
+
+    what: Literal['not_recorded']
+
+
+class NarrowerFromElsewhere(TypedDict):
+    """
+    One question is about people from anywhere, the other about one beginning.
+    """
+
+    what: Literal['from_elsewhere']
+
+
+class NarrowerBeginning(TypedDict):
+    """
+    The person begins at another place or time.
+    """
+
+    what: Literal['beginning']
+
+
+class NarrowerSeenAtStart(TypedDict):
+    """
+    This sensor reports somebody already where the person begins, which it did not.
+    """
+
+    sensor: str
+    """
+    The sensor.
+    """
+    what: Literal['seen_at_start']
+
+
+class NarrowerFloor(TypedDict):
+    """
+    The floor that people may be on is another, or where they come from.
+    """
+
+    what: Literal['floor']
+
+
+class NarrowerHorizon(TypedDict):
+    """
+    It ends earlier, or its sequences are shorter than the hazard's.
+    """
+
+    what: Literal['horizon']
+
+
+class NarrowerInterval(TypedDict):
+    """
+    Contacts are looked for at longer intervals.
+    """
+
+    what: Literal['interval']
+
+
+class NarrowerTolerance(TypedDict):
+    """
+    A deeper contact may be missed.
+    """
+
+    what: Literal['tolerance']
+
+
+class NarrowerEdition(TypedDict):
+    """
+    The edition of the limits is another.
+    """
+
+    what: Literal['edition']
+
+
+NarrowerCriterion = TypedDict(
+    'NarrowerCriterion',
+    {
+        'class': Class,
+        'what': Literal['criterion'],
+    },
+)
+
+
+class NarrowerSpeed(TypedDict):
+    """
+    The force is made by another speed.
+    """
+
+    what: Literal['speed']
+
+
+class NarrowerMovingContact(TypedDict):
+    """
+    Contacts count from a higher speed on.
+    """
+
+    what: Literal['moving_contact']
+
+
+class NarrowerTravel(TypedDict):
+    """
+    Robots are stated to go on less far after a contact.
+    """
+
+    what: Literal['travel']
+
+
+class NarrowerSurface(TypedDict):
+    """
+    How small the surface of this link is that touches is not told.
+    """
+
+    link: str
+    """
+    The link.
+    """
+    what: Literal['surface']
+
+
+class NarrowerSeparation(TypedDict):
+    """
+    A term of the separation distance is smaller.
+    """
+
+    term: str
+    """
+    Its key in the cell file.
+    """
+    what: Literal['separation']
+
+
+class NarrowerBody(TypedDict):
+    """
+    The person has another body.
+    """
+
+    what: Literal['body']
+
+
+class NarrowerArms(TypedDict):
+    """
+    Arms are slower.
+    """
+
+    what: Literal['arms']
+
+
+class NarrowerAbilities(TypedDict):
+    """
+    The person does other things, is slower, or holds something else.
+    """
+
+    what: Literal['abilities']
+
+
+class NarrowerSecond(TypedDict):
+    """
+    The second person is another one, begins elsewhere, or is not there.
+    """
+
+    what: Literal['second']
+
+
+class NarrowerControlMissing(TypedDict):
+    """
+    This control is worked on the way, and is missing.
+    """
+
+    control: str
+    """
+    The control.
+    """
+    what: Literal['control_missing']
+
+
+class NarrowerControlOtherwise(TypedDict):
+    """
+    This control is worked on the way, and in another way, by fewer people, or for another time.
+    """
+
+    control: str
+    """
+    The control.
+    """
+    what: Literal['control_otherwise']
+
+
+class NarrowerPresses(TypedDict):
+    """
+    Controls are worked less often.
+    """
+
+    what: Literal['presses']
+
+
+class NarrowerHidden(TypedDict):
+    """
+    It found others that may hide it: of those with which sequences do not end, each action tells the worst only.
+    """
+
+    what: Literal['hidden']
+
+
+Narrower: TypeAlias = NarrowerNotRecorded | NarrowerFromElsewhere | NarrowerBeginning | NarrowerSeenAtStart | NarrowerFloor | NarrowerHorizon | NarrowerInterval | NarrowerTolerance | NarrowerEdition | NarrowerCriterion | NarrowerSpeed | NarrowerMovingContact | NarrowerTravel | NarrowerSurface | NarrowerSeparation | NarrowerBody | NarrowerArms | NarrowerAbilities | NarrowerSecond | NarrowerControlMissing | NarrowerControlOtherwise | NarrowerPresses | NarrowerHidden
+"""
+What of a later question is narrower than in an earlier one.
+"""
 
 
 Need: TypeAlias = Literal['searched', 'finished', 'arm_searches', 'between_steps', 'confirmed', 'repeatable', 'steps', 'speeds', 'moves', 'near', 'reported', 'changes', 'presses', 'hands_of_controls', 'doors', 'abilities', 'hands_through_planes', 'following', 'approach', 'criteria', 'pressure', 'travel', 'people_alike', 'heeds', 'reports_later', 'reports_while_worked']
@@ -775,6 +991,10 @@ class ObligationOpen(TypedDict):
     Lines for the cell file that accept it, where that can be accepted.
     """
     standing: Literal['open']
+    what_to_do: NotRequired[str | None]
+    """
+    What to do about it, as a sentence.
+    """
     why: str
     """
     Why, and where.
@@ -888,6 +1108,46 @@ class Problem(TypedDict):
     message: str
     """
     What is wrong.
+    """
+
+
+class Radii(TypedDict, closed=True):
+    """
+    Radii of body parts, m, instead of those of the median man scaled by stature: of the person who will work there, or with
+    thick clothes. What stops a walk, and where joints are, stays as it is.
+    """
+
+    abdomen: float | None
+    """
+    Abdomen.
+    """
+    head: float | None
+    """
+    Head, a sphere.
+    """
+    lower_chest: float | None
+    """
+    Chest at the height of the lower ribs.
+    """
+    neck: float | None
+    """
+    Neck.
+    """
+    pelvis: float | None
+    """
+    Pelvis.
+    """
+    shank: float | None
+    """
+    Both lower legs.
+    """
+    thigh: float | None
+    """
+    Both thighs.
+    """
+    upper_chest: float | None
+    """
+    Chest at the height of the armpits, and shoulders.
     """
 
 
@@ -1089,6 +1349,47 @@ class Robot(TypedDict):
     """
 
 
+class RobotCoverage(TypedDict):
+    """
+    Figures of one robot.
+    """
+
+    closest_approach_m: float
+    """
+    Smallest distance between trunk, head or legs and this robot, m; negative when they met. `f64::MAX`: never measured, because
+    nobody was within 1 m of its reach while any robot was fast enough to harm. An exhaustive search takes no notice of robots too slow
+    to harm anyone, so ask `instants_in_reach` whether anybody was near.
+    """
+    instants_in_reach: int
+    """
+    Instants at which it was near enough to be touched in some posture: a link no farther from the point 1 m above somebody's feet
+    than any part of them gets from there. What is in between is not looked at, nor whether the robot moved. Each instant of an action
+    counts once, whatever follows from it, also those after a hazard.
+    """
+    instants_to_walk_to: int
+    """
+    Instants at which it was where somebody who walks, or runs, straight from the start with nothing in between could touch it by
+    then. None of them: the time was too short, or the robot is elsewhere than in the real cell.
+    """
+    moved: bool
+    """
+    Whether anything of it changed its place, whatever speeds the FMU told.
+    """
+    name: str
+    """
+    Its name in the cell.
+    """
+    reachable: bool
+    """
+    Whether somebody can be near it at all by the end of the sequences: by the lengths of the robot and the person's speed alone. True
+    where nothing bounds the robot (parts that slide, poses that the FMU gives, separation).
+    """
+    top_speed_m_s: float
+    """
+    Highest speed bound of any of its links, m/s, by the speeds that the FMU tells.
+    """
+
+
 class RunAgain(TypedDict):
     """
     How much of what an FMU did in a search was run again from the start, by a fresh instance with all inputs and without
@@ -1111,37 +1412,6 @@ class RunAgain(TypedDict):
     transitions: int
     """
     Actions of the FMU that were stepped.
-    """
-
-
-class SecondRecord(TypedDict):
-    """
-    A second person.
-    """
-
-    also: NotRequired[list[Ability]]
-    """
-    What they do besides walking, bending and reaching.
-    """
-    heading_deg: float
-    """
-    Where they look then, degrees from +x towards +y.
-    """
-    held_m: NotRequired[float | None]
-    """
-    How far what they hold reaches beyond the finger tips, m, if they hold something.
-    """
-    names: list[str]
-    """
-    What the first and the second person are called.
-    """
-    run_m_s: NotRequired[float | None]
-    """
-    How fast they run, m/s, if they do.
-    """
-    xy_m: list[float]
-    """
-    Where the second one begins, floor plan, m.
     """
 
 
@@ -1188,31 +1458,10 @@ class Separation(TypedDict):
     """
 
 
-class SeparationTerms(TypedDict):
-    """
-    The terms of the protective separation distance that the cell file says.
-    """
-
-    approach_m_s: float
-    """
-    Speed at which people approach, m/s.
-    """
-    intrusion_m: float
-    """
-    How far a part of the body gets in before the person is seen, m.
-    """
-    person_uncertainty_m: float
-    """
-    Uncertainty of where the person is, m.
-    """
-    robot_uncertainty_m: float
-    """
-    Uncertainty of where the robot is, m.
-    """
-    stop: NotRequired[str | None]
-    """
-    The sensor or input that stops the robots; none if their stop is stated.
-    """
+Sex: TypeAlias = Literal['woman', 'man']
+"""
+Sex of the ANSUR II figures.
+"""
 
 
 class Shortest(TypedDict):
@@ -1322,6 +1571,25 @@ class Spent(TypedDict):
     iterations: int
     """
     Iterations run.
+    """
+
+
+class StatedStop(TypedDict):
+    """
+    A stop of the robots, as the cell file states it.
+    """
+
+    reaction_s: float
+    """
+    From the command until they begin to brake, s.
+    """
+    stop_distance_m: float
+    """
+    How far a point of them gets while they brake, m.
+    """
+    stop_time_s: float
+    """
+    From then until they stand, s.
     """
 
 
@@ -1454,6 +1722,84 @@ class Unlisted(TypedDict):
     """
 
 
+class UntriedNotAsked(TypedDict):
+    """
+    It was not asked for, or by a version that did not have it.
+    """
+
+    kind: Literal['not_asked']
+
+
+class UntriedCoupled(TypedDict):
+    """
+    Several FMUs, or one connected with itself: they exchange values once in a communication step.
+    """
+
+    kind: Literal['coupled']
+
+
+class UntriedOwnSteps(TypedDict):
+    """
+    The FMU makes steps of its own length only.
+    """
+
+    kind: Literal['own_steps']
+    step_s: float
+    """
+    This one, s.
+    """
+
+
+class UntriedClocks(TypedDict):
+    """
+    The FMU has clocks that are driven once in a communication step, or in Event Mode only.
+    """
+
+    kind: Literal['clocks']
+
+
+class UntriedNotRepeated(TypedDict):
+    """
+    The FMU does not repeat its runs.
+    """
+
+    kind: Literal['not_repeated']
+
+
+class UntriedNothingMoved(TypedDict):
+    """
+    No output moved.
+    """
+
+    kind: Literal['nothing_moved']
+
+
+class UntriedNoEventMode(TypedDict):
+    """
+    The FMU has no Event Mode.
+    """
+
+    kind: Literal['no_event_mode']
+
+
+class UntriedRefused(TypedDict):
+    """
+    The FMU refuses the step.
+    """
+
+    kind: Literal['refused']
+    reason: str
+    """
+    What it said.
+    """
+
+
+Untried: TypeAlias = UntriedNotAsked | UntriedCoupled | UntriedOwnSteps | UntriedClocks | UntriedNotRepeated | UntriedNothingMoved | UntriedNoEventMode | UntriedRefused
+"""
+Why motions were not compared.
+"""
+
+
 Verdict: TypeAlias = Literal['hazards_found', 'none_found', 'inconclusive', 'fmu_failed', 'interrupted']
 """
 Overall outcome; never a statement of safety.
@@ -1462,7 +1808,7 @@ Overall outcome; never a statement of safety.
 
 class VerifiedOutcomeFixed(TypedDict):
     """
-    Its sequences end without an unsafe contact. Others may lead to the same hazard.
+    Its sequences, from where and when they began, end without an unsafe contact. Others may lead to the same hazard.
     """
 
     result: Literal['fixed']
@@ -1470,10 +1816,34 @@ class VerifiedOutcomeFixed(TypedDict):
 
 class VerifiedOutcomeNoRoom(TypedDict):
     """
-    Nobody has room any more where it begins. Others may lead to the same hazard from elsewhere.
+    Somebody has no room any more where it begins: nothing is known of who begins elsewhere.
     """
 
     result: Literal['no_room']
+
+
+class VerifiedOutcomeSeen(TypedDict):
+    """
+    A sensor reports somebody already where it begins, which it did not: whoever gets there does so past that sensor.
+    """
+
+    result: Literal['seen']
+    sensor: str
+    """
+    The sensor.
+    """
+
+
+class VerifiedOutcomeStill(TypedDict):
+    """
+    The robot does not move while the person stands where it begins: a robot that stands shows nothing.
+    """
+
+    result: Literal['still']
+    robot: str
+    """
+    The robot.
+    """
 
 
 class VerifiedOutcomeStillThere(TypedDict):
@@ -1506,10 +1876,13 @@ class VerifiedOutcomeStillThere(TypedDict):
 
 class VerifiedOutcomeNotJudged(TypedDict):
     """
-    The changed cell does not judge as strictly by the criterion that it breaks, or not at all; or it does not have a control
-    that is worked on the way.
+    The changed cell asks less than the scan did, so what is not met is not fixed.
     """
 
+    cause: Narrower
+    """
+    What of it is narrower.
+    """
     result: Literal['not_judged']
 
 
@@ -1525,7 +1898,7 @@ class VerifiedOutcomeNotRun(TypedDict):
     result: Literal['not_run']
 
 
-VerifiedOutcome: TypeAlias = VerifiedOutcomeFixed | VerifiedOutcomeNoRoom | VerifiedOutcomeStillThere | VerifiedOutcomeNotJudged | VerifiedOutcomeNotRun
+VerifiedOutcome: TypeAlias = VerifiedOutcomeFixed | VerifiedOutcomeNoRoom | VerifiedOutcomeSeen | VerifiedOutcomeStill | VerifiedOutcomeStillThere | VerifiedOutcomeNotJudged | VerifiedOutcomeNotRun
 """
 What became of a hazard.
 """
@@ -1660,6 +2033,33 @@ Agreement: TypeAlias = AgreementExact | AgreementDiffers | AgreementFailed | Agr
 """
 How two runs that should agree compare.
 """
+
+
+class BodyRecord(TypedDict):
+    """
+    Whose body it is and how far it bends.
+    """
+
+    bend_forward_deg: float
+    """
+    How far they bend forward, degrees.
+    """
+    bend_lateral_deg: float
+    """
+    How far they bend to the side, degrees.
+    """
+    percentile: int
+    """
+    Percentile of the body measures: 5, 50 or 95.
+    """
+    radii_m: NotRequired[Radii]
+    """
+    Radii of body parts that the cell file says, m.
+    """
+    sex: Sex
+    """
+    Sex of the body measures.
+    """
 
 
 class CauseAdvice(TypedDict):
@@ -1835,33 +2235,6 @@ class Checked(TypedDict):
     """
 
 
-class Comparison(TypedDict):
-    """
-    Two scans side by side.
-    """
-
-    causes: list[CauseChange]
-    """
-    The causes: new ones first.
-    """
-    complete: list[bool]
-    """
-    Whether each of the two accounted for every sequence.
-    """
-    counts: dict[str, int]
-    """
-    How many of each kind.
-    """
-    hazards: list[HazardChange]
-    """
-    The hazards: new ones first, then by id.
-    """
-    inputs: list[str]
-    """
-    What of the inputs is different, in words.
-    """
-
-
 class ControlRecord(TypedDict):
     """
     A control of a cell.
@@ -1889,30 +2262,116 @@ class ControlRecord(TypedDict):
     """
 
 
-class CriteriaRecord(TypedDict):
+class Coverage(TypedDict):
     """
-    What counts as unsafe.
+    Figures beside a verdict.
     """
 
-    clamping: NotRequired[ClampingRecord | None]
+    actions: int
     """
-    Clamping.
+    Actions simulated.
     """
-    moving_contact_faster_than_m_s: NotRequired[float | None]
+    arm_boxes: int
     """
-    Contacts with points of the robot that are faster than this, m/s.
+    Boxes of joint angles that all arm searches together looked at: what their work is measured in.
     """
-    pressure: bool
+    arm_checks: int
     """
-    Pressure.
+    Arm searches run (an arm is searched only when the robot is in reach and fast enough to matter).
     """
-    separation: NotRequired[SeparationTerms | None]
+    arm_checks_incomplete: int
     """
-    Separation.
+    Arm searches that stopped at their work limit before they could exclude a contact; zero unless a cell is extreme.
     """
-    transient_force: Criterion | None
+    arm_runs_not_evaluated: int
     """
-    The transient force, by this speed; none if it does not count.
+    Runs in which a plane tells of an arm that the FMU could not finish: what the arm meets there is not evaluated, never
+    counted as safe.
+    """
+    checks_with_robot_in_arm_reach: int
+    """
+    Instants at which an arm could have bridged the distance to the robot, were nothing in between.
+    """
+    closest_approach_m: float
+    """
+    Smallest distance between trunk, head or legs and the robot, m; negative when they met. An exhaustive search takes
+    no notice of robots too slow to harm anyone.
+    """
+    contact_checks: int
+    """
+    Instants at which person and robot were compared.
+    """
+    contacts_within_limits: int
+    """
+    Contacts met that stay within the limits, at the ends of episodes or with the trunk.
+    """
+    control_actions: list[int]
+    """
+    For each control, the number of actions in which it was worked. Empty as `robots` is.
+    """
+    episodes: int
+    """
+    Episodes begun.
+    """
+    episodes_not_evaluated: int
+    """
+    Episodes the FMU could not finish: not evaluated, never counted as safe.
+    """
+    highest_ratio_within_limits: float
+    """
+    Highest force ratio of those.
+    """
+    robot_top_speed_m_s: float
+    """
+    Highest speed bound of any robot link, m/s, by the speeds that the FMU tells.
+    """
+    robots: list[RobotCoverage]
+    """
+    Each robot, in the order of the cell. Empty where that was not looked at, as from anywhere.
+    """
+    sensor_actions: list[int]
+    """
+    For each sensor, the number of actions in which it reported the person.
+    """
+    walks_blocked: int
+    """
+    Actions in which an obstacle stopped the person's walk.
+    """
+
+
+class HazardChange(TypedDict):
+    """
+    A hazard in both scans or in one of them.
+    """
+
+    after: float | None
+    """
+    Force ratio after.
+    """
+    before: float | None
+    """
+    Force ratio before.
+    """
+    body_region: str
+    """
+    Body region.
+    """
+    change: Change2
+    """
+    What became of it.
+    """
+    id: str
+    """
+    Its id.
+    """
+    narrower: NotRequired[Narrower | None]
+    """
+    Why the later scan may not have told it though it is still there, if it was not found again and what the later scan asks
+    is narrower.
+    """
+    robot_link: str
+    """
+    Robot link.
     """
 
 
@@ -1945,6 +2404,24 @@ class Judged(TypedDict):
     """
     How near the robot is, and should not be.
     """
+
+
+class MotionNotTried(TypedDict):
+    """
+    Nothing was compared.
+    """
+
+    result: Literal['not_tried']
+    why: Untried
+    """
+    Why.
+    """
+
+
+Motion: TypeAlias = MotionSame | MotionDiffers | MotionFailed | MotionNotTried
+"""
+How two runs compare that should show the same motion.
+"""
 
 
 class Others(TypedDict):
@@ -2191,6 +2668,41 @@ class Safeguard(TypedDict):
     """
 
 
+class SecondRecord(TypedDict):
+    """
+    A second person.
+    """
+
+    also: NotRequired[list[Ability]]
+    """
+    What they do besides walking, bending and reaching.
+    """
+    body: NotRequired[BodyRecord | None]
+    """
+    Their body; older versions did not write it down.
+    """
+    heading_deg: float
+    """
+    Where they look then, degrees from +x towards +y.
+    """
+    held_m: NotRequired[float | None]
+    """
+    How far what they hold reaches beyond the finger tips, m, if they hold something.
+    """
+    names: list[str]
+    """
+    What the first and the second person are called.
+    """
+    run_m_s: NotRequired[float | None]
+    """
+    How fast they run, m/s, if they do.
+    """
+    xy_m: list[float]
+    """
+    Where the second one begins, floor plan, m.
+    """
+
+
 class SelfTest(TypedDict):
     """
     The outcome of the self-test.
@@ -2204,6 +2716,10 @@ class SelfTest(TypedDict):
     """
     Two fresh instances, one after the other, same inputs.
     """
+    event_mode: Motion
+    """
+    The motion of the first run against that of the other of with Event Mode and without.
+    """
     fork: Agreement
     """
     The same with copies of the FMU's process as states, for FMUs in workers.
@@ -2211,6 +2727,10 @@ class SelfTest(TypedDict):
     fresh_process: Agreement
     """
     Two fresh processes, for FMUs in workers.
+    """
+    half_steps: Motion
+    """
+    The motion of the first run against that in half steps.
     """
     inputs: int
     """
@@ -2223,6 +2743,10 @@ class SelfTest(TypedDict):
     outputs: int
     """
     Outputs compared.
+    """
+    remarks: NotRequired[list[str]]
+    """
+    What the FMUs said of events in the first run that could not be followed.
     """
     reset: Agreement
     """
@@ -2248,88 +2772,40 @@ class SelfTest(TypedDict):
     """
     Steps of one run.
     """
-
-
-class Settings(TypedDict):
+    uses_event_mode: bool
     """
-    How it was searched.
+    Whether an FMU is run with its Event Mode.
     """
 
-    action_s: float
+
+class SeparationTerms(TypedDict):
     """
-    Duration of an action, s.
+    The terms of the protective separation distance that the cell file says.
     """
-    actions_per_sequence: int
+
+    approach_m_s: float
     """
-    Actions in a sequence.
+    Speed at which people approach, m/s.
     """
-    also: NotRequired[list[Ability]]
+    intrusion_m: float
     """
-    What the person does besides walking, bending and reaching.
+    How far a part of the body gets in before the person is seen, m.
     """
-    arm_speed_m_s: NotRequired[float | None]
+    person_uncertainty_m: float
     """
-    How fast hands move, m/s, if arms take their time.
+    Uncertainty of where the person is, m.
     """
-    contact_check_interval_s: float
+    robot_uncertainty_m: float
     """
-    Communication step and contact-check interval, s.
+    Uncertainty of where the robot is, m.
     """
-    controls: NotRequired[list[ControlRecord]]
+    stated: NotRequired[StatedStop | None]
     """
-    Controls that the search works.
+    The figures of a stop that is stated; older versions did not write them down.
     """
-    criteria: NotRequired[CriteriaRecord | None]
+    stop: NotRequired[str | None]
     """
-    What counts as unsafe, where that is more or other than the transient force.
-    """
-    held_m: NotRequired[float | None]
-    """
-    How far what the person holds reaches beyond the finger tips, m, if they hold something.
-    """
-    iterations: int
-    """
-    Budget in iterations.
-    """
-    posture_sweep: bool
-    """
-    All postures checked per walk.
-    """
-    presses: NotRequired[int | None]
-    """
-    Of such a scan: how often controls were worked at most, if the cell has any that are.
-    """
-    reach_tolerance_m: float
-    """
-    Depth of contact that the arm check may miss, m.
-    """
-    run_m_s: NotRequired[float | None]
-    """
-    How fast who runs does so, m/s.
-    """
-    second: NotRequired[SecondRecord | None]
-    """
-    A second person beside them.
-    """
-    seed: int
-    """
-    Seed.
-    """
-    speed_criterion: Criterion
-    """
-    Which speed makes the force that decides.
-    """
-    stop_at_first: bool
-    """
-    Stop at the first hazard instead of using the budget.
-    """
-    strategy: str
-    """
-    Strategy name.
-    """
-    until_s: NotRequired[float | None]
-    """
-    Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    The sensor or input that stops the robots; none if their stop is stated.
     """
 
 
@@ -2372,7 +2848,7 @@ class Anywhere(TypedDict):
     """
     between_m: list[list[float]]
     """
-    Where the first ten thousand of those are, floor plan, m.
+    Where those are: the middles, each once, floor plan, m.
     """
     body_tolerance_m: float
     """
@@ -2410,6 +2886,15 @@ class Anywhere(TypedDict):
     """
     What the robots did while sensors reported what they report of somebody unseen.
     """
+    not_looked_at: int
+    """
+    Cells of the floor that were not looked at to the end, where the search ended early: nobody was found to be hit there, and not
+    everything that sensors may report was followed.
+    """
+    not_looked_at_m: list[list[float]]
+    """
+    Where those are, and what is farther out, as rectangles by low x and y and high x and y, floor plan, m.
+    """
     obligations: Obligations
     """
     What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
@@ -2420,7 +2905,7 @@ class Anywhere(TypedDict):
     """
     open_m: list[list[float]]
     """
-    Where of the first ten thousand of those something is open, floor plan, m.
+    Where something is open: the middles of those cells, each once, floor plan, m.
     """
     presses: NotRequired[int | None]
     """
@@ -2521,6 +3006,60 @@ class Check(TypedDict):
     """
 
 
+class Comparison(TypedDict):
+    """
+    Two scans side by side.
+    """
+
+    causes: list[CauseChange]
+    """
+    The causes: new ones first.
+    """
+    complete: list[bool]
+    """
+    Whether each of the two is complete: what it did not find is not there, within what it asks.
+    """
+    counts: dict[str, int]
+    """
+    How many of each kind.
+    """
+    hazards: list[HazardChange]
+    """
+    The hazards: new ones first, then by id.
+    """
+    inputs: list[str]
+    """
+    What of the inputs is different, in words.
+    """
+
+
+class CriteriaRecord(TypedDict):
+    """
+    What counts as unsafe.
+    """
+
+    clamping: NotRequired[ClampingRecord | None]
+    """
+    Clamping.
+    """
+    moving_contact_faster_than_m_s: NotRequired[float | None]
+    """
+    Contacts with points of the robot that are faster than this, m/s.
+    """
+    pressure: bool
+    """
+    Pressure.
+    """
+    separation: NotRequired[SeparationTerms | None]
+    """
+    Separation.
+    """
+    transient_force: Criterion | None
+    """
+    The transient force, by this speed; none if it does not count.
+    """
+
+
 class Distances(TypedDict):
     """
     All safeguards of a cell.
@@ -2574,6 +3113,7 @@ Hazard = TypedDict(
         'distance_m': float,
         'earliest_time_s': float,
         'effective_mass_kg': float,
+        'first_contact': NotRequired[FirstContact | None],
         'first_iteration': int,
         'force_n': float,
         'id': str,
@@ -2620,6 +3160,170 @@ class Remedy(TypedDict):
     """
 
 
+class Settings(TypedDict):
+    """
+    How it was searched.
+    """
+
+    action_s: float
+    """
+    Duration of an action, s.
+    """
+    actions_per_sequence: int
+    """
+    Actions in a sequence.
+    """
+    also: NotRequired[list[Ability]]
+    """
+    What the person does besides walking, bending and reaching.
+    """
+    arm_speed_m_s: NotRequired[float | None]
+    """
+    How fast hands move, m/s, if arms take their time.
+    """
+    begins: NotRequired[Begin | None]
+    """
+    Of a scan from a start: where and when the person begins.
+    """
+    body: NotRequired[BodyRecord | None]
+    """
+    The person's body.
+    """
+    contact_check_interval_s: float
+    """
+    Communication step and contact-check interval, s.
+    """
+    controls: NotRequired[list[ControlRecord]]
+    """
+    Controls that the search works.
+    """
+    criteria: NotRequired[CriteriaRecord | None]
+    """
+    What counts as unsafe, where that is more or other than the transient force.
+    """
+    floor_m: NotRequired[list[list[float]] | None]
+    """
+    Of a scan from anywhere: corners of the floor that people may be on, floor plan, m, if that is bounded.
+    """
+    held_m: NotRequired[float | None]
+    """
+    How far what the person holds reaches beyond the finger tips, m, if they hold something.
+    """
+    iterations: int
+    """
+    Budget in iterations.
+    """
+    posture_sweep: bool
+    """
+    All postures checked per walk.
+    """
+    presses: NotRequired[int | None]
+    """
+    Of such a scan: how often controls were worked at most, if the cell has any that are.
+    """
+    reach_tolerance_m: float
+    """
+    Depth of contact that the arm check may miss, m.
+    """
+    run_m_s: NotRequired[float | None]
+    """
+    How fast who runs does so, m/s.
+    """
+    second: NotRequired[SecondRecord | None]
+    """
+    A second person beside them.
+    """
+    seed: int
+    """
+    Seed.
+    """
+    seen_at_start: NotRequired[list[str]]
+    """
+    Of such a scan: the sensors that see somebody there already; of those inside the FMU it is not known before it runs.
+    """
+    speed_criterion: Criterion
+    """
+    Which speed makes the force that decides.
+    """
+    start_region_m: NotRequired[list[list[float]] | None]
+    """
+    Of such a scan: corners of the floor from which they come, floor plan, m, if that is not the outside.
+    """
+    stop_at_first: bool
+    """
+    Stop at the first hazard instead of using the budget.
+    """
+    strategy: str
+    """
+    Strategy name.
+    """
+    until_s: NotRequired[float | None]
+    """
+    Of a scan from anywhere: how long after the FMU's own start it looked, s.
+    """
+
+
+class EventHazard(TypedDict):
+    """
+    A hazard was found. It is not confirmed yet: what counts stands in the results.
+    """
+
+    event: Literal['hazard']
+    hazard: Hazard
+    """
+    As in hazards.jsonl.
+    """
+
+
+Event: TypeAlias = EventDoing | EventProgress | EventHazard | EventResults | EventNote | EventWarning | EventError
+"""
+A line on standard error with `--progress json`. There may be other lines: what the system says, or a mistake in the options.
+"""
+
+
+class Explanation(TypedDict):
+    """
+    Everything that is told about a hazard.
+    """
+
+    action_s: float
+    """
+    Duration of an action, s.
+    """
+    begins_s: float
+    """
+    When the person starts, s after the FMU.
+    """
+    hazard: Hazard
+    """
+    The hazard.
+    """
+    outside: list[Outside]
+    """
+    How far the person stands outside the zones of sensors that do not report anybody.
+    """
+    remedies: list[Remedy]
+    """
+    What was tried against it; empty if nothing was.
+    """
+    robot: Robot
+    """
+    The robot that hits.
+    """
+    second: NotRequired[SecondRecord | None]
+    """
+    A second person, if there is one.
+    """
+    sensors: list[Reports]
+    """
+    What the sensors report on the way.
+    """
+    start: tuple[StartItem, float]
+    """
+    Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
+    """
+
+
 class ScanReport(TypedDict):
     """
     A whole scan.
@@ -2636,6 +3340,11 @@ class ScanReport(TypedDict):
     coverage: Coverage
     """
     What was seen.
+    """
+    cycle: NotRequired[CycleShare | None]
+    """
+    How much of the robots' cycle a search from the start met; none if the search was stopped before that was asked, or is one from
+    anywhere. The run that this takes is not counted in `spent`.
     """
     faults: list[FaultRecord]
     """
@@ -2701,67 +3410,6 @@ class ScanReport(TypedDict):
     warnings: list[str]
     """
     Things the user should know.
-    """
-
-
-class EventHazard(TypedDict):
-    """
-    A hazard was found. It is not confirmed yet: what counts stands in the results.
-    """
-
-    event: Literal['hazard']
-    hazard: Hazard
-    """
-    As in hazards.jsonl.
-    """
-
-
-Event: TypeAlias = EventDoing | EventProgress | EventHazard | EventResults | EventNote | EventWarning | EventError
-"""
-A line on standard error with `--progress json`. There may be other lines: what the system says, or a mistake in the options.
-"""
-
-
-class Explanation(TypedDict):
-    """
-    Everything that is told about a hazard.
-    """
-
-    action_s: float
-    """
-    Duration of an action, s.
-    """
-    begins_s: float
-    """
-    When the person starts, s after the FMU.
-    """
-    hazard: Hazard
-    """
-    The hazard.
-    """
-    outside: list[Outside]
-    """
-    How far the person stands outside the zones of sensors that do not report anybody.
-    """
-    remedies: list[Remedy]
-    """
-    What was tried against it; empty if nothing was.
-    """
-    robot: Robot
-    """
-    The robot that hits.
-    """
-    second: NotRequired[SecondRecord | None]
-    """
-    A second person, if there is one.
-    """
-    sensors: list[Reports]
-    """
-    What the sensors report on the way.
-    """
-    start: tuple[StartItem, float]
-    """
-    Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
     """
 
 

@@ -204,9 +204,11 @@ fn map(whole: &Whole<'_>, plan: &Plan, view: &View) -> Group {
         .set("clip-path", "url(#frame)")
         .add(frame.set("fill", if whole.ground.is_empty() { UNLOOKED } else { NOWHERE }))
         .add(view.boxes(&whole.ground.unseen_m).set("fill", "#ffffff"))
-        .add(view.boxes(&whole.ground.watched_m).set("fill", WATCHED))
-        .add(view.boxes(whole.not_looked_at_m).set("fill", UNLOOKED))
-        .add(view.boxes(&whole.ground.swept_m).set("fill", SOFT).set("fill-opacity", 0.18));
+        .add(view.boxes(&whole.ground.watched_m).set("fill", WATCHED));
+    if !whole.not_looked_at_m.is_empty() {
+        inside = inside.add(view.boxes(whole.not_looked_at_m).set("fill", UNLOOKED));
+    }
+    inside = inside.add(view.boxes(&whole.ground.swept_m).set("fill", SOFT).set("fill-opacity", 0.18));
     let open = Group::new().set("fill", "url(#unknown)").set("stroke", SOFT).set("stroke-width", 0.8);
     inside = inside.add(whole.open_m.iter().fold(open, |open, at| open.add(view.square(*at, edge))));
     let squares = whole.floor.iter().map(|cell| {

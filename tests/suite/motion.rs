@@ -96,7 +96,7 @@ fn what_cannot_be_compared_is_told_with_the_reason() {
     let fixed = prepared("faulty.fmu", 19, &[(variable, fixed)]);
     assert_eq!((fixed.self_test.against_motion().len(), fixed.self_test.motion_shown().len()), (0, 0));
     let dir = tempfile::TempDir::new().unwrap();
-    fmi_hazard(dir.path()).args(["example", "sensor-mat"]).assert().success();
+    fmi_hazard::examples::by_name("sensor-mat").unwrap().export(dir.path()).unwrap();
     let coupled = prepare(&dir.path().join("sensor-mat/coupled.toml"), None).unwrap();
     assert_eq!(coupled.self_test.half_steps, Motion::NotTried { why: Untried::Coupled });
 }
@@ -156,7 +156,7 @@ fn an_event_of_an_fmu_without_event_mode_is_told() {
     let none = [("hasEventMode=\"true\"", "hasEventMode=\"false\"")];
     let told = prepared("faulty-fmi3.fmu", 17, &none).warnings().join("\n");
     assert!(
-        told.contains("the FMU says at t = 0.12 s, at the end of a step, that an event is to be handled"),
+        told.contains("the FMU says at t = 0.120 s, at the end of a step, that an event is to be handled"),
         "{told}"
     );
     let honest = prepared("faulty-fmi3.fmu", 0, &none).warnings().join("\n");
@@ -180,12 +180,38 @@ fn the_end_of_the_simulation_and_a_refused_step_are_told_apart() {
     }
 }
 
+/// A system of that FMU alone, with a parameter: the command takes none.
+fn with_parameter(name: &str, value: &str) -> String {
+    let connector = |name: &str, kind: &str, of: &str| {
+        format!("<ssd:Connector name=\"{name}\" kind=\"{kind}\"><ssc:{of}/></ssd:Connector>")
+    };
+    let connectors =
+        [connector("stop", "input", "Boolean"), connector("q", "output", "Real"), connector("qd", "output", "Real")]
+            .concat();
+    let outputs = ["q", "qd"]
+        .map(|name| format!("<ssd:Connection startElement=\"x\" startConnector=\"{name}\" endConnector=\"{name}\"/>"));
+    format!(
+        "<ssd:SystemStructureDescription version=\"1.0\" name=\"x\" \
+         xmlns:ssd=\"http://ssp-standard.org/SSP1/SystemStructureDescription\" \
+         xmlns:ssc=\"http://ssp-standard.org/SSP1/SystemStructureCommon\" \
+         xmlns:ssv=\"http://ssp-standard.org/SSP1/SystemStructureParameterValues\">\n<ssd:System name=\"x\">\n<ssd:Connectors>\
+         {connectors}</ssd:Connectors>\n<ssd:Elements>\n<ssd:Component name=\"x\" type=\"application/x-fmu-sharedlibrary\" \
+         source=\"x.fmu\" implementation=\"CoSimulation\">\n<ssd:Connectors>{connectors}</ssd:Connectors>\n\
+         <ssd:ParameterBindings><ssd:ParameterBinding><ssd:ParameterValues><ssv:ParameterSet version=\"1.0\" name=\"p\">\
+         <ssv:Parameters><ssv:Parameter name=\"{name}\"><ssv:Integer value=\"{value}\"/></ssv:Parameter></ssv:Parameters>\
+         </ssv:ParameterSet></ssd:ParameterValues></ssd:ParameterBinding></ssd:ParameterBindings>\n</ssd:Component>\n\
+         </ssd:Elements>\n<ssd:Connections>\n<ssd:Connection startConnector=\"stop\" endElement=\"x\" \
+         endConnector=\"stop\"/>\n{}</ssd:Connections>\n</ssd:System>\n</ssd:SystemStructureDescription>\n",
+        outputs.concat()
+    )
+}
+
 #[test]
 fn the_command_prints_a_line_for_each() {
     let printed = |fmu: &str, kind: &str| {
-        let start = format!("max=\"21\" start=\"{kind}\"");
-        let dir = folder(fmu, 0, &[("max=\"21\" start=\"0\"", start.as_str())]);
-        let output = fmi_hazard(dir.path()).args(["selftest", "x.fmu"]).assert().success().get_output().clone();
+        let dir = folder(fmu, 0, &[]);
+        write(dir.path(), "x.ssd", &with_parameter("fault.kind", kind));
+        let output = fmi_hazard(dir.path()).args(["selftest", "x.ssd"]).assert().success().get_output().clone();
         String::from_utf8(output.stdout).unwrap()
     };
     let line = |text: &str, begin: &str| -> String {

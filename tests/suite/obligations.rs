@@ -101,9 +101,6 @@ fn what_was_only_tried_out_counts_once_it_is_accepted() {
         (own(&|lines| lines.replace(fmu, "0123")), "another FMU"),
         (own(&|lines| lines.replace(fmu, "0123")), fmu),
     ] {
-        assert!(
-            said.replace('\n', " ").contains(words) || said.replace(['\n', ' ', '│'], "").contains(words),
-            "{words}: {said}"
-        );
+        assert!(said.replace(['\n', ' ', '│'], "").contains(&words.replace(' ', "")), "{words}: {said}");
     }
 }

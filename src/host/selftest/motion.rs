@@ -183,7 +183,8 @@ fn apart(kind: PortKind, reference: &[f64], halves: &[f64]) -> Option<f64> {
     let off = reference.iter().enumerate().filter(|(_, value)| is_value(value)).map(|(row, value)| {
         let from = (2 * row).saturating_sub(near);
         let around = &halves[from..(2 * row + near + 1).min(halves.len())];
-        if !around.iter().all(is_value) {
+        // Of a number after the last step nothing is known half a step later.
+        if !around.iter().all(is_value) || real && row + 1 == reference.len() {
             return 0.0;
         }
         if !real {

@@ -27,10 +27,9 @@ impl Facts {
             let at_s = slave.left_event_s()?;
             let of = if slaves.len() > 1 { format!("`{name}`") } else { "the FMU".to_owned() };
             Some(format!(
-                "{of} says at t = {} s, at the end of a step, that an event is to be handled in Event Mode, which its \
+                "{of} says at t = {at_s:.3} s, at the end of a step, that an event is to be handled in Event Mode, which its \
                  modelDescription.xml does not offer (hasEventMode): it is stepped on without. Ask its maker whether it \
-                 handles its events by itself",
-                number(at_s)
+                 handles its events by itself"
             ))
         };
         Self {

@@ -71,8 +71,13 @@ impl<'a> FromAnywhere<'a> {
 
     fn confirmed(&self) -> Reply {
         let unconfirmed = self.looking.found.hazards.iter().filter(|place| !place.confirmed).count();
-        let open = (unconfirmed > 0)
-            .then(|| Point::open(format!("of {unconfirmed} ways to be hit, no walk was found that shows them")));
+        let open = (unconfirmed > 0).then(|| {
+            Point::open(format!(
+                "of {unconfirmed} {}, no walk was found that shows {} and begins where people get to unseen",
+                if unconfirmed == 1 { "way to be hit" } else { "ways to be hit" },
+                if unconfirmed == 1 { "it" } else { "them" }
+            ))
+        });
         Reply::unless(open.into_iter().collect(), "all that was met")
     }
 

@@ -28,12 +28,13 @@ pub struct Hostile {
     third: bool,
     behaviour: String,
     attributes: Vec<(&'static str, String)>,
+    slides: bool,
 }
 
 impl Hostile {
     /// Of FMI 2.0.
     pub fn v2() -> Self {
-        Self { third: false, behaviour: String::new(), attributes: Vec::new() }
+        Self { third: false, behaviour: String::new(), attributes: Vec::new(), slides: false }
     }
 
     /// Of FMI 3.0.
@@ -106,6 +107,11 @@ impl Hostile {
         self
     }
 
+    /// Says in modelDescription.xml that its joint is a slide: m and m/s.
+    pub fn slides(self) -> Self {
+        Self { slides: true, ..self }
+    }
+
     /// Says in modelDescription.xml whether there can be one instance in a process only.
     pub fn once_per_process(self, yes: bool) -> Self {
         self.attribute("canBeInstantiatedOnlyOncePerProcess", yes)
@@ -158,6 +164,10 @@ impl Hostile {
             let start = text.find(&key).expect("the attribute is there") + key.len();
             let length = text[start..].find('"').expect("the value ends");
             text.replace_range(start..start + length, value);
+        }
+        if self.slides {
+            text =
+                text.replace("\"rad\"", "\"m\"").replace("\"rad/s\"", "\"m/s\"").replace("BaseUnit rad", "BaseUnit m");
         }
         text
     }
