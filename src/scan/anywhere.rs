@@ -1,29 +1,32 @@
 //! Anybody whom no sensor sees at first, anywhere, walking in any way: the FMU is stepped along all histories of what sensors
 //! then report, sets of poses are searched for harm, and what is found is shown by a run of its own from a place outside.
 
-mod alike;
 mod ask;
 mod end;
 mod fields;
+mod heeded;
 mod keys;
+mod later;
 pub(super) mod map;
+mod moments;
 mod obligations;
 mod parts;
 mod pressing;
 mod record;
 mod show;
+mod trials;
 mod walk_in;
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use self::alike::Kind;
 use self::end::{End, not_looked_at};
 use self::fields::Fields;
 use self::map::Walkable;
 use self::obligations::FromAnywhere;
 use self::record::Rest;
 use self::show::sensors;
+use self::trials::Kind;
 use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
@@ -261,7 +264,9 @@ impl<'a> Looking<'a> {
         let there = prepared.standing(start, 0, 1).map_err(|error| PlantError::of(error.to_string().as_str()))?;
         let unmoved = self.unmoved(&there)?;
         let footing = Footing::asked(&there, self.effort.state, Merge::Auto);
-        let Some((search, told)) = self.ask(&there, footing, &unmoved, tell)? else { return Ok(self.short(tell)) };
+        let Some((search, told)) = self.ask(&there, footing, (&unmoved, (xy_m, heading)), tell)? else {
+            return Ok(self.short(tell));
+        };
         if self.found.ground.is_empty() {
             self.found.ground = map::ground(&search, &unmoved);
             self.walkable = map::walkable(&search);

@@ -376,6 +376,9 @@ type LevelOf<S> = BTreeMap<S, Prefixes>;
 /// A state, the safe sequences that lead there, and the calmest of the others if there are any.
 type Open<S> = (S, Prefixes, Option<Prefixes>);
 
+/// Those of a level, and the states that only sequences lead to that met something unsafe.
+type Sorted<S> = (Vec<Open<S>>, Vec<(S, Prefixes)>);
+
 /// A search under way.
 struct Search<'a, 'b, E: Expansion> {
     environment: &'a mut E,
@@ -397,7 +400,7 @@ impl<E: Expansion> Search<'_, '_, E> {
         level: LevelOf<E::State>,
         mut behind: LevelOf<E::State>,
         remaining: usize,
-    ) -> (Vec<Open<E::State>>, Vec<(E::State, Prefixes)>) {
+    ) -> Sorted<E::State> {
         let mut figures = Level { states: level.len(), ..Level::default() };
         let mut open = Vec::with_capacity(level.len());
         for (state, prefixes) in level {

@@ -78,6 +78,7 @@ mod states_that_lie;
 mod stepping;
 mod strategies;
 mod terminal;
+mod tried_out;
 mod two_people;
 mod variants;
 mod workcells;

@@ -58,7 +58,8 @@ impl Guarded {
     }
 
     fn occupied(&self) -> bool {
-        self.distance() < self.reals[vr::FIELD_RADIUS]
+        let later = self.now_s() >= self.reals[vr::FIELD_UNTIL];
+        self.distance() < self.reals[if later { vr::FIELD_LATER } else { vr::FIELD_RADIUS }]
     }
 
     /// Whether a demand has lasted for as long as it has to.
@@ -75,9 +76,12 @@ impl Guarded {
 
     /// How much of the burst is over, s.
     fn burst_s(&self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "some seconds")]
-        let now = self.tick as f64 / 1000.0;
-        (now - self.reals[vr::BURST_AT]).clamp(0.0, BURST_S)
+        (self.now_s() - self.reals[vr::BURST_AT]).clamp(0.0, BURST_S)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "some seconds")]
+    fn now_s(&self) -> f64 {
+        self.tick as f64 / 1000.0
     }
 
     /// Reads what `write` wrote.
@@ -124,7 +128,7 @@ impl Guarded {
         let now = self.tick as f64;
         let muted = self.muting && now < milliseconds(self.reals[vr::HOLD_TIME]);
         let stop = demanded && !muted && self.counts() && !(self.has(vr::ONCE) && self.demands > 1);
-        let slow = self.distance() < self.reals[vr::SSM_DISTANCE];
+        let slow = self.now_s() >= self.reals[vr::SSM_FROM] && self.distance() < self.reals[vr::SSM_DISTANCE];
         self.drive.advance(1, Demands { stop, slow, reset: false }, &self.settings());
         self.tick = self.tick.saturating_add(1);
     }

@@ -20,13 +20,16 @@ pub mod vr {
     pub const TOLD_SHARE: usize = 11;
     pub const ONCE: usize = 12;
     pub const FORGETS: usize = 13;
-    pub const CLEAR: usize = 14;
-    pub const PERSON_X: usize = 15;
-    pub const PERSON_Y: usize = 16;
-    pub const Q: usize = 17;
-    pub const QD: usize = 18;
-    pub const OCCUPIED: usize = 19;
-    pub const COUNTS: usize = 20;
+    pub const SSM_FROM: usize = 14;
+    pub const FIELD_UNTIL: usize = 15;
+    pub const FIELD_LATER: usize = 16;
+    pub const CLEAR: usize = 17;
+    pub const PERSON_X: usize = 18;
+    pub const PERSON_Y: usize = 19;
+    pub const Q: usize = 20;
+    pub const QD: usize = 21;
+    pub const OCCUPIED: usize = 22;
+    pub const COUNTS: usize = 23;
 }
 
 fn variables() -> Vec<Variable> {
@@ -50,6 +53,9 @@ fn variables() -> Vec<Variable> {
         parameter("stopping.told", "The share of qd that is told once a stop is demanded", "1", [1.0, 0.0, 1.0]),
         parameter("latch.once", "Not 0: only the first demand to stop is looked at", "1", [0.0, 0.0, 1.0]),
         parameter("state.forgets", "Not 0: saved states leave out for how long a demand lasted", "1", [0.0, 0.0, 1.0]),
+        parameter("ssm.from", "The distance counts after so many seconds", "1", [0.0, 0.0, 1e3]),
+        parameter("field.until", "After so many seconds the field has another radius", "1", [1e3, 0.0, 1e3]),
+        parameter("field.later", "That radius, metres", "1", [0.0, 0.0, 10.0]),
         Variable::new("clear", "Signal of the mat; false demands a stop", Input, Kind::Boolean { start: true }),
         Variable::new(
             "person.x",

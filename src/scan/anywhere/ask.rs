@@ -1,7 +1,7 @@
 //! What a search from anywhere has to know before it can begin: what the robots do while nobody comes, where nobody is seen, and what
 //! is reported of people elsewhere, which only the FMU knows of sensors that are inside it.
 
-use super::alike::Kind;
+use super::trials::Kind;
 use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError, Policy};
@@ -114,7 +114,7 @@ impl<'a> Looking<'a> {
         &mut self,
         there: &Prepared,
         footing: Footing,
-        unmoved: &[RobotFrame],
+        (unmoved, nobody): (&[RobotFrame], Stance),
         tell: &mut Tell<'_>,
     ) -> Result<Option<(Search<'a>, Option<ToldPeople>)>, PlantError> {
         // By the cell's own starts: the front of planes is on their side.
@@ -136,7 +136,10 @@ impl<'a> Looking<'a> {
             }
             return Ok(None);
         };
-        self.found.spent.fmu_steps += told.asked * asking.steps() as u64;
+        if !self.asked_later(&mut asking, &told, nobody, tell)? {
+            return Ok(None);
+        }
+        self.found.spent.fmu_steps += asking.taken();
         Ok(Some((search.with(told.clone()), Some(told))))
     }
 

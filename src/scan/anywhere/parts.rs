@@ -1,8 +1,12 @@
 //! Robots that heed different sensors are looked at one after the other, each with the sensors that it heeds: how they are told apart.
 
-use super::alike::{Kind, Trial};
+use super::heeded::Heeded;
+use super::moments::{Moments, Told};
+use super::trials::{Kind, Trial};
 use super::{Looking, SEED};
-use crate::host::PlantError;
+use crate::cell::Workcell;
+use crate::host::{Plant, PlantError, Policy};
+use crate::human::Presses;
 use crate::obligations::{Assumption, Need, Point};
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
@@ -11,7 +15,7 @@ use crate::sim::anywhere::machine::Part;
 
 impl Looking<'_> {
     /// Something was tried out.
-    fn tried(&mut self, need: Need, assumption: &Assumption, tried: &str) {
+    pub(super) fn tried(&mut self, need: Need, assumption: &Assumption, tried: &str) {
         let (cell, fmu) = (&self.prepared.cell, self.prepared.subject.fmu_digest());
         let point = Point::tried(assumption, tried, &cell.accepted, &fmu);
         self.said.push((need, point));
@@ -30,25 +34,48 @@ impl Looking<'_> {
         if cell.pose.is_empty() && !factors {
             return Ok(Some(vec![all]));
         }
+        let Some(nobody) = kinds.first() else { return Ok(Some(vec![all])) };
+        let nobody = Told { readings: nobody.readings.clone(), person: nobody.person(), pressed: Presses::NONE };
+        let saves = matches!(footing.policy(there), Policy::States { .. });
+        let moments = Moments::new(footing.plant(there), (cell, &there.binding), nobody, self.steps(), saves)?;
         let mut trial = Trial {
-            plant: footing.plant(there),
+            moments,
             cell,
             binding: &there.binding,
             kinds,
             steps: self.steps(),
             rng: Rng::new(SEED),
             presses: self.found.presses.is_some_and(|presses| presses > 0),
-            taken: 0,
+            runs: 0,
         };
-        if !cell.pose.is_empty() {
+        let outcome = self.tried_parts(&mut trial, factors, all);
+        self.found.spent.fmu_steps += trial.moments.taken;
+        outcome
+    }
+
+    /// The same, tried out.
+    fn tried_parts<P: Plant>(
+        &mut self,
+        trial: &mut Trial<'_, P>,
+        factors: bool,
+        all: Part,
+    ) -> Result<Option<Vec<Part>>, PlantError> {
+        if !trial.cell.pose.is_empty() {
             match trial.are_people_alike() {
                 Ok(true) => {
-                    let tried = "the robots did the same with all people of whom the sensors report the same, in all runs in which \
-                                 that was tried";
-                    self.tried(Need::PeopleAlike, &Assumption::PeopleAlike, tried);
+                    let tried = format!(
+                        "they did so in {} runs that began {}, at random and with somebody else of whom the same is reported",
+                        trial.runs,
+                        trial.began()
+                    );
+                    self.tried(Need::PeopleAlike, &Assumption::PeopleAlike, &tried);
                 }
                 Err(error) if error.stopped => return Err(error),
-                Ok(false) | Err(_) => {
+                Err(error) => {
+                    self.open(Need::PeopleAlike, format!("that could not be tried out: {error}"));
+                    return Ok(None);
+                }
+                Ok(false) => {
                     self.open(
                         Need::PeopleAlike,
                         "what the robots do depends on where somebody is in more ways than its sensors report. Use start areas \
@@ -58,29 +85,29 @@ impl Looking<'_> {
                 }
             }
         }
-        let heeded = match factors.then(|| trial.heeded()) {
-            Some(Ok(heeded)) => heeded,
-            Some(Err(error)) if error.stopped => return Err(error),
-            Some(Err(_)) | None => return Ok(Some(vec![all])),
-        };
-        self.found.spent.fmu_steps += trial.taken;
+        match factors.then(|| trial.heeded()) {
+            Some(Ok(heeded)) => Ok(Some(self.parts_of(trial.cell, &heeded, all))),
+            Some(Err(error)) if error.stopped => Err(error),
+            Some(Err(_)) | None => Ok(Some(vec![all])),
+        }
+    }
+
+    /// Robots that heed the same sensors together; what was tried is told where that leaves something out.
+    fn parts_of(&mut self, cell: &Workcell, heeded: &Heeded, all: Part) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
-        for (robot, sensors) in heeded.iter().enumerate() {
+        for (robot, sensors) in heeded.by_robot.iter().enumerate() {
             let links = cell.links.iter().map(|link| link.robot == robot);
             if let Some(part) = parts.iter_mut().find(|part| part.sensors == *sensors) {
                 part.links = part.links.iter().zip(links).map(|(known, own)| *known || own).collect();
             } else {
                 parts.push(Part { sensors: sensors.clone(), links: links.collect() });
             }
-            for (sensor, _) in cell.sensors.iter().zip(sensors).filter(|(_, heeds)| !**heeds) {
+            let each = cell.sensors.iter().zip(sensors).zip(&heeded.tried);
+            for ((sensor, _), tried) in each.filter(|((_, heeds), _)| !**heeds) {
                 let (robot, sensor) = (cell.robots[robot].name.clone(), sensor.name.clone());
-                let tried = "it did the same whatever that reported, in all runs in which it was tried";
                 self.tried(Need::Heeds, &Assumption::RobotIgnoresSensor { robot, sensor }, tried);
             }
         }
-        if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) {
-            return Ok(Some(vec![all]));
-        }
-        Ok(Some(parts))
+        if parts.iter().all(|part| part.sensors.iter().all(|heeds| *heeds)) { vec![all] } else { parts }
     }
 }

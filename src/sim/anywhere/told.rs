@@ -3,8 +3,8 @@
 //! Nothing but the FMU knows where these sensors see somebody. So it is asked: from its start, with a person at the corners of
 //! all cells of the floor and at all edges of arcs of headings, for as many steps as its sensors take to tell. What differs at the
 //! corners of a cell differs somewhere in it, and both is possible in it; what is narrower than a cell everywhere may be missed.
-//! What the robots do then is asked with one such person for each thing that is reported, and that it is the same with others is
-//! tried out (`scan/anywhere/alike.rs`): it rests on that.
+//! What the robots do then is asked with one such person for each thing that is reported; that it is the same with others, and that
+//! sensors report the same later, is tried out (`scan/anywhere/trials.rs`, `scan/anywhere/later.rs`): it rests on that.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -50,9 +50,13 @@ pub struct Asking<'a, P: Plant> {
     binding: &'a Binding,
     /// Steps for which somebody stays.
     steps: usize,
+    /// Where people come: a saved state, where there are some, or what is told from the start on.
     root: Option<P::Checkpoint>,
+    before: Vec<f64>,
     kinds: Vec<Vec<bool>>,
     asked: u64,
+    /// Steps that were taken.
+    taken: u64,
 }
 
 impl<'a, P: Plant> Asking<'a, P> {
@@ -69,7 +73,44 @@ impl<'a, P: Plant> Asking<'a, P> {
     ) -> Result<Self, PlantError> {
         plant.restart()?;
         let root = if saves { Some(plant.save()?) } else { None };
-        Ok(Self { plant, cell, binding, steps, root, kinds: Vec::new(), asked: 0 })
+        Ok(Self { plant, cell, binding, steps, root, before: Vec::new(), kinds: Vec::new(), asked: 0, taken: 0 })
+    }
+
+    /// From now on people come after so many steps from the start, in which somebody was there.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn after(&mut self, steps: usize, somebody: Stance) -> Result<(), PlantError> {
+        self.before = self.told(somebody).repeat(steps);
+        if self.root.is_some() {
+            self.begin()?;
+            self.root = Some(self.plant.save()?);
+        }
+        Ok(())
+    }
+
+    /// From the start to where people come.
+    fn begin(&mut self) -> Result<(), PlantError> {
+        self.plant.restart()?;
+        let steps = self.before.len() / self.plant.input_count().max(1);
+        if steps > 0 {
+            self.plant.advance(steps, &self.before)?;
+            self.taken += steps as u64;
+        }
+        Ok(())
+    }
+
+    /// What the FMU is told in a step of somebody of whom no other sensor reports anything.
+    fn told(&self, at: Stance) -> Vec<f64> {
+        let (mut inputs, nobody) = (Vec::new(), vec![false; self.cell.sensors.len()]);
+        input_row(self.cell, self.binding, &nobody, &seen(self.cell, at), Presses::NONE, &mut inputs);
+        inputs
+    }
+
+    /// Steps that the FMU took for all that.
+    #[must_use]
+    pub const fn taken(&self) -> u64 {
+        self.taken
     }
 
     /// What is reported of somebody after each step of their stay: all sensors, nothing of those outside of the FMU.
@@ -80,15 +121,10 @@ impl<'a, P: Plant> Asking<'a, P> {
         self.asked += 1;
         match &self.root {
             Some(root) => self.plant.restore(root)?,
-            None => {
-                self.plant.restart()?;
-            }
+            None => self.begin()?,
         }
-        let mut inputs = Vec::new();
-        let nobody = vec![false; self.cell.sensors.len()];
-        let seen = seen(self.cell, at);
-        input_row(self.cell, self.binding, &nobody, &seen, Presses::NONE, &mut inputs);
-        let rows = self.plant.advance(self.steps, &inputs.repeat(self.steps))?;
+        self.taken += self.steps as u64;
+        let rows = self.plant.advance(self.steps, &self.told(at).repeat(self.steps))?;
         let told = |row: &[f64]| -> Vec<bool> {
             let sensors = self.cell.sensors.iter().zip(&self.binding.sensors);
             let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| bound.reports(row, sensor.active);
@@ -125,6 +161,12 @@ impl<'a, P: Plant> Asking<'a, P> {
         }
         self.steps = longest;
         Ok(true)
+    }
+
+    /// Whether the FMU comes back to where people come by itself.
+    #[must_use]
+    pub const fn saves(&self) -> bool {
+        self.root.is_some()
     }
 
     /// For how many steps people stay.
@@ -173,6 +215,18 @@ impl Told {
         };
         let Some(possible) = possible(floor, &mut kind, tell)? else { return Ok(None) };
         Ok(Some(Self { kinds: asking.kinds.clone(), people, possible, asked: asking.asked }))
+    }
+
+    /// Some of the people that were asked about, of each kind about as many, and what is reported of them.
+    #[must_use]
+    pub fn some(&self, most: usize) -> Vec<(Stance, &[bool])> {
+        let of_each = (most / self.kinds.len().max(1)).max(1);
+        let each = self.kinds.iter().zip(&self.people);
+        each.flat_map(|(kind, people)| {
+            let every = people.len().div_ceil(of_each).max(1);
+            people.iter().step_by(every).map(move |person| (*person, kind.as_slice()))
+        })
+        .collect()
     }
 
     /// What may be reported together of people in a cell who look into an arc: by sensor, nothing of those outside of the FMU.

@@ -1,0 +1,133 @@
+//! An FMU at many moments of what it does while nobody is reported: where trials begin. A stop that latches would hide everything that
+//! comes after it, so each begins where nothing was reported before.
+
+use crate::cell::{Binding, Workcell};
+use crate::host::{Plant, PlantError};
+use crate::human::Presses;
+use crate::sim::anywhere::told::{Stance, seen};
+use crate::sim::sensors::{DelayLine, input_row};
+
+/// Most moments, where the FMU comes back to them by itself, and where it has to be run there again each time.
+const MOST_SAVED: usize = 24;
+const MOST_RUN: usize = 6;
+
+/// What is reported, the person of whom it is, and which controls are worked, in one step.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Told {
+    /// By sensor, before any delay of the host.
+    pub readings: Vec<bool>,
+    /// As the FMU is told.
+    pub person: Stance,
+    /// Controls that are worked.
+    pub pressed: Presses,
+}
+
+/// See the top of this file.
+pub(super) struct Moments<'a, P: Plant> {
+    plant: P,
+    cell: &'a Workcell,
+    binding: &'a Binding,
+    nobody: Told,
+    /// Steps from the start, and the state there, if states can be saved: it is worth nothing after a restart.
+    all: Vec<(usize, Option<P::Checkpoint>)>,
+    /// Steps that are looked at: no run goes beyond.
+    steps: usize,
+    /// What the FMU does while nobody is reported: outputs after each step.
+    undisturbed: Vec<f64>,
+    /// Steps that were taken.
+    pub taken: u64,
+}
+
+impl<'a, P: Plant> Moments<'a, P> {
+    /// Moments of so many steps, evenly; `saves` if the FMU's states are to be saved there.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn new(
+        plant: P,
+        (cell, binding): (&'a Workcell, &'a Binding),
+        nobody: Told,
+        steps: usize,
+        saves: bool,
+    ) -> Result<Self, PlantError> {
+        let undisturbed = Vec::new();
+        let mut moments =
+            Self { plant, cell, binding, nobody, all: Vec::new(), steps, undisturbed, taken: steps as u64 };
+        let count = if saves { MOST_SAVED } else { MOST_RUN }.min(steps).max(1);
+        moments.plant.restart()?;
+        let mut at = 0;
+        for number in 0..count {
+            let to = number * steps / count;
+            moments.wait(at, to)?;
+            let saved = if saves { Some(moments.plant.save()?) } else { None };
+            moments.all.push((to, saved));
+            at = to;
+        }
+        moments.wait(at, steps)?;
+        Ok(moments)
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The steps from the start to one of them.
+    pub fn at(&self, moment: usize) -> usize {
+        self.all.get(moment).map_or(0, |(at, _)| *at)
+    }
+
+    /// Nobody is reported from one step to another; what the FMU does is noted.
+    fn wait(&mut self, from: usize, to: usize) -> Result<(), PlantError> {
+        if to > from {
+            let inputs = self.inputs(&vec![self.nobody.clone(); to - from]);
+            self.undisturbed.extend(self.plant.advance(to - from, &inputs)?);
+        }
+        Ok(())
+    }
+
+    /// What the FMU does in so many steps from a moment while nobody is reported, as far as that is known.
+    pub fn undisturbed(&self, moment: usize, steps: usize) -> &[f64] {
+        let width = self.plant.output_count();
+        let from = (self.at(moment) * width).min(self.undisturbed.len());
+        &self.undisturbed[from..(from + steps * width).min(self.undisturbed.len())]
+    }
+
+    /// The outputs after each step when this is told from a moment on, as far as steps are looked at.
+    ///
+    /// # Errors
+    /// When the FMU fails.
+    pub fn run(&mut self, moment: usize, told: &[Told]) -> Result<Vec<f64>, PlantError> {
+        let told = &told[..told.len().min(self.steps - self.at(moment).min(self.steps))];
+        let inputs = self.inputs(told);
+        match self.all.get(moment) {
+            Some((_, Some(saved))) if self.plant.holds(saved) => self.plant.restore(saved)?,
+            Some((at, _)) => {
+                let at = *at;
+                self.plant.restart()?;
+                if at > 0 {
+                    let waiting = self.inputs(&vec![self.nobody.clone(); at]);
+                    self.plant.advance(at, &waiting)?;
+                    self.taken += at as u64;
+                }
+            }
+            None => return Ok(Vec::new()),
+        }
+        self.taken += told.len() as u64;
+        self.plant.advance(told.len(), &inputs)
+    }
+
+    /// Sensors have reported for long what they report of nobody.
+    fn inputs(&self, told: &[Told]) -> Vec<f64> {
+        let (cell, binding) = (self.cell, self.binding);
+        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| DelayLine::settled(*raw, sensor.delay_steps);
+        let mut lines: Vec<DelayLine> = cell.sensors.iter().zip(&self.nobody.readings).map(settled).collect();
+        let mut inputs = Vec::new();
+        for Told { readings, person, pressed } in told {
+            let own = cell.sensors.iter().zip(&mut lines).zip(readings);
+            let late: Vec<bool> = own.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+            input_row(cell, binding, &late, &seen(cell, *person), *pressed, &mut inputs);
+        }
+        inputs
+    }
+}
