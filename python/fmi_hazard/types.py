@@ -173,7 +173,7 @@ Level: TypeAlias = int
 
 class Change(TypedDict):
     """
-    A change of the cell that helps against a cause.
+    A change of the cell with which a cause was not met any more.
     """
 
     change: str
@@ -187,6 +187,10 @@ class Change(TypedDict):
     complete: bool
     """
     Whether every sequence of the changed cell was looked at.
+    """
+    enough: bool
+    """
+    Whether nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere.
     """
     less: str
     """
@@ -1217,6 +1221,21 @@ class Reaction(TypedDict):
     """
 
 
+class RemedyFromAnywhere(TypedDict):
+    """
+    A search from anywhere in which nobody was shown to be hit.
+    """
+
+    reasons: list[str]
+    """
+    Why it does not show that nobody is hit; nothing if it does.
+    """
+    until_s: float
+    """
+    How long after the start of the FMU, s.
+    """
+
+
 class RemedyOutcomeOnlyLater(TypedDict):
     """
     No hazard is met within the time that the cell file looks at, but later.
@@ -2069,7 +2088,7 @@ class CauseAdvice(TypedDict):
 
     changes: list[Change]
     """
-    The smallest changes that help, the surest first.
+    The smallest changes that were not found wanting, the surest first: only what is `enough` helps for sure.
     """
     note: str
     """
@@ -2216,6 +2235,10 @@ class Checked(TypedDict):
     counterexamples: int
     """
     Sequences that led to a hazard after smaller changes.
+    """
+    everywhere: NotRequired[RemedyFromAnywhere | None]
+    """
+    What came of a search from anywhere, if there was one.
     """
     known_sequences: int
     """

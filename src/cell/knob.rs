@@ -34,8 +34,10 @@ enum Turn {
     DownToTheFloor { sensor: usize },
     /// A light curtain across its plane, away from the robot.
     FartherCurtain { sensor: usize, direction: [f64; 2] },
-    /// The top of a box up.
-    Higher { obstacle: usize },
+    /// A mat behind a light curtain or door, from its plane towards the robot, that reports by the same input.
+    MatBehind { sensor: usize, direction: [f64; 2] },
+    /// The tops of boxes up.
+    Higher { obstacles: Vec<usize> },
     /// The underside of a box down.
     Lower { obstacle: usize },
     /// A robot away from the person.
@@ -152,6 +154,7 @@ impl Knobs {
         }
         // What the programme moves is as high as it is.
         let still = cell.obstacles.iter().filter(|obstacle| obstacle.follows.is_none());
+        knobs.fences(cell, text);
         for Obstacle { name, table, .. } in still {
             // Meshes are as high as they are.
             let Some(number) = *table else { continue };
@@ -163,7 +166,7 @@ impl Knobs {
             }
             let [underside, top] = [-0.5, 0.5].map(|half| centre[2] + half * size[2]);
             let higher = limits.most_top_m.map(|most| (most - top, most_words(most, "m")));
-            knobs.add(Turn::Higher { obstacle: number }, name, Room::new(STEP, f64::INFINITY, FARTHEST, higher));
+            knobs.add(Turn::Higher { obstacles: vec![number] }, name, Room::new(STEP, f64::INFINITY, FARTHEST, higher));
             let lower = limits.least_underside_m.map(|least| (underside - least, least_words(least, "m")));
             knobs.add(Turn::Lower { obstacle: number }, name, Room::new(STEP, underside, FARTHEST, lower));
         }
@@ -180,6 +183,36 @@ impl Knobs {
             knobs.add(turn, &robot.name, Room::new(STEP, f64::INFINITY, FARTHEST, allowed));
         }
         knobs
+    }
+
+    /// Panels of a fence that are as high as each other: who reaches over one of them reaches over all.
+    fn fences(&mut self, cell: &Workcell, text: &Table) {
+        let explain = &cell.file().explain.obstacle;
+        let mut fences: Vec<(f64, Vec<usize>, Vec<&str>)> = Vec::new();
+        for Obstacle { name, table, follows, .. } in &cell.obstacles {
+            let limits = explain.get(name).map(|limits| *limits.get_ref()).unwrap_or_default();
+            let Some(number) = table.filter(|_| follows.is_none() && !limits.fixed && limits.most_top_m.is_none())
+            else {
+                continue;
+            };
+            let Some((centre, size)) = upright_box(text, number) else { continue };
+            if size[0].min(size[1]) > PANEL_M || size[2] < size[0].min(size[1]) {
+                continue;
+            }
+            let top = centre[2] + 0.5 * size[2];
+            match fences.iter_mut().find(|(known, ..)| (known - top).abs() < 1e-3) {
+                Some((_, numbers, names)) => {
+                    numbers.push(number);
+                    names.push(name);
+                }
+                None => fences.push((top, vec![number], vec![name])),
+            }
+        }
+        for (_, obstacles, names) in fences.into_iter().filter(|(_, numbers, _)| numbers.len() > 1) {
+            let (last, others) = names.split_last().map_or((&"", &[][..]), |(last, others)| (last, others));
+            let name = format!("{} and {last}", others.join(", "));
+            self.add(Turn::Higher { obstacles }, &name, Room::new(STEP, f64::INFINITY, FARTHEST, None));
+        }
     }
 
     /// A time, shorter and longer: `[value, per_s, min, max]`.
@@ -246,6 +279,9 @@ impl Knobs {
                     let normal = plane.rotation * Vec3::Y;
                     let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
                     let direction = [side * normal.x, side * normal.y];
+                    let behind = direction.map(|part: f64| -part);
+                    let turn = Turn::MatBehind { sensor: number, direction: behind };
+                    self.add(turn, &sensor.name, Room { steps: FARTHEST, ..Room::default() });
                     let turn = Turn::FartherCurtain { sensor: number, direction };
                     self.add(turn, &sensor.name, room(own(limits.most_farther_m, 0.0)));
                 }
@@ -346,14 +382,13 @@ impl Knob {
                 let moved = |[x, y]: [f64; 2]| list([x + amount * direction[0], y + amount * direction[1]]);
                 *line = Value::Array(ends?.into_iter().map(moved).collect());
             }
-            Turn::Higher { obstacle } | Turn::Lower { obstacle } => {
-                let (mut centre, mut size) = upright_box(&text, *obstacle)?;
-                let up = if matches!(self.turn, Turn::Higher { .. }) { 0.5 } else { -0.5 };
-                centre[2] += up * amount;
-                size[2] += amount;
-                let table = item(&mut text, "obstacle", *obstacle)?;
-                table.insert("centre_m".to_owned(), list(centre));
-                table.insert("size_m".to_owned(), list(size));
+            Turn::Higher { obstacles } => {
+                obstacles.iter().try_for_each(|obstacle| longer(&mut text, *obstacle, amount, 0.5))?;
+            }
+            Turn::Lower { obstacle } => longer(&mut text, *obstacle, amount, -0.5)?,
+            Turn::MatBehind { sensor, direction } => {
+                let plane = item(&mut text, "sensor", *sensor)?.clone();
+                text.get_mut("sensor")?.as_array_mut()?.push(Value::Table(mat_behind(&plane, *direction, amount)?));
             }
             Turn::Unworked { control, .. } => {
                 item(&mut text, "control", *control)?.insert("by".to_owned(), "nobody".into());
@@ -396,6 +431,9 @@ impl Knob {
             Turn::HigherCurtain { .. } => format!("{name} {amount:.2} m higher"),
             Turn::DownToTheFloor { .. } => format!("{name} reaching down to the floor"),
             Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
+            Turn::MatBehind { .. } => {
+                format!("a mat behind {name}, {amount:.2} m deep, that reports by the same input")
+            }
             Turn::Higher { .. } => format!("{name} {amount:.2} m higher"),
             Turn::Lower { .. } => format!("{name} {amount:.2} m farther down"),
             Turn::Unworked { by: ControlledBy::Anyone, .. } => {
@@ -407,6 +445,40 @@ impl Knob {
             }
         }
     }
+}
+
+/// Boxes that are no thicker than this are panels of a fence, m.
+const PANEL_M: f64 = 0.15;
+
+/// Makes a box longer, upwards with `half` 0.5 and downwards with -0.5.
+fn longer(text: &mut Table, obstacle: usize, amount: f64, half: f64) -> Option<()> {
+    let (mut centre, mut size) = upright_box(text, obstacle)?;
+    centre[2] += half * amount;
+    size[2] += amount;
+    let table = item(text, "obstacle", obstacle)?;
+    table.insert("centre_m".to_owned(), list(centre));
+    table.insert("size_m".to_owned(), list(size));
+    Some(())
+}
+
+/// A mat as wide as a plane, so deep behind it.
+fn mat_behind(plane: &Table, direction: [f64; 2], deep_m: f64) -> Option<Table> {
+    let line = plane.get("zone")?.get("line_m")?.as_array()?;
+    let [a, b]: [[f64; 2]; 2] = [numbers(line.first()?)?, numbers(line.get(1)?)?];
+    let behind = |at: [f64; 2]| [0, 1].map(|axis| at[axis] + deep_m * direction[axis]);
+    let corners = [a, b, behind(b), behind(a)].map(list).to_vec();
+    let name = format!("mat behind {}", plane.get("name")?.as_str()?);
+    let mut mat = Table::from_iter([
+        ("name".to_owned(), name.into()),
+        ("kind".to_owned(), "mat".into()),
+        ("zone".to_owned(), Value::Table(Table::from_iter([("polygon_m".to_owned(), Value::Array(corners))]))),
+    ]);
+    for key in ["variable", "active", "delay_ms"] {
+        if let Some(value) = plane.get(key) {
+            mat.insert(key.to_owned(), value.clone());
+        }
+    }
+    Some(mat)
 }
 
 /// Centre and size of a box that is not tilted.
@@ -481,6 +553,8 @@ mod tests {
         [[sensor]]
         zone = { polygon_m = [[-1, -1.2], [1, -1.2], [1, 2], [-1, 2]] }
         [[sensor]]
+        name = "light"
+        variable = "clear"
         zone = { line_m = [[-1, 0], [1, 0]], heights_m = [0.3, 1.5] }
         [[control]]
         [[control]]
@@ -537,12 +611,20 @@ mod tests {
         assert_eq!([numbers(&line[0]), numbers(&line[1])], [Some([-1.0, -0.25]), Some([1.0, -0.25])]);
         assert_eq!(words, "it 0.25 m farther from the robot");
         // A box of 0.8 m around 1.6 m: from 1.2 m to 2.0 m.
-        for (turn, centre, size) in [(Turn::Higher { obstacle: 0 }, 1.7, 1.0), (Turn::Lower { obstacle: 0 }, 1.5, 1.0)]
+        for (turn, centre, size) in
+            [(Turn::Higher { obstacles: vec![0] }, 1.7, 1.0), (Turn::Lower { obstacle: 0 }, 1.5, 1.0)]
         {
             let (cell, _) = turned(turn, 20);
             assert_eq!(at(&cell, "obstacle", 0, &["centre_m"]), [0.0, 0.0, centre]);
             assert_eq!(at(&cell, "obstacle", 0, &["size_m"]), [0.6, 0.02, size]);
         }
+        let (cell, words) = turned(Turn::MatBehind { sensor: 1, direction: [0.0, 1.0] }, 60);
+        let mat = &cell["sensor"].as_array().expect("a list")[2];
+        let corners = mat["zone"]["polygon_m"].as_array().expect("a list");
+        let corners: Vec<[f64; 2]> = corners.iter().map(|corner| numbers(corner).expect("numbers")).collect();
+        assert_eq!(corners, [[-1.0, 0.0], [1.0, 0.0], [1.0, 0.6], [-1.0, 0.6]]);
+        assert_eq!((mat["name"].as_str(), mat["variable"].as_str()), (Some("mat behind light"), Some("clear")));
+        assert_eq!(words, "a mat behind it, 0.60 m deep, that reports by the same input");
         let (cell, words) = turned(Turn::FartherRobot { robot: 1, direction: [1.0, 0.0] }, 35);
         assert_eq!(at(&cell, "robot", 1, &["base", "xyz_m"]), [1.35, 0.9, 0.6]);
         assert_eq!(words, "it 0.35 m farther away, towards +x");

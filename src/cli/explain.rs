@@ -6,13 +6,15 @@ use super::changes::Telling;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
+use super::scan_arguments::{From, MOST_STATES, PRESSES, UNTIL, from_environment, until};
 use super::{earlier, output, stopping};
 use crate::host::PlantError;
 use crate::report::advice::Remedy;
 use crate::report::model::Hazard;
 use crate::report::verified::Outcome;
+use crate::scan::anywhere::Until;
 use crate::scan::explain::explain;
-use crate::scan::remedy::{Effort, MILLIONS, Purse, STATES, remedies};
+use crate::scan::remedy::{Effort, Everywhere, MILLIONS, Purse, STATES, remedies};
 use crate::scan::verify::Again;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 use crate::stop::Stop;
@@ -31,6 +33,13 @@ pub(super) struct Arguments {
     /// No complete searches: what is told of changes then rests on known sequences and quick searches only
     #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_memory", "max_work"])]
     quick: bool,
+    /// Where people come from before a change is called enough: its starts alone say less (default: FMI_HAZARD_FROM in the environment,
+    /// else both)
+    #[arg(long, value_enum)]
+    from: Option<From>,
+    /// From anywhere: how long after the start of the FMU [default: 4s]
+    #[arg(long, value_name = "TIME", value_parser = until)]
+    until: Option<Until>,
     /// Sequences of each quick search that tries out a change
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     iterations: u32,
@@ -57,6 +66,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let mut recorded = earlier::read(&arguments.scan)?;
     earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
+    let from = arguments.from.map_or_else(from_environment, |from| Ok(Some(from)))?;
     let stop = Stop::default();
     let hosting = arguments.hosting.heeding(&stop)?;
     output::phase("running the hazard's sequences again");
@@ -91,7 +101,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     if !arguments.no_changes {
         output::note("  Trying changes of the cell. Ctrl-C ends that and keeps what is known by then");
-        explanation.remedies = match changes(arguments, &prepared, hazard, &recorded.hazards) {
+        explanation.remedies = match changes(arguments, from, &prepared, hazard, &recorded.hazards) {
             Err(error) if error.stopped => Vec::new(),
             changes => changes.map_err(failed)?,
         };
@@ -126,12 +136,20 @@ fn gone(hazard: &Hazard, prepared: &Prepared, outcome: Outcome) -> Failure {
 /// Tries the changes; each that holds is told at once.
 fn changes(
     arguments: &Arguments,
+    from: Option<From>,
     prepared: &Prepared,
     hazard: &Hazard,
     known: &[Hazard],
 ) -> Result<Vec<Remedy>, PlantError> {
     let usual = Effort::usual();
+    let everywhere = (from != Some(From::Start) && !arguments.quick).then(|| Everywhere {
+        until: arguments.until.unwrap_or(UNTIL),
+        presses: PRESSES,
+        states: MOST_STATES,
+        searches: Everywhere::OF_ONE,
+    });
     let effort = Effort {
+        everywhere,
         iterations: arguments.iterations,
         work: u64::from(arguments.max_work) * 1_000_000,
         states: if arguments.quick { 0 } else { arguments.max_states as usize },

@@ -385,7 +385,10 @@ impl Run<'_> {
     /// all but it.
     fn advise(&self, prepared: &Prepared, rung: Rung, report: &mut ScanReport) -> bool {
         let stop = self.stop;
-        let how = self.arguments.advice(self.several).filter(|_| !report.causes.is_empty() && !stop.ends_search());
+        let how = self
+            .arguments
+            .advice(&prepared.cell, self.several)
+            .filter(|_| !report.causes.is_empty() && !stop.ends_search());
         let Some(how) = how else { return false };
         output::note("   Looking for changes that would be enough. Ctrl-C ends that and keeps the results");
         let telling = Telling::new(false);

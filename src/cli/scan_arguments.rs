@@ -15,7 +15,7 @@ use crate::cell::file::format::PeopleFrom;
 use crate::report::moved::seen_from;
 use crate::scan::anywhere::Until;
 use crate::scan::options::Method;
-use crate::scan::remedy::Effort;
+use crate::scan::remedy::{Effort, Everywhere};
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::anywhere::ledger::Share;
@@ -46,7 +46,7 @@ pub(super) enum From {
 const FROM: &str = "FMI_HAZARD_FROM";
 
 /// States of the FMU that a scan from anywhere steps from, unless told otherwise.
-const MOST_STATES: usize = 300_000;
+pub(super) const MOST_STATES: usize = 300_000;
 
 /// What a scan that is resumed was told already.
 const OTHERS: [&str; 29] = [
@@ -329,11 +329,19 @@ impl Arguments {
         }
     }
 
-    /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings.
-    pub(super) fn advice(&self, several: bool) -> Option<Effort> {
+    /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings. From anywhere too where the
+    /// scan is.
+    pub(super) fn advice(&self, cell: &Workcell, several: bool) -> Option<Effort> {
         let usual = Effort::usual();
         let workers = self.exhaustive.workers.unwrap_or(usual.workers);
-        (!self.no_advice && !several).then_some(Effort { workers, ..usual })
+        let from_anywhere = matches!(self.people_from(cell), Ok(From::Anywhere | From::Both));
+        let everywhere = from_anywhere.then(|| Everywhere {
+            until: self.until(),
+            presses: self.presses,
+            states: self.most_states(),
+            searches: Everywhere::OF_A_SCAN,
+        });
+        (!self.no_advice && !several).then_some(Effort { workers, everywhere, ..usual })
     }
 
     /// The longest time.
@@ -441,10 +449,10 @@ impl Arguments {
 }
 
 /// How often controls are worked from anywhere, unless told otherwise.
-const PRESSES: u32 = 1;
+pub(super) const PRESSES: u32 = 1;
 
 /// How long after the start of the FMU is looked, unless told otherwise.
-const UNTIL: Until = Until::Seconds(4.0);
+pub(super) const UNTIL: Until = Until::Seconds(4.0);
 
 /// As it is given: without spaces.
 fn short(time: Duration) -> String {
@@ -455,7 +463,7 @@ fn short(time: Duration) -> String {
 const AUTO_TIME: Duration = Duration::from_secs(600);
 
 /// What the environment says.
-fn from_environment() -> Result<Option<From>, Failure> {
+pub(super) fn from_environment() -> Result<Option<From>, Failure> {
     let Some(said) = std::env::var_os(FROM) else { return Ok(None) };
     From::from_str(&said.to_string_lossy(), true).map(Some).map_err(|_| {
         Failure::unusable_with_help(
@@ -466,7 +474,7 @@ fn from_environment() -> Result<Option<From>, Failure> {
 }
 
 /// When a scan from anywhere ends.
-fn until(text: &str) -> Result<Until, String> {
+pub(super) fn until(text: &str) -> Result<Until, String> {
     let Some(count) = text.strip_suffix("cycles").or_else(|| text.strip_suffix("cycle")) else {
         return time(text).map(|time| Until::Seconds(time.as_secs_f64())).map_err(|e| format!("{e}, or as 2cycles"));
     };

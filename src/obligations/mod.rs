@@ -68,7 +68,7 @@ pub enum Standing {
 }
 
 /// What an engine says of one robot, sensor or control, or of all.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     /// Of which.
     pub about: Option<String>,

@@ -72,10 +72,23 @@ pub struct Checked {
     pub around: usize,
     /// Whether all sequences from there were looked at, else some.
     pub around_complete: bool,
+    /// What came of a search from anywhere, if there was one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub everywhere: Option<FromAnywhere>,
     /// Longest time of known and new sequences that were tried beyond that of the cell file, s.
     pub longest_s: f64,
     /// What one step less leads to.
     pub one_less: OneLess,
+}
+
+/// A search from anywhere in which nobody was shown to be hit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "RemedyFromAnywhere")]
+pub struct FromAnywhere {
+    /// How long after the start of the FMU, s.
+    pub until_s: f64,
+    /// Why it does not show that nobody is hit; nothing if it does.
+    pub reasons: Vec<String>,
 }
 
 /// A complete search.
@@ -174,6 +187,18 @@ impl Checked {
         !self.complete.is_empty() && self.complete.iter().all(|complete| complete.reasons.is_empty())
     }
 
+    /// Whether nothing is left: every sequence was looked at, and everybody from anywhere.
+    #[must_use]
+    pub fn is_enough(&self) -> bool {
+        self.is_complete() && self.everywhere.as_ref().is_some_and(|from_anywhere| from_anywhere.reasons.is_empty())
+    }
+
+    /// Which of two says more.
+    #[must_use]
+    pub fn rank(&self) -> u8 {
+        u8::from(self.is_complete()) + u8::from(self.is_enough())
+    }
+
     /// What was looked at, in words.
     #[must_use]
     pub fn words(&self) -> String {
@@ -197,6 +222,13 @@ impl Checked {
             n if self.around_complete => words.push(format!("all sequences from {n} places around the start")),
             n => words.push(format!("some from each of {n} places around the start")),
         }
+        match &self.everywhere {
+            Some(FromAnywhere { until_s, reasons }) => words.push(match reasons.first() {
+                None => format!("everybody who comes from anywhere, until {until_s:.1} s"),
+                Some(reason) => format!("from anywhere that nobody is hit is not shown: {reason}"),
+            }),
+            None => words.push("nobody who comes from elsewhere".to_owned()),
+        }
         if self.longest_s > 0.0 {
             words.push(format!("some of up to {:.1} s", self.longest_s));
         }
@@ -218,13 +250,19 @@ impl Remedy {
     #[must_use]
     pub fn told(&self) -> Option<String> {
         match &self.outcome {
-            Outcome::Sufficient(_) => Some(format!("{}: no hazard is left", self.change)),
+            Outcome::Sufficient(checked) if checked.is_enough() => Some(format!("{}: no hazard is left", self.change)),
+            Outcome::Sufficient(_) => {
+                Some(format!("{}: no hazard is left from the starts in the cell file", self.change))
+            }
             Outcome::NotMet(_) => Some(format!("{}: no hazard was met; not every sequence was looked at", self.change)),
             Outcome::OthersRemain(_) => Some(format!("{}: this cause is gone, others remain", self.change)),
             _ => None,
         }
     }
 }
+
+/// The title of what is enough.
+const ENOUGH: &str = "Enough: smallest changes after which nothing in the cell is hazardous, from anywhere";
 
 /// A title, and the changes under it with what is said of each.
 fn section(out: &mut String, title: &str, changes: &[(&str, Vec<String>)]) {
@@ -252,15 +290,24 @@ pub fn render(remedies: &[Remedy]) -> String {
         };
         remedies.iter().filter_map(|remedy| Some((remedy.change.as_str(), told(remedy)?))).collect()
     };
-    let sufficient = of(&|outcome| match outcome {
-        Outcome::Sufficient(checked) => Some(vec![format!("Looked at: {}.", checked.words()), checked.one_less()]),
-        _ => None,
-    });
-    let none = sufficient.is_empty();
-    section(&mut out, "Smallest changes after which nothing in the cell is hazardous", &sufficient);
-    if none {
-        out += "\n Smallest changes after which nothing in the cell is hazardous\n   none of those tried\n";
+    let sufficient = |enough: bool| {
+        of(&|outcome| match outcome {
+            Outcome::Sufficient(checked) if checked.is_enough() == enough => {
+                Some(vec![format!("Looked at: {}.", checked.words()), checked.one_less()])
+            }
+            _ => None,
+        })
+    };
+    let enough = sufficient(true);
+    section(&mut out, ENOUGH, &enough);
+    if enough.is_empty() {
+        let _ = writeln!(out, "\n {ENOUGH}\n   none of those tried is shown to be");
     }
+    section(
+        &mut out,
+        "Tried in part: nothing is hazardous from the starts in the cell file, every sequence looked at; from elsewhere that is not shown",
+        &sufficient(false),
+    );
     let not_met = of(&|outcome| match outcome {
         Outcome::NotMet(checked) => {
             let mut lines = vec![format!("Looked at: {}.", checked.words())];
@@ -270,7 +317,7 @@ pub fn render(remedies: &[Remedy]) -> String {
         }
         _ => None,
     });
-    section(&mut out, "No hazard was met after these, but not every sequence was looked at", &not_met);
+    section(&mut out, "Tried in part: no hazard was met after these, and not every sequence was looked at", &not_met);
     let others = of(&|outcome| match outcome {
         Outcome::OthersRemain(others) => {
             let mut lines = vec![format!("Looked at: {}.", others.checked.words()), others.checked.one_less()];

@@ -88,13 +88,13 @@ impl Line {
 /// What was found against a cause.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CauseAdvice {
-    /// The smallest changes that help, the surest first.
+    /// The smallest changes that were not found wanting, the surest first: only what is `enough` helps for sure.
     pub changes: Vec<Change>,
     /// What was tried, and what that is worth.
     pub note: String,
 }
 
-/// A change of the cell that helps against a cause.
+/// A change of the cell with which a cause was not met any more.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Change {
     /// In words.
@@ -103,6 +103,9 @@ pub struct Change {
     pub checked: String,
     /// Whether every sequence of the changed cell was looked at.
     pub complete: bool,
+    /// Whether nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere.
+    #[serde(default)]
+    pub enough: bool,
     /// Whether nothing in the cell is hazardous with it; else only this cause is gone.
     pub removes_all: bool,
     /// What the next smaller change leads to, in words.
@@ -346,16 +349,17 @@ impl Change {
     /// The change, and what is left then.
     #[must_use]
     pub fn words(&self) -> String {
-        let left = match (self.removes_all, self.complete) {
-            (true, true) => "nothing is left, every sequence looked at",
-            (true, false) => "nothing was met any more, not every sequence looked at",
-            (false, true) => "this cause is gone, every sequence looked at; others are left",
-            (false, false) => "this cause was not met any more; others are left",
+        let left = match (self.removes_all, self.complete, self.enough) {
+            (true, true, true) => "nothing is left: every sequence from the start, and everybody from anywhere",
+            (true, true, false) => "nothing is left from the start, every sequence looked at; from elsewhere not shown",
+            (true, false, _) => "nothing was met any more, not every sequence looked at",
+            (false, true, _) => "this cause is gone, every sequence looked at; others are left",
+            (false, false, _) => "this cause was not met any more; others are left",
         };
         format!("{} ({left})", self.change)
     }
 
-    /// A change that helps; nothing if it does not.
+    /// A change with which the cause was not met any more; nothing if it was.
     fn of(remedy: &Remedy) -> Option<Self> {
         let (checked, complete, removes_all) = match &remedy.outcome {
             Outcome::Sufficient(checked) => (checked, true, true),
@@ -363,8 +367,8 @@ impl Change {
             Outcome::OthersRemain(others) => (&others.checked, others.complete, false),
             _ => return None,
         };
-        let change = remedy.change.clone();
-        Some(Self { change, checked: checked.words(), complete, removes_all, less: checked.one_less() })
+        let (change, enough) = (remedy.change.clone(), removes_all && checked.is_enough());
+        Some(Self { change, checked: checked.words(), complete, enough, removes_all, less: checked.one_less() })
     }
 }
 
@@ -373,7 +377,7 @@ impl CauseAdvice {
     #[must_use]
     pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
-        changes.sort_by_key(|change| (!change.removes_all, !change.complete));
+        changes.sort_by_key(|change| (!change.removes_all, !change.enough, !change.complete));
         let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
         let tried = match tried {
             0 => "No change could be tried".to_owned(),
@@ -384,7 +388,7 @@ impl CauseAdvice {
         let note = if remedies.iter().all(|remedy| matches!(remedy.outcome, Outcome::NotTried { .. })) {
             format!("{tried}{stopped}. fmi-hazard explain tells why.")
         } else if changes.is_empty() {
-            format!("{tried}{stopped}: none of them alone is known to be enough. fmi-hazard explain tells of each.")
+            format!("{tried}{stopped}: none of them alone keeps it from being met. fmi-hazard explain tells of each.")
         } else {
             format!("{tried}{stopped}. {NO_PROOF}")
         };

@@ -145,9 +145,16 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
     let done = done[..1].to_uppercase() + &done[1..];
     *out += &wrapped_to(view.width, &format!("   {done}: "), &hit.join("; "));
     let Some(advice) = &cause.advice else { return };
-    let helps: Vec<String> = advice.changes.iter().take(CHANGES).map(Change::words).collect();
-    let helps = if helps.is_empty() { "no single change that was tried".to_owned() } else { helps.join("; or ") };
-    *out += &wrapped_to(view.width, "   What helps: ", &helps);
+    let (enough, part): (Vec<&Change>, Vec<&Change>) = advice.changes.iter().partition(|change| change.enough);
+    let words = |changes: &[&Change]| changes.iter().take(CHANGES).map(|change| change.words()).collect::<Vec<_>>();
+    if advice.changes.is_empty() {
+        *out += &wrapped_to(view.width, "   What helps: ", "no single change that was tried");
+    }
+    for (title, changes) in [("   What helps: ", enough), ("   Tried in part: ", part)] {
+        if !changes.is_empty() {
+            *out += &wrapped_to(view.width, title, &words(&changes).join("; or "));
+        }
+    }
 }
 
 /// The force with the other speed, where the two are far apart.

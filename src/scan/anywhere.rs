@@ -458,7 +458,14 @@ impl<'a> Looking<'a> {
 
     /// Something that an answer needs is not known.
     fn open(&mut self, need: Need, why: impl Into<String>) {
-        self.said.push((need, Point::open(why)));
+        self.say(need, Point::open(why));
+    }
+
+    /// The same is said once, however often it is met.
+    fn say(&mut self, need: Need, point: Point) {
+        if !self.said.contains(&(need, point.clone())) {
+            self.said.push((need, point));
+        }
     }
 
     /// The verdict, and why.

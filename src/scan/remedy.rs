@@ -15,11 +15,15 @@
 //! Trying a change, and all complete searches together, have budgets of work that do not depend on the machine, so what is said
 //! to be looked at does not either.
 //!
-//! A change that all this finds nothing against is offered as enough; where a budget ended a search, that is said, and how
-//! far it came.
+//! 5. **From anywhere** (`everywhere`), where that is asked for: whoever is hit is one more known sequence, and the search for the
+//!    smallest change goes on.
+//!
+//! A change is called enough only where all of the last two found nothing and nothing is open. Of the others is said how far they
+//! were looked at: where a budget ended a search, how far that came.
 
 mod aim;
 mod behaviour;
+mod everywhere;
 mod looking;
 mod standpoint;
 mod trial;
@@ -30,6 +34,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::aim::{Aim, Whose};
 use self::behaviour::{Answers, Behaviour, Names, Objection, probes};
+pub use self::everywhere::Everywhere;
 use self::looking::Known;
 pub use self::looking::Purse;
 use self::standpoint::{Standpoint, begin_at, with_each_start};
@@ -59,6 +64,8 @@ pub struct Effort {
     pub bytes: usize,
     /// Threads; the result is the same.
     pub workers: usize,
+    /// How changes are looked at from anywhere, if they are.
+    pub everywhere: Option<Everywhere>,
 }
 
 impl Effort {
@@ -66,7 +73,15 @@ impl Effort {
     #[must_use]
     pub fn usual() -> Self {
         let workers = std::thread::available_parallelism().map_or(1, Into::into);
-        Self { iterations: 20, quick: 560_000, states: STATES as usize, work: WORK, bytes: 2_000_000_000, workers }
+        Self {
+            iterations: 20,
+            quick: 560_000,
+            states: STATES as usize,
+            work: WORK,
+            bytes: 2_000_000_000,
+            workers,
+            everywhere: None,
+        }
     }
 }
 
@@ -142,6 +157,8 @@ struct Bench<'a> {
     effort: Effort,
     own: Standpoint,
     beginnings: Vec<Standpoint>,
+    /// What is seen of the person at each of them.
+    at_beginnings: Vec<Behaviour>,
     around: Vec<Standpoint>,
     known: Vec<Known>,
     /// The sequences of all hazards of the scan.
@@ -214,6 +231,7 @@ impl<'a> Bench<'a> {
             robot,
             effort,
             own: standpoint,
+            at_beginnings: Vec::new(),
             beginnings,
             around: Vec::new(),
             all,
@@ -228,6 +246,11 @@ impl<'a> Bench<'a> {
             before,
             answers,
         };
+        for number in 0..bench.beginnings.len() {
+            let there = bench.beginnings[number].of(prepared, &bench.text).map_err(PlantError::of)?;
+            let at = Behaviour::observe(&mut there.simulation(StateChoice::Auto, false)?, rest)?;
+            bench.at_beginnings.push(at);
+        }
         for place in around {
             if bench.is_like_the_start(&place)? {
                 bench.around.push(place);

@@ -196,7 +196,8 @@ impl Place {
             let mut speeds = cell.links.iter().zip(&instant.frame.speed_bounds);
             speeds.any(|(link, speed)| is_its(link.robot) && *speed > STANDSTILL_M_S)
         };
-        if !hazard.worked.is_empty() || rest.iter().any(moves) {
+        // What is told before the first step is no motion.
+        if !hazard.worked.is_empty() || rest.iter().skip(1).any(moves) {
             return None;
         }
         let robot = link.map_or_else(|| "the robot".to_owned(), |link| cell.robots[link.robot].name.clone());

@@ -51,8 +51,15 @@ actions = 4
 }
 
 /// More than the cells here need.
-const EFFORT: Effort =
-    Effort { iterations: 2, quick: 10_000_000, work: 300_000_000, states: 1_000_000, bytes: 2_000_000_000, workers: 2 };
+const EFFORT: Effort = Effort {
+    iterations: 2,
+    quick: 10_000_000,
+    work: 300_000_000,
+    states: 1_000_000,
+    bytes: 2_000_000_000,
+    workers: 2,
+    everywhere: None,
+};
 
 /// What is advised against the causes of a cell.
 struct Advised {

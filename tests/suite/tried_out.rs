@@ -1,12 +1,18 @@
 //! What can only be tried out of an FMU, from anywhere: it is tried at many moments and stays open until the cell file accepts it; what a
 //! trial shows to be otherwise is told. By FMUs of both versions, flawed and repaired.
 
+use std::ops::ControlFlow;
+
 use crate::common::anywhere::{cell, look, two_bars};
 use crate::common::guarded::guarded;
-use crate::common::test_fmus;
+use crate::common::{test_fmus, write};
 use crate::sample;
 use fmi_hazard::obligations::{Need, Standing};
 use fmi_hazard::report::anywhere::Anywhere;
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::sim::anywhere::ledger::Ledger;
 
 /// The folder of the bar's FMU, and of that of FMI 3 by the same name: one of them, or both where all cases are looked at.
 fn both() -> impl Iterator<Item = tempfile::TempDir> {
@@ -109,5 +115,25 @@ fn a_mat_that_is_heeded_late_is_heeded() {
             assert_eq!(ignores, ["a does not heed mat b", "b does not heed mat a"], "{hold_s}");
             assert!(told[0].contains("by itself at 20 moments"), "{told:?}");
         }
+    }
+}
+
+/// What was tried is the same with saved states and by running the FMU there again each time.
+#[test]
+fn the_same_is_tried_however_states_are_brought_back() {
+    let dir = guarded();
+    let floor = "floor_m = [[-4.6, -0.1], [4.6, -0.1], [4.6, 0.1], [-4.6, 0.1]]\nstart = { xy_m = [0, 0]";
+    let bars = strip(&two_bars(["a", "b"])).replace("start = { xy_m = [0, -3]", floor);
+    for (text, until_s) in [(bars, 0.2), (with_field(""), 0.12)] {
+        let path = write(dir.path(), "cell.toml", &text);
+        let [saved, replayed] = [StateChoice::Auto, StateChoice::Replay].map(|state| {
+            let (prepared, ledger) = (prepare(&path, None).unwrap(), Ledger::default());
+            let until = Until::Seconds(until_s);
+            let effort = Effort { until, workers: 2, most_states: 100_000, presses: 1, state, ledger: &ledger };
+            let found = anywhere(&prepared, effort, &mut |_| ControlFlow::Continue(())).unwrap().found;
+            (found.obligations.reasons(), found.spent.fmu_steps)
+        });
+        assert_eq!(saved, replayed);
+        assert!(saved.0.len() > 1, "{saved:?}");
     }
 }

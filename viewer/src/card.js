@@ -30,11 +30,12 @@ export function figures(data, cause) {
   ].filter(([, text]) => text);
 }
 
-function change({ change: what, checked, complete, removes_all: all, less }) {
+function change({ change: what, checked, complete, enough, removes_all: all, less }) {
   const effect = [
     ["With it this cause was not met any more; other causes are left.", "It removes this cause; other causes are left."],
-    ["With it no hazard was met any more.", "With it nothing in this cell is hazardous any more."],
-  ][Number(all)][Number(complete)];
+    ["Tried in part: with it no hazard was met any more.", "Tried in part: with it nothing is hazardous from the starts in the cell file; from elsewhere that is not shown."],
+    ["", "Enough: with it nothing in this cell is hazardous any more, from anywhere."],
+  ][Number(all) + Number(all && complete && enough === true)][Number(complete)];
   return h(
     "li",
     { "data-test": "change", class: all ? "all" : null },
@@ -56,7 +57,7 @@ export function otherForce(data, cause) {
 export function remedy({ id, advice }) {
   const title = h("h4", {}, "What to change");
   if (!advice) {
-    return h("div", { class: "remedy" }, title, h("p", { "data-test": "no-advice" }, "The smallest changes that help are found by:"), command(`fmi-hazard explain . ${id}`));
+    return h("div", { class: "remedy" }, title, h("p", { "data-test": "no-advice" }, "Changes are tried out by:"), command(`fmi-hazard explain . ${id}`));
   }
   const { changes, note } = advice;
   const more = changes.slice(IN_FULL);
@@ -66,8 +67,8 @@ export function remedy({ id, advice }) {
     title,
     changes.length > 0
       ? h("ol", { class: "changes" }, changes.slice(0, IN_FULL).map(change))
-      : h("p", { "data-test": "no-change" }, "No single change that was tried removes this cause."),
-    more.length > 0 ? h("details", {}, h("summary", {}, `${words.count(more.length, "other change")} would do, too`), h("ol", { class: "changes", start: IN_FULL + 1 }, more.map(change))) : null,
+      : h("p", { "data-test": "no-change" }, "No single change that was tried keeps this cause from being met."),
+    more.length > 0 ? h("details", {}, h("summary", {}, `${words.count(more.length, "other change")}`), h("ol", { class: "changes", start: IN_FULL + 1 }, more.map(change))) : null,
     note ? h("p", { class: "note" }, note) : null,
   );
 }

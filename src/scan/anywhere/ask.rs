@@ -102,7 +102,7 @@ impl<'a> Looking<'a> {
 
     /// Ready to ask the FMU what its sensors report of people.
     fn asking<'b>(&self, there: &'b Prepared, footing: Footing) -> Result<Asking<'b, Hosted>, PlantError> {
-        let saves = matches!(footing.policy(there), Policy::States { .. });
+        let saves = matches!(footing.policy(there), Policy::States { max_checkpoints } if max_checkpoints > 0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some steps")]
         let steps = (LONGEST_TOLD_S / there.cell.step_s).ceil().max(1.0) as usize;
         Asking::new(footing.plant(there), &there.cell, &there.binding, steps, saves)

@@ -28,6 +28,8 @@ pub(super) struct Fields {
     pub doors: bool,
     /// Whether the FMU is told where people are.
     pub pose: bool,
+    /// Whether there are sensors inside the FMU.
+    pub reported: bool,
     /// What the person does besides walking, bending and reaching.
     pub also: Vec<&'static str>,
     /// Whether the speed of approach decides.
@@ -96,6 +98,7 @@ impl Fields {
             worked: controls.iter().filter(|one| control(one)).count() > 0,
             doors: !cell.doors().is_none(),
             pose: !pose.is_empty(),
+            reported: sensors.iter().any(|sensor| matches!(sensor.zone, Zone::Reported)),
             also: repertoire.abilities().iter().map(|ability| ability.words()).collect(),
             by_approach: approaches(search),
             by_others: others(cell, criteria, clamping, separation.as_ref()),

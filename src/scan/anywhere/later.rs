@@ -7,12 +7,9 @@ use crate::host::{Hosted, PlantError};
 use crate::obligations::{Assumption, Need};
 use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople};
 
-/// At so many moments they are asked again, and of so many people, where the FMU comes back to a moment by itself.
+/// At so many moments they are asked again, besides the start, and of so many people.
 const MOMENTS: usize = 12;
 const PEOPLE: usize = 240;
-/// And where it has to be run there again each time.
-const MOMENTS_RUN: usize = 3;
-const PEOPLE_RUN: usize = 60;
 
 /// What a sensor does otherwise than at the start, and what it does there.
 const SEES: (&str, &str) = ("reports", "; at the start it does not");
@@ -29,13 +26,12 @@ impl Looking<'_> {
         nobody: Stance,
         tell: &mut Tell<'_>,
     ) -> Result<bool, PlantError> {
-        let (moments, most) = if asking.saves() { (MOMENTS, PEOPLE) } else { (MOMENTS_RUN, PEOPLE_RUN) };
-        let people = told.some(most);
+        let people = told.some(PEOPLE);
         let sensors: Vec<usize> = self.inside().collect();
         let mut differs = vec![false; self.prepared.cell.sensors.len()];
         let mut last_s = 0.0;
-        for moment in 0..=moments {
-            let steps = moment * self.steps().saturating_sub(asking.steps()) / moments;
+        for moment in 0..=MOMENTS {
+            let steps = moment * self.steps().saturating_sub(asking.steps()) / MOMENTS;
             asking.after(steps, nobody)?;
             #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
             let at_s = steps as f64 * self.prepared.cell.step_s;
@@ -62,7 +58,7 @@ impl Looking<'_> {
         }
         for sensor in sensors.into_iter().filter(|sensor| !differs[*sensor]) {
             let tried = format!(
-                "asked again at {moments} moments until {last_s:.2} s of {} people, it reported of each what it does at the start",
+                "asked again at {MOMENTS} moments until {last_s:.2} s of {} people, it reported of each what it does at the start",
                 people.len()
             );
             let sensor = self.prepared.cell.sensors[sensor].name.clone();

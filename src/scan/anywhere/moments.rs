@@ -4,12 +4,12 @@
 use crate::cell::{Binding, Workcell};
 use crate::host::{Plant, PlantError};
 use crate::human::Presses;
+use crate::search::Rng;
 use crate::sim::anywhere::told::{Stance, seen};
 use crate::sim::sensors::{DelayLine, input_row};
 
-/// Most moments, where the FMU comes back to them by itself, and where it has to be run there again each time.
-const MOST_SAVED: usize = 24;
-const MOST_RUN: usize = 6;
+/// Most moments. However states are brought back, they are the same.
+pub(super) const MOST: usize = 24;
 
 /// What is reported, the person of whom it is, and which controls are worked, in one step.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub(super) struct Moments<'a, P: Plant> {
 }
 
 impl<'a, P: Plant> Moments<'a, P> {
-    /// Moments of so many steps, evenly; `saves` if the FMU's states are to be saved there.
+    /// Moments of so many steps: the start, and one in each part of the rest; `saves` if the FMU's states are to be saved there.
     ///
     /// # Errors
     /// When the FMU fails.
@@ -47,17 +47,19 @@ impl<'a, P: Plant> Moments<'a, P> {
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
         nobody: Told,
-        steps: usize,
-        saves: bool,
+        (steps, saves): (usize, bool),
+        rng: &mut Rng,
     ) -> Result<Self, PlantError> {
         let undisturbed = Vec::new();
         let mut moments =
             Self { plant, cell, binding, nobody, all: Vec::new(), steps, undisturbed, taken: steps as u64 };
-        let count = if saves { MOST_SAVED } else { MOST_RUN }.min(steps).max(1);
+        let count = MOST.min(steps).max(1);
         moments.plant.restart()?;
         let mut at = 0;
         for number in 0..count {
-            let to = number * steps / count;
+            // Every other one is anywhere in its part, lest they all meet the same moment of a cycle.
+            let off = if number.is_multiple_of(2) { 0 } else { rng.below((steps / count).max(1)) };
+            let to = number * steps / count + off;
             moments.wait(at, to)?;
             let saved = if saves { Some(moments.plant.save()?) } else { None };
             moments.all.push((to, saved));
@@ -100,21 +102,33 @@ impl<'a, P: Plant> Moments<'a, P> {
     pub fn run(&mut self, moment: usize, told: &[Told]) -> Result<Vec<f64>, PlantError> {
         let told = &told[..told.len().min(self.steps - self.at(moment).min(self.steps))];
         let inputs = self.inputs(told);
-        match self.all.get(moment) {
-            Some((_, Some(saved))) if self.plant.holds(saved) => self.plant.restore(saved)?,
-            Some((at, _)) => {
-                let at = *at;
-                self.plant.restart()?;
-                if at > 0 {
-                    let waiting = self.inputs(&vec![self.nobody.clone(); at]);
-                    self.plant.advance(at, &waiting)?;
-                    self.taken += at as u64;
-                }
-            }
-            None => return Ok(Vec::new()),
-        }
         self.taken += told.len() as u64;
-        self.plant.advance(told.len(), &inputs)
+        match self.go(moment, true).and_then(|()| self.plant.advance(told.len(), &inputs)) {
+            // The process that held the states is gone, and all of them with it.
+            Err(error) if error.lost => {
+                self.all.iter_mut().for_each(|(_, saved)| *saved = None);
+                self.go(moment, false)?;
+                self.plant.advance(told.len(), &inputs)
+            }
+            outcome => outcome,
+        }
+    }
+
+    /// Brings the FMU to a moment. Steps that are taken again on the way there do not count: with saved states there are none.
+    fn go(&mut self, moment: usize, restores: bool) -> Result<(), PlantError> {
+        let Some((at, saved)) = self.all.get(moment) else { return Ok(()) };
+        if let Some(saved) = saved.as_ref().filter(|saved| restores && self.plant.holds(saved)) {
+            return self.plant.restore(saved);
+        }
+        let waiting = self.inputs(&vec![self.nobody.clone(); *at]);
+        let at = *at;
+        self.plant.restart()?;
+        // What was saved before belongs to the run that this ended.
+        self.all.iter_mut().for_each(|(_, saved)| *saved = None);
+        if at > 0 {
+            self.plant.advance(at, &waiting)?;
+        }
+        Ok(())
     }
 
     /// Sensors have reported for long what they report of nobody.

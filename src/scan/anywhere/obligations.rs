@@ -154,7 +154,7 @@ impl<'a> FromAnywhere<'a> {
 
 impl Engine for FromAnywhere<'_> {
     fn reply(&self, need: Need) -> Reply {
-        let &Fields { worked, two_hand, doors, pose, by_approach, by_others, .. } = &self.looking.fields;
+        let &Fields { worked, two_hand, doors, pose, reported, by_approach, by_others, .. } = &self.looking.fields;
         match need {
             Need::Searched => self.searched(),
             Need::Finished => {
@@ -204,7 +204,7 @@ impl Engine for FromAnywhere<'_> {
                 points if points.is_empty() => Reply::NotAsked("all robots are looked at with all sensors"),
                 points => Reply::Points(points),
             },
-            Need::ReportsLater => self.of_the_fmu(pose, need),
+            Need::ReportsLater => self.of_the_fmu(pose && reported, need),
             Need::ReportsWhileWorked => Self::if_asked(
                 worked && pose && self.looking.found.presses != Some(0),
                 "no control is worked, or no sensor is inside the FMU",

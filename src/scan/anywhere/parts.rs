@@ -1,7 +1,7 @@
 //! Robots that heed different sensors are looked at one after the other, each with the sensors that it heeds: how they are told apart.
 
 use super::heeded::Heeded;
-use super::moments::{Moments, Told};
+use super::moments::{MOST, Moments, Told};
 use super::trials::{Kind, Trial};
 use super::{Looking, SEED};
 use crate::cell::Workcell;
@@ -18,7 +18,7 @@ impl Looking<'_> {
     pub(super) fn tried(&mut self, need: Need, assumption: &Assumption, tried: &str) {
         let (cell, fmu) = (&self.prepared.cell, self.prepared.subject.fmu_digest());
         let point = Point::tried(assumption, tried, &cell.accepted, &fmu);
-        self.said.push((need, point));
+        self.say(need, point);
     }
 
     /// Robots that are looked at together, with the sensors that they heed; nothing if that cannot be known.
@@ -36,15 +36,26 @@ impl Looking<'_> {
         }
         let Some(nobody) = kinds.first() else { return Ok(Some(vec![all])) };
         let nobody = Told { readings: nobody.readings.clone(), person: nobody.person(), pressed: Presses::NONE };
-        let saves = matches!(footing.policy(there), Policy::States { .. });
-        let moments = Moments::new(footing.plant(there), (cell, &there.binding), nobody, self.steps(), saves)?;
+        let saves = matches!(footing.policy(there), Policy::States { max_checkpoints } if max_checkpoints >= MOST);
+        let mut rng = Rng::new(SEED);
+        let parts = (cell.as_ref(), there.binding.as_ref());
+        let moments = match Moments::new(footing.plant(there), parts, nobody, (self.steps(), saves), &mut rng) {
+            Ok(moments) => moments,
+            Err(error) if error.stopped => return Err(error),
+            // What failed is told by the search.
+            Err(_) if cell.pose.is_empty() => return Ok(Some(vec![all])),
+            Err(error) => {
+                self.open(Need::PeopleAlike, format!("that could not be tried out: {error}"));
+                return Ok(None);
+            }
+        };
         let mut trial = Trial {
             moments,
             cell,
             binding: &there.binding,
             kinds,
             steps: self.steps(),
-            rng: Rng::new(SEED),
+            rng,
             presses: self.found.presses.is_some_and(|presses| presses > 0),
             runs: 0,
         };

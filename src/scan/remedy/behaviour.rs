@@ -124,12 +124,17 @@ impl Behaviour {
         })
     }
 
+    /// A sensor that reports whoever stands there after a change, and did not before.
+    pub fn reported_anew(&self, after: &Self) -> Option<usize> {
+        let newly = |(now, before): (&bool, &bool)| *now && !before;
+        after.at_start.iter().zip(&self.at_start).position(newly)
+    }
+
     /// What a change from this to `after` says against it.
     pub fn objection(&self, after: &Self, is_time: bool, names: Names<'_>) -> Option<Objection> {
         let Names { sensors, robots, links, obstacles } = names;
         let other = |text: String| Some(Objection::Other(text));
-        let newly = |(now, before): (&bool, &bool)| *now && !before;
-        if let Some(sensor) = after.at_start.iter().zip(&self.at_start).position(newly) {
+        if let Some(sensor) = self.reported_anew(after) {
             return other(format!("{} then reports the person at the start already", sensors[sensor]));
         }
         for (robot, (before, now)) in self.speeds.iter().zip(&after.speeds).enumerate() {

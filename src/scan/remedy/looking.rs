@@ -3,9 +3,12 @@
 use std::ops::ControlFlow;
 
 use super::aim::member_of;
+use super::everywhere::Everywhere;
 use super::standpoint::Standpoint;
 use super::{Bench, Effort, Goal, Why};
 use crate::cell::knob::Knob;
+use crate::geometry::Vec3;
+use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
 use crate::hazard::{Class, Finding, Groups, Identity};
 use crate::host::Hosted;
 use crate::human::{Action, Posture, Walk};
@@ -97,11 +100,41 @@ impl<'a> Changed<'a> {
         let after = Behaviour::observe(&mut simulation, bench.rest).map_err(|e| not_tried(e.message))?;
         match bench.before.objection(&after, knob.is_time(), bench.names()) {
             None => {
+                if let Some(obstacle) = beyond(bench.prepared, &own, bench.robot) {
+                    return Err(Why::NoAdvice(format!("{} then stands beyond {obstacle}", bench.robots[bench.robot])));
+                }
                 let moves = knob.farther_m(steps) > 0.0 || knob.speed_left(steps).is_some();
                 Ok(Self { bench, table, own, moves })
             }
             Some(objection) => Err(objection.into()),
         }
+    }
+
+    /// Why it would help for nothing but where people begin: a sensor reports them already at another beginning of the cell, or a few
+    /// centimetres beside the start; and what it cost to see that.
+    pub fn reported_anew(&self) -> (Option<Why>, u64) {
+        let bench = self.bench;
+        let beginnings =
+            bench.beginnings.iter().zip(&bench.at_beginnings).map(|(at, before)| (at, before, "at another start"));
+        let around = bench.around.iter().map(|at| (at, &bench.before, "a few centimetres beside the start"));
+        let mut cost = 0;
+        for (standpoint, before, place) in beginnings.chain(around) {
+            let Some(there) = self.from(standpoint) else { continue };
+            let after = self.simulation(&there, false).and_then(|mut simulation| {
+                let after = Behaviour::observe(&mut simulation, bench.rest);
+                cost += simulation.cost();
+                after.map_err(|error| Why::NotTried(error.message))
+            });
+            match after.map(|after| before.reported_anew(&after)) {
+                Ok(None) => {}
+                Ok(Some(sensor)) => {
+                    let why = format!("{} then reports the person {place} already", bench.sensors[sensor]);
+                    return (Some(Why::NoAdvice(why)), cost);
+                }
+                Err(why) => return (Some(why), cost),
+            }
+        }
+        (None, cost)
     }
 
     /// Whether a safeguard is smaller or slower in it, and what it cost to see that.
@@ -120,6 +153,11 @@ impl<'a> Changed<'a> {
     /// Whether the person has room there.
     pub fn has_room(&self, standpoint: &Standpoint) -> bool {
         self.from(standpoint).is_some()
+    }
+
+    /// The cell from its own start.
+    pub fn own(&self) -> &Prepared {
+        &self.own
     }
 
     /// The cell file as text.
@@ -303,9 +341,8 @@ impl<'a> Changed<'a> {
         }
         let failed =
             || report.faults.first().map_or_else(|| "the FMU failed".to_owned(), |fault| fault.message.clone());
-        let nothing = || "a robot never moved in it, or nobody was ever near one".to_owned();
-        let has_reasons = report.certificate.as_ref().is_some_and(|certificate| !certificate.reasons.is_empty());
-        let says_nothing = (report.verdict == Verdict::Inconclusive && !has_reasons).then(nothing);
+        // What is open with hazards that are no reason against the change is not about these.
+        let open = if report.verdict == Verdict::HazardsFound { Vec::new() } else { report.obligations.reasons() };
         match report.certificate {
             None => Err(Why::NotTried(failed())),
             Some(certificate) => Ok(Ok(Complete {
@@ -313,10 +350,25 @@ impl<'a> Changed<'a> {
                 sequences: certificate.sequences,
                 actions: certificate.horizon,
                 looked_at: certificate.complete_for_actions,
-                reasons: certificate.reasons.into_iter().chain(says_nothing).collect(),
+                reasons: if open.is_empty() { certificate.reasons } else { open },
             })),
         }
     }
+}
+
+/// What a robot was moved across on the floor plan, if anything.
+fn beyond(before: &Prepared, after: &Prepared, robot: usize) -> Option<String> {
+    let base = |prepared: &Prepared| prepared.cell.robots[robot].world_from_base.translation;
+    let (from, to) = (base(before), base(after));
+    if (to - from).length() <= 0.0 {
+        return None;
+    }
+    let crossed = |obstacle: &&crate::cell::workcell::Obstacle| {
+        let at = |place: Vec3| Vec3::new(place.x, place.y, obstacle.cuboid.centre.z);
+        point_cuboid(at(from), &obstacle.cuboid).distance > 0.0
+            && segment_cuboid(at(from), at(to), &obstacle.cuboid).distance <= 0.0
+    };
+    before.cell.obstacles.iter().find(crossed).map(|obstacle| obstacle.name.clone())
 }
 
 /// One go at a change without complete searches.
@@ -358,13 +410,22 @@ pub struct Purse {
     work: u64,
     /// Searches that their budgets ended.
     unended: u32,
+    /// How changes are looked at from anywhere, and how often that may still be.
+    everywhere: Option<Everywhere>,
 }
 
 impl Purse {
     /// All of it.
     #[must_use]
     pub fn new(effort: &Effort) -> Self {
-        Self { states: effort.states, work: effort.work, unended: 0 }
+        Self { states: effort.states, work: effort.work, unended: 0, everywhere: effort.everywhere }
+    }
+
+    /// How a change is looked at from anywhere, once; nothing if that is not to be.
+    pub(super) fn everywhere(&mut self) -> Option<Everywhere> {
+        let how = self.everywhere.as_mut().filter(|how| how.searches > 0)?;
+        how.searches -= 1;
+        Some(*how)
     }
 
     /// Whether there is nothing left.

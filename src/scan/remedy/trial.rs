@@ -48,6 +48,8 @@ pub(super) struct Trial<'a> {
     met: bool,
     /// Why some number of steps could not be tried.
     untried: Option<String>,
+    /// Why some number of steps is no advice, though nothing was met.
+    unadvised: Option<String>,
     /// A hazard was met beyond the time that the cell file looks at.
     later: bool,
     /// What may still be spent, but on complete searches.
@@ -85,6 +87,7 @@ impl<'a> Trial<'a> {
             below: OneLess::AsItIs,
             met: false,
             untried: None,
+            unadvised: None,
             later: false,
             left: bench.effort.quick,
         }
@@ -115,6 +118,9 @@ impl<'a> Trial<'a> {
     fn no_help(&mut self) -> Remedy {
         if self.left == 0 {
             return self.remedy(self.most, Outcome::NotTried { cause: SPENT.to_owned() });
+        }
+        if let Some(cause) = self.unadvised.clone() {
+            return self.remedy(self.most, Outcome::NoAdvice { cause });
         }
         if let Some(cause) = self.untried.clone().filter(|_| !self.met) {
             return self.remedy(self.most, Outcome::NotTried { cause });
@@ -254,9 +260,7 @@ impl<'a> Trial<'a> {
             match self.judge(candidate, &mut completely) {
                 Judged::Held(kept) => {
                     // What every sequence was looked at with is worth more than a little less with which some were.
-                    if let Some((checked, left)) =
-                        held.take_if(|(checked, _)| checked.is_complete() && !kept.0.is_complete())
-                    {
+                    if let Some((checked, left)) = held.take_if(|(checked, _)| checked.rank() > kept.0.rank()) {
                         self.below = OneLess::NotTried { cause: SPENT.to_owned() };
                         return Some((high, checked, left));
                     }
@@ -271,7 +275,10 @@ impl<'a> Trial<'a> {
                     }
                     misses += 1;
                 }
-                Judged::Impossible(why) => self.cannot(candidate, &why),
+                Judged::Impossible(why) => {
+                    misses += 1;
+                    self.cannot(candidate, &why);
+                }
             }
         }
     }
@@ -279,6 +286,9 @@ impl<'a> Trial<'a> {
     /// So many steps cannot be tried.
     fn cannot(&mut self, steps: u32, why: &Why) {
         let cause = why.cause().to_owned();
+        if let Why::NoAdvice(_) = why {
+            self.unadvised = Some(cause.clone());
+        }
         self.untried = Some(cause.clone());
         (self.low, self.below) = (steps, OneLess::NotTried { cause });
     }
@@ -373,6 +383,9 @@ impl<'a> Trial<'a> {
             Err(witness) => return Ok(Err(witness)),
         };
         self.allowed(steps)?;
+        let (why, cost) = self.changed(steps)?.reported_anew();
+        self.left = self.left.saturating_sub(cost);
+        why.map_or(Ok(()), Err)?;
         let worst = pass.others.ranked().first().map(|group| Witness::new(&group.worst, self.bench.own));
         let held = (checked, Left { at_least: pass.others.len(), worst });
         self.held.insert(steps, held.clone());
@@ -413,6 +426,12 @@ impl<'a> Trial<'a> {
                     Ok(complete) => checked.around_complete &= complete.reasons.is_empty(),
                     Err(witness) => return Ok(Err(witness)),
                 }
+            }
+        }
+        if goal == Goal::Lasting && checked.is_complete() {
+            match changed.everywhere(purse, workers) {
+                Ok(everywhere) => checked.everywhere = everywhere,
+                Err(witness) => return Ok(Err(*witness)),
             }
         }
         Ok(Ok((checked, left)))

@@ -89,13 +89,12 @@ impl<'a, P: Plant> Asking<'a, P> {
         Ok(())
     }
 
-    /// From the start to where people come.
+    /// From the start to where people come. Steps that are taken again for that do not count: with saved states there are none.
     fn begin(&mut self) -> Result<(), PlantError> {
         self.plant.restart()?;
         let steps = self.before.len() / self.plant.input_count().max(1);
         if steps > 0 {
             self.plant.advance(steps, &self.before)?;
-            self.taken += steps as u64;
         }
         Ok(())
     }
@@ -107,7 +106,7 @@ impl<'a, P: Plant> Asking<'a, P> {
         inputs
     }
 
-    /// Steps that the FMU took for all that.
+    /// Steps in which the FMU was asked.
     #[must_use]
     pub const fn taken(&self) -> u64 {
         self.taken
@@ -120,8 +119,8 @@ impl<'a, P: Plant> Asking<'a, P> {
     pub fn reports(&mut self, at: Stance) -> Result<Vec<Vec<bool>>, PlantError> {
         self.asked += 1;
         match &self.root {
-            Some(root) => self.plant.restore(root)?,
-            None => self.begin()?,
+            Some(root) if self.plant.holds(root) => self.plant.restore(root)?,
+            _ => self.begin()?,
         }
         self.taken += self.steps as u64;
         let rows = self.plant.advance(self.steps, &self.told(at).repeat(self.steps))?;
@@ -161,12 +160,6 @@ impl<'a, P: Plant> Asking<'a, P> {
         }
         self.steps = longest;
         Ok(true)
-    }
-
-    /// Whether the FMU comes back to where people come by itself.
-    #[must_use]
-    pub const fn saves(&self) -> bool {
-        self.root.is_some()
     }
 
     /// For how many steps people stay.

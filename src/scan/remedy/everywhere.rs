@@ -1,0 +1,83 @@
+//! A changed cell from anywhere: only what nobody is hit in from anywhere is enough. Whoever is hit becomes one more sequence that changes
+//! are tried with.
+
+use std::ops::ControlFlow;
+
+use super::looking::{Changed, Known, Purse, Witness};
+use super::standpoint::Standpoint;
+use crate::report::advice::FromAnywhere;
+use crate::report::anywhere::Place;
+use crate::report::model::Begin;
+use crate::scan::anywhere::{self, Told, Until, anywhere};
+use crate::scan::hosting::StateChoice;
+use crate::sim::anywhere::ledger::Ledger;
+
+/// How changes are looked at from anywhere.
+#[derive(Clone, Copy, Debug)]
+pub struct Everywhere {
+    /// How long after the start of the FMU.
+    pub until: Until,
+    /// Most presses of controls.
+    pub presses: u32,
+    /// Most states of the FMU.
+    pub states: usize,
+    /// Most such searches, for all changes together.
+    pub searches: u32,
+}
+
+impl Everywhere {
+    /// Most searches against the causes of a scan, and against one that is asked about.
+    pub const OF_A_SCAN: u32 = 4;
+    /// See there.
+    pub const OF_ONE: u32 = 12;
+}
+
+impl Changed<'_> {
+    /// Looks from anywhere, if that is asked for and the purse has a search left; a way to be hit as soon as there is one.
+    pub fn everywhere(&self, purse: &mut Purse, workers: usize) -> Result<Option<FromAnywhere>, Box<Witness>> {
+        let Some(Everywhere { until, presses, states, .. }) = purse.everywhere() else { return Ok(None) };
+        let own = self.own();
+        let not_shown = |reason: String| Ok(Some(FromAnywhere { until_s: 0.0, reasons: vec![reason] }));
+        if let Some(reason) = anywhere::refusal(own) {
+            return not_shown(reason);
+        }
+        let ledger = Ledger::default();
+        let state = StateChoice::Auto;
+        let effort = anywhere::Effort { until, workers, most_states: states, presses, state, ledger: &ledger };
+        let stop = own.stop();
+        let mut tell = |told| match told {
+            Told::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),
+            _ if stop.ends_search() => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        };
+        let looked = anywhere(own, effort, &mut tell);
+        stop.searching();
+        let found = match looked {
+            Ok(looked) => looked.found,
+            Err(error) => return not_shown(format!("the FMU failed: {}", error.cause.message)),
+        };
+        if let Some(witness) = found.hazards.iter().find_map(|place| self.witness(place)) {
+            return Err(Box::new(witness));
+        }
+        let reasons = if found.verdict.is_clean() { Vec::new() } else { found.reasons };
+        Ok(Some(FromAnywhere { until_s: found.until_s, reasons }))
+    }
+
+    /// The walk of a way to be hit that is confirmed.
+    fn witness(&self, place: &Place) -> Option<Witness> {
+        let begin = Begin { xy_m: place.start_m, heading_deg: place.start_heading_deg, begins_s: place.begins_s };
+        let actions = u32::try_from(place.actions.len()).ok()?;
+        let own = self.own();
+        Some(Witness {
+            known: Known {
+                standpoint: Standpoint { elsewhere: Some((begin, actions)), ..Standpoint::own(own) },
+                actions: place.actions.clone(),
+            },
+            class: place.class?,
+            region: place.body_region,
+            link: own.cell.links.iter().position(|link| link.name == place.robot_link)?,
+            ratio: place.ratio,
+            time_s: place.time_s.filter(|_| place.confirmed)?,
+        })
+    }
+}
