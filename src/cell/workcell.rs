@@ -298,6 +298,8 @@ pub struct Sensor {
     pub active: bool,
     /// Response time in whole steps.
     pub delay_steps: usize,
+    /// Whether the host holds the FMU's input once the sensor has told of somebody.
+    pub latched: bool,
 }
 
 /// Something that people work.

@@ -435,17 +435,18 @@ impl<P: Plant> Robots<P> {
     /// The steps of the action into a state that a window, seen from step `i` of it, is about.
     fn told(&self, window: &Window, i: usize) -> Told {
         let narrow = |n: isize| i16::try_from(n).unwrap_or(i16::MAX - 1);
-        let sensor = self.world.curtains[window.curtain].sensor;
-        let now = (i + 1 + self.world.cell.sensors[sensor].delay_steps).cast_signed();
+        let number = self.world.curtains[window.curtain].sensor;
+        let sensor = &self.world.cell.sensors[number];
+        let now = (i + 1 + sensor.delay_steps).cast_signed();
         let until = match window.until {
-            0 => Told::EVER,
-            until => narrow(now - until.cast_signed()),
+            until if until > 0 && !sensor.latched => narrow(now - until.cast_signed()),
+            _ => Told::EVER,
         };
         let first = narrow(now - window.from.cast_signed());
         // What takes effect after this step only is not told yet.
         let none = window.from == window.until || usize::try_from(first).is_ok_and(|first| first > i);
         let first = if none { until } else { first };
-        Told { sensor: u16::try_from(sensor).unwrap_or(u16::MAX), first, until }
+        Told { sensor: u16::try_from(number).unwrap_or(u16::MAX), first, until }
     }
 
     /// The states in which the FMU would be in `node`'s stead had a plane told of an arm in the last 1, 2, ... samples, or,

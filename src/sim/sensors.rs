@@ -12,14 +12,27 @@ use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::human::{PlacedBody, Presses};
 
-/// What is remembered of a sensor's raw readings: those still on their way to the FMU, and how long ago the sensor first
-/// saw the person. Nothing else of the past matters, so equal lines have equal futures.
+/// Whether a sensor's reading is held once it has taken effect.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+enum Latch {
+    /// It is not.
+    #[default]
+    None,
+    /// It will be.
+    Armed,
+    /// It is.
+    Held,
+}
+
+/// What is remembered of a sensor's raw readings: those still on their way to the FMU, how long ago the sensor first
+/// saw the person, and whether its reading is held. Nothing else of the past matters, so equal lines have equal futures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct DelayLine {
     /// Bit `i` is the raw reading `i` steps ago, as many as are on their way.
     recent: u64,
     /// Samples since the person was first seen, that one included; 0 for never.
     seen: u8,
+    latch: Latch,
 }
 
 impl DelayLine {
@@ -29,13 +42,26 @@ impl DelayLine {
     /// A sensor that has been reading `raw` for long.
     #[must_use]
     pub const fn settled(raw: bool, delay_steps: usize) -> Self {
-        if raw { Self { recent: Self::kept(delay_steps), seen: Self::LONGEST } } else { Self { recent: 0, seen: 0 } }
+        let (recent, seen) = if raw { (Self::kept(delay_steps), Self::LONGEST) } else { (0, 0) };
+        Self { recent, seen, latch: Latch::None }
     }
 
     /// The same where the FMU has been `told` for long what is not seen of the body.
     #[must_use]
     pub const fn settled_apart(told: bool, raw: bool, delay_steps: usize) -> Self {
-        Self { recent: Self::settled(told, delay_steps).recent, seen: Self::settled(raw, delay_steps).seen }
+        Self { seen: Self::settled(raw, delay_steps).seen, ..Self::settled(told, delay_steps) }
+    }
+
+    /// The same of a sensor that is `latched`, if it is: one whose reading is held from when it has taken effect, as it has where it
+    /// was `told` for long.
+    #[must_use]
+    pub const fn latching(self, latched: bool, told: bool) -> Self {
+        let latch = match (latched, told) {
+            (false, _) => Latch::None,
+            (true, false) => Latch::Armed,
+            (true, true) => Latch::Held,
+        };
+        Self { latch, ..self }
     }
 
     /// Bits still on their way after a reading has taken effect.
@@ -50,7 +76,16 @@ impl DelayLine {
         if (raw || self.seen > 0) && self.seen < Self::LONGEST {
             self.seen += 1;
         }
-        (line >> delay_steps) & 1 == 1
+        let told = (line >> delay_steps) & 1 == 1;
+        match self.latch {
+            Latch::None => return told,
+            Latch::Armed if told => self.latch = Latch::Held,
+            Latch::Armed => return false,
+            Latch::Held => {}
+        }
+        // What is on its way to an input that is held changes nothing.
+        self.recent = 0;
+        true
     }
 
     /// The same where what is `told` is not what is seen of the body: a hand that works a control is in the plane, or the FMU sees
@@ -166,6 +201,20 @@ mod tests {
         let out: Vec<bool> = [true, true, false, false, false, false].iter().map(|&r| line.push(r, 3)).collect();
         assert_eq!(out, [false, false, false, true, true, false]);
         assert!(DelayLine::settled(true, 63).push(false, 63));
+    }
+
+    #[test]
+    fn what_is_latched_is_held_from_when_it_takes_effect() {
+        let mut line = DelayLine::settled(false, 2).latching(true, false);
+        let raw = [false, true, false, false, false, false];
+        assert_eq!(raw.map(|raw| line.push(raw, 2)), [false, false, false, true, true, true]);
+        // Whoever comes again tells nothing new: the state is the same.
+        let before = line.on_its_way();
+        assert!(line.push(true, 2));
+        assert_eq!(line.on_its_way(), before);
+        // Who is seen at the start is told of for good; and what is not latched is as ever.
+        assert!(DelayLine::settled(true, 0).latching(true, true).push(false, 0));
+        assert!(!DelayLine::settled(true, 0).latching(false, true).push(false, 0));
     }
 
     #[test]

@@ -605,8 +605,8 @@ impl World {
         for window in &hit.windows {
             // What the last sample but `delay` told takes effect in this step.
             let sensor = self.curtains[window.curtain].sensor;
-            let delay = self.cell.sensors[sensor].delay_steps;
-            readings[sensor] |= window.from > delay && window.until <= delay;
+            let Sensor { delay_steps: delay, latched, .. } = self.cell.sensors[sensor];
+            readings[sensor] |= window.from > delay && (window.until <= delay || latched);
         }
         #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
         let seconds = |samples: usize| samples as f64 * self.cell.step_s;

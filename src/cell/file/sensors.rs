@@ -103,8 +103,21 @@ impl Checker<'_> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;
         self.evaluated(s, file)?;
+        let latched = self.latched(s)?;
         let placing = self.placing(s)?;
-        Ok((Sensor { name: s.name.clone(), zone, active, delay_steps }, placing))
+        Ok((Sensor { name: s.name.clone(), zone, active, delay_steps, latched }, placing))
+    }
+
+    /// Whether the input of a sensor is held: of one that the FMU does not evaluate itself, else it knows better.
+    fn latched(&self, s: &SensorTable) -> Result<bool, Box<CellError>> {
+        use SensorKind::{InterlockedDoor, LightCurtain, Mat, ScannerField};
+        let Some(latched) = &s.latched else { return Ok(false) };
+        self.belongs(s, "latched", &latched.span(), &[Mat, ScannerField, LightCurtain, InterlockedDoor])?;
+        self.that(s.evaluated.is_none() || !*latched.get_ref(), latched.span(), || {
+            let message = format!("the FMU evaluates sensor `{}` itself: its input alone cannot be held", s.name);
+            (message, "leave `latched` or `evaluated` out".to_owned())
+        })?;
+        Ok(*latched.get_ref())
     }
 
     /// Whether the FMU can evaluate a sensor as far as it knows the person's pose: where the feet are, and not how they stand.
@@ -189,6 +202,7 @@ impl Checker<'_> {
                 SensorKind::LightCurtain => "a light curtain",
                 SensorKind::ScannerField => "a scanner field",
                 SensorKind::InterlockedDoor => "a door",
+                SensorKind::Mat => "a mat",
                 _ => "another sensor",
             });
             let of: Vec<&str> = of.collect();

@@ -69,6 +69,8 @@ fn sensor(table: &SensorTable) {
         variable: _,
         active: _,
         delay_ms: _,
+        // Held in every history; people are seen as without it.
+        latched: _,
         // Refused.
         counts_while: _,
         evaluated,

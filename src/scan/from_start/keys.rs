@@ -69,6 +69,8 @@ fn sensor(table: &SensorTable) {
         variable: _,
         active: _,
         delay_ms: _,
+        // Held in every sequence.
+        latched: _,
         // Followed in every sequence.
         counts_while: _,
         evaluated,

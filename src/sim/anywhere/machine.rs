@@ -349,8 +349,9 @@ impl<P: Plant> Watch for Machine<'_, P> {
     fn start(&mut self) -> Result<State, PlantError> {
         let first = &self.zones.readings[self.zones.ways[0].to];
         let sensors = self.cell.sensors.iter().zip(first);
-        let settled =
-            |(sensor, raw): (&crate::cell::Sensor, &bool)| DelayLine::settled(*raw, sensor.delay_steps).on_its_way();
+        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| {
+            DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
+        };
         Ok((NodeId::ROOT, sensors.map(settled).collect(), Controls::new(self.presses)))
     }
 

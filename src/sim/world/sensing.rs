@@ -73,7 +73,7 @@ impl World {
     pub fn delays_at_start(&self) -> Vec<DelayLine> {
         let told = self.readings_at_start();
         let settled = |((s, raw), told): ((&Sensor, bool), bool)| {
-            remembered(s, DelayLine::settled_apart(told, raw, s.delay_steps))
+            remembered(s, DelayLine::settled_apart(told, raw, s.delay_steps).latching(s.latched, told))
         };
         self.cell.sensors.iter().zip(self.seen_at_start()).zip(told).map(settled).collect()
     }
@@ -198,7 +198,9 @@ impl World {
         let Some(column) = self.binding.sensors[sensor].input() else { return };
         let active = f64::from(u8::from(self.cell.sensors[sensor].active));
         let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
-        for (row, readings) in rows.zip(&mut sensed.readings).take(steps.end).skip(steps.start) {
+        // What is held stays when the arm is back.
+        let end = if self.cell.sensors[sensor].latched { usize::MAX } else { steps.end };
+        for (row, readings) in rows.zip(&mut sensed.readings).take(end).skip(steps.start) {
             row[column] = active;
             readings[sensor] = true;
         }

@@ -168,6 +168,11 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "f64")]
     pub delay_ms: Option<Spanned<f64>>,
+    /// Mats, scanner fields, light curtains and doors: once the input says that somebody is detected it is held so, and nothing takes
+    /// that back. It stands for a stop of the controller that does not restart by itself.
+    #[serde(default)]
+    #[schemars(with = "bool")]
+    pub latched: Option<Spanned<bool>>,
     /// Light curtain and scanner field: resolution or detection capability, mm; for `distance` alone, which does not know the
     /// safety distance without it.
     #[serde(default)]
