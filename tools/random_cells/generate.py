@@ -112,7 +112,7 @@ actions = {round(until / 0.2)}
 def watched(rng, seed, kind):
     """Cells with a mat or a field around one robot: its size, or how late it stops."""
     fast = rng.random() < 0.3 and kind != "stop too late"
-    bends = rng.random() < 0.5 and not fast
+    bends = rng.random() < 0.5 and not fast and kind != "stop too late"
     robot = Robot(rng, 1, fast)
     what = "scanner_field" if kind == "field too short" or kind == "stop too late" and rng.random() < 0.5 else "mat"
     delay = rng.choice([0, 0, 20, 50])
@@ -155,7 +155,7 @@ def fenced(rng, seed, kind):
     width = rng.uniform(0.55, 0.85)
     at = rng.uniform(-0.5, 0.5) * max(2 * fx - width, 0)
     gap = (max(at - width / 2, -fx), min(at + width / 2, fx))
-    until = rng.choice([0.6, 0.8, 1.0]) if low else rng.choice([0.8, 1.0, 1.2])
+    until = rng.choice([0.6, 0.8]) if low else rng.choice([0.8, 1.0, 1.2])
     start = (sum(gap) / 2 if not low else 0.0, -fy - rng.uniform(0.3, 0.45), 90)
 
     def twin(which):

@@ -46,7 +46,7 @@ def nearest(a, b, c, d):
     return best[0], best[1], np.sqrt(best[2])
 
 
-def to_box(a, b, box):
+def to_box(a, b, box, rounds=34):
     """How far segments a-b (..., 3) are from an upright box: the distance along a segment is convex."""
     middle, half = box
     low, high = np.zeros(a.shape[:-1]), np.ones(a.shape[:-1])
@@ -54,7 +54,7 @@ def to_box(a, b, box):
     def far(t):
         return np.linalg.norm(np.maximum(np.abs(a + t[..., None] * (b - a) - middle) - half, 0), axis=-1)
 
-    for _ in range(34):
+    for _ in range(rounds):
         third = (high - low) / 3
         left = far(low + third) <= far(high - third)
         high, low = np.where(left, high - third, high), np.where(left, low, low + third)
@@ -169,19 +169,17 @@ class People:
         shapes = [(a, b, r) for name, _, a, b, r in PARTS if name in ("head", "neck", "upper chest", "lower chest")]
         middle = (0, 0, SHOULDER[2])
         shapes += [(middle, SHOULDER, 0.0), (middle, SHOULDER * [1, -1, 1], 0.0), ((0, 0, 0), (0, 0, 0.72), 0.0)]
-        share, upright = np.full(len(who), 16), np.eye(3)
+        share, rotations = np.full(len(who), 16), [self.rotation(self.cell.angles, posture, k) for k in range(17)]
+        radius = np.array([r for _, _, r in shapes])[:, None]
+        # Ends of (shape, sixteenth, person); the first sixteenth is upright.
+        ends = [np.array([[self.of_trunk(shape[e], who, turned) for turned in rotations] for shape in shapes]) for e in (0, 1)]
         for wall in self.cell.walls:
-            for a, b, radius in shapes:
-                core = to_box(self.of_trunk(a, who, upright), self.of_trunk(b, who, upright), wall)
-                held = np.where(core - radius < -1e-9, 0.0, radius) if radius else np.zeros(len(who))
-                out = core <= 0
-                for k in range(1, 17):
-                    ask = np.nonzero((share >= k) & ~out)[0]
-                    if len(ask):
-                        rotation = self.rotation(self.cell.angles, posture, k)
-                        far = to_box(self.of_trunk(a, who[ask], rotation), self.of_trunk(b, who[ask], rotation), wall)
-                        into = np.where(held[ask] > 0, far - held[ask] < -1e-9, far <= 0)
-                        share[ask[into]] = k - 1
+            far = to_box(*ends, wall, 24)
+            held = np.where((radius > 0) & (far[:, 0] - radius < -1e-9), 0.0, radius)[:, None]
+            out = (far[:, 0] <= 0)[:, None]
+            into = ~out & np.where(held > 0, far - held < -1e-9, far <= 0)
+            first = into[:, 1:].any(0)
+            share = np.minimum(share, np.where(first.any(0), first.argmax(0), 16))
         return share
 
     def part(self, part, who=slice(None)):

@@ -170,10 +170,11 @@ class Search:
     def walk(self, at, way, angle):
         """Where they are after a step: around corners as far as there is room."""
         move = np.stack([np.cos(angle), np.sin(angle)], -1) * way[:, None] * (1 - 1e-9)
-        for part in (move, move * [1, 0], move * [0, 1]):
-            there = at + part
-            ok = self.cell.free(there)
-            at, move = np.where(ok[:, None], there, at), np.where(ok[:, None], 0, move)
+        stays = np.ones(len(at), bool)
+        for part in ([1, 1], [1, 0], [0, 1]):
+            there = at + move * part
+            ok = stays & self.cell.free(there)
+            at, stays = np.where(ok[:, None], there, at), stays & ~ok
         return at
 
     def free(self, number):
@@ -208,7 +209,7 @@ class Search:
                 posture = np.where(rng.random(number) < 0.4, 0, rng.integers(len(POSTURES), size=number))
             return heading, posture, way, angle, True
 
-        return self.run(at, choose, number)
+        return self.run(at, choose, number, self.steps)
 
     def sequences(self, number):
         """Sequences of actions from the start in the cell file; the first hits."""
@@ -237,15 +238,15 @@ class Search:
             return angle, posture, np.where(going_on, going, 0.0), angle, False
 
         going_on = np.ones(number, bool)
-        return self.run(at, choose, number, whole=True)
+        return self.run(at, choose, number, min(self.steps, an_action * self.cell.actions))
 
-    def run(self, at, choose, number, whole=False):
+    def run(self, at, choose, number, steps):
         """Walks; of each person the first hit: (person, step, ratio, what), and all that was done."""
         cell, chain = self.cell, self.chain
         state, alive = np.full(number, chain.start), np.ones(number, bool)
         since = np.zeros(number, int)
         records, hits = [], []
-        for n in range(self.steps):
+        for n in range(steps):
             heading, posture, way, angle, slides = choose(n, at)
             people = People(cell, at, heading, posture if cell.planes else np.zeros(number, int))
             reading = people.readings()
@@ -289,8 +290,9 @@ class Search:
         moving = fastest > (self.cell.slowest if not cell.bends else 1e-3)
         near, links = near[moving], [tuple(v[moving] if isinstance(v, np.ndarray) else v for v in link) for link in links]
         fastest = fastest[moving]
-        if len(near) > 400 and cell.bends and cell.walls:
-            pick = np.sort(self.rng.permutation(len(near))[:400])
+        most = 80 if cell.bends and cell.walls else 100_000
+        if len(near) > most:
+            pick = np.sort(self.rng.permutation(len(near))[:most])
             near, fastest, links = near[pick], fastest[pick], [tuple(v[pick] if isinstance(v, np.ndarray) else v for v in link) for link in links]
         if not len(near):
             return
@@ -306,7 +308,7 @@ class Search:
         if cell.planes:
             return
         fast = np.nonzero(~hit & (fastest > self.deadly))[0]
-        for k in self.rng.permutation(fast)[:12]:
+        for k in self.rng.permutation(fast)[:8]:
             for link in links:
                 one = tuple(v[k] if isinstance(v, np.ndarray) else v for v in link)
                 found = self.arms.hits(people, k, one, 0.0, self.rng, 1500)
@@ -325,6 +327,10 @@ class Search:
         assert plain == self.chain.fmu.values[self.chain.all[state][0]], "a fresh FMU does something else"
         place = records[n + 1][0][who] if n + 1 < len(records) else last[who]
         heading, posture = records[n][1][who], records[n][2][who]
+        # The walk is one that people can walk: not seen at first, no faster than 1.6 m/s, room all along.
+        ways = np.array([r[0][who] for r in records[: n + 1]] + [place])
+        assert not any(history[0]) and self.cell.free(ways).all()
+        assert np.linalg.norm(np.diff(ways, axis=0), axis=1).max() <= self.way + 1e-9
         links = self.chain.links(state)[0]
         if what == "body":
             around = np.array([place + r * np.array([np.cos(t), np.sin(t)])
@@ -335,7 +341,10 @@ class Search:
             if self.cell.planes:
                 seen = [r[self.cell.planes[0]] for r in history]
                 k = n + 1 - seen.index(True) if True in seen else 0
-                depths = np.full(len(around), HAND_SPEED * (k + 1) * self.cell.step_s - 0.02)
+                # Who is near the plane may be in it: then what is deep does not count.
+                y = self.cell.plane(self.cell.planes[0])[1]
+                inside = np.abs(around[:, 1] - y) < (1.2 if self.cell.bends else 0.25)
+                depths = np.where(inside, HAND_SPEED * (k + 1) * self.cell.step_s - 0.02, np.inf)
             return bool(people.hit(wide, depths)[0].all())
         people = People(self.cell, place[None], np.array([heading]), np.array([posture]))
         return any(self.arms.hits(people, 0, link, margin) for link in links)
