@@ -113,7 +113,7 @@ def claims(binary, first, second, cell):
     result = {}
     for name, command in (("compare", ["compare", first, second]), ("verify", ["verify", first, cell])):
         run = subprocess.run([str(c) for c in [binary, *command, "--format", "json", "--quiet"]], capture_output=True, text=True, timeout=600)
-        words = Counter(re.findall(r'"(?:change|outcome|verdict|status)": ?"(\w+)"', run.stdout))
+        words = Counter(re.findall(r'"(?:change|result)": ?"(\w+)"', run.stdout))
         result[name] = {"exit": run.returncode, "words": dict(words)}
     return result
 
@@ -170,21 +170,29 @@ def one(binary, folder, seed, number, seconds):
     return result
 
 
+def hit(twin):
+    """Whether a walk or a sequence met harm."""
+    return bool(twin["free"]["hits"] or twin["sequences"]["hits"])
+
+
 def table(folder):
-    """The rows of the book."""
+    """The table of the book, and below it what somebody should look at."""
     rows = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
-    print("| flaw | cells | flawed twins hit by walks | hazards told | not shown | said to be clean | repaired twins hit by walks | nobody, from anywhere | "
-          "with what it asks to accept | none, from the start | not shown from anywhere | refuted |\n" + "|---" * 12 + "|")
-    ours = lambda t: bool(t["free"]["hits"] or t["sequences"]["hits"])
+    columns = ["flaw", "cells", "hit by walks", "hazards told", "not shown", "said to be clean", "hit by walks", "nobody, from anywhere",
+               "with what is accepted", "not shown", "none, from the start", "answers refuted"]
+    print("Columns three to six are of the flawed twins, those after them of the repaired ones.\n")
+    print("| " + " | ".join(columns) + " |\n" + "|---" * len(columns) + "|")
+
+    def exits(twins, scan, code):
+        return sum(t.get(scan, {}).get("exit") == code for t in twins)
 
     def row(name, of):
         flawed, mended = [r["twins"]["flawed"] for r in of], [r["twins"]["repaired"] for r in of]
-        codes = lambda twins, key, code: sum(t.get(key, {}).get("exit") == code for t in twins)
         found = sum(1 in (t["anywhere"]["exit"], t["start"]["exit"]) for t in flawed)
-        clean = codes(flawed, "anywhere", 0)
-        print(f"| {name} | {len(of)} | {sum(map(ours, flawed))} | {found} | {len(of) - found - clean} | {clean} | {sum(map(ours, mended))} | "
-              f"{codes(mended, 'anywhere', 0)} | {codes(mended, 'accepted', 0)} | {codes(mended, 'start', 0)} | {codes(mended, 'anywhere', 4)} | "
-              f"{sum(len(r['refuted']) for r in of)} |")
+        clean = exits(flawed, "anywhere", 0)
+        cells = [name, len(of), sum(map(hit, flawed)), found, len(of) - found - clean, clean, sum(map(hit, mended)), exits(mended, "anywhere", 0),
+                 exits(mended, "accepted", 0), exits(mended, "anywhere", 4), exits(mended, "start", 0), sum(len(r["refuted"]) for r in of)]
+        print("| " + " | ".join(map(str, cells)) + " |")
 
     for kind in KINDS:
         if of := [r for r in rows if r["kind"] == kind]:
@@ -193,16 +201,27 @@ def table(folder):
     walks = sum(t[w]["walks"] for r in rows for t in r["twins"].values() for w in ("free", "sequences"))
     advice = [a for r in rows for a in r.get("advice", [])]
     applied = [a for a in advice if a["applied"]]
-    fixed = sum(any(c["words"].get("fixed") for c in r.get("fixed", {}).values()) for r in rows)
-    print(f"\n{walks:,} walks. Changes said to be enough: {len(advice)}, applied {len(applied)}, hit from the start {sum(bool(a['sequences']['sure']) for a in applied)}, "
-          f"from anywhere {sum(bool(a['free']['sure']) for a in applied)}. Repaired twins in which hazards are said to be fixed: {fixed}.")
+    fixed = [r for r in rows if any(c["words"].get("fixed") for c in r.get("fixed", {}).values())]
+    print(f"\n{walks:,} walks and sequences in all. Of {len(advice)} changes that advice from the start calls enough, {len(applied)} were applied: a sequence from the "
+          f"start met harm after {sum(bool(a['sequences']['sure']) for a in applied)}, a walk from anywhere after {sum(bool(a['free']['sure']) for a in applied)}. "
+          f"Hazards are said to be fixed in {len(fixed)} repaired twins: a sequence met harm in "
+          f"{sum(bool(r['twins']['repaired']['sequences']['sure']) for r in fixed)} of them.\n")
+    remarks(rows)
+
+
+def remarks(rows):
+    """What is refuted or odd, one a line."""
     for r in rows:
         for refuted in r["refuted"]:
             print(f"REFUTED {r['seed']} {r['kind']}: {refuted['claim']}")
+        for a in r.get("advice", []):
+            if not a["applied"]:
+                print(f"  not applied {r['seed']}: {a['change']}")
         for which, t in r["twins"].items():
-            odd = [k for k in ("anywhere", "start") if t[k]["exit"] not in (0, 1, 4)]
-            if odd or which == "flawed" and (not ours(t) or t["anywhere"]["exit"] == 0) or which == "repaired" and (ours(t) or t["anywhere"]["exit"] == 1):
-                print(f"  look at {r['seed']} {which} ({r['kind']}): anywhere {t['anywhere']['exit']}, start {t['start']['exit']}, walks {t['free']['hits']}, "
+            codes = t["anywhere"]["exit"], t["start"]["exit"]
+            wrong = which == "flawed" and (not hit(t) or codes[0] == 0) or which == "repaired" and (hit(t) or 1 in codes)
+            if wrong or any(code not in (0, 1, 4) for code in codes):
+                print(f"  look at {r['seed']} {which} ({r['kind']}): anywhere {codes[0]}, start {codes[1]}, walks {t['free']['hits']}, "
                       f"sequences {t['sequences']['hits']}")
 
 
