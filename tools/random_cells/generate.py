@@ -173,9 +173,9 @@ def doors(rng, seed, kind):
     fx, fy = robot.ex + rng.uniform(0.25, 0.4), robot.ey + reach + rng.uniform(0.0, 0.1)
     half = min(rng.uniform(0.35, 0.45), fx)
     restart = rng.choice([0, 40, 100])
-    until = rng.choice([1.4, 1.6, 2.0])
-    depth = rng.uniform(0.3, 0.4)
     strip = kind == "strip that restarts"
+    until = rng.choice([1.4, 1.6, 2.0] if strip else [1.0, 1.2])
+    depth = rng.uniform(0.3, 0.4)
     start = (0.0, -fy - (depth if strip else 0) - rng.uniform(0.3, 0.4), 90)
 
     def twin(which):

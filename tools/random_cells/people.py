@@ -305,7 +305,6 @@ class Arms:
             rotation = self.turned(2, np.array([np.arctan2(people.sin[who], people.cos[who])]))[0] @ people.trunk[who]
             elbow, wrist = joint + elbows[pick] @ rotation.T, joint + wrists[pick] @ rotation.T
             full = lambda p: np.broadcast_to(p, elbow.shape)
-            free = None
             for name, a, b, radius in (("hand", wrist, wrist, HAND), ("lower arm", elbow + (wrist - elbow) * ELBOW / FORE, wrist, FORE_RADIUS),
                                        ("upper arm", full(joint), elbow, UPPER_RADIUS)):
                 on_arm, on_link, far = nearest(a, b, full(c), full(d))

@@ -148,7 +148,7 @@ def one(binary, folder, seed, number, seconds):
         until = max(Cell(file).actions * 0.2, 1.0)
         out = folder / "out" / f"{seed}-{which}"
         twin = {"anywhere": told(binary, file, "anywhere", until, seconds, out / "anywhere", False),
-                "start": told(binary, file, "start", until, seconds, out / "start", which == "flawed"),
+                "start": told(binary, file, "start", until, min(seconds, 40), out / "start", which == "flawed"),
                 **walked(file, folder, until, seed + (5000 if which == "flawed" else 6000), number, {"free": 0.045, "sequences": 0.025})}
         if twin["anywhere"].get("accept") and len(twin["anywhere"]["accept"]) == len(twin["anywhere"]["open"]):
             other = accepted(file, twin["anywhere"]["accept"])
@@ -232,7 +232,7 @@ def main():
     parser.add_argument("--cells", type=int, default=100)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--walks", type=int, default=1500)
-    parser.add_argument("--time", type=int, default=60, help="longest time of a scan, s; twice that for doors and low fences")
+    parser.add_argument("--time", type=int, default=60, help="longest time of a scan from anywhere, s; twice that for doors and low fences; 40 s at most from the start")
     parser.add_argument("--table", action="store_true")
     given = parser.parse_args()
     folder = given.folder.resolve()
