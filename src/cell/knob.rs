@@ -36,6 +36,8 @@ enum Turn {
     FartherCurtain { sensor: usize, direction: [f64; 2] },
     /// A mat behind a light curtain or door, from its plane towards the robot, that reports by the same input.
     MatBehind { sensor: usize, direction: [f64; 2] },
+    /// The input of a sensor held once it has reported.
+    Latched { sensor: usize },
     /// The tops of boxes up.
     Higher { obstacles: Vec<usize> },
     /// The underside of a box down.
@@ -260,6 +262,11 @@ impl Knobs {
         for (number, sensor) in cell.sensors.iter().enumerate() {
             let limits = cell.file().explain.sensor.get(&sensor.name).map(|limits| *limits.get_ref());
             let limits = limits.unwrap_or_default();
+            let is_host_side = cell.file().sensors[number].evaluated.is_none();
+            let can_be = matches!(sensor.zone, Zone::Mat(_) | Zone::Field(_) | Zone::Curtain(_) | Zone::Door(_));
+            if can_be && is_host_side && !sensor.latched && !limits.fixed {
+                self.add(Turn::Latched { sensor: number }, &sensor.name, Room { steps: 1, ..Room::default() });
+            }
             let own = |most: Option<f64>, now: f64| most.map(|most| (most - now, most_words(most, "m")));
             let room = |allowed| Room::new(STEP, f64::INFINITY, FARTHEST, allowed);
             match &sensor.zone {
@@ -386,6 +393,9 @@ impl Knob {
                 obstacles.iter().try_for_each(|obstacle| longer(&mut text, *obstacle, amount, 0.5))?;
             }
             Turn::Lower { obstacle } => longer(&mut text, *obstacle, amount, -0.5)?,
+            Turn::Latched { sensor } => {
+                item(&mut text, "sensor", *sensor)?.insert("latched".to_owned(), true.into());
+            }
             Turn::MatBehind { sensor, direction } => {
                 let plane = item(&mut text, "sensor", *sensor)?.clone();
                 text.get_mut("sensor")?.as_array_mut()?.push(Value::Table(mat_behind(&plane, *direction, amount)?));
@@ -431,6 +441,9 @@ impl Knob {
             Turn::HigherCurtain { .. } => format!("{name} {amount:.2} m higher"),
             Turn::DownToTheFloor { .. } => format!("{name} reaching down to the floor"),
             Turn::FartherCurtain { .. } => format!("{name} {amount:.2} m farther from the robot"),
+            Turn::Latched { .. } => {
+                format!("{name} held once it has reported, until somebody resets it (stands for a change in the PLC)")
+            }
             Turn::MatBehind { .. } => {
                 format!("a mat behind {name}, {amount:.2} m deep, that reports by the same input")
             }
@@ -618,6 +631,9 @@ mod tests {
             assert_eq!(at(&cell, "obstacle", 0, &["centre_m"]), [0.0, 0.0, centre]);
             assert_eq!(at(&cell, "obstacle", 0, &["size_m"]), [0.6, 0.02, size]);
         }
+        let (cell, words) = turned(Turn::Latched { sensor: 1 }, 1);
+        assert_eq!(cell["sensor"][1]["latched"].as_bool(), Some(true));
+        assert!(words.starts_with("it held once it has reported"), "{words}");
         let (cell, words) = turned(Turn::MatBehind { sensor: 1, direction: [0.0, 1.0] }, 60);
         let mat = &cell["sensor"].as_array().expect("a list")[2];
         let corners = mat["zone"]["polygon_m"].as_array().expect("a list");

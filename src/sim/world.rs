@@ -605,7 +605,7 @@ impl World {
         for window in &hit.windows {
             // What the last sample but `delay` told takes effect in this step.
             let sensor = self.curtains[window.curtain].sensor;
-            let Sensor { delay_steps: delay, latched, .. } = self.cell.sensors[sensor];
+            let (delay, latched) = (self.cell.sensors[sensor].delay_steps, self.cell.sensors[sensor].latched);
             readings[sensor] |= window.from > delay && (window.until <= delay || latched);
         }
         #[expect(clippy::cast_precision_loss, reason = "a few dozen")]

@@ -116,7 +116,11 @@ impl Fields {
     }
 
     /// Whether it is a two-hand control.
-    fn sensor(&mut self, Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor, placing: &Placing) -> bool {
+    fn sensor(
+        &mut self,
+        Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor,
+        placing: &Placing,
+    ) -> bool {
         // How a door opens and what is added to a distance are for the distance alone, and so is a field's height: nobody is low.
         let Placing { detection, height_m: _, opening: _, supplement_m: _ } = placing;
         match zone {

@@ -134,7 +134,9 @@ impl<'a, P: Plant> Moments<'a, P> {
     /// Sensors have reported for long what they report of nobody.
     fn inputs(&self, told: &[Told]) -> Vec<f64> {
         let (cell, binding) = (self.cell, self.binding);
-        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| DelayLine::settled(*raw, sensor.delay_steps);
+        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| {
+            DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw)
+        };
         let mut lines: Vec<DelayLine> = cell.sensors.iter().zip(&self.nobody.readings).map(settled).collect();
         let mut inputs = Vec::new();
         for Told { readings, person, pressed } in told {

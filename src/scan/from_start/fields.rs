@@ -112,7 +112,12 @@ impl Fields {
         fields
     }
 
-    fn sensor(&mut self, Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor, placing: &Placing, low: bool) {
+    fn sensor(
+        &mut self,
+        Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor,
+        placing: &Placing,
+        low: bool,
+    ) {
         // How a door opens and what is added to a distance are for the distance alone: the search has the door open at once.
         let Placing { detection, height_m, opening: _, supplement_m: _ } = placing;
         match zone {

@@ -111,7 +111,8 @@ mod tests {
             };
             let posture = Posture::USUAL[number % 6];
             let zone = number % 5;
-            let sensor = Sensor { name: String::new(), zone: zones[zone].clone(), active: true, delay_steps: 0, latched: false };
+            let sensor =
+                Sensor { name: String::new(), zone: zones[zone].clone(), active: true, delay_steps: 0, latched: false };
             let placed = |at: &PoseBox| body.placed(at.position(), at.heading_rad, posture, BendFraction::FULL);
             let may = may_report(&sensor, &body, &placed(&at), &at);
             assert!(may.clear || may.see);
