@@ -63,6 +63,8 @@ class ExplainOptions(Hosting, total=False):
     fmu: File
     no_changes: bool
     quick: bool
+    from_: Literal["start", "anywhere", "both"]
+    until: str
     iterations: int
     max_states: int
     max_memory: int

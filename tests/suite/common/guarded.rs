@@ -53,6 +53,7 @@ pub fn every_sequence(prepared: &Prepared, any: bool) -> ScanReport {
     };
     let report = scan(prepared, options, &mut tell).unwrap().report;
     let certificate = report.certificate.as_ref().unwrap();
-    assert!(certificate.complete || (any && !report.hazards.is_empty()), "{certificate:?}");
+    // That nobody was near the bar is no reason against it here.
+    assert!(certificate.covered == certificate.sequences || (any && !report.hazards.is_empty()), "{certificate:?}");
     report
 }
