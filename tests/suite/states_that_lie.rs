@@ -99,7 +99,7 @@ impl Ran {
     /// Everything that a user reads about why.
     fn told(&self) -> String {
         let reasons = &self.scan["certificate"]["reasons"];
-        format!("{} {reasons} {}", self.scan["warnings"], self.stderr)
+        format!("{} {reasons} {} {}", self.scan["warnings"], self.scan["obligations"], self.stderr)
     }
 }
 
