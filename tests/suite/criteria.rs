@@ -145,8 +145,9 @@ fn pressure_of_links_that_say_nothing_is_not_known() {
     assert_eq!(code, Some(4), "{said}");
     assert!(scan["hazards"].as_array().unwrap().is_empty() && scan["verdict"] == "inconclusive");
     assert!(scan["certificate"]["complete"] == false && !said.contains("Complete: all"), "{said}");
-    let unknown = scan["unknown"][0].as_str().unwrap();
-    assert!(unknown.contains("gripper") && unknown.contains("turret") && said.contains("Not known"), "{said}");
+    let unknown =
+        scan["obligations"].as_array().unwrap().iter().find(|one| one["need"] == "pressure").unwrap().to_string();
+    assert!(unknown.contains("gripper") && unknown.contains("turret") && said.contains("Not shown"), "{said}");
     let edge = "[criteria]\npressure = true\ntransient_force = false\n[[robot]]\nname = \"IRB 1200-5/0.9\"\n\
                 contact = { radius_m = 0.002 }\n";
     let (code, said, scan) = scanned(dir.path(), "safety-fence/cell", 7, edge);
