@@ -188,9 +188,10 @@ class Change(TypedDict):
     """
     Whether every sequence of the changed cell was looked at.
     """
-    enough: bool
+    enough_until_s: NotRequired[float | None]
     """
-    Whether nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere.
+    Nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere until then, s after the start of
+    the FMU. Without it that is not shown.
     """
     less: str
     """

@@ -190,7 +190,14 @@ impl Checked {
     /// Whether nothing is left: every sequence was looked at, and everybody from anywhere.
     #[must_use]
     pub fn is_enough(&self) -> bool {
-        self.is_complete() && self.everywhere.as_ref().is_some_and(|from_anywhere| from_anywhere.reasons.is_empty())
+        self.enough_until_s().is_some()
+    }
+
+    /// The same, with how long everybody from anywhere was looked for, s after the start of the FMU.
+    #[must_use]
+    pub fn enough_until_s(&self) -> Option<f64> {
+        let from_anywhere = self.everywhere.as_ref().filter(|from_anywhere| from_anywhere.reasons.is_empty())?;
+        self.is_complete().then_some(from_anywhere.until_s)
     }
 
     /// Which of two says more.
@@ -366,4 +373,52 @@ pub fn render(remedies: &[Remedy]) -> String {
         "   ",
     );
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Enough takes every sequence and everybody from anywhere: with either of them missing or in part it is not said, in no words.
+    #[test]
+    fn enough_is_said_of_what_nothing_is_open_with() {
+        let from_start = |reasons: &[&str]| Complete {
+            beginning: 1,
+            sequences: "36".to_owned(),
+            actions: 1,
+            looked_at: 1,
+            reasons: reasons.iter().map(|&reason| reason.to_owned()).collect(),
+        };
+        let from_anywhere = |reason: Option<&str>| {
+            Some(FromAnywhere { until_s: 4.0, reasons: reason.map(str::to_owned).into_iter().collect() })
+        };
+        let checked = |complete: Vec<Complete>, everywhere: Option<FromAnywhere>| Checked {
+            complete,
+            everywhere,
+            ..Checked::default()
+        };
+        let whole = checked(vec![from_start(&[])], from_anywhere(None));
+        assert_eq!((whole.enough_until_s(), whole.rank()), (Some(4.0), 2));
+        let told = |checked: Checked| {
+            let remedy = Remedy {
+                change: "mat wider".to_owned(),
+                cell: String::new(),
+                limit: None,
+                outcome: Outcome::Sufficient(checked),
+            };
+            (remedy.told().unwrap(), render(&[remedy]))
+        };
+        assert!(told(whole).0.ends_with("no hazard is left"));
+        for less in [
+            checked(vec![from_start(&[])], None),
+            checked(vec![from_start(&[])], from_anywhere(Some("2 cells are open"))),
+            checked(vec![from_start(&["a robot never moved"])], from_anywhere(None)),
+            checked(Vec::new(), from_anywhere(None)),
+        ] {
+            assert!(!less.is_enough() && less.rank() < 2, "{less:?}");
+            let (line, all) = told(less);
+            assert!(line.ends_with("from the starts in the cell file"), "{line}");
+            assert!(all.contains("none of those tried is shown to be") && all.contains("Tried in part"), "{all}");
+        }
+    }
 }

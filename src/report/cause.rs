@@ -103,9 +103,10 @@ pub struct Change {
     pub checked: String,
     /// Whether every sequence of the changed cell was looked at.
     pub complete: bool,
-    /// Whether nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere.
-    #[serde(default)]
-    pub enough: bool,
+    /// Nothing is hazardous with it: every sequence was looked at, and everybody who comes from anywhere until then, s after the start of
+    /// the FMU. Without it that is not shown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enough_until_s: Option<f64>,
     /// Whether nothing in the cell is hazardous with it; else only this cause is gone.
     pub removes_all: bool,
     /// What the next smaller change leads to, in words.
@@ -349,12 +350,17 @@ impl Change {
     /// The change, and what is left then.
     #[must_use]
     pub fn words(&self) -> String {
-        let left = match (self.removes_all, self.complete, self.enough) {
-            (true, true, true) => "nothing is left: every sequence from the start, and everybody from anywhere",
-            (true, true, false) => "nothing is left from the start, every sequence looked at; from elsewhere not shown",
-            (true, false, _) => "nothing was met any more, not every sequence looked at",
-            (false, true, _) => "this cause is gone, every sequence looked at; others are left",
-            (false, false, _) => "this cause was not met any more; others are left",
+        if let Some(until_s) = self.enough_until_s {
+            let change = &self.change;
+            return format!(
+                "{change} (nothing is left: every sequence from the start, and everybody from anywhere until {until_s:.1} s)"
+            );
+        }
+        let left = match (self.removes_all, self.complete) {
+            (true, true) => "nothing is left from the start, every sequence looked at; from elsewhere not shown",
+            (true, false) => "nothing was met any more, not every sequence looked at",
+            (false, true) => "this cause is gone, every sequence looked at; others are left",
+            (false, false) => "this cause was not met any more; others are left",
         };
         format!("{} ({left})", self.change)
     }
@@ -367,8 +373,9 @@ impl Change {
             Outcome::OthersRemain(others) => (&others.checked, others.complete, false),
             _ => return None,
         };
-        let (change, enough) = (remedy.change.clone(), removes_all && checked.is_enough());
-        Some(Self { change, checked: checked.words(), complete, enough, removes_all, less: checked.one_less() })
+        let change = remedy.change.clone();
+        let enough_until_s = checked.enough_until_s().filter(|_| removes_all);
+        Some(Self { change, checked: checked.words(), complete, enough_until_s, removes_all, less: checked.one_less() })
     }
 }
 
@@ -377,7 +384,7 @@ impl CauseAdvice {
     #[must_use]
     pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
-        changes.sort_by_key(|change| (!change.removes_all, !change.enough, !change.complete));
+        changes.sort_by_key(|change| (!change.removes_all, change.enough_until_s.is_none(), !change.complete));
         let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
         let tried = match tried {
             0 => "No change could be tried".to_owned(),

@@ -145,7 +145,8 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
     let done = done[..1].to_uppercase() + &done[1..];
     *out += &wrapped_to(view.width, &format!("   {done}: "), &hit.join("; "));
     let Some(advice) = &cause.advice else { return };
-    let (enough, part): (Vec<&Change>, Vec<&Change>) = advice.changes.iter().partition(|change| change.enough);
+    let (enough, part): (Vec<&Change>, Vec<&Change>) =
+        advice.changes.iter().partition(|change| change.enough_until_s.is_some());
     let words = |changes: &[&Change]| changes.iter().take(CHANGES).map(|change| change.words()).collect::<Vec<_>>();
     if advice.changes.is_empty() {
         *out += &wrapped_to(view.width, "   What helps: ", "no single change that was tried");

@@ -30,12 +30,13 @@ export function figures(data, cause) {
   ].filter(([, text]) => text);
 }
 
-function change({ change: what, checked, complete, enough, removes_all: all, less }) {
+function change({ change: what, checked, complete, enough_until_s: until, removes_all: all, less }) {
+  const enough = typeof until === "number";
   const effect = [
     ["With it this cause was not met any more; other causes are left.", "It removes this cause; other causes are left."],
     ["Tried in part: with it no hazard was met any more.", "Tried in part: with it nothing is hazardous from the starts in the cell file; from elsewhere that is not shown."],
-    ["", "Enough: with it nothing in this cell is hazardous any more, from anywhere."],
-  ][Number(all) + Number(all && complete && enough === true)][Number(complete)];
+    ["", `Enough: with it nothing in this cell is hazardous any more, by any sequence from the start and from anywhere until ${until} s.`],
+  ][Number(all) + Number(all && complete && enough)][Number(complete)];
   return h(
     "li",
     { "data-test": "change", class: all ? "all" : null },

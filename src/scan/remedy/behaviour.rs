@@ -65,6 +65,9 @@ pub(super) enum Objection {
     Other(String),
 }
 
+/// What a sensor is called that a change adds.
+pub(super) const ADDED: &str = "the added sensor";
+
 /// The end of a walk does not see a robot stand.
 const NEVER: usize = usize::MAX;
 
@@ -126,8 +129,9 @@ impl Behaviour {
 
     /// A sensor that reports whoever stands there after a change, and did not before.
     pub fn reported_anew(&self, after: &Self) -> Option<usize> {
-        let newly = |(now, before): (&bool, &bool)| *now && !before;
-        after.at_start.iter().zip(&self.at_start).position(newly)
+        // A sensor that the change adds comes last, and reported nobody before.
+        let before = self.at_start.iter().copied().chain(std::iter::repeat(false));
+        after.at_start.iter().zip(before).position(|(now, before)| *now && !before)
     }
 
     /// What a change from this to `after` says against it.
@@ -135,7 +139,8 @@ impl Behaviour {
         let Names { sensors, robots, links, obstacles } = names;
         let other = |text: String| Some(Objection::Other(text));
         if let Some(sensor) = self.reported_anew(after) {
-            return other(format!("{} then reports the person at the start already", sensors[sensor]));
+            let name = sensors.get(sensor).unwrap_or(&ADDED);
+            return other(format!("{name} then reports the person at the start already"));
         }
         for (robot, (before, now)) in self.speeds.iter().zip(&after.speeds).enumerate() {
             if *before > STANDSTILL_M_S && *now < HARDLY * before {
@@ -249,6 +254,24 @@ mod tests {
 
     fn stopping(reports: Option<usize>, reacts: Option<usize>, stands: Option<usize>) -> Answers {
         Answers(vec![Answer { reports: vec![reports], reacts, stands: vec![stands] }])
+    }
+
+    /// At the start a sensor reports the person that did not before, also one that the change adds.
+    #[test]
+    fn who_starts_where_a_sensor_then_sees_them_is_told() {
+        let at_start = |at_start: &[bool]| Behaviour {
+            links: Vec::new(),
+            at_start: at_start.to_vec(),
+            speeds: Vec::new(),
+            run_into: BTreeSet::new(),
+        };
+        let names = Names { sensors: &["mat", "door"], robots: &[], links: &[], obstacles: &[] };
+        let said = |after: &[bool]| at_start(&[true, false]).objection(&at_start(after), false, names);
+        assert_eq!((said(&[true, false]), said(&[false, false]), said(&[true, false, false])), (None, None, None));
+        for (after, name) in [(&[true, true][..], "door"), (&[true, false, true], ADDED)] {
+            let words = format!("{name} then reports the person at the start already");
+            assert_eq!(said(after), Some(Objection::Other(words)));
+        }
     }
 
     #[test]

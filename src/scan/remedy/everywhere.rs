@@ -59,7 +59,10 @@ impl Changed<'_> {
         if let Some(witness) = found.hazards.iter().find_map(|place| self.witness(place)) {
             return Err(Box::new(witness));
         }
-        let reasons = if found.verdict.is_clean() { Vec::new() } else { found.reasons };
+        let mut reasons = if found.verdict.is_clean() { Vec::new() } else { found.reasons };
+        if !found.verdict.is_clean() && reasons.is_empty() {
+            reasons.push("somebody is hit".to_owned());
+        }
         Ok(Some(FromAnywhere { until_s: found.until_s, reasons }))
     }
 

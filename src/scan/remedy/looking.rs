@@ -27,7 +27,7 @@ use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 use crate::standards::BodyRegion;
 
-use super::behaviour::{Answers, Behaviour};
+use super::behaviour::{ADDED, Answers, Behaviour};
 
 /// A sequence that led to a hazard, and from where.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,7 +128,8 @@ impl<'a> Changed<'a> {
             match after.map(|after| before.reported_anew(&after)) {
                 Ok(None) => {}
                 Ok(Some(sensor)) => {
-                    let why = format!("{} then reports the person {place} already", bench.sensors[sensor]);
+                    let name = bench.sensors.get(sensor).unwrap_or(&ADDED);
+                    let why = format!("{name} then reports the person {place} already");
                     return (Some(Why::NoAdvice(why)), cost);
                 }
                 Err(why) => return (Some(why), cost),
