@@ -264,7 +264,9 @@ impl Anywhere {
                  and whenever they walk or stand, and however they bend and reach."
             ),
             Verdict::Interrupted => "It was stopped: nothing is known of what was not looked at.".to_owned(),
-            Verdict::Inconclusive | Verdict::FmuFailed => not_shown(&self.obligations),
+            Verdict::Inconclusive | Verdict::FmuFailed => {
+                not_shown(if self.hazards.is_empty() { "found" } else { "confirmed" }, &self.obligations)
+            }
         };
         let people = "people who come from anywhere that no sensor sees";
         let complete = if self.obligations.clean().is_some() { "" } else { "Not complete. " };

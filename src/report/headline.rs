@@ -36,7 +36,7 @@ pub fn from_start(report: &ScanReport) -> Headline {
     let says = match report.verdict {
         Verdict::HazardsFound => counted(report),
         Verdict::NoneFound(_) => "No sequence of actions is hazardous, in this model.".to_owned(),
-        Verdict::Inconclusive => not_shown(&report.obligations),
+        Verdict::Inconclusive => not_shown("found", &report.obligations),
         Verdict::FmuFailed => {
             "The FMU failed: nothing was found in what could be evaluated, which says little.".to_owned()
         }
@@ -45,11 +45,11 @@ pub fn from_start(report: &ScanReport) -> Headline {
     Headline { says, covers }
 }
 
-/// Why nothing clean is said, as a sentence.
+/// Why nothing clean is said, as a sentence: nothing was `found`, or what was is not `confirmed`.
 #[must_use]
-pub fn not_shown(obligations: &Obligations) -> String {
+pub fn not_shown(what: &str, obligations: &Obligations) -> String {
     let why = obligations.first_reason().unwrap_or_else(|| "nothing is known of what it rests on".to_owned());
-    format!("Nothing was found; not shown because {why}.")
+    format!("Nothing was {what}; not shown because {why}.")
 }
 
 /// How many causes and hazards there are, and how many are confirmed.

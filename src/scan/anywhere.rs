@@ -13,11 +13,12 @@ mod obligations;
 mod parts;
 mod pressing;
 mod record;
+mod seek;
 mod show;
 mod trials;
 mod walk_in;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
 use self::end::{End, not_looked_at};
@@ -151,6 +152,8 @@ struct Looking<'a> {
     motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
     met: Vec<(Moment, bool)>,
+    /// Walks at random that were run, to harms of each region by each link.
+    sought: BTreeMap<(u8, usize), usize>,
 }
 
 /// What came out.
@@ -222,6 +225,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         end: End::Whole,
         motion: None,
         met: Vec::new(),
+        sought: BTreeMap::new(),
     };
     let kinds = unseen(prepared);
     match looking.horizon(&kinds[0]) {

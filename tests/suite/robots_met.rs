@@ -52,6 +52,13 @@ fn is_met(robot: &Value) {
     assert!(robot["closest_approach_m"].as_f64().unwrap() < 2.0, "{robot}");
 }
 
+/// What is open of such a scan, which says nothing clean then.
+fn open_needs(scan: &Value) -> Vec<&str> {
+    assert_ne!(scan["verdict"], "none_found", "{}", scan["headline"]);
+    let all = scan["obligations"].as_array().unwrap().iter().filter(|one| one["standing"] == "open");
+    all.map(|one| one["need"].as_str().unwrap()).collect()
+}
+
 /// Nobody could be near it.
 fn is_far(robot: &Value) {
     assert_eq!((count(&robot["instants_in_reach"]), count(&robot["instants_to_walk_to"])), (0, 0), "{robot}");
@@ -68,6 +75,7 @@ fn a_base_in_millimetres_leaves_nobody_near() {
         assert_eq!((&robot(&all, 0)["reachable"], &all["coverage"]["actions"]), (&Value::Bool(false), &Value::from(0)));
         let some = scanned(&up, &SOME);
         is_far(robot(&some, 0));
+        assert!([&all, &some].iter().all(|scan| open_needs(scan).contains(&"near")), "{}", all["obligations"]);
         assert!(robot(&some, 0)["moved"] == true && count(&some["coverage"]["actions"]) > 0, "{}", some["coverage"]);
         for how in [&ALL, &SOME] {
             is_met(robot(&scanned(&cell(fmu, 2, &[]), how), 0));
@@ -88,6 +96,7 @@ fn a_joint_in_radians_where_degrees_are_asked_for_turns_the_robot_away() {
     for fmu in FMUS {
         let wrong = scanned(&boom(fmu, "-1.57"), &ALL);
         is_far(robot(&wrong, 0));
+        assert!(open_needs(&wrong).contains(&"near"), "{}", wrong["obligations"]);
         // Within its lengths somebody is: it is where it is that tells.
         assert!(robot(&wrong, 0)["moved"] == true && robot(&wrong, 0)["reachable"] == true, "{}", robot(&wrong, 0));
         is_met(robot(&scanned(&boom(fmu, "-90"), &ALL), 0));
@@ -108,6 +117,8 @@ fn a_second_robot_that_never_moves_is_told_by_itself() {
     let turns = "angle = { variable = \"q\", unit = \"rad\" }\nspeed = { variable = \"qd\", unit = \"rad/s\" }";
     for fmu in FMUS {
         let (still, both) = (scanned(&two(fmu, "held_deg = 0"), &ALL), scanned(&two(fmu, turns), &ALL));
+        let open = open_needs(&still);
+        assert!(open.contains(&"moves") && !open.contains(&"near"), "{open:?}");
         is_met(robot(&still, 0));
         is_met(robot(&both, 0));
         is_met(robot(&both, 1));

@@ -81,6 +81,7 @@ class Cell:
             middle, half = np.array(box["centre_m"], float), np.array(box["size_m"], float) / 2
             assert middle[2] - half[2] <= 1e-9 and 2 * half[2] > 0.25
             self.walls.append((middle, half))
+        self.latched = [s.get("latched", False) for s in self.sensors]
         self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] == "interlocked_door"]
         mass = self.robots[0]["moving_mass_kg"] / 2 + self.robots[0]["payload_kg"]
         self.safe = {n: 1e-3 if g is None else g[2] / np.sqrt(g[1] / (1 / g[0] + 1 / mass)) for n, g in {**REGIONS, **ARM_REGIONS}.items()}

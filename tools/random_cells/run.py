@@ -82,13 +82,24 @@ def changed(text, change):
         at = json.loads(block[1])
         at["xy".index(m[4])] += float(m[2]) * (1 if m[3] == "+" else -1)
         return text.replace(block[0], block[0].replace(block[1], json.dumps(at)))
-    if m := re.fullmatch(r"(\w[\w ]*) ([\d.]+) m higher", change):
-        block = re.search(rf'name = "{re.escape(m[1])}"\ncentre_m = (\[.*?\])\nsize_m = (\[.*?\])', text)
-        if not block:
-            return None
-        centre, size = json.loads(block[1]), json.loads(block[2])
-        centre[2], size[2] = centre[2] + float(m[2]) / 2, size[2] + float(m[2])
-        return text.replace(block[0], f'name = "{m[1]}"\ncentre_m = {json.dumps(centre)}\nsize_m = {json.dumps(size)}')
+    if m := re.fullmatch(r"(\w[\w ,]*) ([\d.]+) m higher", change):
+        for name in re.split(r", | and ", m[1]):
+            block = re.search(rf'name = "{re.escape(name)}"\ncentre_m = (\[.*?\])\nsize_m = (\[.*?\])', text)
+            if not block:
+                return None
+            centre, size = json.loads(block[1]), json.loads(block[2])
+            centre[2], size[2] = centre[2] + float(m[2]) / 2, size[2] + float(m[2])
+            text = text.replace(block[0], f'name = "{name}"\ncentre_m = {json.dumps(centre)}\nsize_m = {json.dumps(size)}')
+        return text
+    if m := re.fullmatch(r"(.+) held once it has reported, until .*", change):
+        return text.replace(f'name = "{m[1]}"\nkind', f'name = "{m[1]}"\nlatched = true\nkind')
+    if m := re.fullmatch(r"a mat behind (.+), ([\d.]+) m deep, that reports by the same input", change):
+        # All planes of these cells are at -y, and the robot is behind them.
+        block = re.search(rf'\[\[sensor\]\]\nname = "{re.escape(m[1])}"\n[^\[]*?zone = .*\n', text)
+        (x0, y), (x1, _) = json.loads(re.search(r"line_m = (\[\[.*?\]\])", block[0])[1])
+        mat = block[0].replace(f'name = "{m[1]}"', f'name = "mat behind {m[1]}"').replace("interlocked_door", "mat")
+        mat = re.sub(r"zone = .*", f"zone = {{ polygon_m = {[[x0, y], [x1, y], [x1, y + float(m[2])], [x0, y + float(m[2])]]} }}", mat)
+        return text.replace(block[0], block[0] + mat)
     if m := re.search(r"\b(r\d\.\w+)\b.*?(?:to|instead of|=) ?([\d.]+|true|false)", change):
         line = re.search(rf'"{re.escape(m[1])}" = (\S+)', text)
         value = m[2]
@@ -124,7 +135,7 @@ def advised(text, scan, folder, seed, until, number):
     for advice in scan.get("advice", []):
         if not (advice["complete"] and advice["removes_all"]) or advice["change"] in tried:
             continue
-        tried[advice["change"]] = row = {"change": advice["change"], "checked": advice["checked"]}
+        tried[advice["change"]] = row = {"change": advice["change"], "checked": advice["checked"], "enough_until_s": advice.get("enough_until_s")}
         rows.append(row)
         other = changed(text, advice["change"])
         if other is None:
@@ -166,7 +177,9 @@ def one(binary, folder, seed, number, seconds):
         result["advice"] = advised(texts[0], flawed["start"], folder, seed, result["until_s"], number)
         for row in result["advice"]:
             if row["applied"] and row["sequences"]["sure"]:
-                result["refuted"].append({"claim": f"enough: {row['change']}", "walk": row["sequences"]["first"]})
+                result["refuted"].append({"claim": f"nothing left from the start: {row['change']}", "walk": row["sequences"]["first"]})
+            if row["applied"] and row["enough_until_s"] and row["free"]["sure"] and row["free"]["first"]["at_s"] <= row["enough_until_s"]:
+                result["refuted"].append({"claim": f"enough: {row['change']}", "walk": row["free"]["first"]})
     return result
 
 
@@ -201,9 +214,12 @@ def table(folder):
     walks = sum(t[w]["walks"] for r in rows for t in r["twins"].values() for w in ("free", "sequences"))
     advice = [a for r in rows for a in r.get("advice", [])]
     applied = [a for a in advice if a["applied"]]
+    enough = [a for a in applied if a["enough_until_s"]]
     fixed = [r for r in rows if any(c["words"].get("fixed") for c in r.get("fixed", {}).values())]
-    print(f"\n{walks:,} walks and sequences in all. Of {len(advice)} changes that advice from the start calls enough, {len(applied)} were applied: a sequence from the "
-          f"start met harm after {sum(bool(a['sequences']['sure']) for a in applied)}, a walk from anywhere after {sum(bool(a['free']['sure']) for a in applied)}. "
+    print(f"\n{walks:,} walks and sequences in all. Of {len(advice)} changes after which advice says that nothing is left from the start, {len(applied)} "
+          f"were applied: a sequence from the start met harm after {sum(bool(a['sequences']['sure']) for a in applied)}. {len(enough)} of them are called "
+          f"enough: a walk from anywhere met harm after {sum(bool(a['free']['sure']) for a in enough)}; after the others, of which that is not said, "
+          f"after {sum(bool(a['free']['sure']) for a in applied if not a['enough_until_s'])}. "
           f"Hazards are said to be fixed in {len(fixed)} repaired twins: a sequence met harm in "
           f"{sum(bool(r['twins']['repaired']['sequences']['sure']) for r in fixed)} of them.\n")
     remarks(rows)

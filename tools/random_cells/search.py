@@ -86,7 +86,7 @@ class Chain:
     def __init__(self, cell, fmu):
         self.cell, self.fmu = cell, fmu
         self.numbers, self.all, self.next, self.of = {}, [], {}, {}
-        self.start = self.number(fmu.start, tuple((False,) * d for d in cell.delays))
+        self.start = self.number(fmu.start, (tuple((False,) * d for d in cell.delays), (False,) * len(cell.delays)))
 
     def number(self, state, lines):
         if (state, lines) not in self.numbers:
@@ -96,13 +96,19 @@ class Chain:
 
     def after(self, state, reading):
         if (state, reading) not in self.next:
-            inner, lines = self.all[state]
-            lines = tuple(line + (now,) for line, now in zip(lines, reading))
-            self.next[state, reading] = self.number(self.fmu.after(inner, tuple(line[0] for line in lines)), tuple(line[1:] for line in lines))
+            inner, (lines, held) = self.all[state]
+            told = tuple(now or was for now, was in zip(reading, held))
+            held = tuple(now and latched for now, latched in zip(told, self.cell.latched))
+            lines = tuple(line + (now,) for line, now in zip(lines, told))
+            after = self.fmu.after(inner, tuple(line[0] for line in lines))
+            self.next[state, reading] = self.number(after, (tuple(line[1:] for line in lines), held))
         return self.next[state, reading]
 
     def delayed(self, history):
         """What the FMU gets of a history of readings."""
+        latched = [[any(h[s] for h in history[: n + 1]) if self.cell.latched[s] else history[n][s] for s in range(len(self.cell.delays))]
+                   for n in range(len(history))]
+        history = latched
         return [tuple(history[n - d][s] if n >= d else False for s, d in enumerate(self.cell.delays)) for n in range(len(history))]
 
     def links(self, state):

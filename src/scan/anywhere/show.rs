@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use super::seek::Seek;
 use super::walk_in::WalkIn;
 use super::{Looking, pressing};
 use crate::cell::Zone;
@@ -24,6 +25,9 @@ const MOST_EASY: usize = 8;
 const MOST_WALKS: usize = 24;
 /// Runs of those of a region and link.
 const MOST_RUNS: usize = 200;
+/// Walks at random to those of a region and link that are run, in one history and in all together.
+const MOST_SOUGHT_AT_ONCE: usize = 100;
+const MOST_SOUGHT: usize = 1_000;
 
 impl Looking<'_> {
     /// Shows with runs of their own what harms there are.
@@ -38,6 +42,7 @@ impl Looking<'_> {
         let as_told = sensors(prepared, &history.readings);
         for alike in alike(harms) {
             let shown = shown(prepared, search, first, (history, way), &alike);
+            let shown = shown.or_else(|| self.sought(search, first, history, &alike));
             let (harm, way, finding) = match shown {
                 Some((harm, way, finding)) => (harm, way, Some(finding)),
                 None => {
@@ -64,6 +69,29 @@ impl Looking<'_> {
                 None => self.found.hazards.push(place),
             }
         }
+    }
+
+    /// A walk of those at random that shows one of some harms: as many are run as are left for their region and link, and none once
+    /// harm is shown to these.
+    fn sought(
+        &mut self,
+        search: &Search<'_>,
+        first: &[bool],
+        history: &History,
+        alike: &[Harm],
+    ) -> Option<(Harm, WalkIn, Finding)> {
+        let (region, link) = (alike[0].contact.region, alike[0].link);
+        let shown =
+            |place: &Place| place.confirmed && place.body_region == region && place.robot_link == self.links[link];
+        if self.found.hazards.iter().any(shown) {
+            return None;
+        }
+        let run = self.sought.entry((region as u8, link)).or_default();
+        let most = MOST_SOUGHT.saturating_sub(*run).min(MOST_SOUGHT_AT_ONCE);
+        let seek = Seek { prepared: self.prepared, search, first, history };
+        let (found, runs) = seek.walk(alike, most, *run as u64);
+        *run += runs;
+        found
     }
 
     fn place(
@@ -189,7 +217,7 @@ fn shown(
 }
 
 /// The first harm that a walk leads to; while sensors report `readings`, if given.
-fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
+pub(super) fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
     let actions = u32::try_from(way.actions.len()).ok()?;
     let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
     let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;

@@ -1,0 +1,81 @@
+//! Stops that restart by themselves, from anywhere: a door, a curtain and a strip of mat in the opening of a wall, by FMUs of both versions.
+//! Whoever passes is hit, and where the states run out before that is seen, nothing clean is said. Latched in the FMU or by the host, the
+//! same cells hold.
+
+use std::ops::ControlFlow;
+
+use crate::common::{test_fmus, write};
+use crate::sample;
+use fmi_hazard::obligations::Need;
+use fmi_hazard::report::anywhere::Anywhere;
+use fmi_hazard::report::model::Verdict;
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::sim::anywhere::ledger::Ledger;
+use tempfile::TempDir;
+
+/// What watches the opening of the wall.
+pub const WATCHES: [&str; 3] = [
+    "kind = \"interlocked_door\"\nzone = { line_m = [[-0.4, -0.55], [0.4, -0.55]], heights_m = [0, 2.2] }\n",
+    "kind = \"light_curtain\"\nzone = { line_m = [[-0.4, -0.55], [0.4, -0.55]], heights_m = [0, 2.2] }\n",
+    "kind = \"mat\"\nzone = { polygon_m = [[-0.9, -0.75], [0.9, -0.75], [0.9, -0.5], [-0.9, -0.5]] }\n",
+];
+
+/// How long after the start of the FMU: the way in from the opening, with some more.
+pub const UNTIL_S: f64 = 0.42;
+
+/// A slide at shin height behind it, which harms legs and stands 0.1 s after a demand.
+pub fn cell(watches: &str, latched_by: &str) -> String {
+    let variable = if watches.contains("mat") { "plc.curtain_clear" } else { "plc.door_clear" };
+    let wall =
+        |x: f64| format!("[[obstacle]]\nname = \"wall\"\ncentre_m = [{x}, -0.55, 1.1]\nsize_m = [2, 0.05, 2.2]\n");
+    let sensor = format!("[[sensor]]\nname = \"watch\"\n{watches}variable = \"{variable}\"\nactive = false\n");
+    let (by_host, by_plc) = (latched_by == "host", latched_by == "PLC");
+    format!(
+        "schema = 1\nname = \"restarts\"\nfmu = \"gantry.fmu\"\n[[robot]]\nname = \"slide\"\nbase = {{ xyz_m = [-0.2, 0, 0.3] }}\n\
+         moving_mass_kg = 200\npayload_kg = 0\n[[robot.joint]]\nname = \"axis\"\naxis = [1, 0, 0]\n\
+         position = {{ variable = \"axis.position[1]\" }}\nspeed = {{ variable = \"axis.velocity[1]\" }}\n\
+         [[robot.link]]\nname = \"beam\"\njoint = \"axis\"\ncapsule = {{ from_m = [0, -0.2, 0], to_m = [0, 0.2, 0], radius_m = 0.05 }}\n\
+         {sensor}{}{}{}[human]\nbend_forward_deg = 0\nbend_lateral_deg = 0\nstart = {{ xy_m = [0, -1.1], heading_deg = 90 }}\n\
+         floor_m = [[-0.2, -1.2], [0.2, -1.2], [0.2, 0], [-0.2, 0]]\n[search]\nactions = 5\n[inputs]\n\"plc.reset\" = false\n\
+         [parameters]\n\"axis.stroke[1]\" = 0.4\n\"axis.speed[1]\" = 0.9\n\"plc.ramp_ms\" = 60\n\"plc.latched\" = {by_plc}\n",
+        if by_host { "latched = true\n" } else { "" },
+        wall(-1.4),
+        wall(1.4).replace("wall", "other wall"),
+    )
+}
+
+/// A folder with this as `gantry.fmu`.
+pub fn folder(fmu: &str) -> TempDir {
+    let dir = TempDir::new().unwrap();
+    std::fs::copy(test_fmus().join(fmu), dir.path().join("gantry.fmu")).unwrap();
+    dir
+}
+
+fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
+    let path = write(dir.path(), "cell.toml", text);
+    let ledger = Ledger::default();
+    let until = Until::Seconds(UNTIL_S);
+    let effort = Effort { until, workers: 2, most_states, presses: 1, state: StateChoice::Auto, ledger: &ledger };
+    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
+}
+
+#[test]
+fn nobody_is_certified_who_passes_what_restarts_by_itself() {
+    let cases = ["gantry.fmu", "gantry-fmi3.fmu"].into_iter().flat_map(|fmu| WATCHES.map(|watches| (fmu, watches)));
+    for (fmu, watches) in sample::some(cases, 6) {
+        let dir = folder(fmu);
+        let found = |latched_by, most_states| look(&dir, &cell(watches, latched_by), most_states);
+        let passed = found("nobody", 300_000);
+        assert_eq!(passed.verdict, Verdict::HazardsFound, "{fmu} {watches}: {:?}", passed.reasons);
+        // The same with fewer states than passing takes: who keeps being reported is all that is followed.
+        let few = found("nobody", 600);
+        let changes = few.obligations.open().any(|one| one.need == Need::Changes);
+        assert!(!few.verdict.is_clean() && changes, "{fmu} {watches}: {:?}", few.verdict);
+        for latched_by in ["host", "PLC"] {
+            let clean = found(latched_by, 300_000);
+            assert!(clean.verdict.is_clean(), "{fmu} {watches} {latched_by}: {:?}", clean.reasons);
+        }
+    }
+}
