@@ -1041,7 +1041,26 @@ class OneLessNotTried(TypedDict):
     not_tried: NotTried
 
 
-OneLess: TypeAlias = Literal['as_it_is'] | OneLessMet | OneLessNotTried
+class Close(TypedDict):
+    change: str
+    """
+    The least of the change with which nothing was met, in words.
+    """
+    met: Met | None
+    """
+    What one step less than that leads to, if it is a hazard.
+    """
+
+
+class OneLessClose(TypedDict):
+    """
+    Nothing is met with a little less, and it is too close to be shown for everybody from anywhere.
+    """
+
+    close: Close
+
+
+OneLess: TypeAlias = Literal['as_it_is'] | OneLessMet | OneLessNotTried | OneLessClose
 """
 What the next smaller change leads to.
 """

@@ -89,6 +89,9 @@ pub struct FromAnywhere {
     pub until_s: f64,
     /// Why it does not show that nobody is hit; nothing if it does.
     pub reasons: Vec<String>,
+    /// Whether it is only close: on some floor it is not known whether somebody is hit, so a little more of the change may be shown.
+    #[serde(skip)]
+    pub is_close: bool,
 }
 
 /// A complete search.
@@ -119,6 +122,13 @@ pub enum OneLess {
     NotTried {
         /// Why.
         cause: String,
+    },
+    /// Nothing is met with a little less, and it is too close to be shown for everybody from anywhere.
+    Close {
+        /// The least of the change with which nothing was met, in words.
+        change: String,
+        /// What one step less than that leads to, if it is a hazard.
+        met: Option<Met>,
     },
 }
 
@@ -230,7 +240,7 @@ impl Checked {
             n => words.push(format!("some from each of {n} places around the start")),
         }
         match &self.everywhere {
-            Some(FromAnywhere { until_s, reasons }) => words.push(match reasons.first() {
+            Some(FromAnywhere { until_s, reasons, .. }) => words.push(match reasons.first() {
                 None => format!("everybody who comes from anywhere, until {until_s:.1} s"),
                 Some(reason) => format!("from anywhere that nobody is hit is not shown: {reason}"),
             }),
@@ -248,6 +258,11 @@ impl Checked {
             OneLess::AsItIs => "One step less is the cell as it is.".to_owned(),
             OneLess::Met(met) => format!("One step less: {}.", met.words()),
             OneLess::NotTried { cause } => format!("One step less cannot be tried: {cause}."),
+            OneLess::Close { change, met } => {
+                let less =
+                    met.as_ref().map_or_else(String::new, |met| format!(" One step less than that: {}.", met.words()));
+                format!("Nobody is met either with {change}, too close to be shown for everybody from anywhere.{less}")
+            }
         }
     }
 }
@@ -390,7 +405,11 @@ mod tests {
             reasons: reasons.iter().map(|&reason| reason.to_owned()).collect(),
         };
         let from_anywhere = |reason: Option<&str>| {
-            Some(FromAnywhere { until_s: 4.0, reasons: reason.map(str::to_owned).into_iter().collect() })
+            Some(FromAnywhere {
+                until_s: 4.0,
+                reasons: reason.map(str::to_owned).into_iter().collect(),
+                is_close: false,
+            })
         };
         let checked = |complete: Vec<Complete>, everywhere: Option<FromAnywhere>| Checked {
             complete,

@@ -351,7 +351,7 @@ impl<'a> Looking<'a> {
         for (number, ((history, between), way)) in each.filter(|(_, ((_, between), _))| !between.seen.is_empty()) {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
-            let known = self.found.hazards.len();
+            let known = self.found.hazards.iter().filter(|place| place.confirmed).count();
             let Effort { workers, ledger, .. } = self.effort;
             let (means, span) = (Means { workers, ledger }, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));

@@ -85,12 +85,14 @@ fn of_anywhere(prepared: &Prepared, text: &str) -> String {
 fn of_one_less(prepared: &Prepared, checked: &Checked) -> &'static str {
     match &checked.one_less {
         OneLess::AsItIs => "as it is",
-        OneLess::NotTried { .. } => "not run",
+        OneLess::NotTried { .. } | OneLess::Close { met: None, .. } => "not run",
         // It begins later or elsewhere than the cell says: the run that showed it is looked at in other tests.
-        OneLess::Met(met) if met.from.is_some() || met.actions.len() > prepared.cell.search.actions as usize => {
+        OneLess::Met(met) | OneLess::Close { met: Some(met), .. }
+            if met.from.is_some() || met.actions.len() > prepared.cell.search.actions as usize =>
+        {
             "elsewhere"
         }
-        OneLess::Met(met) => of_starts(prepared, &met.cell),
+        OneLess::Met(met) | OneLess::Close { met: Some(met), .. } => of_starts(prepared, &met.cell),
     }
 }
 

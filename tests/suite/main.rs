@@ -8,6 +8,7 @@ mod sample;
 
 mod abilities;
 mod advice;
+mod advice_from_anywhere;
 mod advice_holds;
 mod anywhere;
 mod anywhere_arms;

@@ -79,7 +79,7 @@ class Cell:
         self.walls = []
         for box in text.get("obstacle", []):
             middle, half = np.array(box["centre_m"], float), np.array(box["size_m"], float) / 2
-            assert middle[2] - half[2] <= 1e-9 and 2 * half[2] > 0.25
+            assert middle[2] - half[2] <= 1e-3 and 2 * half[2] > 0.25
             self.walls.append((middle, half))
         self.latched = [s.get("latched", False) for s in self.sensors]
         self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] == "interlocked_door"]

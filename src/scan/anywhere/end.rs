@@ -37,7 +37,8 @@ pub(super) fn not_looked_at(found: &mut Anywhere, walkable: &Walkable, end: End)
     found.not_looked_at_m = [rectangles(&left), walkable.beyond_m.clone()].concat();
     let cells = found.not_looked_at;
     (cells > 0).then(|| {
-        format!("{cells} cells of the floor were not looked at to the end: whether anybody is hit there is not known")
+        let were = if cells == 1 { "cell of the floor was" } else { "cells of the floor were" };
+        format!("{cells} {were} not looked at to the end: whether anybody is hit there is not known")
     })
 }
 

@@ -37,10 +37,12 @@ impl<'a> FromAnywhere<'a> {
             )));
         }
         if found.open > 0 {
-            open.push(Point::open(format!(
-                "{} cells of the floor are open: whether anybody is hit there is not known",
-                found.open
-            )));
+            let are = if found.open == 1 {
+                "1 cell of the floor is".to_owned()
+            } else {
+                format!("{} cells of the floor are", found.open)
+            };
+            open.push(Point::open(format!("{are} open: whether anybody is hit there is not known")));
         }
         if open.is_empty() && found.histories.is_empty() {
             open.push(Point::open("no robot moved that could harm anybody, or no sensor leaves anybody unseen"));
@@ -59,8 +61,9 @@ impl<'a> FromAnywhere<'a> {
         let between = self.looking.found.between;
         let open = (between > 0).then(|| {
             Point::open(format!(
-                "in {between} cells of the floor somebody may be hit between two communication steps, and at none: the robots are as \
-                 much nearer then as they may move in half a step"
+                "in {between} {} of the floor somebody may be hit between two communication steps, and at none: the robots are as \
+                 much nearer then as they may move in half a step",
+                if between == 1 { "cell" } else { "cells" }
             ))
         });
         Reply::unless(

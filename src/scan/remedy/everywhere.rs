@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 
 use super::looking::{Changed, Known, Purse, Witness};
 use super::standpoint::Standpoint;
+use crate::obligations::Need;
 use crate::report::advice::FromAnywhere;
 use crate::report::anywhere::Place;
 use crate::report::model::Begin;
@@ -37,7 +38,8 @@ impl Changed<'_> {
     pub fn everywhere(&self, purse: &mut Purse, workers: usize) -> Result<Option<FromAnywhere>, Box<Witness>> {
         let Some(Everywhere { until, presses, states, .. }) = purse.everywhere() else { return Ok(None) };
         let own = self.own();
-        let not_shown = |reason: String| Ok(Some(FromAnywhere { until_s: 0.0, reasons: vec![reason] }));
+        let not_shown =
+            |reason: String| Ok(Some(FromAnywhere { until_s: 0.0, reasons: vec![reason], is_close: false }));
         if let Some(reason) = anywhere::refusal(own) {
             return not_shown(reason);
         }
@@ -52,8 +54,8 @@ impl Changed<'_> {
         };
         let looked = anywhere(own, effort, &mut tell);
         stop.searching();
-        let found = match looked {
-            Ok(looked) => looked.found,
+        let (was_cut_short, found) = match looked {
+            Ok(looked) => (looked.was_cut_short(), looked.found),
             Err(error) => return not_shown(format!("the FMU failed: {}", error.cause.message)),
         };
         if let Some(witness) = found.hazards.iter().find_map(|place| self.witness(place)) {
@@ -63,7 +65,9 @@ impl Changed<'_> {
         if !found.verdict.is_clean() && reasons.is_empty() {
             reasons.push("somebody is hit".to_owned());
         }
-        Ok(Some(FromAnywhere { until_s: found.until_s, reasons }))
+        let about_floor = |need| matches!(need, Need::Searched | Need::BetweenSteps | Need::Confirmed);
+        let is_close = !was_cut_short && found.obligations.open().all(|one| about_floor(one.need));
+        Ok(Some(FromAnywhere { until_s: found.until_s, reasons, is_close }))
     }
 
     /// The walk of a way to be hit that is confirmed.

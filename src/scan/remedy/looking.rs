@@ -429,6 +429,11 @@ impl Purse {
         Some(*how)
     }
 
+    /// Whether a search from anywhere is left.
+    pub(super) fn has_searches(&self) -> bool {
+        self.everywhere.is_some_and(|how| how.searches > 0)
+    }
+
     /// Whether there is nothing left.
     pub(super) fn is_empty(&self) -> bool {
         self.states == 0 || self.work == 0

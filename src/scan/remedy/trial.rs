@@ -21,6 +21,9 @@ const PATIENCE: u32 = 4;
 /// Actions more than the cell says, for hazards that only come later.
 const LATER: u32 = 4;
 
+/// Steps more than the fewest with which nothing is met, where those are too close to be shown.
+const MORE: [u32; 3] = [2, 5, 12];
+
 /// Why a robot is not made slower.
 const TOO_SLOW: &str = "the robot would be so slow that what it does later was not looked at";
 
@@ -135,6 +138,7 @@ impl<'a> Trial<'a> {
         self.left = self.bench.effort.quick;
         let first = self.goal;
         if let Some((steps, checked, left)) = self.fewest(first, Some((&mut *purse, workers))) {
+            let (steps, checked, left) = self.shown_with_more(steps, checked, left, purse, workers);
             return self.reached(steps, checked, left);
         }
         if first != Goal::Cause
@@ -144,6 +148,37 @@ impl<'a> Trial<'a> {
             return self.reached(steps, checked, left);
         }
         self.no_help()
+    }
+
+    /// The fewest steps with which nothing was met; or a few more, where those are too close for a search from anywhere to show that nobody
+    /// is hit, and with these it does.
+    fn shown_with_more(
+        &mut self,
+        steps: u32,
+        checked: Checked,
+        left: Left,
+        purse: &mut Purse,
+        workers: usize,
+    ) -> (u32, Checked, Left) {
+        let is_close =
+            checked.everywhere.as_ref().is_some_and(|everywhere| everywhere.is_close && !checked.is_enough());
+        for more in MORE {
+            if !is_close || steps + more > self.most || !purse.has_searches() {
+                break;
+            }
+            // Where more of it leads to something else, the fewest stay.
+            let Judged::Held(kept) = self.judge(steps + more, &mut Some((&mut *purse, workers))) else { break };
+            let (shown, others) = *kept;
+            if shown.is_enough() {
+                let met = match std::mem::take(&mut self.below) {
+                    OneLess::Met(met) => Some(met),
+                    _ => None,
+                };
+                self.below = OneLess::Close { change: self.knob.words(steps), met };
+                return (steps + more, shown, others);
+            }
+        }
+        (steps, checked, left)
     }
 
     /// The goal is reached.
