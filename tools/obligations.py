@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What the answers of the repaired examples rest on: the table in docs/src/verdicts.md.
 
-    tools/obligations.py FMI_HAZARD            writes it (a quarter of an hour)
+    tools/obligations.py FMI_HAZARD            writes it (an hour)
     tools/obligations.py FMI_HAZARD --only mat  prints the lines of the examples whose names hold this
 
 Each example is scanned from its start and from anywhere; where all that is open can be accepted, once more with the lines that the
@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "src" / "verdicts.md"
 BEGIN, END = "<!-- obligations of the examples -->\n", "<!-- end of them -->\n"
 UNTIL = "2s"
-TIME = "15m"
+TIME = "4m"
 
 
 def scanned(program, folder, cell, more):

@@ -63,6 +63,7 @@ class ExplainOptions(Hosting, total=False):
     fmu: File
     no_changes: bool
     quick: bool
+    complete: bool
     from_: Literal["start", "anywhere", "both"]
     until: str
     iterations: int

@@ -33,6 +33,10 @@ pub(super) struct Arguments {
     /// No complete searches: what is told of changes then rests on known sequences and quick searches only
     #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_memory", "max_work"])]
     quick: bool,
+    /// Search each change that holds to its end, from the starts and from anywhere, however long that takes. Ctrl-C ends it and keeps what
+    /// is known by then
+    #[arg(long, conflicts_with_all = ["no_changes", "quick", "max_states", "max_work"])]
+    complete: bool,
     /// Where people come from before a change is called enough: its starts alone say less (default: FMI_HAZARD_FROM in the environment,
     /// else both)
     #[arg(long, value_enum)]
@@ -146,9 +150,9 @@ fn changes(
         until: arguments.until.unwrap_or(UNTIL),
         presses: PRESSES,
         states: MOST_STATES,
-        searches: Everywhere::OF_ONE,
+        searches: if arguments.complete { u32::MAX } else { Everywhere::OF_ONE },
     });
-    let effort = Effort {
+    let within = Effort {
         everywhere,
         iterations: arguments.iterations,
         work: u64::from(arguments.max_work) * 1_000_000,
@@ -157,6 +161,7 @@ fn changes(
         workers: arguments.workers.unwrap_or(usual.workers),
         ..usual
     };
+    let effort = if arguments.complete { within.without_end() } else { within };
     let telling = Telling::new(true);
     remedies(prepared, hazard, known, effort, &mut Purse::new(&effort), &|told| telling.hear(&told))
 }

@@ -83,6 +83,12 @@ impl Effort {
             everywhere: None,
         }
     }
+
+    /// The same with no limit but memory.
+    #[must_use]
+    pub fn without_end(self) -> Self {
+        Self { quick: u64::MAX, states: usize::MAX, work: u64::MAX, ..self }
+    }
 }
 
 /// The states that are usual.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use crate::common::anywhere::look_with;
 use crate::common::guarded::every_sequence;
-use crate::common::write;
+use crate::common::{fmi_hazard, scan_json, write};
 use crate::restarts::{UNTIL_S, WATCHES, cell, folder};
 use crate::sample;
 use fmi_hazard::report::advice::{Met, OneLess, Outcome, Remedy};
@@ -15,6 +15,7 @@ use fmi_hazard::scan::anywhere::Until;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::remedy::{Effort, Everywhere};
 use fmi_hazard::sim::anywhere::ledger::Ledger;
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// Parameters of the gantry that are no remedies here.
@@ -95,13 +96,18 @@ impl Advised {
     }
 }
 
-/// Panels over which people step: raised together, not one by one.
-#[test]
-fn a_fence_is_raised_as_far_as_it_has_to_be() {
+/// Two panels over which people step.
+fn low_fence() -> String {
     let panels = wall("left", [-0.6, -0.7], [1.2, 0.04]) + &wall("right", [0.6, -0.7], [1.2, 0.04]);
     let human =
         "start = { xy_m = [0, -1.1], heading_deg = 90 }\nfloor_m = [[-0.2, -1.4], [0.2, -1.4], [0.2, 0], [-0.2, 0]]\n";
-    let advised = advised(&slide(&panels, human, 4), 0.8);
+    slide(&panels, human, 4)
+}
+
+/// The panels are raised together, not one by one.
+#[test]
+fn a_fence_is_raised_as_far_as_it_has_to_be() {
+    let advised = advised(&low_fence(), 0.8);
     assert!(advised.is_enough("left and right").is_some());
     assert!(advised.of("left and right").change.ends_with("m higher"));
     for words in ["left 1", "right 1"] {
@@ -151,4 +157,27 @@ fn what_helps_because_of_where_somebody_begins_is_no_advice() {
     let behind = advised(&slide(&around, start, 4), 0.4);
     let told = format!("{:?}", behind.of("slide").outcome);
     assert!(told.contains("slide then stands beyond"), "{told}");
+}
+
+/// `explain` looks as far as it is told to: with little nothing is called enough, to the end it is.
+#[test]
+fn explain_looks_to_the_end_on_request() {
+    let dir = folder("gantry.fmu");
+    write(dir.path(), "cell.toml", &low_fence());
+    let ran = |arguments: &[&str]| {
+        let output = fmi_hazard(dir.path()).args(arguments).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    ran(&["scan", "cell.toml", "--from", "start", "--no-advice", "--strategy", "exhaustive", "--out", "o"]);
+    let id = scan_json(&dir.path().join("o"))["causes"][0]["id"].as_str().unwrap().to_owned();
+    let enough = |more: &str| {
+        let limits: Vec<&str> = more.split_whitespace().collect();
+        let explain = ["explain", "o", &id, "--until", "1s", "--from", "anywhere", "--format", "json"];
+        let told: Value = serde_json::from_str(&ran(&[&explain[..], &limits].concat())).unwrap();
+        let shown = |remedy: &&Value| {
+            remedy["outcome"]["sufficient"]["everywhere"]["reasons"].as_array().is_some_and(Vec::is_empty)
+        };
+        told["remedies"].as_array().unwrap().iter().filter(shown).count()
+    };
+    assert_eq!((enough("--max-states 2"), enough("--complete")), (0, 1));
 }

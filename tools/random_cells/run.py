@@ -1,13 +1,14 @@
 """Random cells against the program: what it says of each twin, and what an independent search of explicit walks meets.
 
     run.py BINARY FOLDER [--cells 100] [--first 0] [--walks 1500] [--time 60]
+    run.py BINARY FOLDER --enough 20   and what `explain` calls enough from anywhere, of every so many flawed cells of each kind
     run.py --table FOLDER          the table of the book, from what is in FOLDER/results.jsonl
 
 Each cell is one line of results.jsonl; cells that have theirs are left out, so it may be ended and begun again at any time. Both twins are
 scanned from anywhere and from the start. Each is searched by free walks (against what is said of anywhere) and by sequences of actions
 (against what is said of the start). Refuted is: "nobody" (exit code 0 from anywhere) and a sure hit by a free walk; "complete, none"
 (exit code 0 from the start) and one by a sequence; "fixed" (`compare`, `verify`) and one by a sequence in the repaired twin; a change that is
-said to be enough, where the changed cell is hit by a sequence. Where something can be accepted, the cell is accepted and scanned again.
+said to be enough, where the changed cell is hit by a sequence or, with --enough, by a free walk. Where something can be accepted, the cell is accepted and scanned again.
 """
 
 import argparse
@@ -183,6 +184,45 @@ def one(binary, folder, seed, number, seconds):
     return result
 
 
+def enough(binary, folder, result, number, seconds):
+    """What `explain` calls enough for the first cause of a flawed cell, from its start and from anywhere: applied, and searched by both."""
+    seed, scan = result["seed"], folder / "out" / f"{result['seed']}-flawed/start"
+    cell, until = folder / "cells" / f"{seed}-flawed.toml", max(result["until_s"], 1.0)
+    command = [binary, "explain", scan, json.loads((scan / "scan.json").read_text())["causes"][0]["id"], "--until", f"{until:.1f}s", "--format", "json"]
+    try:
+        run = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        return {"seed": seed, "kind": result["kind"], "ended": False, "changes": []}
+    rows = []
+    for remedy in json.loads(run.stdout)["remedies"]:
+        checked = remedy["outcome"].get("sufficient") if isinstance(remedy["outcome"], dict) else None
+        if not checked or (checked.get("everywhere") or {"reasons": ["not looked at"]})["reasons"]:
+            continue
+        rows.append(row := {"change": remedy["change"], "one_less": checked["one_less"]})
+        other = changed(cell.read_text(), remedy["change"])
+        if other is None:
+            continue
+        file = folder / "cells" / f"{seed}-enough-{len(rows)}.toml"
+        file.write_text(other)
+        row |= walked(file, folder, until, seed + 9000, number, {"free": 0.045, "sequences": 0.025})
+    return {"seed": seed, "kind": result["kind"], "ended": True, "changes": rows}
+
+
+def all_enough(binary, folder, given):
+    """The same of some of each kind, one a line of enough.jsonl; resumable."""
+    results = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
+    kept = folder / "enough.jsonl"
+    done = {json.loads(line)["seed"] for line in kept.read_text().splitlines()} if kept.exists() else set()
+    for result in results:
+        if result["seed"] in done or result["seed"] // len(KINDS) % given.enough or not result["twins"]["flawed"]["start"].get("hazards"):
+            continue
+        found = enough(binary, folder, result, given.walks, 4 * given.time)
+        with kept.open("a") as file:
+            file.write(json.dumps(found) + "\n")
+        hits = [(c["free"]["sure"], c["sequences"]["sure"]) if "free" in c else "not applied" for c in found["changes"]]
+        print(f"{found['seed']} {found['kind']}: {'' if found['ended'] else 'not ended; '}{[c['change'] for c in found['changes']]} {hits}", flush=True)
+
+
 def hit(twin):
     """Whether a walk or a sequence met harm."""
     return bool(twin["free"]["hits"] or twin["sequences"]["hits"])
@@ -214,12 +254,15 @@ def table(folder):
     walks = sum(t[w]["walks"] for r in rows for t in r["twins"].values() for w in ("free", "sequences"))
     advice = [a for r in rows for a in r.get("advice", [])]
     applied = [a for a in advice if a["applied"]]
-    enough = [a for a in applied if a["enough_until_s"]]
+    kept = folder / "enough.jsonl"
+    asked = [json.loads(line) for line in kept.read_text().splitlines()] if kept.exists() else []
+    enough_of = [c for one in asked for c in one["changes"] if "free" in c]
     fixed = [r for r in rows if any(c["words"].get("fixed") for c in r.get("fixed", {}).values())]
     print(f"\n{walks:,} walks and sequences in all. Of {len(advice)} changes after which advice says that nothing is left from the start, {len(applied)} "
-          f"were applied: a sequence from the start met harm after {sum(bool(a['sequences']['sure']) for a in applied)}. {len(enough)} of them are called "
-          f"enough: a walk from anywhere met harm after {sum(bool(a['free']['sure']) for a in enough)}; after the others, of which that is not said, "
-          f"after {sum(bool(a['free']['sure']) for a in applied if not a['enough_until_s'])}. "
+          f"were applied: a sequence from the start met harm after {sum(bool(a['sequences']['sure']) for a in applied)}, a walk from anywhere, of which "
+          f"nothing is said then, after {sum(bool(a['free']['sure']) for a in applied)}. Of {len(asked)} cells explain was asked, too: {len(enough_of)} "
+          f"changes are called enough, from anywhere as well; a walk or a sequence met harm after "
+          f"{sum(bool(c['free']['sure'] or c['sequences']['sure']) for c in enough_of)} of them. "
           f"Hazards are said to be fixed in {len(fixed)} repaired twins: a sequence met harm in "
           f"{sum(bool(r['twins']['repaired']['sequences']['sure']) for r in fixed)} of them.\n")
     remarks(rows)
@@ -249,6 +292,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--walks", type=int, default=1500)
     parser.add_argument("--time", type=int, default=60, help="longest time of a scan from anywhere, s; twice that for doors and low fences; 40 s at most from the start")
+    parser.add_argument("--enough", type=int, help="of every so many cells of each kind, what explain calls enough")
     parser.add_argument("--table", action="store_true")
     given = parser.parse_args()
     folder = given.folder.resolve()
@@ -256,6 +300,8 @@ def main():
         return table(folder)
     binary = Path(given.binary).resolve()
     fmus.build(folder / "fmu")
+    if given.enough:
+        return all_enough(binary, folder, given)
     (folder / "cells").mkdir(exist_ok=True)
     for fmi in (2, 3):
         shutil.copy(folder / f"fmu/robots{fmi}.fmu", folder / "cells")
