@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What the answers of the repaired examples rest on: the table in docs/src/verdicts.md.
 
-    tools/obligations.py FMI_HAZARD            writes it (an hour)
-    tools/obligations.py FMI_HAZARD --only mat  prints the lines of the examples whose names hold this
+    tools/obligations.py FMI_HAZARD             writes it (an hour)
+    tools/obligations.py FMI_HAZARD --only mat  writes the lines of the examples whose names hold this, and keeps the others
 
 Each example is scanned from its start and from anywhere; where all that is open can be accepted, once more with the lines that the
 scan prints. FMI_HAZARD is the program.
@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "src" / "verdicts.md"
 BEGIN, END = "<!-- obligations of the examples -->\n", "<!-- end of them -->\n"
 UNTIL = "2s"
-TIME = "4m"
+TIME = "8m"
 
 
 def scanned(program, folder, cell, more):
@@ -68,9 +68,7 @@ def answer(program, folder, cell, more):
 
 
 def lines(program, only):
-    """A line for each example."""
-    yield f"| repaired example | from its start | from anywhere, {UNTIL} |"
-    yield "|---|---|---|"
+    """The name and the line of each example whose name holds `only`."""
     with tempfile.TemporaryDirectory() as made:
         folder = pathlib.Path(made)
         subprocess.run([program, "examples", "export", str(folder)], check=True, capture_output=True)
@@ -78,24 +76,28 @@ def lines(program, only):
             if only in cell.parent.name:
                 start = answer(program, folder, cell, ["--from", "start"])
                 anywhere = answer(program, folder, cell, ["--from", "anywhere", "--until", UNTIL])
-                yield f"| {cell.parent.name} | {start} | {anywhere} |"
+                yield cell.parent.name, f"| {cell.parent.name} | {start} | {anywhere} |"
+
+
+def write(name, line):
+    """Puts the line of an example into the table, in place of the one that it had."""
+    head, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    table, tail = rest.split(END)
+    kept = {old.split("|")[1].strip(): old for old in table.splitlines()[2:]}
+    kept[name] = line
+    table = [f"| repaired example | from its start | from anywhere, {UNTIL} |", "|---|---|---|", *(kept[one] for one in sorted(kept))]
+    PAGE.write_text(head + BEGIN + "\n".join(table) + "\n" + END + tail, encoding="utf-8")
 
 
 def main():
-    """Writes or prints them."""
+    """Writes them, one after the other."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
-    parser.add_argument("--only")
+    parser.add_argument("--only", default="")
     arguments = parser.parse_args()
-    program = str(pathlib.Path(arguments.program).resolve())
-    if arguments.only is not None:
-        for line in lines(program, arguments.only):
-            print(line, flush=True)
-        return
-    text = PAGE.read_text(encoding="utf-8")
-    head, rest = text.split(BEGIN)
-    tail = rest.split(END)[1]
-    PAGE.write_text(head + BEGIN + "\n".join(lines(program, "")) + "\n" + END + tail, encoding="utf-8")
+    for name, line in lines(str(pathlib.Path(arguments.program).resolve()), arguments.only):
+        print(line, flush=True)
+        write(name, line)
 
 
 if __name__ == "__main__":

@@ -33,8 +33,8 @@ pub(super) struct Arguments {
     /// No complete searches: what is told of changes then rests on known sequences and quick searches only
     #[arg(long, conflicts_with_all = ["no_changes", "max_states", "max_memory", "max_work"])]
     quick: bool,
-    /// Search each change that holds to its end, from the starts and from anywhere, however long that takes. Ctrl-C ends it and keeps what
-    /// is known by then
+    /// Search each change that holds to its end, from the starts and from anywhere, within --max-memory and however long that takes;
+    /// changes of what restarts by itself as far as a scan from anywhere follows them. Ctrl-C ends it and keeps what is known by then
     #[arg(long, conflicts_with_all = ["no_changes", "quick", "max_states", "max_work"])]
     complete: bool,
     /// Where people come from before a change is called enough: its starts alone say less (default: FMI_HAZARD_FROM in the environment,

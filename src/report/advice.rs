@@ -261,7 +261,9 @@ impl Checked {
             OneLess::Close { change, met } => {
                 let less =
                     met.as_ref().map_or_else(String::new, |met| format!(" One step less than that: {}.", met.words()));
-                format!("Nobody is met either with {change}, too close to be shown for everybody from anywhere.{less}")
+                format!(
+                    "With {change} no hazard was met, but it is too close to be shown for everybody from anywhere.{less}"
+                )
             }
         }
     }
