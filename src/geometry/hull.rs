@@ -1,36 +1,25 @@
-//! A convex hull placed in the world: distances by parry, depths exactly.
+//! A convex hull placed in the world: its distances, depths and speeds.
 //!
-//! How far something inside has to be moved to come out is worked out from the hull's faces and edges: parry finds it by
-//! expanding a polytope, which may end some millimetres too early.
+//! A hull of many corners, which is a mesh's, is also cut into slabs across its longest side: together they are the hull, and each is small
+//! enough for what is told of its surroundings to be tight.
 
 use std::sync::Arc;
 
-use parry3d_f64::query::{self, ClosestPoints, PointQuery as _};
-use parry3d_f64::shape::{ConvexPolyhedron, Segment};
+use parry3d_f64::shape::ConvexPolyhedron;
 
-use super::distance::{point_segment, segment_segment};
+use super::distance::segment_segment;
+use super::polyhedron::{Nearest, Polyhedron};
+use super::slabs::Slabs;
 use super::solid::beyond;
 use super::{Capsule, Closest, Pose, Vec3};
-
-/// A convex polyhedron with what its depths follow from, in its own frame.
-#[derive(Debug)]
-struct Polyhedron {
-    convex: ConvexPolyhedron,
-    /// Outward normal of each face, and how far the polyhedron reaches along it, m.
-    faces: Vec<(Vec3, f64)>,
-    /// The ends of each edge.
-    edges: Vec<[Vec3; 2]>,
-    /// A capsule that holds it: what is far from that is far from the polyhedron.
-    around: Capsule,
-}
 
 /// A convex polyhedron shared between placements, with where it is.
 #[derive(Clone, Debug)]
 pub struct Hull {
     shape: Arc<Polyhedron>,
+    slabs: Slabs,
+    is_cut: bool,
     pose: Pose,
-    centre: Vec3,
-    radius: f64,
     /// The capsule around it where it stands.
     around: Capsule,
     /// What is no farther from it than this belongs to it, m.
@@ -41,35 +30,55 @@ impl Hull {
     /// The convex hull of points in the link's own frame, not yet moved; `None` when they do not span a volume.
     #[must_use]
     pub fn from_points(points: &[Vec3]) -> Option<Self> {
-        if !span_a_volume(points) {
-            return None;
-        }
-        ConvexPolyhedron::from_convex_hull(points).map(Self::new)
+        Polyhedron::around(points).map(|shape| Self::new(Arc::new(shape)))
     }
 
-    fn new(convex: ConvexPolyhedron) -> Self {
-        let points = convex.points();
-        let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
-        for point in points {
-            low = low.min(*point);
-            high = high.max(*point);
-        }
-        let centre = (low + high) * 0.5;
-        let radius = points.iter().map(|point| (*point - centre).length()).fold(0.0, f64::max);
-        let reach = |normal: Vec3| points.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max);
-        // Of a face without area there is no normal.
-        let normals = convex.faces().iter().filter_map(|face| face.normal.try_normalize());
-        let faces: Vec<(Vec3, f64)> = normals.map(|normal| (normal, reach(normal))).collect();
-        let edges = convex.edges().iter().map(|edge| edge.vertices.map(|corner| points[corner as usize])).collect();
-        let around = capsule_around(points, low, high);
-        let shape = Arc::new(Polyhedron { convex, faces, edges, around });
-        Self { shape, pose: Pose::IDENTITY, centre, radius, around, margin_m: 0.0 }
+    fn new(shape: Arc<Polyhedron>) -> Self {
+        let (slabs, around) = (Slabs::of(&shape), shape.around);
+        Self { shape, is_cut: !slabs.all.is_empty(), slabs, pose: Pose::IDENTITY, around, margin_m: 0.0 }
+    }
+
+    /// The slabs that it is cut into, where they stand: they hold it, and a millimetre more at most; none of a hull of few corners.
+    pub fn slabs(&self) -> impl Iterator<Item = Self> {
+        let slab = |shape: &Arc<Polyhedron>| Self {
+            shape: Arc::clone(shape),
+            slabs: Slabs::default(),
+            is_cut: true,
+            pose: Pose::IDENTITY,
+            around: shape.around,
+            margin_m: self.margin_m + self.slabs.margin_m,
+        };
+        self.slabs.all.iter().map(move |shape| slab(shape).placed(self.pose))
+    }
+
+    /// Whether it has so many corners that it is cut into slabs, or is one of them.
+    #[must_use]
+    pub const fn is_cut(&self) -> bool {
+        self.is_cut
+    }
+
+    /// How far it reaches along a direction, from the origin, m: nothing of it is beyond.
+    #[must_use]
+    pub fn reach_along(&self, direction: Vec3) -> f64 {
+        let along = self.shape.reach(self.pose.rotation.inverse() * direction);
+        along + direction.dot(self.pose.translation) + self.margin_m
+    }
+
+    /// Its corners, without what it is grown by.
+    pub fn corners(&self) -> impl Iterator<Item = Vec3> {
+        self.shape.corners().iter().map(|corner| self.pose * *corner)
+    }
+
+    /// What it is grown by, m.
+    #[must_use]
+    pub const fn margin_m(&self) -> f64 {
+        self.margin_m
     }
 
     /// The polyhedron in its own frame.
     #[must_use]
     pub fn shape(&self) -> &ConvexPolyhedron {
-        &self.shape.convex
+        self.shape.convex()
     }
 
     /// `world_from_local` of the polyhedron.
@@ -97,12 +106,18 @@ impl Hull {
 
     /// The same of the polyhedron.
     fn bare_at_least(&self, a: Vec3, b: Vec3) -> f64 {
-        segment_segment(a, b, self.around.a, self.around.b).distance - self.around.radius
+        let beyond = segment_segment(a, b, self.around.a, self.around.b).distance - self.around.radius;
+        if !self.is_cut {
+            return beyond;
+        }
+        let [a, b] = [a, b].map(|end| self.pose.inverse_transform_point(end));
+        beyond.max(self.shape.at_least(a, b) - ROUNDING_M)
     }
 
     /// Centre and radius of a sphere around it, world.
     pub(super) fn sphere(&self) -> (Vec3, f64) {
-        (self.pose * self.centre, self.radius + self.margin_m)
+        let (centre, radius) = self.shape.sphere;
+        (self.pose * centre, radius + self.margin_m)
     }
 
     pub(super) fn point_distance(&self, point: Vec3) -> Closest {
@@ -113,123 +128,92 @@ impl Hull {
         beyond(self.bare_segment_distance(a, b), self.margin_m)
     }
 
+    /// Where the segment between `a` and `b` is nearest; what meets the hull is as deep as what touches it. Of one that is farther than
+    /// `far_m`, a unit vector along which it is.
+    pub(crate) fn within(&self, a: Vec3, b: Vec3, far_m: f64) -> Result<Closest, Vec3> {
+        let touching = Closest { distance: 0.0, on_first: a, on_second: a };
+        let bare = if (b - a).length_squared() < SHORT_M2 {
+            Some(self.bare_point_distance(a)).filter(|near| near.distance > 0.0)
+        } else {
+            match self.shape.nearest(&self.pose, [a, b], far_m + self.margin_m) {
+                Nearest::Beyond(along) => return Err(along),
+                Nearest::Apart(on_first, on_second) => Some(closest(on_first, on_second)),
+                Nearest::Meet => None,
+            }
+        };
+        Ok(beyond(bare.unwrap_or(touching), self.margin_m))
+    }
+
+    /// The same as the distance where they are apart; what meets the hull is as deep as what touches it.
+    pub(super) fn segment_gap(&self, a: Vec3, b: Vec3) -> Closest {
+        let touching = Closest { distance: 0.0, on_first: a, on_second: a };
+        beyond(self.apart(a, b).unwrap_or(touching), self.margin_m)
+    }
+
+    /// What of the segment between `a` and `b` is inside, of one that meets the hull: its ends.
+    #[must_use]
+    pub fn inside(&self, a: Vec3, b: Vec3) -> [Vec3; 2] {
+        let [from, to] = [a, b].map(|end| self.pose.inverse_transform_point(end));
+        let [enters, leaves] = self.shape.inside(from, to, self.margin_m);
+        [enters, leaves].map(|part| a + (b - a) * part)
+    }
+
     fn bare_point_distance(&self, point: Vec3) -> Closest {
         let local = self.pose.inverse_transform_point(point);
+        let outside =
+            |on: Vec3| Closest { distance: (on - local).length(), on_first: point, on_second: self.pose * on };
+        let inside = |(normal, depth): (Vec3, f64)| Closest {
+            distance: -depth,
+            on_first: point,
+            on_second: self.pose * (local + normal * depth),
+        };
+        if self.is_cut() {
+            // Many faces: they are looked at only where the point is inside.
+            return self.shape.outside(local).map_or_else(|| inside(self.shape.shallowest(local, local)), outside);
+        }
         if self.bare_at_least(point, point) <= 0.0 {
-            let (normal, depth) = self.shape.shallowest(local, local);
-            if depth >= 0.0 {
-                return Closest { distance: -depth, on_first: point, on_second: self.pose * (local + normal * depth) };
+            let way_out = self.shape.shallowest(local, local);
+            if way_out.1 >= 0.0 {
+                return inside(way_out);
             }
         }
-        let on = self.shape.convex.project_local_point(local, false).point;
-        Closest { distance: (on - local).length(), on_first: point, on_second: self.pose * on }
+        outside(self.shape.nearest_to(local))
     }
 
     fn bare_segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
-        if (b - a).length_squared() < 1e-18 {
+        if (b - a).length_squared() < SHORT_M2 {
             return self.bare_point_distance(a);
         }
-        let segment = Segment::new(a, b);
-        let nearest = query::closest_points(&Pose::IDENTITY, &segment, &self.pose, &self.shape.convex, f64::MAX);
-        if let Ok(ClosestPoints::WithinMargin(on_first, on_second)) = nearest {
-            return Closest { distance: (on_first - on_second).length(), on_first, on_second };
+        self.apart(a, b).unwrap_or_else(|| {
+            let [a, b] = [a, b].map(|end| self.pose.inverse_transform_point(end));
+            let (depth, on, normal) = self.shape.depth(a, b);
+            // By rounding, what just touches may have no depth.
+            let depth = depth.max(0.0);
+            Closest { distance: -depth, on_first: self.pose * on, on_second: self.pose * (on + normal * depth) }
+        })
+    }
+
+    /// Where the polyhedron and the segment are nearest; nothing if they meet.
+    fn apart(&self, a: Vec3, b: Vec3) -> Option<Closest> {
+        if (b - a).length_squared() < SHORT_M2 {
+            return Some(self.bare_point_distance(a)).filter(|near| near.distance > 0.0);
         }
-        let [a, b] = [a, b].map(|end| self.pose.inverse_transform_point(end));
-        let (depth, on, normal) = self.shape.depth(a, b);
-        // By rounding, what just touches may have no depth.
-        let depth = depth.max(0.0);
-        Closest { distance: -depth, on_first: self.pose * on, on_second: self.pose * (on + normal * depth) }
+        match self.shape.nearest(&self.pose, [a, b], f64::MAX) {
+            Nearest::Apart(on_first, on_second) => Some(closest(on_first, on_second)),
+            Nearest::Beyond(_) | Nearest::Meet => None,
+        }
     }
 }
 
-/// A capsule along the longest side of the box that holds these points, which holds them too.
-fn capsule_around(points: &[Vec3], low: Vec3, high: Vec3) -> Capsule {
-    let (centre, half) = ((low + high) * 0.5, (high - low) * 0.5);
-    let axis = [Vec3::X, Vec3::Y, Vec3::Z]
-        .into_iter()
-        .fold(Vec3::X, |longest, axis| if half.dot(axis) > half.dot(longest) { axis } else { longest });
-    // As thick as it is across; its core is as short as the points allow.
-    let across = |point: &Vec3| {
-        let off = *point - centre;
-        (off - axis * off.dot(axis)).length()
-    };
-    let least = points.iter().map(across).fold(0.0, f64::max);
-    let core = (half.dot(axis) - 0.5 * least).max(0.0);
-    let (a, b) = (centre - axis * core, centre + axis * core);
-    let radius = points.iter().map(|point| point_segment(*point, a, b).distance).fold(0.0, f64::max);
-    // Placing it elsewhere rounds.
-    Capsule { a, b, radius: radius + ROUNDING_M }
+fn closest(on_first: Vec3, on_second: Vec3) -> Closest {
+    Closest { distance: (on_first - on_second).length(), on_first, on_second }
 }
 
-/// More than placing a shape in a workshop rounds by, m.
+/// More than going to another frame rounds by, m.
 const ROUNDING_M: f64 = 1e-9;
 
-/// Sine of the angle below which a segment and an edge are parallel.
-const PARALLEL: f64 = 1e-9;
-
-impl Polyhedron {
-    /// How far it reaches along a direction, m.
-    fn reach(&self, normal: Vec3) -> f64 {
-        self.convex.points().iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// The face through which the way out is shortest for the segment from `a` to `b`: its normal, and how far, m; not
-    /// positive if the segment is outside.
-    fn shallowest(&self, a: Vec3, b: Vec3) -> (Vec3, f64) {
-        let out = |(normal, reach): &(Vec3, f64)| (*normal, reach - normal.dot(a).min(normal.dot(b)));
-        let shorter = |one: (Vec3, f64), other: (Vec3, f64)| if other.1 < one.1 { other } else { one };
-        self.faces.iter().map(out).fold((Vec3::Z, f64::INFINITY), shorter)
-    }
-
-    /// The shortest way out for a segment that meets the polyhedron: how far, m, the point of the segment that then leaves
-    /// last, and the way.
-    ///
-    /// It is the distance of the origin from the surface of the Minkowski difference of the two, whose faces are those of
-    /// the polyhedron, moved, and some of those that its edges span with the segment. Along any direction there is a way
-    /// out: what is spanned and is no face is a longer one.
-    fn depth(&self, a: Vec3, b: Vec3) -> (f64, Vec3, Vec3) {
-        let (normal, depth) = self.shallowest(a, b);
-        let last = if normal.dot(a) <= normal.dot(b) { a } else { b };
-        let mut best = (depth, last, normal);
-        for [from, to] in &self.edges {
-            let (along, length) = (*to - *from, b - a);
-            let across = along.cross(length);
-            // Of parallels there is none: what rounding leaves points anywhere.
-            if across.length() <= PARALLEL * along.length() * length.length() {
-                continue;
-            }
-            for normal in [across.normalize(), -across.normalize()] {
-                let low = normal.dot(a).min(normal.dot(b));
-                // No corner reaches less far than the edge's.
-                if normal.dot(*from) - low >= best.0 {
-                    continue;
-                }
-                let depth = self.reach(normal) - low;
-                if depth < best.0 {
-                    best = (depth, segment_segment(a, b, *from, *to).on_first, normal);
-                }
-            }
-        }
-        best
-    }
-}
-
-/// Thinner than this is flat, m.
-const FLAT_M: f64 = 1e-6;
-
-/// Whether points are in no common plane.
-fn span_a_volume(points: &[Vec3]) -> bool {
-    let farthest = |distance: &dyn Fn(Vec3) -> f64| {
-        let by = |a: &&Vec3, b: &&Vec3| distance(**a).total_cmp(&distance(**b));
-        points.iter().max_by(by).map(|point| (*point, distance(*point))).filter(|(_, far)| *far > FLAT_M)
-    };
-    let Some(&a) = points.first() else { return false };
-    let Some((b, length)) = farthest(&|p| (p - a).length()) else { return false };
-    let along = (b - a) / length;
-    let Some((c, _)) = farthest(&|p| (p - a).cross(along).length()) else { return false };
-    let Some(normal) = (c - a).cross(along).try_normalize() else { return false };
-    farthest(&|p| (p - a).dot(normal).abs()).is_some()
-}
+/// The square of a length below which a segment is a point.
+const SHORT_M2: f64 = 1e-18;
 
 #[cfg(test)]
 mod tests {

@@ -11,6 +11,7 @@
 //! - [`sampled`]: the surface of a link as points
 
 pub mod boxes;
+mod coarse;
 pub mod coordinates;
 pub mod distance;
 pub mod hull;
@@ -19,9 +20,12 @@ pub mod joined;
 pub mod kinematics;
 pub mod mesh;
 pub mod polygon;
+mod polyhedron;
 pub mod sampled;
 pub mod segment_cuboid;
 pub mod shape;
+mod slabs;
+mod slices;
 pub mod solid;
 pub mod surface;
 pub mod triangle;

@@ -37,6 +37,26 @@ impl Solid {
         }
     }
 
+    /// The same where they are apart; how deep a segment that meets a hull is in it is not told: it only touches.
+    #[must_use]
+    pub fn segment_gap(&self, a: Vec3, b: Vec3) -> Closest {
+        match self {
+            Self::Hull(hull) => hull.segment_gap(a, b),
+            Self::Capsule(_) | Self::Mesh(_) => self.segment_distance(a, b),
+        }
+    }
+
+    /// Whether the segment between `a` and `b` is no farther than `far_m` from the link, m.
+    #[must_use]
+    pub fn is_within(&self, far_m: f64, a: Vec3, b: Vec3) -> bool {
+        match self {
+            Self::Hull(hull) if hull.is_cut() => {
+                hull.at_least(a, b) <= far_m && hull.within(a, b, far_m).is_ok_and(|near| near.distance <= far_m)
+            }
+            _ => self.segment_distance(a, b).distance <= far_m,
+        }
+    }
+
     /// The signed distance from the segment between `a` and `b` is at least this, m: soon told for all shapes, and for a
     /// capsule the distance itself.
     #[must_use]

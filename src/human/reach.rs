@@ -23,10 +23,12 @@ mod movement;
 mod obstructed;
 mod sweep;
 
+use std::cell::Cell;
+
 use self::barrier::{Barrier, Region};
 use self::cells::ArmCells;
 use self::joint_box::JointBox;
-use self::movement::{Frame, Limb, Movement, NearestMoves, Placed, Share};
+use self::movement::{Frame, Limb, Movement, NearestMoves, Placed, Plane, Share};
 use self::obstructed::{crosses, ends_inside};
 use self::sweep::Range;
 use super::Side;
@@ -34,7 +36,7 @@ use super::arm::{ArmModel, Config, clamped};
 use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart, segment_hits_cuboid};
-use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
+use crate::geometry::{Capsule, Cuboid, Hull, Pose, Solid, Vec3};
 use crate::stop::Stop;
 
 /// Part of the arm.
@@ -156,6 +158,30 @@ struct Piece {
     link: usize,
     solid: Solid,
     bounds: [f64; 4],
+    /// Of a slab of a hull, for each part of the arm a plane that it is behind, the last that was found between the two.
+    planes: [Cell<Option<Plane>>; 4],
+}
+
+impl Piece {
+    fn new<S: ContactScore>(query: &ReachQuery<'_, S>, link: usize, solid: Solid) -> Self {
+        let bounds_near =
+            |points: &Neighbourhood<'_>| SEGMENTS.map(|segment| query.score.upper_bound_near(segment, link, points));
+        let (centre, radius) = solid.bounding_sphere();
+        let mut bounds = bounds_near(&Neighbourhood::ball(centre, radius));
+        if let Solid::Hull(hull) = &solid
+            && hull.is_cut()
+            && bounds.iter().any(|bound| *bound > query.threshold)
+        {
+            // Speed is a convex function of the point: it is greatest at a corner.
+            let mut at_corners = [f64::NEG_INFINITY; 4];
+            for corner in hull.corners() {
+                let at = bounds_near(&Neighbourhood::ball(corner, hull.margin_m()));
+                at_corners = std::array::from_fn(|segment| at_corners[segment].max(at[segment]));
+            }
+            bounds = std::array::from_fn(|segment| bounds[segment].min(at_corners[segment]));
+        }
+        Self { link, solid, bounds, planes: Default::default() }
+    }
 }
 
 /// Longest core of a piece, m.
@@ -222,7 +248,11 @@ pub fn reach<S: ContactScore>(query: &ReachQuery<'_, S>) -> Reach {
 
 /// A link as pieces whose union it is.
 fn cut(link: &Solid) -> Vec<Solid> {
-    let Solid::Capsule(capsule) = link else { return vec![link.clone()] };
+    let capsule = match link {
+        Solid::Hull(hull) if hull.is_cut() => return hull.slabs().map(Solid::Hull).collect(),
+        Solid::Hull(_) | Solid::Mesh(_) => return vec![link.clone()],
+        Solid::Capsule(capsule) => capsule,
+    };
     let length = (capsule.b - capsule.a).length();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a robot link has a few pieces")]
     let count = (length / PIECE_M).ceil().clamp(1.0, 32.0) as u32;
@@ -244,12 +274,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
             .iter()
             .flat_map(|&link| cut(&query.links[link]).into_iter().map(move |solid| (link, solid)))
             .filter(|(_, solid)| in_reach(solid))
-            .map(|(link, solid)| {
-                let (centre, radius) = solid.bounding_sphere();
-                let points = Neighbourhood::ball(centre, radius);
-                let bounds = SEGMENTS.map(|s| query.score.upper_bound_near(s, link, &points));
-                Piece { link, solid, bounds }
-            })
+            .map(|(link, solid)| Piece::new(query, link, solid))
             .filter(|piece| piece.bounds.iter().any(|b| *b > query.threshold))
             .collect();
         let obstacles = query
@@ -432,7 +457,14 @@ impl<'a, S: ContactScore> Search<'a, S> {
         // Contacts no deeper than the tolerance are not looked for.
         let gap = |distance: f64| distance - radius_m + tolerance_m;
         if gap(link.at_least(placed.wrist, placed.wrist)) <= movement.wrist {
+            let wrist = Limb { ends: [Share::on_forearm(1.0); 2], radius: radius_m };
+            let plane = &piece.planes[ArmSegment::Hand as usize];
+            if wrist.is_beyond(plane, tolerance_m, placed, movement) {
+                return false;
+            }
             let near = link.point_distance(placed.wrist);
+            Plane::remember(plane, link, &near);
+            let is_slab = matches!(link, Solid::Hull(hull) if hull.is_cut());
             let bound = || {
                 let bound = |points| self.query.score.upper_bound_near(ArmSegment::Hand, piece.link, points);
                 // Above the limit only where the link's points are no farther than the tolerance: not looked for.
@@ -447,6 +479,10 @@ impl<'a, S: ContactScore> Search<'a, S> {
                         along: Some(&along),
                         ..Neighbourhood::ball(near.on_second, less(moves.at_most()))
                     })
+                } else if is_slab && near.distance <= 0.0 {
+                    // A wrist inside is its own point; one that has left the slab is no farther from it than it has come out.
+                    let around = movement.wrist + (movement.wrist + near.distance).max(0.0);
+                    bound(&Neighbourhood::ball(placed.wrist, less(around)))
                 } else {
                     // A wrist inside is its own point.
                     let around = 2.0 * movement.wrist + (-near.distance).max(0.0);
@@ -493,7 +529,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
         movement: &Movement,
     ) -> bool {
         let tolerance = self.query.tolerance_m;
-        let Some(near) = limb.may_touch(&piece.solid, tolerance, placed, movement) else { return false };
+        let plane = &piece.planes[segment as usize];
+        let Some(near) = limb.may_touch((&piece.solid, plane), tolerance, placed, movement) else { return false };
         let bound = |(centre, radius): (Vec3, f64)| {
             self.query.score.upper_bound_near(segment, piece.link, &Neighbourhood::ball(centre, radius))
         };
@@ -615,11 +652,13 @@ impl<'a, S: ContactScore> Search<'a, S> {
         };
         for &(index, centre, radius) in &self.links {
             let link = &self.query.links[index];
-            let near = |a: Vec3, b: Vec3, thickness: f64| {
+            let near = |segment, a: Vec3, b: Vec3, thickness: f64| {
                 let is_near = point_segment(centre, a, b).distance - radius <= thickness;
-                is_near && (matches!(link, Solid::Capsule(_)) || link.at_least(a, b) <= thickness)
+                is_near
+                    && (link.is_capsule()
+                        || (self.matters_beside(segment, index, [a, b], thickness) && link.at_least(a, b) <= thickness))
             };
-            if near(placed.wrist, placed.wrist, arm.hand_radius_m) {
+            if near(ArmSegment::Hand, placed.wrist, placed.wrist, arm.hand_radius_m) {
                 let hand = link.point_distance(placed.wrist);
                 if hand.distance <= arm.hand_radius_m {
                     // A wrist inside the link touches it where it is.
@@ -631,17 +670,52 @@ impl<'a, S: ContactScore> Search<'a, S> {
                     }
                 }
             }
-            for (segment, a, b, thickness) in [
-                (ArmSegment::Elbow, placed.elbow, zone, arm.forearm_radius_m),
-                (ArmSegment::Forearm, zone, placed.wrist, arm.forearm_radius_m),
-                (ArmSegment::UpperArm, placed.shoulder, placed.elbow, arm.upper_arm_radius_m),
+            for (segment, ends, thickness) in [
+                (ArmSegment::Elbow, [placed.elbow, zone], arm.forearm_radius_m),
+                (ArmSegment::Forearm, [zone, placed.wrist], arm.forearm_radius_m),
+                (ArmSegment::UpperArm, [placed.shoulder, placed.elbow], arm.upper_arm_radius_m),
             ] {
-                if near(a, b, thickness) {
+                let [a, b] = ends;
+                if !near(segment, a, b, thickness) {
+                    continue;
+                }
+                if let Solid::Hull(hull) = link
+                    && hull.is_cut()
+                {
+                    self.each_contact_with_hull((index, hull), (segment, ends, thickness), &mut consider);
+                } else {
                     let near = link.segment_distance(a, b);
                     consider(near.distance - thickness, segment, index, near.on_second, near.on_first);
                 }
             }
         }
+    }
+
+    /// The contacts of a limb with a hull that is cut. What of its axis is inside the hull, it touches: the fastest point of that is one of
+    /// the ends.
+    fn each_contact_with_hull(
+        &self,
+        (index, hull): (usize, &Hull),
+        (segment, [a, b], thickness): (ArmSegment, [Vec3; 2], f64),
+        consider: &mut impl FnMut(f64, ArmSegment, usize, Vec3, Vec3),
+    ) {
+        let Ok(near) = hull.within(a, b, thickness) else { return };
+        if near.distance > 0.0 {
+            consider(near.distance - thickness, segment, index, near.on_second, near.on_first);
+        } else if self.matters_beside(segment, index, [a, b], 0.0) {
+            hull.inside(a, b).into_iter().for_each(|at| consider(near.distance - thickness, segment, index, at, at));
+        }
+    }
+
+    /// Whether a point of a link that is no farther than `by_m` from the line between `ends` may score more than what is known. Of a hull that
+    /// is cut it is asked: speed is a convex function of the point, so it is greatest around one of the ends.
+    fn matters_beside(&self, segment: ArmSegment, link: usize, ends: [Vec3; 2], by_m: f64) -> bool {
+        let known = self.best.map_or(self.query.threshold, |best| best.score);
+        let Solid::Hull(hull) = &self.query.links[link] else { return true };
+        !hull.is_cut()
+            || ends
+                .iter()
+                .any(|end| self.query.score.upper_bound_near(segment, link, &Neighbourhood::ball(*end, by_m)) > known)
     }
 }
 

@@ -502,6 +502,10 @@ impl Encounter {
                 if bound > 0.0 && bound >= closest_m {
                     continue;
                 }
+                let bound = || solid.at_least(capsule.a, capsule.b) - capsule.radius;
+                if !solid.is_capsule() && bound() > closest_m.max(0.0) {
+                    continue;
+                }
                 let near = solid.segment_distance(capsule.a, capsule.b);
                 let distance = near.distance - capsule.radius;
                 closest_m = closest_m.min(distance);
@@ -536,13 +540,10 @@ pub fn may_harm_part(part: BodyPart, frame: &RobotFrame, link: usize, speed_m_s:
 #[must_use]
 pub fn may_meet(part: BodyPart, capsule: &Capsule, by: f64, frame: &RobotFrame, link: usize) -> bool {
     let (solid, within) = (&frame.links[link], capsule.radius + by);
-    if solid.at_least(capsule.a, capsule.b) > within {
+    if !solid.is_within(within, capsule.a, capsule.b) {
         return false;
     }
     let near = solid.segment_distance(capsule.a, capsule.b).distance;
-    if near > within {
-        return false;
-    }
     // Speed is a convex function of the point, so it is greatest around one of the ends.
     let around = capsule.radius.max(by - near) + by;
     let at = |end: Vec3| frame.deciding_speed_bound_near(link, &Neighbourhood::ball(end, around), Vec3::ZERO);

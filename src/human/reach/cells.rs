@@ -296,7 +296,7 @@ impl ArmCells {
                 let far = radius + from.radius.max(to.radius);
                 beside.iter().any(|piece| {
                     point_segment(piece.centre, from.centre, to.centre).distance - piece.radius <= far
-                        && piece.solid.segment_distance(from.centre, to.centre).distance <= far
+                        && piece.solid.is_within(far, from.centre, to.centre)
                 })
             }
         };

@@ -1,9 +1,11 @@
 //! How far points of an arm move within a box of joint angles, how near to a solid a limb comes with that, and how far
 //! the solid's nearest point moves along.
 
+use std::cell::Cell;
+
 use super::joint_box::JointBox;
 use super::sweep::{Levers, Range, Sweep, Turn};
-use crate::geometry::{Closest, Pose, Solid, Vec3};
+use crate::geometry::{Closest, Hull, Pose, Solid, Vec3};
 use crate::human::Side;
 use crate::human::arm::ArmModel;
 
@@ -157,26 +159,92 @@ pub(super) struct Limb {
     pub(super) radius: f64,
 }
 
+/// A plane that a solid is behind.
+#[derive(Clone, Copy)]
+pub(super) struct Plane {
+    /// Unit vector away from the solid.
+    normal: Vec3,
+    /// How far the solid reaches along it, from the origin, m.
+    reach_m: f64,
+}
+
+impl Plane {
+    /// The one across the way to a slab of a hull, if that is apart.
+    pub(super) fn remember(last: &Cell<Option<Self>>, link: &Solid, near: &Closest) {
+        if let (Solid::Hull(hull), Some(normal)) = (link, link.outward(near))
+            && hull.is_cut()
+        {
+            Self::remember_across(last, hull, normal);
+        }
+    }
+
+    /// The one across this unit vector.
+    fn remember_across(last: &Cell<Option<Self>>, hull: &Hull, normal: Vec3) {
+        last.set(Some(Self { normal, reach_m: hull.reach_along(normal) }));
+    }
+}
+
 impl Limb {
+    /// Whether the last plane that a solid was found to be behind keeps the limb from overlapping it by `depth` anywhere in a box of
+    /// joint angles.
+    pub(super) fn is_beyond(
+        &self,
+        last: &Cell<Option<Plane>>,
+        depth: f64,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> bool {
+        let Some(Plane { normal, reach_m }) = last.get() else { return false };
+        let beyond = self.ends.map(|end| normal.dot(end.at(placed)) - reach_m - self.radius);
+        let at_most = self.ends.map(|end| movement.at_most(end));
+        beyond[0].min(beyond[1]) - at_most[0].max(at_most[1]) > -depth || self.lowest(normal, beyond, movement) > -depth
+    }
+
+    /// Of what both ends are beyond a plane, the least that is left of that in a box of joint angles, m.
+    fn lowest(&self, normal: Vec3, beyond: [f64; 2], movement: &Movement) -> f64 {
+        let [elbow, wrist] = movement.both(normal).map(|range| range.low);
+        let lowest = |k: usize| beyond[k] + self.ends[k].of(-movement.shoulder, elbow, wrist);
+        lowest(0).min(lowest(1))
+    }
+
     /// Where the limb is nearest to a solid in the middle of a box of joint angles; none if they cannot overlap by `depth` in
-    /// it.
-    pub(super) fn may_touch(&self, link: &Solid, depth: f64, placed: &Placed, movement: &Movement) -> Option<Closest> {
+    /// it. The plane between them is remembered: it will often do for the next box, too.
+    pub(super) fn may_touch(
+        &self,
+        (link, last): (&Solid, &Cell<Option<Plane>>),
+        depth: f64,
+        placed: &Placed,
+        movement: &Movement,
+    ) -> Option<Closest> {
         let ends = self.ends.map(|end| end.at(placed));
         let at_most = self.ends.map(|end| movement.at_most(end));
         let apart = |distance: f64| distance - self.radius - at_most[0].max(at_most[1]) > -depth;
-        if !matches!(link, Solid::Capsule(_)) && apart(link.at_least(ends[0], ends[1])) {
+        if (!link.is_capsule() && apart(link.at_least(ends[0], ends[1])))
+            || self.is_beyond(last, depth, placed, movement)
+        {
             return None;
         }
-        let near = link.segment_distance(ends[0], ends[1]);
+        let near = match link {
+            Solid::Hull(hull) if hull.is_cut() => {
+                let far = self.radius + at_most[0].max(at_most[1]) - depth;
+                match hull.within(ends[0], ends[1], far) {
+                    Ok(near) => near,
+                    Err(normal) => {
+                        Plane::remember_across(last, hull, normal);
+                        return None;
+                    }
+                }
+            }
+            _ => link.segment_gap(ends[0], ends[1]),
+        };
+        Plane::remember(last, link, &near);
         if apart(near.distance) {
             return None;
         }
         let Some(n) = link.outward(&near).filter(|_| link.is_convex()) else { return Some(near) };
         // Signed distance from a convex solid is convex: it stays above its tangent plane.
         let plane = ends.map(|end| near.distance + (end - near.on_first).dot(n) - self.radius);
-        let [elbow, wrist] = movement.both(n).map(|range| range.low);
-        let nearest = |k: usize| plane[k] + self.ends[k].of(-movement.shoulder, elbow, wrist);
-        (nearest(0).min(nearest(1)) <= -depth).then_some(near)
+        (self.lowest(n, plane, movement) <= -depth).then_some(near)
     }
 
     /// Where the points of a solid can be at which the limb touches it within a box of joint angles, if the contact stays one
@@ -207,12 +275,35 @@ impl Limb {
             }
             _ => None,
         };
-        // An axis that stays outside is no farther from what the limb touches than it is thick. Speed is a convex function
-        // of the point, so it is greatest around one of the ends.
-        let beside = (near.distance > by).then(|| ends.map(|end| (end, self.radius + by)));
+        // An axis that stays outside is no farther from what the limb touches than it is thick, and of a slab of a hull what it
+        // touches from inside is on the axis. Speed is a convex function of the point, so it is greatest around one of the ends.
+        let beside = match link {
+            Solid::Hull(hull) if hull.is_cut() => {
+                let (centre, radius) = link.bounding_sphere();
+                let ends = near_ball(ends, centre, radius + self.radius + by);
+                Some(ends.map(|end| (end, self.radius + by)))
+            }
+            _ => (near.distance > by).then(|| ends.map(|end| (end, self.radius + by))),
+        };
         Touched { on_core, beside }
     }
 }
+
+/// The ends of what of a segment is in a ball; of one that is not, its point that is nearest to that, twice.
+fn near_ball([a, b]: [Vec3; 2], centre: Vec3, radius: f64) -> [Vec3; 2] {
+    let (along, to) = (b - a, centre - a);
+    let length = along.length();
+    if length < SHORT_M {
+        return [a, b];
+    }
+    let middle = to.dot(along) / (length * length);
+    let across = (to - along * middle).length();
+    let half = (radius * radius - across * across).max(0.0).sqrt() / length;
+    [middle - half, middle + half].map(|part| a + along * part.clamp(0.0, 1.0))
+}
+
+/// A segment below this is a point, m.
+const SHORT_M: f64 = 1e-9;
 
 /// Balls, each given by its centre and radius, that hold the points of a solid at which a limb touches it.
 pub(super) struct Touched {
