@@ -159,7 +159,10 @@ impl Polyhedron {
         let found =
             closest_points_support_map_support_map_with_params(pose, &segment, self, far_m, &mut simplex, begin);
         match found {
-            GJKResult::ClosestPoints(on_segment, on_hull, _) => Nearest::Apart(on_segment, on_hull),
+            // From the polyhedron's frame, as parry gives it elsewhere, to the last bit.
+            GJKResult::ClosestPoints(on_segment, on_hull, _) => {
+                Nearest::Apart(on_segment, *pose * pose.inverse_transform_point(on_hull))
+            }
             GJKResult::NoIntersection(towards) => Nearest::Beyond(-towards),
             _ => Nearest::Meet,
         }
