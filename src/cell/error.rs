@@ -249,11 +249,12 @@ impl Source {
         let first = 0..self.text.lines().next().map_or(0, str::len);
         let at = if span.end > 0 { span } else { first };
         let (name, text) = self.base_at(at.start).map_or((&self.name, &self.text), |base| (&base.name, &base.text));
-        let span = Some(SourceSpan::from((at.start - self.part(at.start).1, at.len())));
+        let start = at.start - self.part(at.start).1;
+        let (text, span) = shown(text, start..start + at.len());
         Box::new(CellError {
             message: message.into(),
-            source_code: NamedSource::new(name, text.clone()).with_language("TOML"),
-            span,
+            source_code: NamedSource::new(name, text).with_language("TOML"),
+            span: Some(SourceSpan::from((span.start, span.len()))),
             at,
             label: label.to_owned(),
             help,
@@ -266,6 +267,40 @@ impl Source {
     pub(super) fn parse_error(&self, message: &str, span: Range<usize>) -> Box<CellError> {
         self.error(span, "here", message, did_you_mean(message))
     }
+}
+
+/// A line longer than this is not shown as a whole, bytes; so much of it is, before and behind a place.
+const LONG_LINE: usize = 240;
+const AROUND: usize = 60;
+
+/// A text for showing a place in it: where lines are long, as in files that a program wrote on one, only what is around the place. Lines
+/// keep their numbers.
+fn shown(text: &str, place: Range<usize>) -> (String, Range<usize>) {
+    let boundary = |mut at: usize| {
+        at = at.min(text.len());
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    };
+    let start = boundary(place.start);
+    let line = text[..start].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+    // Those before and behind are shown with it.
+    let before = text[..line].trim_end_matches('\n').rsplit('\n').next().unwrap_or_default();
+    let behind = text.get(end + 1..).and_then(|rest| rest.split('\n').next()).unwrap_or_default();
+    if [end - line, before.len(), behind.len()].iter().all(|length| *length <= LONG_LINE) {
+        return (text.to_owned(), place);
+    }
+    let from = boundary(start.saturating_sub(AROUND)).max(line);
+    let to = boundary((start + place.len().min(AROUND) + AROUND).min(end));
+    let mut out = "\n".repeat(text[..line].matches('\n').count());
+    out += if from > line { "... " } else { "" };
+    let begins = out.len() + start - from;
+    out += &text[from..to];
+    let ends = (begins + place.len()).min(out.len());
+    out += if to < end { " ..." } else { "" };
+    (out, begins..ends)
 }
 
 /// Problems met so far: checks go on behind a mistake, so that all are told at once.

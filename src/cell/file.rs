@@ -24,6 +24,7 @@ pub mod layers;
 mod limits;
 mod obstacles;
 mod people;
+mod plausible;
 pub mod reading;
 mod robots;
 mod sensors;

@@ -60,6 +60,7 @@ mod narrower_questions;
 mod obligations;
 mod obstacles;
 mod pipelines;
+mod plausible;
 mod published;
 mod python_package;
 mod reflected_mass;

@@ -178,6 +178,17 @@ impl Checker<'_> {
             }
             other => other.ok(),
         };
+        if robot.moving_mass_kg.is_none() {
+            let masses: Vec<f64> = tree.links(&file.urdf).filter_map(|(link, ..)| link.mass_kg).collect();
+            self.filled_in(&robot.name, &masses);
+        }
+        for (joint, placed) in tree.moving.iter().zip(&tree.tree.joints) {
+            self.of_a_chain(
+                placed.parent_from_joint.translation,
+                &named.span(),
+                &format!("joint `{}` of the URDF", joint.name),
+            )?;
+        }
         let links = tree.links(&file.urdf).map(|(link, joint, pose)| (link.name.clone(), (joint, pose)));
         let joints = tree.moving.iter().enumerate().map(|(at, joint)| (joint.name.clone(), (at, Pose::IDENTITY)));
         let places = links.chain(joints).collect();

@@ -124,6 +124,7 @@ impl Checker<'_> {
         }
         let centre = o.centre_m.unwrap_or_default();
         self.finite(&centre, &span, &format!("the centre of obstacle `{name}`"))?;
+        self.of_a_workshop(&[size, centre].concat(), &span, &format!("obstacle `{name}`"))?;
         let rotation = roll_pitch_yaw(o.rpy_deg.unwrap_or_default().map(f64::to_radians));
         Ok(Cuboid { centre: Vec3::from_array(centre), half: Vec3::from_array(size) * 0.5, rotation })
     }
@@ -147,6 +148,8 @@ impl Checker<'_> {
             (message, "make it coarser, or export what a person can touch alone".to_owned())
         })?;
         let count = parts.len();
+        let corners = parts.iter().flat_map(|(_, part)| part.points.iter().flat_map(|point| point.to_array()));
+        self.of_a_workshop(&corners.collect::<Vec<_>>(), &span, &format!("the mesh of obstacle `{name}`"))?;
         let filled = filled(parts, resolution).map_err(|TooMany| {
             let message = format!("the mesh takes more than {MOST_BOXES} boxes, or too many cells, at {resolution} m");
             let help = "a larger resolution_m; or export what a person can touch alone, and without roundings";

@@ -62,6 +62,7 @@ impl Checker<'_> {
             let _ = self.problems.keep(self.frame(frame));
         }
         let _ = self.problems.keep(self.payload(robot));
+        self.problems.keep(self.plausible_robot(robot, &table.span()))?;
         let described = match &robot.urdf {
             Some(path) => Some(self.problems.keep(self.described(robot, path))?),
             None => None,
@@ -90,6 +91,13 @@ impl Checker<'_> {
             contact: LinkContact::default(),
         };
         let mut links: Vec<Link> = shapes.into_iter().map(of_urdf).collect();
+        if let Some(path) = &robot.urdf {
+            let hint = "; then a <mesh> has scale=\"0.001 0.001 0.001\"";
+            let fits = links.iter().try_for_each(|link| {
+                self.of_a_robot(&link.shape, &path.span(), &format!("link `{}`", link.name), hint)
+            });
+            self.problems.keep(fits)?;
+        }
         links.extend(self.problems.keep_all(robot.links.iter().map(|link| self.link(link, number, &places))));
         let _ = self.problems.keep(self.spheres(robot));
         let payload_at = self.problems.keep(self.payload_at(robot, &places, &links));
@@ -115,6 +123,7 @@ impl Checker<'_> {
             self.problems.tell(error);
         }
         let (moving_mass_kg, mass_place) = mass?;
+        self.fitting_robot(robot, kinematics.as_ref(), &links, moving_mass_kg);
         let (world_from_base, kinematics) = (pose(&robot.base), kinematics.map(Arc::new));
         Some((Robot { name: robot.name.clone(), world_from_base, kinematics, moving_mass_kg, mass_place }, links))
     }
@@ -272,6 +281,7 @@ impl Checker<'_> {
             }
         };
         let shape = if joint_from_place == Pose::IDENTITY { shape } else { shape.placed(joint_from_place) };
+        self.of_a_robot(&shape, &span, &format!("link `{}`", link.name), "")?;
         let contact = match &link.contact {
             Some(table) => self.link_contact(table)?,
             None => LinkContact::default(),
@@ -314,6 +324,9 @@ impl Checker<'_> {
         })?;
         let corner = |point: &Vec3| pose(&mesh.at) * upright(*point, mesh.metres_per_unit, mesh.up);
         let points: Vec<Vec3> = read.points.iter().map(corner).collect();
+        let [low, high] = [Vec3::min, Vec3::max].map(|end| points.iter().copied().reduce(end).unwrap_or_default());
+        let ends = Solid::Capsule(Capsule { a: low, b: high, radius: 0.0 });
+        self.of_a_robot(&ends, &span, "this mesh", "; then metres_per_unit is 0.001")?;
         if mesh.exact { self.exactly(&points, &read.triangles, &span) } else { self.hull_of(&points, &span) }
     }
 

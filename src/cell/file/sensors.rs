@@ -93,6 +93,7 @@ impl Checker<'_> {
                 "remove delay_ms".to_owned(),
             )
         })?;
+        self.plausible_delay(s);
         let steps = (delay_ms / 1000.0 / step_s - 1e-9).ceil();
         let delay_span = s.delay_ms.as_ref().map_or(span, Spanned::span);
         #[expect(clippy::cast_precision_loss, reason = "63")]
@@ -235,6 +236,7 @@ impl Checker<'_> {
             (format!("the zone of sensor `{}` needs at least three corners", s.name), "[[x, y], ...] in m".to_owned())
         })?;
         self.finite(&polygon.concat(), &zone.span(), &format!("the zone of sensor `{}`", s.name))?;
+        self.plain_polygon(&polygon, &zone.span(), &format!("the zone of sensor `{}`", s.name))?;
         Ok(polygon)
     }
 
@@ -244,6 +246,7 @@ impl Checker<'_> {
             let help = Some("zone = { line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }".to_owned());
             return Err(self.source.error(zone.span(), "here", message, help));
         };
+        self.of_a_workshop(&line.concat(), &zone.span(), &format!("{what} `{}`", s.name))?;
         let plane = upright(line, [low, high]);
         let sound = plane.half.x.is_finite() && plane.half.x > 0.0 && low >= 0.0 && high > low && high < 10.0;
         self.that(sound, zone.span(), || {

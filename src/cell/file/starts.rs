@@ -48,6 +48,7 @@ impl Checker<'_> {
         let mut tables = self.problems.keep_all(own.map(|table| {
             let StartTable { xy_m: [x, y], heading_deg } = *table.get_ref();
             self.finite(&[x, y, heading_deg], &table.span(), "the start pose")?;
+            self.of_a_workshop(&[x, y], &table.span(), "the start")?;
             Ok(*table.get_ref())
         }));
         let mut areas = Vec::new();
@@ -82,6 +83,7 @@ impl Checker<'_> {
             (format!("{name} has {} corners", corners.len()), "give at least three".to_owned())
         })?;
         self.finite(&corners.concat(), &floor.span(), &format!("a corner of {name}"))?;
+        self.plain_polygon(corners, &floor.span(), name)?;
         Ok(Some(corners.clone()))
     }
 
@@ -97,6 +99,7 @@ impl Checker<'_> {
         self.that(polygon_m.len() >= 3, span.clone(), || {
             ("the start area needs at least three corners".to_owned(), "[[x, y], ...] in m".to_owned())
         })?;
+        self.plain_polygon(polygon_m, &span, "the start area")?;
         self.finite(&polygon_m.concat(), &span, "a corner of the start area")?;
         self.that((0.05..=5.0).contains(spacing_m), span.clone(), || {
             (format!("spacing_m of the start area is {}", number(*spacing_m)), "use 0.05 to 5 m".to_owned())

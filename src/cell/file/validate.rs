@@ -99,6 +99,7 @@ impl Checker<'_> {
             },
         );
         self.limits(&file);
+        self.plausible_surroundings(&file);
         let budget = self.problems.keep(self.search(&file.search));
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
         let ((), ()) = (known?, budget?);

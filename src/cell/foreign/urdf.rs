@@ -101,16 +101,23 @@ pub(in crate::cell) struct Joint {
     pub fastest: Option<f64>,
 }
 
+/// What to do with a file that is none yet.
+const EXPAND: &str = "a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`";
+
 /// Reads a URDF file.
 ///
 /// # Errors
 /// What is no XML, misses what is needed, or is no tree, with its line.
 pub(in crate::cell) fn read(source: &Source) -> Result<Urdf> {
     let reader = Xml { source };
-    let document = reader.parse("a xacro file has to be expanded first: `xacro robot.urdf.xacro > robot.urdf`")?;
+    let document = reader.parse(EXPAND)?;
     let root = document.root_element();
     if !root.has_tag_name("robot") {
         return Err(reader.wrong(root, "the file has no <robot> at its top", "give a URDF file"));
+    }
+    let is_macro = |node: &Node<'_, '_>| node.tag_name().namespace().is_some_and(|of| of.contains("xacro"));
+    if let Some(node) = root.descendants().find(is_macro) {
+        return Err(reader.wrong(node, "it is xacro, whose macros have to be expanded first", EXPAND));
     }
     let links: Vec<(Node<'_, '_>, Link)> =
         children(root, "link").map(|node| Ok((node, reader.link(node)?))).collect::<Result<_>>()?;
