@@ -77,7 +77,7 @@ fn of_anywhere(prepared: &Prepared, text: &str) -> String {
                 format!("hazard {worst:.2}x")
             }
             Verdict::NoneFound(_) => "nobody".to_owned(),
-            _ => "open".to_owned(),
+            _ => format!("open: {}", looked.found.reasons.join("; ")),
         },
     }
 }

@@ -5,6 +5,7 @@ Ten kinds by turns, ten seeds apart FMI 2.0 and 3.0 by turns. The robots are rob
 
 import math
 import random
+import re
 
 WALL, HIGH = 0.05, 2.3
 KINDS = ["mat too narrow", "field too short", "stop too late", "gap in the fence", "fence too low", "door that restarts", "door not wired",
@@ -229,6 +230,14 @@ def slot(rng, seed, kind):
 
 
 MAKERS = [watched, watched, watched, fenced, fenced, doors, doors, doors, two, slot]
+
+
+def from_farther(text, by):
+    """The cell with people who begin so much farther away, and so much later, m: as far as that, changes leave room for them."""
+    x, y, heading = (float(v) for v in re.search(r"xy_m = \[(\S+), (\S+)\], heading_deg = (\d+)", text).groups())
+    text = text.replace(f"[{x:.3f}, {y:.3f}], heading", f"[{x:.3f}, {y + (by if heading == 270 else -by):.3f}], heading")
+    actions = int(re.search(r"actions = (\d+)", text)[1])
+    return text.replace(f"actions = {actions}", f"actions = {actions + math.ceil(by / 1.6 / 0.2)}")
 
 
 def twins(seed):

@@ -1,7 +1,7 @@
 """Random cells against the program: what it says of each twin, and what an independent search of explicit walks meets.
 
     run.py BINARY FOLDER [--cells 100] [--first 0] [--walks 1500] [--time 60]
-    run.py BINARY FOLDER --enough 20   and what `explain` calls enough from anywhere, of every so many flawed cells of each kind
+    run.py BINARY FOLDER --enough  what `explain --complete` calls enough, of flawed cells in which people begin 0.7 m farther away
     run.py --table FOLDER          the table of the book, from what is in FOLDER/results.jsonl
 
 Each cell is one line of results.jsonl; cells that have theirs are left out, so it may be ended and begun again at any time. Both twins are
@@ -22,10 +22,12 @@ from collections import Counter
 from pathlib import Path
 
 import fmu as fmus
-from generate import KINDS, twins
+from generate import KINDS, from_farther, twins
 from people import Cell
 from search import Search
 
+# How much farther away people begin where changes are asked for, m.
+FARTHER = 0.7
 SLOW = {"fence too low", "door that restarts", "door not wired"}
 
 
@@ -184,39 +186,44 @@ def one(binary, folder, seed, number, seconds):
     return result
 
 
-def enough(binary, folder, result, number, seconds):
+def enough(binary, folder, seed, number, seconds):
     """What `explain` calls enough for the first cause of a flawed cell, from its start and from anywhere: applied, and searched by both."""
-    seed, scan = result["seed"], folder / "out" / f"{result['seed']}-flawed/start"
-    cell, until = folder / "cells" / f"{seed}-flawed.toml", max(result["until_s"], 1.0)
-    command = [binary, "explain", scan, json.loads((scan / "scan.json").read_text())["causes"][0]["id"], "--until", f"{until:.1f}s", "--format", "json"]
+    kind, text, _ = twins(seed)
+    text = from_farther(text, FARTHER)
+    cell, out = folder / "cells" / f"{seed}-far.toml", folder / "out" / f"{seed}-far"
+    cell.write_text(text)
+    until = max(Cell(cell).actions * 0.2, 1.0)
+    result = {"seed": seed, "kind": kind, "ended": True, "changes": []}
+    if not told(binary, cell, "start", until, min(seconds, 60), out, False).get("hazards"):
+        return result
+    command = [binary, "explain", out, json.loads((out / "scan.json").read_text())["causes"][0]["id"], "--complete", "--until", f"{until:.1f}s", "--format", "json"]
     try:
         run = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
-        return {"seed": seed, "kind": result["kind"], "ended": False, "changes": []}
-    rows = []
+        return result | {"ended": False}
+    rows = result["changes"]
     for remedy in json.loads(run.stdout)["remedies"]:
         checked = remedy["outcome"].get("sufficient") if isinstance(remedy["outcome"], dict) else None
         if not checked or (checked.get("everywhere") or {"reasons": ["not looked at"]})["reasons"]:
             continue
         rows.append(row := {"change": remedy["change"], "one_less": checked["one_less"]})
-        other = changed(cell.read_text(), remedy["change"])
+        other = changed(text, remedy["change"])
         if other is None:
             continue
         file = folder / "cells" / f"{seed}-enough-{len(rows)}.toml"
         file.write_text(other)
         row |= walked(file, folder, until, seed + 9000, number, {"free": 0.045, "sequences": 0.025})
-    return {"seed": seed, "kind": result["kind"], "ended": True, "changes": rows}
+    return result
 
 
 def all_enough(binary, folder, given):
-    """The same of some of each kind, one a line of enough.jsonl; resumable."""
-    results = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
+    """The same of many, one a line of enough.jsonl; resumable."""
     kept = folder / "enough.jsonl"
     done = {json.loads(line)["seed"] for line in kept.read_text().splitlines()} if kept.exists() else set()
-    for result in results:
-        if result["seed"] in done or result["seed"] // len(KINDS) % given.enough or not result["twins"]["flawed"]["start"].get("hazards"):
+    for seed in range(given.first, given.first + given.cells):
+        if seed in done:
             continue
-        found = enough(binary, folder, result, given.walks, 4 * given.time)
+        found = enough(binary, folder, seed, given.walks, 8 * given.time)
         with kept.open("a") as file:
             file.write(json.dumps(found) + "\n")
         hits = [(c["free"]["sure"], c["sequences"]["sure"]) if "free" in c else "not applied" for c in found["changes"]]
@@ -292,7 +299,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--walks", type=int, default=1500)
     parser.add_argument("--time", type=int, default=60, help="longest time of a scan from anywhere, s; twice that for doors and low fences; 40 s at most from the start")
-    parser.add_argument("--enough", type=int, help="of every so many cells of each kind, what explain calls enough")
+    parser.add_argument("--enough", action="store_true", help="what explain calls enough")
     parser.add_argument("--table", action="store_true")
     given = parser.parse_args()
     folder = given.folder.resolve()
@@ -300,11 +307,11 @@ def main():
         return table(folder)
     binary = Path(given.binary).resolve()
     fmus.build(folder / "fmu")
-    if given.enough:
-        return all_enough(binary, folder, given)
     (folder / "cells").mkdir(exist_ok=True)
     for fmi in (2, 3):
         shutil.copy(folder / f"fmu/robots{fmi}.fmu", folder / "cells")
+    if given.enough:
+        return all_enough(binary, folder, given)
     results = folder / "results.jsonl"
     done = {json.loads(line)["seed"] for line in results.read_text().splitlines()} if results.exists() else set()
     for seed in range(given.first, given.first + given.cells):

@@ -22,7 +22,7 @@ const PATIENCE: u32 = 4;
 const LATER: u32 = 4;
 
 /// Steps more than the fewest with which nothing is met, where those are too close to be shown.
-const MORE: [u32; 3] = [2, 5, 12];
+const MORE: [u32; 4] = [2, 5, 12, 28];
 
 /// Why a robot is not made slower.
 const TOO_SLOW: &str = "the robot would be so slow that what it does later was not looked at";
