@@ -23,34 +23,17 @@ pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     edges(polygon).map(to).fold(f64::INFINITY, f64::min)
 }
 
-/// The numbers of two edges that cross or touch and are not neighbours, or that lie on one another; nothing of a polygon that does not cross
-/// itself. It takes as long as there are pairs of edges.
+/// The numbers of two edges that cross; nothing of a polygon that does not cross itself. Edges that only touch or lie on one another do not
+/// cross: a slit to a hole is two of them. It takes as long as there are pairs of edges.
 #[must_use]
 pub fn crossing(polygon: &[[f64; 2]]) -> Option<(usize, usize)> {
-    let count = polygon.len();
     let side = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2], [x, y]: [f64; 2]| (bx - ax) * (y - ay) - (by - ay) * (x - ax);
-    let within = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
-        (0..2).all(|axis| (a[axis].min(b[axis])..=a[axis].max(b[axis])).contains(&p[axis]))
-    };
     let all: Vec<_> = edges(polygon).collect();
-    let meet = |one: usize, other: usize| {
-        let ((a, b), (c, d)) = (all[one], all[other]);
-        let [c_side, d_side, a_side, b_side] = [side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)];
-        if (one + 1) % count == other || (other + 1) % count == one {
-            // Neighbours share a corner; one may lie back on the other.
-            let (free, shared, from) = if (one + 1) % count == other { (d, b, a) } else { (c, a, b) };
-            let back =
-                (free[0] - shared[0]) * (from[0] - shared[0]) + (free[1] - shared[1]) * (from[1] - shared[1]) > 0.0;
-            return back && side(from, shared, free) == 0.0;
-        }
-        let touches = |on: f64, from: [f64; 2], to: [f64; 2], point: [f64; 2]| on == 0.0 && within(from, to, point);
-        (c_side * d_side < 0.0 && a_side * b_side < 0.0)
-            || touches(c_side, a, b, c)
-            || touches(d_side, a, b, d)
-            || touches(a_side, c, d, a)
-            || touches(b_side, c, d, b)
+    let cross = |(one, other): &(usize, usize)| {
+        let ((a, b), (c, d)) = (all[*one], all[*other]);
+        side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
     };
-    (0..count).flat_map(|one| (one + 1..count).map(move |other| (one, other))).find(|(one, other)| meet(*one, *other))
+    (0..all.len()).flat_map(|one| (one + 1..all.len()).map(move |other| (one, other))).find(cross)
 }
 
 /// The convex hull of points, anticlockwise (Andrew's monotone chain).

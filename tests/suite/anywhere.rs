@@ -497,8 +497,10 @@ fn robots_that_heed_different_sensors_are_looked_at_one_by_one() {
     // Of each robot: nobody was seen, its mat sees somebody, it does no more.
     assert!((4..=8).contains(&safe.histories.len()), "{safe:#?}");
     assert!(safe.histories.iter().all(|history| history.sensors.len() == 1), "{safe:#?}");
-    let wrong = two(["b", "a"], 0.1);
-    assert_eq!(grounds(&wrong), ["a does not heed mat a", "b does not heed mat b"]);
+    let wrong = grounds(&two(["b", "a"], 0.1));
+    assert!(
+        ["a does not heed mat a", "b does not heed mat b"].iter().all(|ground| wrong.iter().any(|told| told == ground))
+    );
 }
 
 /// A square mat around the bar, but for what is beyond x = `cut_m`; people come along a strip of floor from there.

@@ -118,7 +118,8 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
         "--baseline",
         "o",
     ];
-    fmi_hazard(dir).args(more).args(["--begin", "4", "--out", "four"]).assert().code(0);
+    // A few sequences show nothing of the others.
+    fmi_hazard(dir).args(more).args(["--begin", "4", "--out", "four"]).assert().code(4);
     assert_eq!(scan_json(&dir.join("four"))["hazards"], known["hazards"]);
     let new = fmi_hazard(dir).args(more).args(["--begin", "2", "--out", "two"]).assert().get_output().clone();
     let told = String::from_utf8_lossy(&new.stderr).into_owned();
@@ -275,7 +276,7 @@ fn areas_without_a_place_and_with_too_many_are_refused() {
             "the person has 40602 beginnings: 20301 starts at 2 times",
         ),
         (
-            "start_area = [{ polygon_m = [[0, 0], [9e5, 0], [0, 9e5]], spacing_m = 0.1, heading_deg = [0] }]",
+            "start_area = [{ polygon_m = [[-199, -199], [199, -199], [0, 199]], spacing_m = 0.1, heading_deg = [0] }]",
             "places around the start area",
         ),
         ("start_area = [{ polygon_m = [[0, 0], [1, 0]], spacing_m = 0.1, heading_deg = [0] }]", "three corners"),

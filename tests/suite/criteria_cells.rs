@@ -150,7 +150,7 @@ fn the_transient_force_sees_none_of_them() {
     }
     let dir = examples();
     let cells = FLAWS.iter().map(|flaw| (flaw.cell, flaw.criterion, flaw.actions));
-    for (cell, criterion, actions) in cells.chain([("short-zone", "separation", 5)]) {
+    for (cell, criterion, actions) in cells.chain([("short-zone", "separation", 8)]) {
         let file = format!("{cell}/cell.toml");
         let text = std::fs::read_to_string(dir.path().join(&file)).unwrap();
         let (before, criteria) = text.split_once("[criteria]\n").unwrap();

@@ -88,6 +88,8 @@ fn what_fits_is_told_nothing() {
         // A zone with a notch, and one whose corners go the other way round.
         vec![("[1, 1], [-1, 1]]", "[1, 1], [0.2, 1], [0.2, 0], [-0.2, 0], [-0.2, 1], [-1, 1]]")],
         vec![("[[-1, -1], [1, -1], [1, 1], [-1, 1]]", "[[-1, 1], [1, 1], [1, -1], [-1, -1]]")],
+        // One with a hole, to which a slit leads.
+        vec![("[1, 1], [-1, 1]]", "[1, 1], [-1, 1], [-1, 0], [-0.5, 0], [0.5, 0.5], [0.5, 0], [-0.5, 0], [-1, 0]]")],
     ] {
         assert_eq!(told(folder.path(), &changed(&unusual)), (Vec::new(), Vec::new()), "{unusual:?}");
     }
@@ -128,8 +130,17 @@ fn what_cannot_be_meant_is_refused() {
             &["the zone of sensor `mat`", "-1000 mm would be -1"],
         ),
         (zone, "[[-1, -1], [1, 1], [1, -1], [-1, 1]]", &["crosses itself", "(-1, -1) to (1, 1)", "(1, -1) to (-1, 1)"]),
-        (zone, "[[-1, -1], [1, -1], [1, 1], [0, -1], [-1, 1]]", &["crosses itself", "(-1, -1) to (1, -1)"]),
-        (zone, "[[-1, -1], [1, -1], [0, -1], [0, 1]]", &["crosses itself", "(1, -1) to (0, -1)"]),
+        // A star, and two corners that changed places.
+        (
+            zone,
+            "[[0, 1], [0.6, -0.8], [-1, 0.3], [1, 0.3], [-0.6, -0.8]]",
+            &["crosses itself", "(0, 1) to (0.6, -0.8)"],
+        ),
+        (
+            zone,
+            "[[-1, -1], [1.5, 0], [1, -1], [1, 1], [-1, 1], [-1.5, 0]]",
+            &["crosses itself", "(-1, -1) to (1.5, 0)"],
+        ),
         // The person.
         (
             "xy_m = [0, -2]",
