@@ -10,7 +10,7 @@
 //! in the way only where it is so for all of them. Directions have no limits here, so no heading changes an answer.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::barrier::{Barrier, Placed, Region};
@@ -21,6 +21,7 @@ use crate::geometry::distance::point_segment;
 use crate::geometry::segment_cuboid::{segment_cuboid, segment_cuboid_apart};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::arm::ArmModel;
+use crate::stop::Stop;
 
 /// Half edges of cubes, m, each half the one before.
 const HALVES_M: [f64; 6] = [0.1, 0.05, 0.025, 0.0125, 0.00625, 0.003_125];
@@ -59,6 +60,12 @@ pub struct ArmCells {
     /// Largest cubes along x, y and z.
     count: [usize; 3],
     known: [Known; 3],
+    /// When it has to end: whatever is not known then may be.
+    stop: Option<Stop>,
+    /// It was due.
+    over: AtomicBool,
+    /// Cubes that were asked for and not known, over and over.
+    worked: AtomicU32,
     /// Of shoulders that hang from somewhere on these sides of barriers.
     beside: Mutex<BTreeMap<Sides, Arc<Known>>>,
 }
@@ -80,6 +87,9 @@ struct Cube {
     size: usize,
     at: [usize; 3],
 }
+
+/// Cubes that are worked out between two looks at whether it has to end.
+const LOOK: u32 = 64;
 
 const UNKNOWN: u8 = 0;
 const NOT: u8 = 1;
@@ -119,8 +129,25 @@ impl ArmCells {
             low,
             count,
             known: std::array::from_fn(|_| nothing(count)),
+            stop: None,
+            over: AtomicBool::new(false),
+            worked: AtomicU32::new(0),
             beside: Mutex::default(),
         }
+    }
+
+    /// The same, but for what is not known yet when `stop` is due: that may be, then.
+    #[must_use]
+    pub fn heeding(self, stop: &Stop) -> Self {
+        Self { stop: Some(stop.clone()), ..self }
+    }
+
+    fn is_over(&self) -> bool {
+        let Some(stop) = &self.stop else { return false };
+        if self.worked.fetch_add(1, Ordering::Relaxed).is_multiple_of(LOOK) && stop.is_due() {
+            self.over.store(true, Ordering::Relaxed);
+        }
+        self.over.load(Ordering::Relaxed)
     }
 
     /// Whether an arm may touch a link harmfully, in some direction, whose shoulder is within `radius_m` of a point: `false`
@@ -375,6 +402,7 @@ impl ArmCells {
         let [x, y, z] = cube.at.map(|at| at & ((1 << cube.size) - 1));
         let memory = &of_size[(((z << cube.size) + y) << cube.size) + x];
         match memory.load(Ordering::Relaxed) {
+            UNKNOWN if self.is_over() => true,
             UNKNOWN => {
                 let may = work(&self.region(cube));
                 memory.store(if may { MAY } else { NOT }, Ordering::Relaxed);

@@ -7,6 +7,7 @@ use crate::human::Side;
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::sample;
 use crate::search::Rng;
+use crate::stop::Stop;
 
 fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
@@ -143,6 +144,31 @@ fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
         out_of_reach > apart && 10 * said > if sample::is_whole() { 7 } else { 6 } * out_of_reach,
         "{said} of {out_of_reach}"
     );
+}
+
+/// When it has to end, what is not known yet may be: nothing more is worked out than between two looks at that.
+#[test]
+fn little_is_worked_out_once_it_has_to_end() {
+    let wall = Cuboid {
+        centre: Vec3::new(0.0, 0.0, 1.0),
+        half: Vec3::new(0.01, 2.0, 1.0),
+        rotation: rotation_about(Vec3::Z, 0.0),
+    };
+    let link = Solid::Capsule(Capsule { a: Vec3::new(0.3, -0.2, 1.2), b: Vec3::new(0.3, 0.2, 1.2), radius: 0.05 });
+    let targets = [Target { solid: &link, hand: true, forearm: true, upper_arm: true }];
+    let arm = ArmModel::default();
+    let stop = Stop::default();
+    let cells = ArmCells::new(&arm, &targets, &[wall], &[]).heeding(&stop);
+    let shoulder = Vec3::new(-0.1, 0.0, 1.2);
+    assert!(!cells.may_touch(shoulder, 0.05));
+    let whole = cells.worked.load(Ordering::Relaxed);
+    stop.ask();
+    // What is known stays.
+    assert!(!cells.may_touch(shoulder, 0.05));
+    let cells = ArmCells::new(&arm, &targets, &[wall], &[]).heeding(&stop);
+    assert!(cells.may_touch(shoulder, 0.05));
+    let asked = cells.worked.load(Ordering::Relaxed);
+    assert!(asked <= LOOK && 100 * asked < whole, "{asked} of {whole}");
 }
 
 /// Who is on the other side of a wall from the robot, and cannot reach round it, is out of its reach wherever the shoulder is;

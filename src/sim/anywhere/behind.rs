@@ -81,7 +81,8 @@ impl Anywhere<'_> {
         let all = ToldOf { come_before: false, others: vec![true; self.ground.cells()] };
         let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return all };
         let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
-        let arms = ArmCells::new(&self.encounter.arm, &[target], &self.encounter.obstacles, &[]);
+        let arms =
+            ArmCells::new(&self.encounter.arm, &[target], &self.encounter.obstacles, &[]).heeding(&self.encounter.stop);
         // Other sensors may have told of them.
         let untold = self.untold_by(|sensor| sensor == curtain.sensor);
         let is_behind = |cell: usize| curtain.depth(self.at_height_of_plane(cell)) > 0.0;

@@ -143,7 +143,8 @@ impl<'a> Within<'a> {
         let pairs = Self::pairs(history);
         let walls = of.walls(history);
         let targets: Vec<Target<'_>> = pairs.iter().filter(|pair| pair.arms).map(|pair| pair.target(history)).collect();
-        let arms = Arc::new(ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls));
+        let arms = ArmCells::new(&of.encounter.arm, &targets, &of.encounter.obstacles, &walls);
+        let arms = Arc::new(arms.heeding(&of.encounter.stop));
         Self { of, history, pairs, walls, arms, end }
     }
 
@@ -259,6 +260,9 @@ impl<'a> Within<'a> {
     ) -> bool {
         let mut pending = vec![*at];
         while let Some(at) = pending.pop() {
+            if self.is_over() {
+                return false;
+            }
             outcome.boxes += 1;
             match self.judge(&at, posture, near, false, coverage) {
                 Judged::Settled => {}
@@ -330,6 +334,9 @@ impl<'a> Within<'a> {
         let headings = || headings(TRIED_HEADINGS).map(|(heading_rad, _)| heading_rad);
         for (posture, xy_m) in postures.iter().flat_map(|posture| places.map(|xy_m| (*posture, xy_m))) {
             for heading_rad in headings() {
+                if self.is_over() {
+                    break;
+                }
                 let pose = PoseBox::point(xy_m, heading_rad);
                 let bend = cut_back(&cell.body, pose.position(), heading_rad, posture, &encounter.obstacles);
                 let body = self.of.placed(&pose, posture, bend);
