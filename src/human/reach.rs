@@ -635,14 +635,34 @@ impl<'a, S: ContactScore> Search<'a, S> {
         let Some(contact) = worst else { return };
         let is_better = contact.score > self.best.map_or(self.query.threshold, |b| b.score);
         if is_better && !self.is_too_far(placed, 0.0) && self.free(placed) {
-            self.best = Some(contact);
+            self.best = Some(ArmContact { signed_distance: self.depth(&contact, placed), ..contact });
+        }
+    }
+
+    /// The axis of a limb that is no hand, and its radius, m.
+    fn limb(&self, segment: ArmSegment, placed: &Placed) -> ([Vec3; 2], f64) {
+        let (arm, zone) = (self.query.arm, self.end_of_elbow(placed));
+        match segment {
+            ArmSegment::Elbow => ([placed.elbow, zone], arm.forearm_radius_m),
+            ArmSegment::Forearm | ArmSegment::Hand => ([zone, placed.wrist], arm.forearm_radius_m),
+            ArmSegment::UpperArm => ([placed.shoulder, placed.elbow], arm.upper_arm_radius_m),
+        }
+    }
+
+    /// How deep a contact is; with a hull that is cut that is worked out only of what counts.
+    fn depth(&self, contact: &ArmContact, placed: &Placed) -> f64 {
+        match &self.query.links[contact.link] {
+            Solid::Hull(hull) if hull.is_cut() && contact.segment != ArmSegment::Hand => {
+                let ([a, b], thickness) = self.limb(contact.segment, placed);
+                self.query.links[contact.link].segment_distance(a, b).distance - thickness
+            }
+            _ => contact.signed_distance,
         }
     }
 
     /// The contacts of a configuration, of each part of the arm with each link, wherever obstacles are but for the hand's.
     fn each_contact(&self, config: Config, placed: &Placed, mut consider: impl FnMut(ArmContact)) {
         let arm = self.query.arm;
-        let zone = self.end_of_elbow(placed);
         let mut consider = |signed_distance: f64, segment, link, on_link: Vec3, on_arm: Vec3| {
             if signed_distance <= 0.0 {
                 let score = self.query.score.score(segment, link, on_link);
@@ -670,11 +690,8 @@ impl<'a, S: ContactScore> Search<'a, S> {
                     }
                 }
             }
-            for (segment, ends, thickness) in [
-                (ArmSegment::Elbow, [placed.elbow, zone], arm.forearm_radius_m),
-                (ArmSegment::Forearm, [zone, placed.wrist], arm.forearm_radius_m),
-                (ArmSegment::UpperArm, [placed.shoulder, placed.elbow], arm.upper_arm_radius_m),
-            ] {
+            for segment in [ArmSegment::Elbow, ArmSegment::Forearm, ArmSegment::UpperArm] {
+                let (ends, thickness) = self.limb(segment, placed);
                 let [a, b] = ends;
                 if !near(segment, a, b, thickness) {
                     continue;

@@ -426,6 +426,38 @@ fn no_promised_contact_with_a_hull_is_in_a_box_that_is_dropped() {
     assert!(dropped > 20_000 && kept > 4000 && dropped_in_touch > 2000, "{dropped} {kept} {dropped_in_touch}");
 }
 
+/// A forearm deep in a link is not left out where contacts are looked for to more than it is thick.
+#[test]
+fn what_is_deep_in_a_link_may_touch_it_whatever_the_tolerance() {
+    let (arm, pose) = (ArmModel::default(), Pose::IDENTITY);
+    let frame = Frame::new(&pose, Side::Left);
+    let mut b = JointBox::whole();
+    b.half = [1e-3; 4];
+    let turns = b.middle.map(libm::sincos);
+    let [elbow, wrist] = arm.at(&turns).map(|point| frame.to_world(point));
+    let placed = Placed { shoulder: pose.translation, elbow, wrist, turns };
+    let middle = (elbow + wrist) * 0.5;
+    let corners = |n: i32| {
+        let at = move |k: i32| f64::from(k) * 0.4 / f64::from(n) - 0.2;
+        (0..=n)
+            .flat_map(move |x| (0..=n).flat_map(move |y| [-0.2, 0.2].map(|z| Vec3::new(at(x), at(y), z))))
+            .collect::<Vec<_>>()
+    };
+    let round: Vec<Vec3> = corners(4).into_iter().map(|corner| corner.normalize() * 0.25).collect();
+    let hulls = [corners(1), round].map(|points| Solid::Hull(Hull::from_points(&points).unwrap()));
+    let ball = Solid::Capsule(Capsule { a: Vec3::ZERO, b: Vec3::ZERO, radius: 0.2 });
+    for (solid, is_cut) in hulls.into_iter().zip([false, true]).chain([(ball, false)]) {
+        assert_eq!(matches!(&solid, Solid::Hull(hull) if hull.is_cut()), is_cut);
+        let solid = solid.placed(Pose::from_parts(middle, Rotation::IDENTITY));
+        let limb = Limb { ends: [Share::ELBOW, Share::on_forearm(1.0)], radius: arm.forearm_radius_m };
+        let movement = Movement::of(&arm, &b, &placed, frame, 0.0);
+        // The largest tolerance of a cell file, and one below the radius.
+        for tolerance in [0.05, 0.02] {
+            assert!(limb.may_touch((&solid, &Cell::default()), tolerance, &placed, &movement).is_some(), "{solid:?}");
+        }
+    }
+}
+
 /// A channel 1.2 m wide and 0.8 m high: an arm has room in it, and two walls and a floor to meet.
 fn channel() -> Arc<Surface> {
     let corners =

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Robots with their own meshes against the same with thin capsules: are scans as fast, and is no hazard lost?
+"""Robots with their own meshes against the same with thin capsules: are scans as fast?
 
     tools/robots/run.py FMI_HAZARD PACKAGES OUT [NAME ...]
     tools/robots/run.py --table OUT
 
 PACKAGES is a folder of ROS packages, as the makers of robots publish them: each URDF or xacro file of a robot in it is taken, or those
 whose names hold a NAME. OUT gets for each a folder with four cells and a result.json; what is there is left alone, so that a run goes on
-where one ended. xacro files are expanded by the package xacro, meshes are read by trimesh.
+where one ended. PyPI's xacro expands xacro files, trimesh and scipy read meshes, FMPy unpacks the FMU: install those four.
 
 A cell is the robot, its first two axes swinging, before a scanner field: flawed, where the field is shorter than the arm, and repaired. Each
 is there with the meshes and with capsules in their place, along the longest side of a mesh and of 0.75 times the radius that holds it.
@@ -40,9 +40,6 @@ def expanded(path, packages):
         return ET.fromstring(path.read_text(encoding="utf-8"))
     import xacro
 
-    def plain(match):
-        return str((packages / match[1]).resolve())
-
     # xacro asks a ROS installation where packages are: here it is a folder.
     import xacro.substitution_args as arguments
 
@@ -51,14 +48,14 @@ def expanded(path, packages):
 
 
 def robots(packages, names):
-    """Name and URDF of each robot."""
+    """Name and file of each robot."""
     for package in sorted(one for one in packages.iterdir() if one.is_dir()):
         files = [f for kind in ("xacro", "urdf") for f in sorted(package.glob(f"*/*.{kind}"))]
         for path in files:
             text = path.read_text(encoding="utf-8", errors="replace")
             whole = "<joint" in text if path.suffix == ".urdf" else "xacro:include" in text and "_macro" not in path.stem
             if whole and (not names or any(name in path.stem for name in names)):
-                yield path.stem, path, package
+                yield path.stem, path
 
 
 def numbers(text, default):
@@ -254,7 +251,7 @@ def main():
     program, packages, out, *names = given.arguments
     program, packages, out = str(pathlib.Path(program).resolve()), pathlib.Path(packages), pathlib.Path(out)
     fmu.build(out / "fmu")
-    for name, path, _ in robots(packages, names):
+    for name, path in robots(packages, names):
         folder = out / name
         if (folder / "result.json").exists():
             continue
@@ -278,15 +275,15 @@ def main():
 
 def table(out):
     """A line for each robot."""
-    print("| robot | corners | " + " | ".join(f"{t}, from {f}: s, ratio" for t in ("flawed", "repaired") for f in ("start", "anywhere")) + " | hazards lost |")
-    print("|---|---|---|---|---|---|---|")
+    print("| robot | corners | " + " | ".join(f"{t}, from {f}: s, ratio" for t in ("flawed", "repaired") for f in ("start", "anywhere")) + " |")
+    print("|---|---|---|---|---|---|")
     for file in sorted(out.glob("*/result.json")):
         result = json.loads(file.read_text(encoding="utf-8"))
         cells = []
         for twin, origin in itertools.product(("flawed", "repaired"), ("start", "anywhere")):
             mesh, thin = result[f"meshes {twin} {origin}"], result[f"capsules {twin} {origin}"]
             cells.append(f"{mesh['seconds']:.1f}, {mesh['seconds'] / thin['seconds']:.1f}")
-        print(f"| {file.parent.name} | {sum(result['corners'])} | " + " | ".join(cells) + " |  |")
+        print(f"| {file.parent.name} | {sum(result['corners'])} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":

@@ -146,15 +146,21 @@ fn where_an_arm_gets_to_a_robot_the_cubes_say_so_and_mostly_only_there() {
     );
 }
 
-/// When it has to end, what is not known yet may be: nothing more is worked out than between two looks at that.
-#[test]
-fn little_is_worked_out_once_it_has_to_end() {
+/// A wall across x, and a link beyond it.
+fn behind_a_wall() -> (Cuboid, Solid) {
     let wall = Cuboid {
         centre: Vec3::new(0.0, 0.0, 1.0),
         half: Vec3::new(0.01, 2.0, 1.0),
         rotation: rotation_about(Vec3::Z, 0.0),
     };
     let link = Solid::Capsule(Capsule { a: Vec3::new(0.3, -0.2, 1.2), b: Vec3::new(0.3, 0.2, 1.2), radius: 0.05 });
+    (wall, link)
+}
+
+/// When it has to end, what is not known yet may be: nothing more is worked out than between two looks at that.
+#[test]
+fn little_is_worked_out_once_it_has_to_end() {
+    let (wall, link) = behind_a_wall();
     let targets = [Target { solid: &link, hand: true, forearm: true, upper_arm: true }];
     let arm = ArmModel::default();
     let stop = Stop::default();
@@ -175,12 +181,7 @@ fn little_is_worked_out_once_it_has_to_end() {
 /// one that is behind the wall itself is not known to be, unless told where it hangs from.
 #[test]
 fn a_shoulder_in_a_wall_is_known_by_what_it_hangs_from() {
-    let wall = Cuboid {
-        centre: Vec3::new(0.0, 0.0, 1.0),
-        half: Vec3::new(0.01, 2.0, 1.0),
-        rotation: rotation_about(Vec3::Z, 0.0),
-    };
-    let link = Solid::Capsule(Capsule { a: Vec3::new(0.3, -0.2, 1.2), b: Vec3::new(0.3, 0.2, 1.2), radius: 0.05 });
+    let (wall, link) = behind_a_wall();
     let targets = [Target { solid: &link, hand: true, forearm: true, upper_arm: true }];
     let cells = ArmCells::new(&ArmModel::default(), &targets, &[wall], &[]);
     for y in [-0.3, 0.0, 0.2] {

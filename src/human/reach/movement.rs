@@ -224,17 +224,17 @@ impl Limb {
         {
             return None;
         }
+        // No farther than this, they may overlap by `depth`; below zero they have to be as deep as that already.
+        let far = self.radius + at_most[0].max(at_most[1]) - depth;
         let near = match link {
-            Solid::Hull(hull) if hull.is_cut() => {
-                let far = self.radius + at_most[0].max(at_most[1]) - depth;
-                match hull.within(ends[0], ends[1], far) {
-                    Ok(near) => near,
-                    Err(normal) => {
-                        Plane::remember_across(last, hull, normal);
-                        return None;
-                    }
+            _ if far < 0.0 => link.segment_distance(ends[0], ends[1]),
+            Solid::Hull(hull) if hull.is_cut() => match hull.within(ends[0], ends[1], far) {
+                Ok(near) => near,
+                Err(normal) => {
+                    Plane::remember_across(last, hull, normal);
+                    return None;
                 }
-            }
+            },
             _ => link.segment_gap(ends[0], ends[1]),
         };
         Plane::remember(last, link, &near);
@@ -279,9 +279,9 @@ impl Limb {
         // touches from inside is on the axis. Speed is a convex function of the point, so it is greatest around one of the ends.
         let beside = match link {
             Solid::Hull(hull) if hull.is_cut() => {
+                let beside = (self.radius + by).max(at_most[0].max(at_most[1]));
                 let (centre, radius) = link.bounding_sphere();
-                let ends = near_ball(ends, centre, radius + self.radius + by);
-                Some(ends.map(|end| (end, self.radius + by)))
+                Some(near_ball(ends, centre, radius + beside).map(|end| (end, beside)))
             }
             _ => (near.distance > by).then(|| ends.map(|end| (end, self.radius + by))),
         };
