@@ -18,10 +18,12 @@ use toml::Spanned;
 use self::lookup::Quantity;
 use super::error::{Problems, Source};
 use super::file::format::{
-    CellFile, ControlTable, Literal, MovesTable, ObstacleTable, ParameterLimits, SensorKind, SensorTable, WhileTable,
+    CellFile, ControlTable, Literal, MovesTable, ObstacleTable, ParameterLimits, SensorKind, SensorTable, ValuesTable,
+    WhileTable,
 };
-use super::file::polarity;
+use super::file::signal;
 use super::foreign::ssp::Wiring;
+use super::workcell::Signal;
 use super::{CellError, Workcell};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 use crate::host::port::PortKind;
@@ -96,12 +98,12 @@ impl SensorBinding {
         !matches!(self, Self::Input(_))
     }
 
-    /// Whether the FMU itself reports somebody in a row of its outputs; `active` is the sensor's own.
+    /// Whether the FMU itself reports somebody in a row of its outputs; `signal` is the sensor's own.
     #[must_use]
-    pub fn reports(&self, row: &[f64], active: bool) -> bool {
+    pub fn reports(&self, row: &[f64], signal: Signal) -> bool {
         match self {
             Self::Input(_) => false,
-            Self::Output(reader) => (reader.read(row) != 0.0) == active,
+            Self::Output(reader) => signal.detects(reader.read(row)),
             Self::Both { output, active, .. } => (output.read(row) != 0.0) == *active,
         }
     }
@@ -207,12 +209,12 @@ pub fn bind(
             let input = binding.as_ref().and_then(SensorBinding::input);
             input.is_some()
                 && sensors[other].as_ref().and_then(SensorBinding::input) == input
-                && polarity(&file.sensors[other]) != polarity(sensor)
+                && signal(&file.sensors[other]) != signal(sensor)
         });
         if let Some(other) = twin {
             let (one, two) = (&file.sensors[other].name, &sensor.name);
-            let message = format!("sensors `{one}` and `{two}` drive one input with opposite polarity");
-            let help = Some("give both the same `active`, or each an input of its own".to_owned());
+            let message = format!("sensors `{one}` and `{two}` drive one input with different values");
+            let help = Some("give both the same `active` or `values`, or each an input of its own".to_owned());
             problems.tell(source.error(sensor.variable.span(), "here", message, help));
         }
         sensors.push(binding);
@@ -311,7 +313,7 @@ impl Binding {
     pub fn command(&self, cell: &Workcell, name: &str) -> Option<(usize, f64)> {
         if let Some(sensor) = cell.sensors.iter().position(|sensor| sensor.name == name) {
             let column = self.sensors[sensor].input()?;
-            return Some((column, f64::from(u8::from(cell.sensors[sensor].active))));
+            return Some((column, cell.sensors[sensor].signal.value(true)));
         }
         let held = cell.file().inputs.keys().position(|input| input == name)?;
         let idle = self.constants.get(held)?;
@@ -464,9 +466,28 @@ impl<'a> Binder<'a> {
     /// Where a sensor's reading goes to or comes from; a new input joins `inputs`.
     fn sensor(&mut self, sensor: &SensorTable, inputs: &mut Vec<UnitPort>) -> Result<SensorBinding, Box<CellError>> {
         if sensor.kind == SensorKind::Reported {
-            return Ok(SensorBinding::Output(self.whole_number(&sensor.variable, "a reported sensor")?));
+            let Some(values) = &sensor.values else {
+                return Ok(SensorBinding::Output(self.whole_number(&sensor.variable, "a reported sensor")?));
+            };
+            let (unit, variable) = self.readable(&sensor.variable)?;
+            let port = self.port(&sensor.variable, unit, variable)?;
+            self.values(sensor, values, &port)?;
+            return Ok(SensorBinding::Output(Reader::output(self.output(port), 1.0)));
         }
-        let port = self.input(&sensor.variable, Some(PortKind::Boolean))?;
+        let port = self.input(&sensor.variable, None)?;
+        match &sensor.values {
+            Some(values) => self.values(sensor, values, &port)?,
+            None if port.port.kind != PortKind::Boolean => {
+                let name = &port.port.name;
+                let message = format!("the input `{name}` of sensor `{}` is a number", sensor.name);
+                let help = format!(
+                    "say which it is while nobody and while somebody is detected, for instance values = {{ clear = 1, detected = 0 }}; \
+                     `fmi-hazard inspect` has the description of `{name}`"
+                );
+                return Err(self.source.error(sensor.variable.span(), "named here", message, Some(help)));
+            }
+            None => {}
+        }
         let index = inputs.iter().position(|p| *p == port).unwrap_or(inputs.len());
         if index == inputs.len() {
             inputs.push(port);
@@ -475,8 +496,31 @@ impl<'a> Binder<'a> {
             return Ok(SensorBinding::Input(index));
         };
         let output = self.whole_number(&evaluated.variable, "a sensor that the FMU evaluates")?;
-        let active = evaluated.active.or_else(|| polarity(sensor)).unwrap_or_default();
-        Ok(SensorBinding::Both { input: index, output, active })
+        let active = evaluated.active.or_else(|| match signal(sensor)? {
+            Signal::Boolean { active } => Some(active),
+            Signal::Number { .. } => None,
+        });
+        Ok(SensorBinding::Both { input: index, output, active: active.unwrap_or_default() })
+    }
+
+    /// Whether a sensor's variable can have the values that are said of it, and is no Boolean.
+    fn values(
+        &mut self,
+        sensor: &SensorTable,
+        values: &Spanned<ValuesTable>,
+        port: &UnitPort,
+    ) -> Result<(), Box<CellError>> {
+        if port.port.kind == PortKind::Boolean {
+            let message = format!("`{}` is true or false, and has no other values", port.port.name);
+            let help = Some("say with `active` which of the two it is while somebody is detected".to_owned());
+            return Err(self.source.error(values.span(), "given here", message, help));
+        }
+        let ValuesTable { clear, detected } = *values.get_ref();
+        for value in [clear, detected] {
+            self.literal(&sensor.variable, &port.port, Literal::Number(value))?;
+            self.within_limits(port, value);
+        }
+        Ok(())
     }
 
     /// What obstacles and sensors follow.

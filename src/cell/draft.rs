@@ -83,7 +83,7 @@ pub fn draft(interface: &Interface<'_>, facts: &Facts<'_>) -> String {
     let step = step_s(interface.step_size);
     out.line(&format!("step_s = {step} # divides 0.2 s and is at most 0.02 s"));
     robots(&mut out, roles, facts);
-    sensors(&mut out, roles);
+    sensors(&mut out, interface);
     inputs(&mut out, interface);
     out.line("");
     out.line("# Fences, tables, machines: nobody walks or reaches through them.");
@@ -323,25 +323,36 @@ fn shapes(out: &mut Out, on: &str, key: &str) {
     out.line("# capsule = { from_m = [0, 0, 0], to_m = [0, 0, 0.1], radius_m = 0.08 }");
 }
 
-fn sensors(out: &mut Out, roles: &[Guess]) {
+fn sensors(out: &mut Out, interface: &Interface<'_>) {
+    let roles = &interface.roles;
     for guess in roles {
-        let (active, kind) = match &guess.role {
-            Role::SensorInput { active } => (active, kind(&guess.variable)),
-            Role::SensorOutput { active } => (active, Some("reported")),
+        let kind = match &guess.role {
+            Role::SensorInput { .. } | Role::SensorNumber { .. } => kind(&guess.variable, interface),
+            Role::SensorOutput { .. } => Kind::Seeing("reported", 0.9),
             _ => continue,
         };
-        let Some(kind) = kind else { continue };
+        let Kind::Seeing(kind, sure) = kind else { continue };
         out.line("");
         out.line("[[sensor]]");
         out.line(&format!("name = {}", quoted(&guess.variable)));
-        out.guessed(&format!("kind = \"{kind}\""), guess.confidence.min(0.9));
+        out.guessed(&format!("kind = \"{kind}\""), guess.confidence.min(sure));
         out.guessed(&format!("variable = {}", quoted(&guess.variable)), guess.confidence);
-        match active {
-            Some(active) => out.line(&format!(
-                "active = {active} # GUESS {:.2}: its value while a person is detected; `fmi-hazard probe` tries it",
-                guess.confidence
+        match &guess.role {
+            Role::SensorNumber { clear: Some(clear), detected: Some(detected) } => {
+                let values = format!("values = {{ clear = {clear}, detected = {detected} }}");
+                out.line(&format!("{values} # GUESS {:.2}: while nobody and while a person is detected", guess.confidence));
+            }
+            Role::SensorNumber { clear, .. } => out.line(&format!(
+                "# values = {{ clear = {}, detected = 0 }} {TODO} its values while nobody and while a person is detected",
+                clear.unwrap_or(1)
             )),
-            None => out.line(&format!(
+            Role::SensorInput { active: Some(active) } | Role::SensorOutput { active: Some(active) } => {
+                out.line(&format!(
+                    "active = {active} # GUESS {:.2}: its value while a person is detected; `fmi-hazard probe` tries it",
+                    guess.confidence
+                ));
+            }
+            _ => out.line(&format!(
                 "# active = false {TODO} its value while a person is detected; `fmi-hazard probe` tries it"
             )),
         }
@@ -368,21 +379,37 @@ fn sensors(out: &mut Out, roles: &[Guess]) {
     }
 }
 
-/// The kind of a presence-sensing device by its name; none for a door, a button and the like, which the person leaves
-/// alone.
-fn kind(variable: &str) -> Option<&'static str> {
-    let words = words(variable);
+/// What a safety signal is of.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// A door, a button and the like, which the person leaves alone.
+    Held,
+    /// A presence-sensing device of this kind, and how much speaks for it at most.
+    Seeing(&'static str, f64),
+}
+
+/// The kind that the name of a signal says, else its description; a mat, which is as good as any, if neither does.
+fn kind(variable: &str, interface: &Interface<'_>) -> Kind {
+    let named = kind_by(&words(variable));
+    let described = || {
+        let (_, variable) = interface.variables.iter().find(|(name, _)| name == variable)?;
+        kind_by(&words(&variable.description))
+    };
+    named.or_else(described).unwrap_or(Kind::Seeing("mat", 0.3))
+}
+
+fn kind_by(words: &[String]) -> Option<Kind> {
+    const SURE: f64 = 0.9;
     let has = |any: &[&str]| words.iter().any(|word| any.contains(&word.as_str()));
-    if has(&["guard", "door", "gate", "interlock", "estop", "emergency", "twohand"]) {
-        return None;
-    }
-    if has(&["curtain", "lightcurtain", "barrier", "aopd"]) {
-        return Some("light_curtain");
-    }
-    if has(&["scanner", "laser", "lidar", "field", "zone", "area", "aopddr"]) {
-        return Some("scanner_field");
-    }
-    Some("mat")
+    Some(match () {
+        () if has(&["guard", "door", "gate", "interlock", "estop", "emergency", "twohand"]) => Kind::Held,
+        () if has(&["curtain", "lightcurtain", "barrier", "aopd"]) => Kind::Seeing("light_curtain", SURE),
+        () if has(&["scanner", "laser", "lidar", "field", "zone", "area", "aopddr"]) => {
+            Kind::Seeing("scanner_field", SURE)
+        }
+        () if has(&["mat", "mats"]) => Kind::Seeing("mat", SURE),
+        () => return None,
+    })
 }
 
 /// Inputs that are held as they are while nothing happens.
@@ -391,11 +418,16 @@ fn inputs(out: &mut Out, interface: &Interface<'_>) {
     let mut lines: Vec<(String, f64)> = Vec::new();
     for guess in roles {
         let value = match &guess.role {
-            Role::SensorInput { active } if kind(&guess.variable).is_none() => !active.unwrap_or(false),
-            Role::Constant => false,
+            Role::SensorInput { active } if kind(&guess.variable, interface) == Kind::Held => {
+                (!active.unwrap_or(false)).to_string()
+            }
+            Role::SensorNumber { clear: Some(clear), .. } if kind(&guess.variable, interface) == Kind::Held => {
+                clear.to_string()
+            }
+            Role::Constant if interface.is_boolean(&guess.variable) => "false".to_owned(),
+            Role::Constant => interface.start(&guess.variable),
             _ => continue,
         };
-        let value = if interface.is_boolean(&guess.variable) { value.to_string() } else { "0".to_owned() };
         lines.push((format!("{} = {value}", quoted(&guess.variable)), guess.confidence.min(0.9)));
     }
     if !lines.is_empty() {

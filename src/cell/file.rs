@@ -31,4 +31,4 @@ mod sensors;
 mod starts;
 pub mod validate;
 
-pub(super) use sensors::polarity;
+pub(super) use sensors::signal;

@@ -7,6 +7,7 @@ use toml::Spanned;
 
 use super::file::format::{CellFile, ControlKind, ControlledBy, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use super::following::Following;
+use crate::fmi::number;
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Capsule, Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
@@ -212,6 +213,8 @@ pub struct Kinematics {
     pub driven: Vec<Driven>,
     /// For each joint the fastest that it may move by its URDF, rad/s or m/s, where that is told.
     pub fastest: Vec<Option<f64>>,
+    /// For each joint between which positions it moves by its URDF, rad or m, where that is told.
+    pub ranges: Vec<Option<[f64; 2]>>,
     /// How the mass of what moves is spread, where that is told of all of it.
     pub masses: Option<Masses>,
     /// The joint whose moving side carries the payload, and where its centre of mass is in that joint's frame, m.
@@ -287,6 +290,65 @@ pub struct Look {
     pub pose: Pose,
 }
 
+/// What the FMU variable of a sensor says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Signal {
+    /// True or false: this while somebody is detected.
+    Boolean {
+        /// Its value while somebody is detected.
+        active: bool,
+    },
+    /// A number: one of two.
+    Number {
+        /// While nobody is detected.
+        clear: f64,
+        /// While somebody is.
+        detected: f64,
+    },
+}
+
+impl Signal {
+    /// Its value, as numbers travel, while somebody is `detected` or not.
+    #[must_use]
+    pub fn value(self, detected: bool) -> f64 {
+        match self {
+            Self::Boolean { active } => f64::from(u8::from(detected == active)),
+            Self::Number { detected: value, .. } if detected => value,
+            Self::Number { clear, .. } => clear,
+        }
+    }
+
+    /// Whether a value says that somebody is detected. Of a number, all but the one that says that nobody is.
+    #[must_use]
+    pub fn detects(self, value: f64) -> bool {
+        match self {
+            Self::Boolean { active } => (value != 0.0) == active,
+            Self::Number { clear, .. } => value.to_bits() != clear.to_bits() && (value - clear).abs() > 0.0,
+        }
+    }
+
+    /// The keys of a cell file in which it is the other way round.
+    #[must_use]
+    pub fn turned(self) -> String {
+        match self {
+            Self::Boolean { active } => format!("active = {}", !active),
+            Self::Number { clear, detected } => {
+                format!("values = {{ clear = {}, detected = {} }}", number(detected), number(clear))
+            }
+        }
+    }
+}
+
+/// Its value while somebody is detected.
+impl std::fmt::Display for Signal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Boolean { active } => write!(f, "{active}"),
+            Self::Number { detected, .. } => f.write_str(&number(*detected)),
+        }
+    }
+}
+
 /// A sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
@@ -294,8 +356,8 @@ pub struct Sensor {
     pub name: String,
     /// Where it sees.
     pub zone: Zone,
-    /// Value of the FMU variable while a person is detected.
-    pub active: bool,
+    /// What its FMU variable says.
+    pub signal: Signal,
     /// Response time in whole steps.
     pub delay_steps: usize,
     /// Whether the host holds the FMU's input once the sensor has told of somebody.

@@ -210,7 +210,7 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
     for sensor in &cell.sensors {
         let reaction = found.and_then(|found| found.reactions.iter().find(|reaction| reaction.input == sensor.name));
         let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
-        lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.active));
+        lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.signal));
     }
     for control in &cell.controls {
         let who = match control.by {

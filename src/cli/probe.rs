@@ -156,7 +156,8 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     let mut reactions = Vec::new();
     for (column, input) in setup.inputs.iter().enumerate() {
         if input.port.kind == PortKind::Boolean {
-            reactions.push(prober.reaction(&names[column], &inputs, column, &idle).map_err(failed)?);
+            reactions
+                .push(prober.reaction(&names[column], &inputs, (column, 1.0 - inputs[column]), &idle).map_err(failed)?);
         } else {
             not_tried.push(names[column].clone());
         }

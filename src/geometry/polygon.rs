@@ -1,7 +1,7 @@
 //! Polygons in the floor plan, convex or not: points inside, distance to the edge, the same polygon wider, convex hulls.
 
 use super::Vec3;
-use super::distance::point_segment;
+use super::distance::{point_segment, segment_segment};
 
 /// Whether a point is inside, by the even-odd rule; points exactly on a left or lower edge are.
 #[must_use]
@@ -21,6 +21,21 @@ pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
     let to = |(a, b): ([f64; 2], [f64; 2])| point_segment(flat([x, y]), flat(a), flat(b)).distance;
     edges(polygon).map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// How far two polygons are apart, or a polygon and points with edges between them, m; 0 where they meet. It takes as long as there are pairs
+/// of edges.
+#[must_use]
+pub fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
+    let holds =
+        |polygon: &[[f64; 2]], corners: &[[f64; 2]]| corners.first().is_some_and(|first| contains(polygon, *first));
+    if holds(one, other) || holds(other, one) {
+        return 0.0;
+    }
+    let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
+    let pairs = edges(one).flat_map(|edge| edges(other).map(move |other| (edge, other)));
+    let of = |((a, b), (c, d))| segment_segment(flat(a), flat(b), flat(c), flat(d)).distance;
+    pairs.map(of).fold(f64::INFINITY, f64::min)
 }
 
 /// The numbers of two edges that cross; nothing of a polygon that does not cross itself. Edges that only touch or lie on one another do not

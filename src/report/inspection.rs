@@ -280,6 +280,10 @@ fn kind(role: &Role) -> String {
         Role::Payload => "payload".to_owned(),
         Role::Phase => "phase or mode".to_owned(),
         Role::SensorInput { active } => format!("safety input{}", polarity(active)),
+        Role::SensorNumber { detected, .. } => match detected {
+            Some(value) => format!("safety input ({value} = person)"),
+            None => "safety input (values unknown)".to_owned(),
+        },
         Role::SensorOutput { active } => format!("sensor inside{}", polarity(active)),
         Role::Human { .. } => "person's pose".to_owned(),
         Role::Constant => "held constant".to_owned(),
@@ -293,7 +297,11 @@ fn missing(roles: &[Guess], own_cell: bool) -> Vec<String> {
         missing
             .push("how the robot moves: no joint angles and no poses of links among the outputs and locals".to_owned());
     }
-    if !any(|role| matches!(role, Role::SensorInput { .. } | Role::SensorOutput { .. } | Role::Human { .. })) {
+    let tells = |role: &Role| {
+        use Role::{Human, SensorInput, SensorNumber, SensorOutput};
+        matches!(role, SensorInput { .. } | SensorNumber { .. } | SensorOutput { .. } | Human { .. })
+    };
+    if !any(tells) {
         missing.push("what the cell is told of a person: no safety signal and no person among the inputs".to_owned());
     }
     if !own_cell {

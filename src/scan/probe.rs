@@ -5,6 +5,7 @@
 
 mod others;
 mod places;
+mod plausible;
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -15,6 +16,7 @@ use serde::Serialize;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::stop_time;
+use crate::cell::workcell::Signal;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;
 use crate::sim::World;
@@ -185,39 +187,51 @@ impl<'a, P: Plant> Prober<'a, P> {
         (fastest(0, half.len()), parts.collect())
     }
 
-    /// What changing input `column` does while the robots move as in `idle`, the run with `inputs`.
+    /// What another value of an input does, given by its column, while the robots move as in `idle`, the run with `inputs`.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn reaction(&self, name: &str, inputs: &[f64], column: usize, idle: &Run) -> Result<Reaction, PlantError> {
-        self.reaction_at(name, inputs, &[column], idle, self.moments(idle).0)
+    pub fn reaction(
+        &self,
+        name: &str,
+        inputs: &[f64],
+        other: (usize, f64),
+        idle: &Run,
+    ) -> Result<Reaction, PlantError> {
+        self.reaction_at(name, inputs, &[other], idle, self.moments(idle).0)
     }
 
     /// The same for several inputs at once, at several moments.
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn reactions(&self, name: &str, inputs: &[f64], columns: &[usize], idle: &Run) -> Result<Reaction, PlantError> {
-        let (at, others) = self.moments(idle);
-        let first = self.reaction_at(name, inputs, columns, idle, at)?;
-        let others = others.into_iter().filter(|other| *other != at).map(|other| {
-            let Reaction { at_s, effect, still_after_s, .. } = self.reaction_at(name, inputs, columns, idle, other)?;
+    pub fn reactions(
+        &self,
+        name: &str,
+        inputs: &[f64],
+        others: &[(usize, f64)],
+        idle: &Run,
+    ) -> Result<Reaction, PlantError> {
+        let (at, moments) = self.moments(idle);
+        let first = self.reaction_at(name, inputs, others, idle, at)?;
+        let moments = moments.into_iter().filter(|moment| *moment != at).map(|moment| {
+            let Reaction { at_s, effect, still_after_s, .. } = self.reaction_at(name, inputs, others, idle, moment)?;
             Ok(Moment { at_s, effect, still_after_s })
         });
-        Ok(Reaction { at_other_moments: others.collect::<Result<_, PlantError>>()?, ..first })
+        Ok(Reaction { at_other_moments: moments.collect::<Result<_, PlantError>>()?, ..first })
     }
 
     fn reaction_at(
         &self,
         name: &str,
         inputs: &[f64],
-        columns: &[usize],
+        others: &[(usize, f64)],
         idle: &Run,
         at: usize,
     ) -> Result<Reaction, PlantError> {
         let steps = self.steps();
         let mut changed = inputs.to_vec();
-        columns.iter().for_each(|&column| changed[column] = 1.0 - changed[column]);
+        others.iter().for_each(|&(column, value)| changed[column] = value);
         let run = self.run(inputs, Some((at, &changed)))?;
         let width = run.rows.len() / (steps + 1);
         let differs = |step: &usize| {
@@ -251,7 +265,7 @@ impl<'a, P: Plant> Prober<'a, P> {
         };
         Ok(Reaction {
             input: name.to_owned(),
-            idle: columns.iter().any(|&column| inputs[column] != 0.0),
+            idle: others.iter().any(|&(column, _)| inputs[column] != 0.0),
             effect,
             first_change_s: first.map(after),
             still_after_s: (effect == Effect::Stops).then(|| after((moved + 1).max(at))),
@@ -351,7 +365,7 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
     let driven = |sensor: usize| binding.sensors[sensor].input();
     for (number, sensor) in cell.sensors.iter().enumerate() {
         if let Some(column) = driven(number) {
-            inputs[column] = f64::from(u8::from(!sensor.active));
+            inputs[column] = sensor.signal.value(false);
         }
     }
     let width = binding.outputs.len();
@@ -378,7 +392,12 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
         not_tried: Vec::new(),
         together: None,
         reported: Vec::new(),
-        warnings: [places::starts_seen(prepared, &idle.rows), places::evaluated(prepared)].concat(),
+        warnings: [
+            places::starts_seen(prepared, &idle.rows),
+            places::evaluated(prepared),
+            plausible::odd(prepared, &idle.rows, thoroughly),
+        ]
+        .concat(),
         idle_sensors: Vec::new(),
         rows: idle.rows.clone(),
         run_s,
@@ -386,21 +405,23 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
     };
     let mut tried = Vec::new();
     for (number, sensor) in cell.sensors.iter().enumerate() {
-        let Some(column) = driven(number).filter(|column| !tried.contains(column)) else { continue };
-        tried.push(column);
+        let is_new = |column: &usize| tried.iter().all(|(tried, _)| tried != column);
+        let Some(column) = driven(number).filter(is_new) else { continue };
+        let other = (column, sensor.signal.value(true));
+        tried.push(other);
         let reaction = match thoroughly {
-            true => prober.reactions(&sensor.name, &inputs, &[column], &idle)?,
-            false => prober.reaction(&sensor.name, &inputs, column, &idle)?,
+            true => prober.reactions(&sensor.name, &inputs, &[other], &idle)?,
+            false => prober.reaction(&sensor.name, &inputs, other, &idle)?,
         };
         let variable = &binding.inputs[column].port.name;
         if reaction.effect == Effect::Nothing {
             found.idle_sensors.push(format!(
                 "sensor `{}` changes nothing: with `{variable}` = {} every output that the cell uses stays the same, in a \
                  run of {run_s} s",
-                sensor.name, sensor.active
+                sensor.name, sensor.signal
             ));
         }
-        found.warnings.extend(odd(&reaction, variable, sensor.active));
+        found.warnings.extend(odd(&reaction, variable, sensor.signal));
         found.reactions.push(reaction);
     }
     if thoroughly {
@@ -408,18 +429,18 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
             found.together = Some(prober.reactions("all sensors together", &inputs, &tried, &idle)?);
         }
         found.reported = places::reported(prepared, &idle.rows, run_s)?;
-        let active = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).is_some_and(|s| s.active);
+        let signal = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).map(|sensor| sensor.signal);
         if depth == Depth::Inputs {
             (found.others, found.not_tried) = others::tried(prepared, &inputs, run_s, &speeds)?;
         }
-        found.warnings.extend(found.reported.iter().filter_map(|one| one.warning(active(&one.sensor))));
+        found.warnings.extend(found.reported.iter().filter_map(|one| one.warning(signal(&one.sensor)?)));
     }
     found.motion = motion.into_inner();
     Ok(found)
 }
 
 /// What is odd about a sensor's reaction.
-fn odd(reaction: &Reaction, variable: &str, active: bool) -> Option<String> {
+fn odd(reaction: &Reaction, variable: &str, signal: Signal) -> Option<String> {
     let name = &reaction.input;
     let others = &reaction.at_other_moments;
     let faster = |effect: &Effect| matches!(effect, Effect::Starts | Effect::SpeedsUp);
@@ -430,9 +451,9 @@ fn odd(reaction: &Reaction, variable: &str, active: bool) -> Option<String> {
         return Some(format!(
             "sensor `{name}`: wrong polarity, or a flaw of the cell. While `{variable}` says that nobody is there the robots \
              {before}, and when it says that somebody is they {after}. Either the cell file has the polarity the other way \
-             round (then active = {}), or the safety controller really lets the robots go while somebody is detected: look \
-             at the circuit diagram before you change the file",
-            !active
+             round (then {}), or the safety controller really lets the robots go while somebody is detected: look at the \
+             circuit diagram before you change the file",
+            signal.turned()
         ));
     }
     let guards = matches!(reaction.effect, Effect::Stops | Effect::Slows);
@@ -505,7 +526,7 @@ mod tests {
         let speeds = |rows: &[f64]| rows[1..].to_vec();
         let prober = Prober::new(&plant, 0.02, RUN_S, &speeds);
         let run = prober.run(&[idle], None).unwrap();
-        prober.reaction("input", &[idle], 0, &run).unwrap()
+        prober.reaction("input", &[idle], (0, 1.0 - idle), &run).unwrap()
     }
 
     #[test]

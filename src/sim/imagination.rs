@@ -275,7 +275,7 @@ impl Imagination {
         };
         let shadow = match from {
             Shadow::Known(from) => {
-                let active = f64::from(u8::from(world.cell.sensors[sensor].active));
+                let active = world.cell.sensors[sensor].signal.value(true);
                 let mut inputs = robots.recall.inputs(node);
                 let skipped = usize::try_from(first).unwrap_or(0);
                 for row in inputs.chunks_mut(world.binding.inputs.len().max(1)).skip(skipped) {

@@ -343,7 +343,7 @@ impl<P: Plant> Robots<P> {
                 let mut inputs = self.recall.inputs(node);
                 for t in &told {
                     let Some(column) = self.world.binding.sensors[usize::from(t.sensor)].input() else { continue };
-                    let active = f64::from(u8::from(self.world.cell.sensors[usize::from(t.sensor)].active));
+                    let active = self.world.cell.sensors[usize::from(t.sensor)].signal.value(true);
                     let step = |s: i16| usize::try_from(s.clamp(0, per_action)).unwrap_or(0);
                     let rows = inputs.chunks_mut(self.world.binding.inputs.len());
                     for row in rows.take(step(t.until)).skip(step(t.first)) {

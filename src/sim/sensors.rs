@@ -176,7 +176,7 @@ pub fn input_row(
     for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
         let Some(input) = bound.input() else { continue };
         let any = binding.sensors.iter().zip(readings).any(|(other, &reading)| other.input() == Some(input) && reading);
-        row[start + input] = f64::from(u8::from(any == sensor.active));
+        row[start + input] = sensor.signal.value(any);
     }
     row.extend(cell.pose.iter().map(|quantity| match quantity {
         PoseQuantity::X => seen.position.x,

@@ -53,7 +53,7 @@ pub fn folder(fmu: &str) -> TempDir {
     dir
 }
 
-fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
+pub fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
     let path = write(dir.path(), "cell.toml", text);
     let ledger = Ledger::default();
     let until = Until::Seconds(UNTIL_S);

@@ -56,6 +56,7 @@ fn short(role: Option<&Role>) -> String {
         Some(Role::Payload) => "payload".to_owned(),
         Some(Role::Phase) => "phase".to_owned(),
         Some(Role::SensorInput { active: a }) => format!("sensor {}", active(a)),
+        Some(Role::SensorNumber { clear, detected }) => format!("number {clear:?} {detected:?}"),
         Some(Role::SensorOutput { active: a }) => format!("reported {}", active(a)),
         Some(Role::Human { quantity }) => format!("human {quantity}"),
         Some(Role::Constant) => "constant".to_owned(),

@@ -29,7 +29,7 @@ fn said(path: &Path) -> Speeds {
         let mut stop = idle.clone();
         for (number, sensor) in cell.sensors.iter().enumerate() {
             if let fmi_hazard::cell::binding::SensorBinding::Input(column) = binding.sensors[number] {
-                stop[column] = f64::from(u8::from(sensor.active));
+                stop[column] = sensor.signal.value(true);
             }
         }
         for step in 0..steps {

@@ -52,7 +52,7 @@ impl<'a> Enumeration<'a> {
         let mut rest = vec![0.0; binding.sensor_inputs];
         for (sensor, bound) in cell.sensors.iter().zip(&binding.sensors) {
             let SensorBinding::Input(column) = bound else { panic!("all are inputs") };
-            rest[*column] = f64::from(u8::from(!sensor.active));
+            rest[*column] = sensor.signal.value(false);
         }
         rest.extend(binding.controls.iter().map(|values| values[0]));
         let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();

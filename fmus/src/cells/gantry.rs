@@ -45,6 +45,8 @@ pub struct Gantry {
     curtain_clear: bool,
     door_clear: bool,
     reset: bool,
+    gate_state: i32,
+    mat_level: f64,
     /// Where the curtain is that sees people itself, how near, and where the person is.
     own: [f64; 3],
     /// Milliseconds since the start.
@@ -74,6 +76,8 @@ impl Gantry {
             curtain_clear: true,
             door_clear: true,
             reset: false,
+            gate_state: 1,
+            mat_level: 0.0,
             own: [0.0, 0.0, -1e3],
             tick: 0,
             demanded: 0,
@@ -98,6 +102,8 @@ impl Gantry {
         model.curtain_clear = input.bool()?;
         model.door_clear = input.bool()?;
         model.reset = input.bool()?;
+        model.gate_state = i32::try_from(input.u64()?).ok()?;
+        model.mat_level = input.f64()?;
         for value in &mut model.own {
             *value = input.f64()?;
         }
@@ -119,7 +125,8 @@ impl Gantry {
 
     fn millisecond(&mut self) {
         let muted = self.muting[0] <= self.tick && self.tick < self.muting[1];
-        let demand = !self.door_clear || ((!self.curtain_clear || self.interrupted()) && !muted);
+        let numbers = self.gate_state != 1 || self.mat_level >= 0.5;
+        let demand = numbers || !self.door_clear || ((!self.curtain_clear || self.interrupted()) && !muted);
         self.demanded = if demand { self.demanded.saturating_add(1) } else { 0 };
         let pressed = self.reset && !self.reset_was_pressed;
         self.reset_was_pressed = self.reset;
@@ -168,6 +175,8 @@ impl Model for Gantry {
             (vr::CURTAIN_CLEAR, Value::Boolean(x)) => self.curtain_clear = x,
             (vr::DOOR_CLEAR, Value::Boolean(x)) => self.door_clear = x,
             (vr::RESET, Value::Boolean(x)) => self.reset = x,
+            (vr::GATE_STATE, Value::Integer(n)) => self.gate_state = n.clamp(0, 2),
+            (vr::MAT_LEVEL, Value::Real(x)) => self.mat_level = x,
             (vr::OWN_Y..=vr::PERSON_Y, Value::Real(x)) => self.own[variable - vr::OWN_Y] = x,
             _ => {}
         }
@@ -199,6 +208,9 @@ impl Model for Gantry {
             values[vr::OWN_Y + place] = Value::Real(value);
         }
         values[vr::INTERRUPTED] = Value::Boolean(self.interrupted());
+        values[vr::GATE_STATE] = Value::Integer(self.gate_state);
+        values[vr::MAT_LEVEL] = Value::Real(self.mat_level);
+        values[vr::CURTAIN_STATE] = Value::Integer(if self.interrupted() { 4 } else { 7 });
     }
 
     fn step(&mut self, ticks: u64) -> Outcome {
@@ -225,6 +237,8 @@ impl Model for Gantry {
         for value in [self.curtain_clear, self.door_clear, self.reset] {
             out.bool(value);
         }
+        out.u64(u64::from(self.gate_state.unsigned_abs()));
+        out.f64(self.mat_level);
         for value in self.own {
             out.f64(value);
         }

@@ -29,6 +29,9 @@ pub mod vr {
     pub const OWN_DEPTH: usize = 23;
     pub const PERSON_Y: usize = 24;
     pub const INTERRUPTED: usize = 25;
+    pub const GATE_STATE: usize = 26;
+    pub const MAT_LEVEL: usize = 27;
+    pub const CURTAIN_STATE: usize = 28;
 }
 
 /// The longest time of a parameter, ms.
@@ -93,6 +96,13 @@ fn variables() -> Vec<Variable> {
     all.push(Variable::new("person.y", "Where the person is", Input, Kind::real_in("m", -1e3, -1e3, 1e3)));
     let interrupted = "Whether the curtain itself sees a person";
     all.push(Variable::new("curtain.interrupted", interrupted, Output, Kind::Boolean { start: false }));
+    // The same signals as numbers, as some safety controllers have them.
+    let gate = "The gate: 1 = closed, 0 = open, 2 = fault; all but 1 demand a stop";
+    all.push(Variable::new("plc.gate_state", gate, Input, Kind::integer_in(1, 0, 2)));
+    let level = "Level of the mat, which demands a stop from 0.5 on";
+    all.push(Variable::new("plc.mat_level", level, Input, Kind::real_in("", 0.0, 0.0, 1.0)));
+    let state = "What the curtain itself sees: 7 = nobody, 4 = somebody";
+    all.push(Variable::new("curtain.state", state, Output, Kind::integer_in(7, 0, 9)));
     all
 }
 

@@ -146,6 +146,15 @@ impl Reader {
         self.terms.iter().map(output).collect()
     }
 
+    /// By what its output is multiplied and what is added then, where it reads one.
+    #[must_use]
+    pub fn of_one(&self) -> Option<(f64, f64)> {
+        match self.terms[..] {
+            [(Column::Output(_), factor)] => Some((factor, self.offset)),
+            _ => None,
+        }
+    }
+
     /// The value in one row of outputs, with what is derived from them.
     #[must_use]
     pub fn read(&self, row: &[f64]) -> f64 {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::roles::{Guess, Role, guess, without_locals_beside};
 use crate::cell::foreign::ssp::System;
-use crate::fmi::{Causality, ModelDescription, Variable, VariableType};
+use crate::fmi::{Causality, ModelDescription, Variable, VariableType, number};
 
 /// The variables of an FMU or a system.
 #[derive(Clone, Debug, Default)]
@@ -77,6 +77,14 @@ impl<'a> Interface<'a> {
         }
         without_locals_beside(&mut all.roles);
         all
+    }
+
+    /// The FMU's start value of a number, as cell files write it; 0 where it has none.
+    #[must_use]
+    pub fn start(&self, name: &str) -> String {
+        let found = self.variables.iter().find(|(known, _)| is_of(name, known));
+        let start = found.and_then(|(_, variable)| variable.numeric_start().first().copied());
+        number(start.filter(|start| start.is_finite()).unwrap_or(0.0))
     }
 
     /// Whether a variable, or the array that it is an element of, is Boolean.

@@ -47,6 +47,13 @@ pub enum Role {
         /// Its value while a person is detected, if the name tells: `false` is usual.
         active: Option<bool>,
     },
+    /// A safety signal that the cell drives and that is a number.
+    SensorNumber {
+        /// Its value while nobody is detected, if the description, or its start value, tells.
+        clear: Option<i64>,
+        /// Its value while a person is detected, if the description tells.
+        detected: Option<i64>,
+    },
     /// What a sensor inside the FMU reports.
     SensorOutput {
         /// Its value while a person is detected, if the name tells.
@@ -103,7 +110,7 @@ const fn kind(role: &Role) -> u8 {
         Role::Payload => 2,
         Role::Phase => 3,
         Role::SensorOutput { .. } => 4,
-        Role::SensorInput { .. } | Role::Human { .. } | Role::Constant => 5,
+        Role::SensorInput { .. } | Role::SensorNumber { .. } | Role::Human { .. } | Role::Constant => 5,
     }
 }
 
@@ -139,7 +146,9 @@ fn missing_among(known: &[(usize, Guess)], inner: Vec<(usize, Guess)>) -> Vec<(u
                 }
                 Role::Phase => guess.confidence > 0.7,
                 // What the cell drives is reported inside, too.
-                Role::SensorOutput { .. } => !known.iter().any(|(_, g)| matches!(g.role, Role::SensorInput { .. })),
+                Role::SensorOutput { .. } => {
+                    !known.iter().any(|(_, g)| matches!(g.role, Role::SensorInput { .. } | Role::SensorNumber { .. }))
+                }
                 _ => true,
             }
     };
@@ -298,9 +307,9 @@ fn alone(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
     let boolean = matches!(candidate.variable.kind, VariableType::Boolean { .. });
     let whole = matches!(candidate.variable.kind, VariableType::Integer { .. } | VariableType::Enumeration { .. });
     match candidate.variable.causality {
-        Causality::Input if candidate.is_real() => human(candidate),
+        Causality::Input if candidate.is_real() => human(candidate).or_else(|| safety_number(candidate)),
         Causality::Input if boolean => Some(safety_input(candidate)),
-        Causality::Input if whole => Some((Role::Constant, 0.3)),
+        Causality::Input if whole => safety_number(candidate).or(Some((Role::Constant, 0.3))),
         Causality::Output | Causality::Local if boolean && candidate.has(&SENSORS) && candidate.has(&DETECTED) => {
             Some((Role::SensorOutput { active: polarity(candidate) }, 0.8))
         }
@@ -346,13 +355,59 @@ fn safety_input(candidate: &Candidate<'_>) -> (Role, f64) {
     (Role::SensorInput { active }, confidence)
 }
 
-/// The value while a person is detected, if the name says it.
+/// Inputs for safety signals that are numbers: what their description says of the values.
+fn safety_number(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
+    let unit = !candidate.unit.is_empty() && candidate.unit != "1";
+    if unit || !(candidate.has(&SENSORS) || candidate.is_about(&SENSORS)) {
+        return None;
+    }
+    let values = numbered(&candidate.variable.description);
+    let of = |names: &[&str]| {
+        values
+            .iter()
+            .find(|(_, words)| words.iter().any(|word| names.contains(&word.as_str())))
+            .map(|(value, _)| *value)
+    };
+    let (told, detected) = (of(&CLEAR), of(&DETECTED));
+    #[expect(clippy::cast_possible_truncation, reason = "whole, and small")]
+    let start =
+        candidate.variable.numeric_start().first().filter(|v| v.fract() == 0.0 && v.abs() < 1e9).map(|v| *v as i64);
+    let clear = told.or_else(|| start.filter(|start| Some(*start) != detected));
+    let confidence = if told.is_some() && detected.is_some() { 0.8 } else { 0.5 };
+    Some((Role::SensorNumber { clear, detected }, confidence))
+}
+
+/// The numbers of a description that means something by each, with the words of it: `1 = free, 0 = interrupted`.
+fn numbered(description: &str) -> Vec<(i64, Vec<String>)> {
+    let parts = description.split([',', ';', '(', ')', '/']);
+    let split = |part: &str| {
+        let (number, meaning) = part.split_once(['=', ':'])?;
+        let value = |word: &str| match word.to_lowercase().as_str() {
+            "true" => Some(1),
+            "false" => Some(0),
+            number => number.parse::<i64>().ok(),
+        };
+        let as_number = |text: &str| text.split_whitespace().last().and_then(value);
+        let told = as_number(number).map(|value| (value, words(meaning)));
+        told.or_else(|| Some((value(meaning.trim())?, words(number))))
+    };
+    parts.filter_map(split).collect()
+}
+
+/// The value while a person is detected, if the name says it, or else the description, for one of the two values.
 fn polarity(candidate: &Candidate<'_>) -> Option<bool> {
-    match (candidate.has(&CLEAR), candidate.has(&DETECTED)) {
+    let by = |clear: bool, detected: bool| match (clear, detected) {
         (true, false) => Some(false),
         (false, true) => Some(true),
         _ => None,
-    }
+    };
+    let values = numbered(&candidate.variable.description);
+    let described = |(value, words): &(i64, Vec<String>)| {
+        let has = |any: &[&str]| words.iter().any(|word| any.contains(&word.as_str()));
+        // What true means, or the reverse of what false means.
+        by(has(&CLEAR), has(&DETECTED)).map(|active| active == (*value != 0))
+    };
+    by(candidate.has(&CLEAR), candidate.has(&DETECTED)).or_else(|| values.iter().find_map(described))
 }
 
 fn human(candidate: &Candidate<'_>) -> Option<(Role, f64)> {

@@ -194,7 +194,8 @@ impl Checker<'_> {
         let places = links.chain(joints).collect();
         let masses = self.masses(robot, self.spreads(robot, &file, &tree), &driven);
         let fastest = tree.moving.iter().map(|joint| joint.fastest).collect();
-        let kinematics = Kinematics { tree: tree.tree, driven, fastest, masses, payload_at: (0, Vec3::ZERO) };
+        let ranges = tree.moving.iter().map(|joint| joint.range).collect();
+        let kinematics = Kinematics { tree: tree.tree, driven, fastest, ranges, masses, payload_at: (0, Vec3::ZERO) };
         Ok(Described { kinematics, shapes, moving_mass_kg, places })
     }
 

@@ -31,7 +31,7 @@ pub use robot::{
 };
 pub use surroundings::{
     ControlKind, ControlTable, ControlledBy, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable,
-    StaticMeshTable, WhileTable, ZoneTable,
+    StaticMeshTable, ValuesTable, WhileTable, ZoneTable,
 };
 
 /// The whole file.

@@ -245,9 +245,10 @@ impl Checker<'_> {
             driven.push(Driven { named: number, factor: 1.0, offset: 0.0 });
         }
         let spread = robot.joints.iter().map(|joint| self.spread(joint)).collect();
-        let (fastest, masses) = (vec![None; driven.len()], self.masses(robot, spread, &driven));
+        let masses = self.masses(robot, spread, &driven);
+        let (fastest, ranges) = (vec![None; driven.len()], vec![None; driven.len()]);
         let payload_at = (0, Vec3::ZERO);
-        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven, fastest, masses, payload_at })
+        (!robot.joints.is_empty()).then_some(Kinematics { tree, driven, fastest, ranges, masses, payload_at })
     }
 
     /// What moves that is named so.

@@ -3,9 +3,9 @@
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{CellFile, SensorKind, SensorTable, ZoneTable};
+use super::format::{CellFile, SensorKind, SensorTable, ValuesTable, ZoneTable};
 use crate::cell::CellError;
-use crate::cell::workcell::{Placing, Sensor, Zone};
+use crate::cell::workcell::{Placing, Sensor, Signal, Zone};
 use crate::fmi;
 use crate::geometry::{Cuboid, Vec3, rotation_about};
 use crate::human::Ability;
@@ -14,11 +14,16 @@ use crate::standards::iso_13855::{Detection, HAND_SPEED_M_S, Opening};
 /// Longest sensor response in steps: the delay line is one 64-bit word.
 const MAX_DELAY_STEPS: usize = 63;
 
-/// Value while a person is detected: as said, or as the name promises, because signals of safety devices are false on demand.
-pub(in crate::cell) fn polarity(s: &SensorTable) -> Option<bool> {
+/// What a sensor's variable says: as told, or as its name promises, because signals of safety devices are false on demand.
+pub(in crate::cell) fn signal(s: &SensorTable) -> Option<Signal> {
+    if let Some(values) = &s.values {
+        let ValuesTable { clear, detected } = *values.get_ref();
+        return Some(Signal::Number { clear, detected });
+    }
     let variable = s.variable.get_ref();
     let last = variable.rsplit(['.', ':', '/']).next().unwrap_or(variable);
-    s.active.or_else(|| (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false))
+    let by_name = || (last.starts_with("S_") || last.to_uppercase().contains("OSSD")).then_some(false);
+    s.active.or_else(by_name).map(|active| Signal::Boolean { active })
 }
 
 impl Checker<'_> {
@@ -52,7 +57,7 @@ impl Checker<'_> {
     }
 
     fn sensor(&self, s: &SensorTable, file: &CellFile, step_s: f64) -> Result<(Sensor, Placing), Box<CellError>> {
-        let active = self.problems.keep(self.active(s)).unwrap_or_default();
+        let signal = self.problems.keep(self.signal(s)).unwrap_or(Signal::Boolean { active: false });
         let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
         let zone = match (s.kind, &s.zone) {
             (SensorKind::Reported, None) => Zone::Reported,
@@ -106,7 +111,7 @@ impl Checker<'_> {
         self.evaluated(s, file)?;
         let latched = self.latched(s)?;
         let placing = self.placing(s)?;
-        Ok((Sensor { name: s.name.clone(), zone, active, delay_steps, latched }, placing))
+        Ok((Sensor { name: s.name.clone(), zone, signal, delay_steps, latched }, placing))
     }
 
     /// Whether the input of a sensor is held: of one that the FMU does not evaluate itself, else it knows better.
@@ -125,6 +130,10 @@ impl Checker<'_> {
     fn evaluated(&self, s: &SensorTable, file: &CellFile) -> Result<(), Box<CellError>> {
         let Some(table) = &s.evaluated else { return Ok(()) };
         let span = table.span();
+        self.that(s.values.is_none() || table.get_ref().active.is_some(), span.clone(), || {
+            let message = format!("which value of `{}` means a person is not said", table.get_ref().variable.get_ref());
+            (message, "add active = true or false: that of the sensor is told by numbers".to_owned())
+        })?;
         self.belongs(s, "evaluated", &span, &[SensorKind::LightCurtain, SensorKind::InterlockedDoor])?;
         self.that(!file.pose.is_empty(), span.clone(), || {
             let message = format!("the FMU evaluates sensor `{}` and is not told where the person is", s.name);
@@ -218,13 +227,25 @@ impl Checker<'_> {
         })
     }
 
-    /// Value while a person is detected.
-    fn active(&self, s: &SensorTable) -> Result<bool, Box<CellError>> {
-        polarity(s).ok_or_else(|| {
+    /// What its variable says.
+    fn signal(&self, s: &SensorTable) -> Result<Signal, Box<CellError>> {
+        if let Some(values) = &s.values {
+            let ValuesTable { clear, detected } = *values.get_ref();
+            self.finite(&[clear, detected], &values.span(), &format!("`values` of sensor `{}`", s.name))?;
+            self.that((clear - detected).abs() > 0.0, values.span(), || {
+                let message = format!("sensor `{}` says the same whether somebody is detected or not", s.name);
+                (message, "give `clear` and `detected` different values".to_owned())
+            })?;
+            self.that(s.active.is_none(), values.span(), || {
+                let message = format!("sensor `{}` has both `active` and `values`", s.name);
+                (message, "`active` is for a Boolean variable, `values` for a number: remove one of them".to_owned())
+            })?;
+        }
+        signal(s).ok_or_else(|| {
             let message =
                 format!("sensor `{}` does not say which value of `{}` means a person", s.name, s.variable.get_ref());
             let help = "add active = false if true means clear, as safety signals have it, or active = true; \
-                        `fmi-hazard probe` tries which"
+                        `fmi-hazard probe` tries which. Of a number, add values = { clear = 1, detected = 0 }, say"
                 .to_owned();
             self.source.error(s.variable.span(), "of this variable", message, Some(help))
         })

@@ -99,6 +99,8 @@ pub(in crate::cell) struct Joint {
     /// The fastest that it may move, rad/s or m/s; nothing if it is not told, or told as 0, as many files do that have
     /// no figure.
     pub fastest: Option<f64>,
+    /// The least and the greatest position that it may have, rad or m, where both are told and are not the same.
+    pub range: Option<[f64; 2]>,
 }
 
 /// What to do with a file that is none yet.
@@ -277,9 +279,12 @@ impl Xml<'_> {
         });
         let mimic = mimic.transpose()?;
         // Nothing that decides where a link is: what is no figure here is no mistake.
-        let fastest = child(node, "limit").and_then(|limit| limit.attribute("velocity")?.trim().parse::<f64>().ok());
-        let fastest = fastest.filter(|velocity| velocity.is_finite() && *velocity > 0.0);
-        Ok(Joint { motion, parent, child: carried, origin: self.origin(node)?, axis, mimic, fastest, name })
+        let limit =
+            |name: &str| child(node, "limit").and_then(|limit| limit.attribute(name)?.trim().parse::<f64>().ok());
+        let fastest = limit("velocity").filter(|velocity| velocity.is_finite() && *velocity > 0.0);
+        let range = limit("lower").zip(limit("upper")).map(<[f64; 2]>::from);
+        let range = range.filter(|[low, high]| low < high && node.attribute("type") != Some("continuous"));
+        Ok(Joint { motion, parent, child: carried, origin: self.origin(node)?, axis, mimic, fastest, range, name })
     }
 
     /// The joints, each after the one that carries it.

@@ -118,7 +118,7 @@ impl Fields {
     /// Whether it is a two-hand control.
     fn sensor(
         &mut self,
-        Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor,
+        Sensor { name, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
         placing: &Placing,
     ) -> bool {
         // How a door opens and what is added to a distance are for the distance alone, and so is a field's height: nobody is low.

@@ -221,7 +221,7 @@ mod tests {
             !moves_alike(&opened.cell.robots[0], &binding.robots[0], &rows[0], &rows[1])
         };
         let (inputs, moves) = (binding.inputs.len(), (0..outputs).find(moved_by).unwrap());
-        let reports = [0, 1].map(|sensor: usize| f64::from(u8::from(opened.cell.sensors[sensor].active)));
+        let reports = [0, 1].map(|sensor: usize| opened.cell.sensors[sensor].signal.value(true));
         let plant = || Scripted { inputs, outputs, moves, reports, heard: Vec::new(), turns };
         let nobody = || Told { readings: vec![false; 3], person: Stance::default(), pressed: Presses::NONE };
         let trial = || Trial {

@@ -71,6 +71,7 @@ fn sensor(table: &SensorTable) {
         delay_ms: _,
         // Held in every history; people are seen as without it.
         latched: _,
+        values: _,
         // Refused.
         counts_while: _,
         evaluated,

@@ -114,7 +114,7 @@ impl Fields {
 
     fn sensor(
         &mut self,
-        Sensor { name, zone, active: _, delay_steps: _, latched: _ }: &Sensor,
+        Sensor { name, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
         placing: &Placing,
         low: bool,
     ) {

@@ -71,6 +71,7 @@ fn sensor(table: &SensorTable) {
         delay_ms: _,
         // Held in every sequence.
         latched: _,
+        values: _,
         // Followed in every sequence.
         counts_while: _,
         evaluated,

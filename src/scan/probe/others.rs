@@ -46,7 +46,9 @@ pub(super) fn tried(
     };
     let prober = Prober::new(&plant, cell.step_s, run_s, speeds);
     let idle = prober.run(&inputs, None)?;
-    let reactions = boolean.into_iter().map(|column| prober.reaction(&name(all[column]), &inputs, column, &idle));
+    let reactions = boolean
+        .into_iter()
+        .map(|column| prober.reaction(&name(all[column]), &inputs, (column, 1.0 - inputs[column]), &idle));
     Ok((reactions.collect::<Result<_, _>>()?, not_tried))
 }
 

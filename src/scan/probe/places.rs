@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::cell::binding::SensorBinding;
+use crate::cell::workcell::Signal;
 use crate::cell::{Binding, Workcell, Zone};
 use crate::geometry::Vec3;
 use crate::host::{Plant, PlantError};
@@ -51,7 +52,7 @@ pub struct Reported {
 
 impl Reported {
     /// What seems to be wrong.
-    pub(super) fn warning(&self, active: bool) -> Option<String> {
+    pub(super) fn warning(&self, signal: Signal) -> Option<String> {
         let (name, of) = (&self.sensor, self.of);
         let meaning = if self.at == 0 {
             format!(
@@ -64,9 +65,9 @@ impl Reported {
         };
         Some(format!(
             "{meaning}. Either the cell file is wrong ([pose] names other variables, or the polarity is the other way round: \
-             then active = {}), or the FMU's sensor really does that, which is a flaw of the cell: look at its description \
-             before you change the file",
-            !active
+             then {}), or the FMU's sensor really does that, which is a flaw of the cell: look at its description before you \
+             change the file",
+            signal.turned()
         ))
     }
 }
@@ -127,7 +128,7 @@ fn misplaced(prepared: &Prepared) -> Result<Vec<String>, PlantError> {
             let mut plant = prepared.plant_from(StateChoice::Replay, &inputs);
             let _ = plant.restart()?;
             let rows = plant.advance(stay, &inputs.repeat(stay))?;
-            let reports = bound.reports(&rows[rows.len() - binding.outputs.len()..], sensor.active);
+            let reports = bound.reports(&rows[rows.len() - binding.outputs.len()..], sensor.signal);
             if reports != is_in {
                 let (name, does) = (&sensor.name, if is_in { "does not report" } else { "reports" });
                 let place = if is_in { "in its plane".to_owned() } else { format!("{AWAY_M} m away from it") };
@@ -176,7 +177,7 @@ pub(super) fn reported(prepared: &Prepared, idle_rows: &[f64], run_s: f64) -> Re
         // What is told at the end of the stay, so that the place before does not count.
         let last = &rows[rows.len() - binding.outputs.len()..];
         for (fired, &sensor) in fired.iter_mut().zip(&inside) {
-            if binding.sensors[sensor].reports(last, cell.sensors[sensor].active) {
+            if binding.sensors[sensor].reports(last, cell.sensors[sensor].signal) {
                 fired.insert(place);
             }
         }
@@ -212,7 +213,7 @@ pub(super) fn starts_seen(prepared: &Prepared, idle_rows: &[f64]) -> Vec<String>
                 (_, bound) => {
                     // Some steps on, where the person of this run still stands.
                     let row = idle_rows.chunks(prepared.binding.outputs.len()).nth(cell.steps_per_action * 2);
-                    let says = |row: &[f64]| bound.reports(row, cell.sensors[sensor].active);
+                    let says = |row: &[f64]| bound.reports(row, cell.sensors[sensor].signal);
                     number == cell.beginning && row.is_some_and(says)
                 }
             })

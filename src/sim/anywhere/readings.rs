@@ -74,6 +74,7 @@ pub(super) fn lever(at: &PoseBox, x: f64, y: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::workcell::Signal;
     use crate::geometry::{Vec3, rotation_about};
     use crate::human::{Anthropometry, BendFraction, Posture};
     use crate::search::Rng;
@@ -111,8 +112,13 @@ mod tests {
             };
             let posture = Posture::USUAL[number % 6];
             let zone = number % 5;
-            let sensor =
-                Sensor { name: String::new(), zone: zones[zone].clone(), active: true, delay_steps: 0, latched: false };
+            let sensor = Sensor {
+                name: String::new(),
+                zone: zones[zone].clone(),
+                signal: Signal::Boolean { active: true },
+                delay_steps: 0,
+                latched: false,
+            };
             let placed = |at: &PoseBox| body.placed(at.position(), at.heading_rad, posture, BendFraction::FULL);
             let may = may_report(&sensor, &body, &placed(&at), &at);
             assert!(may.clear || may.see);

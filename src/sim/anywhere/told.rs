@@ -126,7 +126,7 @@ impl<'a, P: Plant> Asking<'a, P> {
         let rows = self.plant.advance(self.steps, &self.told(at).repeat(self.steps))?;
         let told = |row: &[f64]| -> Vec<bool> {
             let sensors = self.cell.sensors.iter().zip(&self.binding.sensors);
-            let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| bound.reports(row, sensor.active);
+            let reads = |(sensor, bound): (&crate::cell::Sensor, &SensorBinding)| bound.reports(row, sensor.signal);
             sensors.map(reads).collect()
         };
         Ok(rows.chunks(self.plant.output_count()).map(told).collect())

@@ -196,7 +196,7 @@ impl World {
     /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
     pub(in crate::sim) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
         let Some(column) = self.binding.sensors[sensor].input() else { return };
-        let active = f64::from(u8::from(self.cell.sensors[sensor].active));
+        let active = self.cell.sensors[sensor].signal.value(true);
         let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
         // What is held stays when the arm is back.
         let end = if self.cell.sensors[sensor].latched { usize::MAX } else { steps.end };
@@ -211,7 +211,7 @@ impl World {
     #[must_use]
     pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
         // Of one that the FMU evaluates alone nothing is read outside of it.
-        readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].active)
+        readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].signal)
     }
 
     /// Whether each sensor reports the person, see [`World::reading`].

@@ -152,7 +152,7 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<WhileTable>")]
     pub counts_while: Option<Spanned<WhileTable>>,
-    /// FMU input it drives, or for `reported` the output that tells it (Boolean).
+    /// FMU input it drives, or for `reported` the output that tells it: Boolean, or a number with `values`.
     #[schemars(with = "String")]
     pub variable: Spanned<String>,
     /// Light curtains and doors that the FMU evaluates itself, from where `[pose]` says that the person is: the output with which it
@@ -160,10 +160,14 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<EvaluatedTable>")]
     pub evaluated: Option<Spanned<EvaluatedTable>>,
-    /// Value while a person is detected; `false` is the usual fail-safe polarity of safety signals. May be left out where
-    /// the name says that it is one (`S_...` of PLCopen, `...OSSD...`): then it is `false`.
+    /// Of a Boolean variable, its value while a person is detected; `false` is the usual fail-safe polarity of safety signals. May be
+    /// left out where the name says that it is one (`S_...` of PLCopen, `...OSSD...`): then it is `false`.
     #[serde(default)]
     pub active: Option<bool>,
+    /// Of a variable that is a number or an enumeration, its values, instead of `active`.
+    #[serde(default)]
+    #[schemars(with = "Option<ValuesTable>")]
+    pub values: Option<Spanned<ValuesTable>>,
     /// Response time before the input changes, ms; rounded up to whole steps.
     #[serde(default)]
     #[schemars(with = "f64")]
@@ -196,6 +200,16 @@ pub struct SensorTable {
     #[serde(default)]
     #[schemars(with = "Option<f64>")]
     pub supplement_mm: Option<Spanned<f64>>,
+}
+
+/// What a sensor's variable is that is a number.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ValuesTable {
+    /// Its value while nobody is detected.
+    pub clear: f64,
+    /// Its value while a person is detected. What an output says that is neither of the two counts as this.
+    pub detected: f64,
 }
 
 /// What an FMU says of a light curtain or a door that it evaluates itself.
