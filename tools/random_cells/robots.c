@@ -12,6 +12,9 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef SLEEP_US
+#include <unistd.h>
+#endif
 
 #define EXPORT __attribute__((visibility("default")))
 #define OK 0
@@ -89,6 +92,9 @@ static int step(struct instance *c, double length)
     double whole = floor(length * 1000 + 0.5);
     if (fabs(whole - length * 1000) > 1e-6 || whole < 1)
         return ERROR;
+#ifdef SLEEP_US
+    usleep(SLEEP_US);
+#endif
     for (int ms = 0; ms < (int)whole; ms++) {
         for (int r = 0; r < ROBOTS; r++)
             tick(c, r);
