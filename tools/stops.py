@@ -64,7 +64,8 @@ def curtain_and_door(folder):
     robot = Robot(random.Random(3), 1, False)
     fx, fy = robot.ex + 0.4, robot.ey + 0.9
     parts = fence(fx, fy, opening=(-0.4, 0.4)) + sensor("door", "interlocked_door", [[-0.4, -fy - 0.01], [0.4, -fy - 0.01]], "s1", 20)
-    parts += sensor("curtain", "light_curtain", [[-0.4, -fy + 0.3], [0.4, -fy + 0.3]], "s2", 20)
+    curtain = sensor("curtain", "interlocked_door", [[-0.4, -fy + 0.3], [0.4, -fy + 0.3]], "s2", 20)
+    parts += curtain.replace("interlocked_door", "light_curtain")
     text = cell("curtain-and-door", 0, [robot], parts, robot.parameters(1, latched=False), (0.0, -fy - 0.5, 90), 1.6, True)
     (folder / "curtain-and-door.toml").write_text(text)
     return folder / "curtain-and-door.toml"

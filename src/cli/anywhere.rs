@@ -52,7 +52,7 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>)
         ledger = resume::ledger(&out, prepared, &arguments.extent(), goes_on, &arguments.parts)?;
     }
     let ledger = ledger.only(arguments.partition);
-    let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, arguments.time()), (&ledger, false))?;
+    let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, run.time_left()), (&ledger, false))?;
     if let (known @ 1.., all) = ledger.remembered() {
         output::note(&format!("   Known   {known} of {all} questions were answered before"));
     }
@@ -99,7 +99,7 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool)
     if keeps {
         ledger = resume::ledger(&own, prepared, &arguments.extent(), run.goes_on, &[])?;
     }
-    let looked = look(run, prepared, None, (&own, arguments.time().map(|time| time / 2)), (&ledger, true));
+    let looked = look(run, prepared, None, (&own, run.time_left().map(|time| time / 2)), (&ledger, true));
     if !matches!(looked, Ok(Ended { code: exit::INTERRUPTED, .. })) {
         let _ = std::fs::remove_file(unfinished);
         resume::finished(&own, false);

@@ -56,6 +56,11 @@ impl Failure {
         Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }
     }
 
+    /// Nothing is wrong, and nothing was shown, with what to do about it.
+    pub(super) fn inconclusive(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self { code: INCONCLUSIVE, report: miette::miette!(help = help.to_string(), "{message}") }
+    }
+
     /// Its exit code.
     pub(super) const fn code(&self) -> u8 {
         self.code

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::io::{Seek as _, Write as _};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use clap::Parser as _;
 
@@ -65,8 +65,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let assessments = results::assessments(cell_path)?;
     output::phase(&format!("trying out {}", path.display()));
     // Nothing is lost before the search: until then Ctrl-C ends the program.
-    let stop = Stop::default();
-    let mut prepared = prepare_in(path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
+    let (stop, began) = (Stop::default(), Instant::now());
+    let mut prepared = tried_out(arguments, path, &stop)?;
     prepared.warn(wrong_polarities(&prepared));
     let from = arguments.people_from(&prepared.cell)?;
     let of_starts = arguments.of_starts().or_else(|| arguments.limit_of_starts());
@@ -89,7 +89,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         ));
     }
     if from == From::Anywhere {
-        let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several: false };
+        let several = false;
+        let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, began, goes_on, several };
         return anywhere::run(&run, &prepared, command.as_ref());
     }
     let all = match arguments.begin {
@@ -120,11 +121,10 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     if let Some(command) = &command {
         command.write(&out)?;
     }
-    let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, goes_on, several };
+    let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, began, goes_on, several };
     let journals = command.is_some();
     let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
     let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
-    let began = Instant::now();
     let whole = if from == From::Both { anywhere::first(&run, &prepared, &out, journals)? } else { None };
     if whole == Some(exit::INTERRUPTED) {
         output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
@@ -134,8 +134,8 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         run.all(&all, &baselines, &out, journals)?
     } else {
         beginnings::forget(&out);
-        if let Some(time) = arguments.time() {
-            stop.within(time.saturating_sub(began.elapsed()));
+        if let Some(time) = run.time_left() {
+            stop.within(time);
         }
         if whole.is_some() && arguments.format == Format::Table {
             output::result("\nFrom the cell's start");
@@ -164,6 +164,8 @@ pub(super) struct Run<'a> {
     pub(super) cell_path: &'a Path,
     pub(super) assessments: &'a Assessments,
     pub(super) stop: &'a Stop,
+    /// When its time began.
+    began: Instant,
     /// Whether it goes on with an interrupted one.
     pub(super) goes_on: bool,
     /// Whether the cell is searched from several beginnings.
@@ -176,12 +178,40 @@ struct Ended {
     code: u8,
 }
 
+/// The cell with its FMU tried out, which is part of the time that is given.
+fn tried_out(arguments: &Arguments, path: &Path, stop: &Stop) -> Result<Prepared, Failure> {
+    let hosting = arguments.hosting.heeding(stop)?;
+    let Some(time) = arguments.time() else {
+        return Ok(prepare_in(path, arguments.cell.as_deref(), &hosting)?);
+    };
+    let began = Instant::now();
+    stop.within(time);
+    match prepare_in(path, arguments.cell.as_deref(), &hosting) {
+        Err(error) if !(error.while_running() && stop.ends_search()) => Err(error.into()),
+        Ok(prepared) if !stop.ends_search() => Ok(prepared),
+        // What it says of the FMU then is about the time that it had.
+        _ => Err(Failure::inconclusive(
+            format!(
+                "the time was over while the FMU was tried out: after {:.1} s of {} s nothing was searched yet",
+                began.elapsed().as_secs_f64(),
+                time.as_secs_f64()
+            ),
+            "give it more with --time. Each FMU is run some ten times first, for as long as a sequence takes where its steps are \
+             quick; `fmi-hazard selftest` shows how long its steps take",
+        )),
+    }
+}
+
 impl Run<'_> {
+    /// What is left of the time that is given.
+    pub(super) fn time_left(&self) -> Option<Duration> {
+        Some(self.arguments.time()?.saturating_sub(self.began.elapsed()))
+    }
+
     /// One beginning after the other.
     fn all(&self, all: &[Prepared], baselines: &[Option<Baseline>], out: &Path, journals: bool) -> Result<u8, Failure> {
         let mut table = beginnings::Table::begun(out, &all[0].subject, self.goes_on);
         table.keep(out)?;
-        let began = Instant::now();
         let mut left = all.iter().filter(|prepared| !table.has(prepared.cell.beginning + 1)).count();
         for (prepared, baseline) in all.iter().zip(baselines) {
             let number = prepared.cell.beginning + 1;
@@ -189,8 +219,8 @@ impl Run<'_> {
                 continue;
             }
             // What one does not use of its time, the others have.
-            if let Some(time) = self.arguments.time() {
-                self.stop.within(time.saturating_sub(began.elapsed()) / u32::try_from(left).unwrap_or(1));
+            if let Some(time) = self.time_left() {
+                self.stop.within(time / u32::try_from(left).unwrap_or(1));
             }
             left -= 1;
             if let Some(beginning) = &prepared.subject.beginning {
@@ -602,6 +632,7 @@ mod tests {
             path: &path,
             cell_path: &path,
             assessments: &assessments,
+            began: Instant::now(),
             stop: &stop,
             goes_on: false,
             several: false,

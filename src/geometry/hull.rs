@@ -64,6 +64,12 @@ impl Hull {
         along + direction.dot(self.pose.translation) + self.margin_m
     }
 
+    /// The corner that is outermost along a direction, without what it is grown by.
+    #[must_use]
+    pub fn outermost(&self, direction: Vec3) -> Vec3 {
+        self.pose * self.shape.support(self.pose.rotation.inverse() * direction)
+    }
+
     /// Its corners, without what it is grown by.
     pub fn corners(&self) -> impl Iterator<Item = Vec3> {
         self.shape.corners().iter().map(|corner| self.pose * *corner)

@@ -66,6 +66,9 @@ pub(super) enum Nearest {
 /// Of so many corners at most all are looked at: that is as fast.
 const FEW: usize = 32;
 
+/// Of so many corners the ones that are outermost along the normals of its faces are climbed to.
+const MANY: usize = 512;
+
 /// Squares along an edge of the cube of directions.
 const SQUARES: usize = 8;
 
@@ -98,12 +101,16 @@ impl Polyhedron {
         }
         let centre = (low + high) * 0.5;
         let radius = corners.iter().map(|corner| (*corner - centre).length()).fold(0.0, f64::max);
-        let reach = |normal: Vec3| corners.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max);
+        let (climb, slices) = (Climb::new(&convex), Slices::of(corners));
+        let reach = |normal: Vec3| match corners.len() {
+            // Faces times corners: of thousands each that would take as long as all the rest.
+            MANY.. => climb.farthest(corners, normal).dot(normal),
+            _ => corners.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max),
+        };
         // Of a face without area there is no normal.
         let normals = convex.faces().iter().filter_map(|face| face.normal.try_normalize());
         let faces = normals.map(|normal| (normal, reach(normal))).collect();
         let edges = edges(&convex, triangles);
-        let (climb, slices) = (Climb::new(&convex), Slices::of(corners));
         let around = capsule_around(corners, low, high);
         Self { convex, faces, edges, climb, slices, sphere: (centre, radius), around }
     }

@@ -15,6 +15,9 @@ use super::Floor;
 /// Radius of the discs, m.
 const DISC_M: f64 = 1.0;
 
+/// Discs that are gone through from one look at the clock to the next: some thousand cells each.
+const BETWEEN_LOOKS: usize = 64;
+
 /// A lower bound on the length of ways to each cell of a floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
@@ -50,9 +53,15 @@ impl Field {
     }
 
     /// From any point of `sources`, through cells of `domain`; a source that is no cell of it is none. Of ways that are longer than
-    /// `most_m` it is told only that they are.
+    /// `most_m` it is told only that they are. Nothing, where there is no time for it: `is_due` is asked every [`BETWEEN_LOOKS`] discs.
     #[must_use]
-    pub fn from(floor: &Floor, sources: &[bool], domain: &[bool], most_m: f64) -> Self {
+    pub fn from(
+        floor: &Floor,
+        sources: &[bool],
+        domain: &[bool],
+        most_m: f64,
+        is_due: &dyn Fn() -> bool,
+    ) -> Option<Self> {
         let mut least_m = vec![f64::INFINITY; floor.cells()];
         let mut starts = vec![f64::INFINITY; floor.cells()];
         let mut next = BinaryHeap::new();
@@ -66,9 +75,14 @@ impl Field {
             }
         }
         let mut disc = Disc::new(floor, domain);
+        let mut discs = 0_usize;
         while let Some(Met(far, cell)) = next.pop() {
             if far > starts[cell] {
                 continue;
+            }
+            discs += 1;
+            if discs.is_multiple_of(BETWEEN_LOOKS) && is_due() {
+                return None;
             }
             disc.around(floor, domain, cell, |other, apart, leaves| {
                 let length = far + (apart - SQRT_2 * floor.cell_m()).max(0.0);
@@ -87,7 +101,7 @@ impl Field {
             let farther = least_m.iter_mut().zip(domain).filter(|(least, inside)| **inside && least.is_infinite());
             farther.for_each(|(least, _)| *least = most_m);
         }
-        Self { floor: floor.clone(), least_m }
+        Some(Self { floor: floor.clone(), least_m })
     }
 
     /// A lower bound for a cell, m; infinite where no way leads.
@@ -231,6 +245,11 @@ mod tests {
         (0..floor.cells()).map(|cell| floor.is_open(cell)).collect()
     }
 
+    /// The whole of it.
+    fn whole(floor: &Floor, sources: &[bool], domain: &[bool], most_m: f64) -> Field {
+        Field::from(floor, sources, domain, most_m, &|| false).unwrap()
+    }
+
     fn only(floor: &Floor, xy_m: [f64; 2]) -> Vec<bool> {
         let cell = floor.within(xy_m, 0.0).next().unwrap();
         (0..floor.cells()).map(|other| other == cell).collect()
@@ -248,7 +267,7 @@ mod tests {
             return;
         }
         let floor = floor(&[], 0.025);
-        let field = Field::from(&floor, &only(&floor, [0.01, 0.01]), &open(&floor), f64::INFINITY);
+        let field = whole(&floor, &only(&floor, [0.01, 0.01]), &open(&floor), f64::INFINITY);
         for angle in 0..24 {
             for far in [0.1, 0.5, 0.99, 1.5, 2.7] {
                 let (sin, cos) = libm::sincos(f64::from(angle) * 0.27);
@@ -310,7 +329,7 @@ mod tests {
                 .collect();
             let floor = floor(&walls, 0.05);
             let (domain, from) = (open(&floor), [uniform(-2.0, 2.0), uniform(-2.0, 2.0)]);
-            let field = Field::from(&floor, &only(&floor, from), &domain, f64::INFINITY);
+            let field = whole(&floor, &only(&floor, from), &domain, f64::INFINITY);
             for _ in 0..60 {
                 let (mut at, mut walked, mut heading) = (from, 0.0, uniform(0.0, 6.3));
                 let on_floor = |at: [f64; 2]| floor.within(at, 0.0).next().is_some_and(|cell| domain[cell]);
@@ -340,20 +359,39 @@ mod tests {
             return;
         }
         let floor_of = floor(&[wall([-2.0, -0.01], [2.0, 0.01])], 0.025);
-        let field = Field::from(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of), f64::INFINITY);
+        let field = whole(&floor_of, &only(&floor_of, [0.0, -0.3]), &open(&floor_of), f64::INFINITY);
         let round = 2.0 * libm::hypot(2.0, 0.3);
         let told = field.least([0.0, 0.3], 0.0);
         assert!(told <= round && told > 0.75 * round, "{told} for {round}");
         let shut = floor(&[wall([-3.1, -0.01], [3.1, 0.01])], 0.025);
-        let field = Field::from(&shut, &only(&shut, [0.0, -0.3]), &open(&shut), f64::INFINITY);
+        let field = whole(&shut, &only(&shut, [0.0, -0.3]), &open(&shut), f64::INFINITY);
         assert!(field.least([0.0, 0.3], 0.1).is_infinite());
+    }
+
+    /// The clock is looked at again and again, and nothing half done is told.
+    #[test]
+    fn it_ends_within_some_discs_of_being_told_to() {
+        let floor = floor(&[], 0.05);
+        let (domain, looks) = (open(&floor), std::cell::Cell::new(0));
+        for ends_at in [1, 3, usize::MAX] {
+            looks.set(0);
+            let is_due = || {
+                looks.set(looks.get() + 1);
+                looks.get() >= ends_at
+            };
+            let made = Field::from(&floor, &only(&floor, [0.0, 0.0]), &domain, f64::INFINITY, &is_due);
+            assert_eq!(made.is_some(), ends_at == usize::MAX);
+            assert!(made.is_some() || looks.get() == ends_at);
+        }
+        // There are no more discs than cells.
+        assert!(looks.get() > 3 && looks.get() <= floor.cells() / BETWEEN_LOOKS, "{}", looks.get());
     }
 
     /// Beyond the rectangle nothing is known, and of ways that are longer than asked for only that they are.
     #[test]
     fn what_is_beyond_the_rectangle_or_farther_than_asked_for_is_not_excluded() {
         let shut = floor(&[wall([-3.1, -0.01], [3.1, 0.01])], 0.05);
-        let field = Field::from(&shut, &only(&shut, [0.0, -1.0]), &open(&shut), 0.8);
+        let field = whole(&shut, &only(&shut, [0.0, -1.0]), &open(&shut), 0.8);
         assert!(
             (field.least([0.0, -2.5], 0.0) - 0.8).abs() < 1e-12 && (field.least([0.0, 1.0], 0.0) - 0.8).abs() < 1e-12
         );
@@ -430,7 +468,7 @@ mod tests {
                 }
             };
             let from = place();
-            let field = Field::from(&all, &only(&all, from), &domain, f64::INFINITY);
+            let field = whole(&all, &only(&all, from), &domain, f64::INFINITY);
             for _ in 0..25 {
                 let to = place();
                 let (told, length) = (field.least(to, 0.0), shortest(from, to, &boxes));

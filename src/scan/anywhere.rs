@@ -275,7 +275,7 @@ impl<'a> Looking<'a> {
             self.found.ground = map::ground(&search, &unmoved);
             self.walkable = map::walkable(&search);
         }
-        let kinds = self.kinds(&search, told.as_ref(), first);
+        let Some(kinds) = self.kinds(&search, told.as_ref(), first) else { return Ok(End::Stopped) };
         let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.short(tell)) };
         let (all, mut end) = (parts.len(), End::Whole);
         for (number, part) in parts.iter().enumerate() {
@@ -317,7 +317,8 @@ impl<'a> Looking<'a> {
             self.open(Need::Searched, "where nobody is seen at the start is not known");
             return Ok(End::Short);
         };
-        let zones = Zones::new(search, first, &part.sensors, (WALKING_SPEED_M_S * cell.step_s, self.steps()), presses);
+        let way = (WALKING_SPEED_M_S * cell.step_s, self.steps());
+        let Some(zones) = Zones::new(search, first, &part.sensors, way, presses) else { return Ok(End::Stopped) };
         if zones.ways.is_empty() {
             self.open(Need::Searched, "where nobody is seen at the start is not known");
             return Ok(End::Short);

@@ -57,6 +57,10 @@ pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
     }
 }
 
+/// A hull of more corners than this is drawn by those that are outermost along so many directions.
+const MANY: usize = 500;
+const DIRECTIONS: u32 = 90;
+
 /// A link from above; of a mesh the outline of its hull.
 pub(super) fn part(link: &Solid) -> Part {
     let outline = |points: &[Vec3], pose: Pose| {
@@ -64,6 +68,15 @@ pub(super) fn part(link: &Solid) -> Part {
     };
     match link {
         Solid::Capsule(c) => Part::Capsule(flat(c.a), flat(c.b), c.radius),
+        // Of thousands of corners as many as can be told apart in a picture.
+        Solid::Hull(hull) if hull.shape().points().len() > MANY => {
+            let around = (0..DIRECTIONS).map(|n| std::f64::consts::TAU * f64::from(n) / f64::from(DIRECTIONS));
+            let farthest = around.map(|angle| {
+                let (y, x) = libm::sincos(angle);
+                flat(hull.outermost(Vec3::new(x, y, 0.0)))
+            });
+            Part::Outline(convex_outline(farthest.collect()))
+        }
         Solid::Hull(hull) => outline(hull.shape().points(), hull.pose()),
         Solid::Mesh(mesh) => outline(&mesh.surface().triangles().points, mesh.pose()),
     }

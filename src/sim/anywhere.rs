@@ -27,10 +27,10 @@ pub mod told;
 mod within;
 pub mod zones;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
@@ -209,6 +209,8 @@ pub struct Anywhere<'a> {
     told_of: Vec<ToldOf>,
     /// By which sensors matter, where people get to by the rules of a scan from the start: worked out when it is asked for.
     outside: Mutex<BTreeMap<Vec<bool>, Arc<Outside>>>,
+    /// What the sensors may report in each cell of the floor: worked out when it is asked for.
+    by_cell: OnceLock<Vec<BTreeSet<zones::Readings>>>,
     /// How far somebody walks in a communication step, m.
     step_m: f64,
     /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
@@ -306,6 +308,7 @@ impl<'a> Anywhere<'a> {
             unseen: Vec::new(),
             told_of: Vec::new(),
             outside: Mutex::default(),
+            by_cell: OnceLock::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
             reach_m,
             body_m: cell.body.reach_from_one_metre(0.0, &[]),
@@ -321,6 +324,7 @@ impl<'a> Anywhere<'a> {
     pub fn with(mut self, told: Told) -> Self {
         self.told = Some(told);
         self.outside = Mutex::default();
+        self.by_cell = OnceLock::new();
         self.look_for_unseen();
         self
     }

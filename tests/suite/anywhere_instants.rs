@@ -223,7 +223,7 @@ fn a_gap_of_2_cm_that_few_headings_show_is_floor_on_which_nobody_is_seen() {
     let dir = guarded();
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
-    let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0);
+    let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0).unwrap();
     let (floor, unseen, _) = search.ground();
     for number in 0..200 {
         let place = at(0.0, f64::from(number - 100) * step);

@@ -34,7 +34,7 @@ fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
     let cell = &*prepared.cell;
     let search = Search::on_cells_of(floor_m(0.05), cell, std::iter::empty(), 0.0, prepared.stop());
     let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
-    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses);
+    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses).unwrap();
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody; zones.readings.len()];
     let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
@@ -119,7 +119,7 @@ fn whoever_has_pressed_is_near_the_button() {
         let cell = &*prepared.cell;
         let search = Search::on_cells_of(floor_m(0.1), cell, std::iter::empty(), 0.0, prepared.stop());
         let stride_m = 1.6 * cell.step_s;
-        let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1);
+        let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1).unwrap();
         let pressed: Vec<_> = zones.ways.iter().filter(|way| way.pressed == Presses::one(0)).collect();
         assert!(pressed.len() > 2, "{file}: {} ways", pressed.len());
         let unseen = pressed.iter().filter(|way| !zones.readings[way.to][0]);
@@ -140,7 +140,7 @@ fn whoever_has_pressed_is_near_the_button() {
             .map(|at| ways_back.clone().map(|way| way.field.least(at, 0.0)).filter(|least| *least <= stride_m).count());
         assert!(front > 0 && inside > 0, "{file}: {front} {inside}");
         // Nobody works it whom the cell file does not let.
-        let none = Zones::new(&search, &[false], &[true], (stride_m, 100), 0);
+        let none = Zones::new(&search, &[false], &[true], (stride_m, 100), 0).unwrap();
         assert!(none.ways.iter().all(|way| way.pressed.is_none()) && none.ways.len() < zones.ways.len());
     }
 }

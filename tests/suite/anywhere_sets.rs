@@ -150,7 +150,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
     let (cell, binding) = (&*prepared.cell, &*prepared.binding);
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
     let part = Part { sensors: vec![true], links: vec![true].into() };
-    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0);
+    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0).unwrap();
     let entered = zones.ways.iter().position(|way| way.from.is_some() && way.is_first).expect("a way onto the mat");
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody.clone(); zones.readings.len()];
@@ -206,7 +206,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     let prepared = prepare(&write(dir.path(), "cell.toml", &cell(0.45, &mats)), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
     let (none, steps) = (vec![false; 2], 12);
-    let zones = Zones::new(&search, &none, &[true; 2], (STRIDE_M, steps), 0);
+    let zones = Zones::new(&search, &none, &[true; 2], (STRIDE_M, steps), 0).unwrap();
     let mut rng = Rng::new(5);
     let mut uniform = |low: f64, high: f64| {
         low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
@@ -276,7 +276,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let histories = |sensors: [bool; 2], links: [bool; 2]| {
         let part = Part { sensors: sensors.to_vec(), links: links.to_vec().into() };
-        let zones = Zones::new(&search, &[false; 2], &part.sensors, (stride_m, STEPS), 0);
+        let zones = Zones::new(&search, &[false; 2], &part.sensors, (stride_m, STEPS), 0).unwrap();
         let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
         let people = vec![nobody.clone(); zones.readings.len()];
         let mut machine = Machine::new(recall, (cell, &prepared.binding), (&zones, people), (&part, 0));
@@ -365,7 +365,7 @@ fn smaller_cells_of_the_floor_leave_less() {
     let (step_m, steps) = (1.6 * cell.step_s, 40);
     let at_sizes = [0.1, 0.05, 0.025].map(|floor_m| {
         let search = Search::on_cells_of(floor_m, cell, std::iter::empty(), 0.0, prepared.stop());
-        let zones = Zones::new(&search, &[false], &[true], (step_m, steps), 0);
+        let zones = Zones::new(&search, &[false], &[true], (step_m, steps), 0).unwrap();
         (search.ground().1, search.floor().clone(), zones)
     });
     let mut less = 0;

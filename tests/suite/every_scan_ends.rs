@@ -7,6 +7,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use crate::common::hostile::{CELL, Hostile};
 use crate::common::started::Started;
 use crate::common::{examples, fmi_hazard, json, scan_json, write};
 use crate::sample;
@@ -225,10 +226,7 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     let dir = examples();
     let dir = dir.path();
     let cell = ur5(dir).unwrap_or_else(|| "light-curtain/cell.toml".to_owned());
-    let output = fmi_hazard(dir)
-        .args(["scan", "--no-advice", &cell, "--time", if sample::is_whole() { "6s" } else { "4s" }, "--out", "o"])
-        .output()
-        .unwrap();
+    let output = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "6s", "--out", "o"]).output().unwrap();
     let report = assert_valid(&dir.join("o"));
     let hazards = !report["hazards"].as_array().unwrap().is_empty();
     assert_eq!(output.status.code(), Some(if hazards { 1 } else { 4 }), "{}", String::from_utf8_lossy(&output.stderr));
@@ -244,6 +242,20 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     // Without any limit of its own a wrong one is told.
     let wrong = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "soon"]).output().unwrap();
     assert!(wrong.status.code() == Some(2) && String::from_utf8_lossy(&wrong.stderr).contains("90s, 5m or 2h"));
+}
+
+/// Each step takes 0.2 s: before anything is searched it is run for a minute.
+#[test]
+fn the_time_is_also_that_in_which_an_fmu_is_tried_out() {
+    for hostile in Hostile::both() {
+        let dir = tempfile::TempDir::new().unwrap();
+        hostile.what("slow").size(200).write(dir.path());
+        let output = fmi_hazard(dir.path()).args(["scan", CELL, "--time", "2s", "--out", "o"]).output().unwrap();
+        let told = String::from_utf8_lossy(&output.stderr).replace("\n  │ ", " ");
+        assert_eq!(output.status.code(), Some(4), "{told}");
+        assert!(told.contains("the time was over while the FMU was tried out") && told.contains("--time"), "{told}");
+        assert!(!dir.path().join("o/scan.json").exists());
+    }
 }
 
 #[test]

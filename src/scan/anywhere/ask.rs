@@ -143,17 +143,17 @@ impl<'a> Looking<'a> {
         Ok(Some((search.with(told.clone()), Some(told))))
     }
 
-    /// Everything that may be reported of somebody, and people of whom it is; `first` first.
-    pub(super) fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Vec<Kind> {
+    /// Everything that may be reported of somebody, and people of whom it is; `first` first. Nothing, where there is no time for it.
+    pub(super) fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Option<Vec<Kind>> {
         let sensors = &self.prepared.cell.sensors;
         let people = |readings: &[bool]| match told {
             Some(told) => told.people(readings, |sensor| matches!(sensors[sensor].zone, Zone::Reported)).collect(),
             None => vec![Stance::default()],
         };
-        let mut all = search.readings();
+        let mut all = search.readings()?;
         all.sort_by_key(|readings| readings != first);
         let kinds = all.into_iter().map(|readings| Kind { people: people(&readings), readings });
-        kinds.filter(|kind| !kind.people.is_empty()).collect()
+        Some(kinds.filter(|kind| !kind.people.is_empty()).collect())
     }
 }
 

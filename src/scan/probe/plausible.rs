@@ -408,10 +408,7 @@ fn spokes(link: &Solid) -> Vec<[Vec3; 2]> {
         Solid::Capsule(capsule) => vec![[capsule.a, capsule.b]],
         Solid::Hull(hull) => {
             let middle = link.bounding_sphere().0;
-            outermost(hull.corners().collect())
-                .into_iter()
-                .map(|corner| [middle, middle.lerp(corner, INSIDE)])
-                .collect()
+            directions().map(|along| [middle, middle.lerp(hull.outermost(along), INSIDE)]).collect()
         }
         Solid::Mesh(mesh) => {
             let triangles = mesh.surface().triangles();
@@ -423,16 +420,11 @@ fn spokes(link: &Solid) -> Vec<[Vec3; 2]> {
     }
 }
 
-/// Of many points those that are outermost along some direction.
-fn outermost(points: Vec<Vec3>) -> Vec<Vec3> {
+/// Along the axes and between them.
+fn directions() -> impl Iterator<Item = Vec3> {
     const ALONG: [f64; 3] = [-1.0, 0.0, 1.0];
-    if points.len() <= 26 {
-        return points;
-    }
-    let directions =
-        ALONG.into_iter().flat_map(|x| ALONG.into_iter().flat_map(move |y| ALONG.map(|z| Vec3::new(x, y, z))));
-    let farthest = |along: Vec3| points.iter().copied().max_by(|a, b| a.dot(along).total_cmp(&b.dot(along)));
-    directions.filter(|along| *along != Vec3::ZERO).filter_map(farthest).collect()
+    let all = ALONG.into_iter().flat_map(|x| ALONG.into_iter().flat_map(move |y| ALONG.map(|z| Vec3::new(x, y, z))));
+    all.filter(|along| *along != Vec3::ZERO)
 }
 
 /// Whether the inside of a link is in a box.

@@ -23,6 +23,9 @@ use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
 
+/// Cells of the floor that are looked at from one look at the clock to the next.
+const BETWEEN_LOOKS: usize = 256;
+
 /// What the sensors report, one after the other.
 pub type Readings = Vec<bool>;
 
@@ -66,7 +69,7 @@ pub struct Zones {
 impl Zones {
     /// For people of whom the sensors report `first` at the start, who are on `unseen` floor then, and walk as far as `step_m` in
     /// each of so many communication steps. What sensors report that do not `matter` is left at what it is then.
-    /// At most so many `presses` by the person are told apart.
+    /// At most so many `presses` by the person are told apart. Nothing, where there is no time for it.
     #[must_use]
     pub fn new(
         of: &Anywhere<'_>,
@@ -74,14 +77,14 @@ impl Zones {
         matter: &[bool],
         (step_m, steps): (f64, usize),
         presses: u32,
-    ) -> Self {
-        let ground = &of.ground;
+    ) -> Option<Self> {
+        let (ground, is_due) = (&of.ground, || of.encounter.stop.is_due());
         let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
         // Nobody gets farther, with the step before the first sample and the one after the last.
         #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
         let most_m = step_m * (steps + 4) as f64;
-        let all: Vec<BTreeSet<Readings>> = of.readings_by_cell();
-        let as_first = |reading: Readings| -> Readings {
+        let all: &[BTreeSet<Readings>] = of.readings_by_cell()?;
+        let as_first = |reading: &Readings| -> Readings {
             reading
                 .iter()
                 .zip(first)
@@ -91,8 +94,7 @@ impl Zones {
         };
         let unseen = |cell: usize| of.unseen[cell] && all[cell].contains(first);
         let unseen: Vec<bool> = (0..ground.cells()).map(unseen).collect();
-        let all: Vec<BTreeSet<Readings>> =
-            all.into_iter().map(|cell| cell.into_iter().map(as_first).collect()).collect();
+        let all: Vec<BTreeSet<Readings>> = all.iter().map(|cell| cell.iter().map(as_first).collect()).collect();
         let readings: BTreeSet<&Readings> = all.iter().flatten().collect();
         let mut readings: Vec<Readings> = readings.into_iter().cloned().collect();
         readings.sort_by_key(|reading| (reading != first, reading.clone()));
@@ -106,7 +108,7 @@ impl Zones {
         let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), at_once: Vec::new(), origin: nowhere };
         let in_hand = of.in_hand(presses);
         if this.readings.first().is_none_or(|reading| reading != first) {
-            return this;
+            return Some(this);
         }
         // Who presses outside of a field is not inside of it: parts that nobody gets from one to another of unreported are told apart.
         let areas: Vec<(usize, Vec<bool>)> = (0..)
@@ -120,7 +122,7 @@ impl Zones {
         // Sensors that do not matter may see them later: wherever they get to with those that do still reporting the same.
         let at_first = ground.spread(&both(&zones[0], &either(&unseen, &entrances)), &zones[0]);
         let around = both(&ground.grown(&at_first, step_m), &free);
-        this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m));
+        this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m, &is_due)?);
         let add = |this: &mut Self, way: Way| {
             this.ways.push(way);
             this.ways.len() - 1
@@ -161,10 +163,14 @@ impl Zones {
                     pressed: Presses::NONE,
                     field: Arc::clone(&this.origin),
                 };
-                let known = known(&this, &way).unwrap_or_else(|| {
-                    let field = Arc::new(Field::from(ground, &both(cells, &near), &beside[other], most_m));
-                    add(&mut this, Way { field, ..way })
-                });
+                let known = match known(&this, &way) {
+                    Some(known) => known,
+                    None => {
+                        let begins = both(cells, &near);
+                        let field = Arc::new(Field::from(ground, &begins, &beside[other], most_m, &is_due)?);
+                        add(&mut this, Way { field, ..way })
+                    }
+                };
                 follow.push((known, steps_for(least, step_m)));
             }
             for (pressed, hand) in &in_hand {
@@ -185,10 +191,13 @@ impl Zones {
                         pressed: *pressed,
                         field: Arc::clone(&this.origin),
                     };
-                    let known = known(&this, &way).unwrap_or_else(|| {
-                        let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m));
-                        add(&mut this, Way { field, ..way })
-                    });
+                    let known = match known(&this, &way) {
+                        Some(known) => known,
+                        None => {
+                            let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m, &is_due)?);
+                            add(&mut this, Way { field, ..way })
+                        }
+                    };
                     // Worked at a sample, and not on the way from one to the next.
                     let steps = steps_for(least, step_m);
                     follow.push((known, steps.saturating_sub(1)));
@@ -202,7 +211,7 @@ impl Zones {
             this.next.push(follow);
             number += 1;
         }
-        this
+        Some(this)
     }
 
     /// How far it is at least from where somebody is at the start.
@@ -262,15 +271,24 @@ fn least_at(field: &Field, some: &[bool], others: &[bool]) -> Option<f64> {
 }
 
 impl Anywhere<'_> {
-    /// All that the sensors may report together of somebody.
+    /// All that the sensors may report together of somebody; nothing, where there is no time for it.
     #[must_use]
-    pub fn readings(&self) -> Vec<Readings> {
-        self.readings_by_cell().into_iter().flatten().collect::<BTreeSet<_>>().into_iter().collect()
+    pub fn readings(&self) -> Option<Vec<Readings>> {
+        let all: BTreeSet<&Readings> = self.readings_by_cell()?.iter().flatten().collect();
+        Some(all.into_iter().cloned().collect())
     }
 
-    /// All that the sensors may report together of somebody in each cell of the floor, with an arm in a plane or without.
-    fn readings_by_cell(&self) -> Vec<BTreeSet<Readings>> {
-        (0..self.ground.cells()).map(|cell| self.readings_in(&self.ground, cell)).collect()
+    /// All that the sensors may report together of somebody in each cell of the floor, with an arm in a plane or without: worked out once.
+    fn readings_by_cell(&self) -> Option<&[BTreeSet<Readings>]> {
+        if self.by_cell.get().is_none() {
+            let of_cell = |cell: usize| {
+                let is_over = cell.is_multiple_of(BETWEEN_LOOKS) && self.encounter.stop.is_due();
+                (!is_over).then(|| self.readings_in(&self.ground, cell))
+            };
+            let all: Option<Vec<BTreeSet<Readings>>> = (0..self.ground.cells()).map(of_cell).collect();
+            let _ = self.by_cell.set(all?);
+        }
+        self.by_cell.get().map(Vec::as_slice)
     }
 
     fn readings_in(&self, ground: &Floor, cell: usize) -> BTreeSet<Readings> {
@@ -338,7 +356,7 @@ mod tests {
                     [human]\nstart = { xy_m = [0, -3], heading_deg = 90 }\n";
         let cell = validate(&Source::new("t.toml", text)).unwrap();
         let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, Stop::default());
-        let zones = Zones::new(&search, &[false], &[true], (0.3, 10), 0);
+        let zones = Zones::new(&search, &[false], &[true], (0.3, 10), 0).unwrap();
         let onto: Vec<&Way> = zones.ways.iter().filter(|way| zones.readings[way.to][0]).collect();
         assert!(!onto.is_empty());
         for way in onto {

@@ -70,7 +70,11 @@ impl Instant {
         History {
             readings: vec![reading; self.prepared.cell.sensors.len()],
             links: vec![true].into(),
-            fields: [Field::from(floor, &sources, &open, f64::INFINITY), Field::at_once(floor, &open)].map(Arc::new),
+            fields: [
+                Field::from(floor, &sources, &open, f64::INFINITY, &|| false).unwrap(),
+                Field::at_once(floor, &open),
+            ]
+            .map(Arc::new),
             seen: vec![AnInstant {
                 step: 1,
                 lasting: 0,
