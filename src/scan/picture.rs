@@ -11,7 +11,7 @@ use super::probe::Probe;
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Class;
-use crate::human::{Action, Place, Posture, Presses};
+use crate::human::{Action, Place, Posture};
 use crate::report::floorplan::Plan;
 use crate::report::model::Hazard;
 use crate::report::topview::{Part, Point, Scene};
@@ -158,8 +158,10 @@ fn reachable(all: &[&Prepared]) -> Vec<Point> {
     points
 }
 
+/// From the start of a person, doors taken to be open: who gets a hand to which takes arm searches.
 fn places(world: &World) -> Vec<Point> {
-    let mut known = BTreeSet::from([world.start()]);
+    let start = world.start();
+    let mut known = BTreeSet::from([start.with_open(start.open().either(world.doors()))]);
     let mut last = known.clone();
     for _ in 0..world.cell.search.actions {
         let next = last.iter().flat_map(|place| {
@@ -168,14 +170,7 @@ fn places(world: &World) -> Vec<Point> {
             let postures = std::iter::once(Posture::Upright).chain(repertoire.low().iter().copied());
             let moves =
                 postures.flat_map(|posture| repertoire.walks().iter().map(move |walk| Action::new(*walk, posture)));
-            // But other bends get to other doors.
-            let working = Presses::all(if world.doors().is_none() { 0 } else { Presses::MOST });
-            let working = working.filter(|doors| !doors.is_none() && doors.common(world.doors()) == *doors);
-            let through = working.flat_map(|doors| {
-                let moves = 0..repertoire.moves();
-                moves.map(move |number| repertoire.action(number).pressing(doors))
-            });
-            moves.chain(through).map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
+            moves.map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
         });
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();

@@ -205,8 +205,8 @@ pub struct Anywhere<'a> {
     told: Option<Told>,
     /// The cells of it that are joined to the outside by others in which no sensor that keeps people out certainly sees them.
     unseen: Vec<bool>,
-    /// What is known of each plane.
-    told_of: Vec<ToldOf>,
+    /// What is known of each plane: worked out when it is asked for.
+    told_of: OnceLock<Vec<ToldOf>>,
     /// By which sensors matter, where people get to by the rules of a scan from the start: worked out when it is asked for.
     outside: Mutex<BTreeMap<Vec<bool>, Arc<Outside>>>,
     /// What the sensors may report in each cell of the floor: worked out when it is asked for.
@@ -306,7 +306,7 @@ impl<'a> Anywhere<'a> {
             encounter,
             curtains,
             unseen: Vec::new(),
-            told_of: Vec::new(),
+            told_of: OnceLock::new(),
             outside: Mutex::default(),
             by_cell: OnceLock::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
@@ -324,7 +324,7 @@ impl<'a> Anywhere<'a> {
     pub fn with(mut self, told: Told) -> Self {
         self.told = Some(told);
         self.outside = Mutex::default();
-        self.by_cell = OnceLock::new();
+        (self.by_cell, self.told_of) = (OnceLock::new(), OnceLock::new());
         self.look_for_unseen();
         self
     }
@@ -352,7 +352,12 @@ impl<'a> Anywhere<'a> {
 
     fn look_for_unseen(&mut self) {
         self.unseen = self.untold_by(|_| true);
-        self.told_of = self.curtains.iter().map(|curtain| self.told_of(curtain)).collect();
+    }
+
+    /// What is known of a plane.
+    fn told_of(&self, plane: usize) -> &ToldOf {
+        let of_all = || self.curtains.iter().map(|curtain| self.tells_of(curtain)).collect();
+        &self.told_of.get_or_init(of_all)[plane]
     }
 
     /// Where people get to of whom some sensors have told nothing.

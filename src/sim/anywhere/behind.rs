@@ -77,7 +77,7 @@ fn gets_there_through_it_only(curtain: &Curtain, (height_m, reach_m): (f64, f64)
 
 impl Anywhere<'_> {
     /// What is known of a plane.
-    pub(super) fn told_of(&self, curtain: &Curtain) -> ToldOf {
+    pub(super) fn tells_of(&self, curtain: &Curtain) -> ToldOf {
         let all = ToldOf { come_before: false, others: vec![true; self.ground.cells()] };
         let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return all };
         let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
@@ -172,7 +172,7 @@ impl Anywhere<'_> {
     /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
     /// gets of whom it has told nothing. Who leans over it may be told by other sensors only.
     fn has_told_of(&self, number: usize, is_told: bool, at: &PoseBox) -> bool {
-        let told_of = &self.told_of[number];
+        let told_of = self.told_of(number);
         told_of.come_before
             && (is_told
                 || (is_behind(&self.curtains[number], at) && !told_of.may_have_come_another_way(&self.ground, at)))
@@ -203,7 +203,7 @@ impl Anywhere<'_> {
         at: &'a PoseBox,
     ) -> impl Iterator<Item = (&'a Curtain, f64)> {
         self.curtains.iter().enumerate().filter_map(move |(number, curtain)| {
-            let has_told = || history.readings[curtain.sensor] == Some(true) && self.told_of[number].come_before;
+            let has_told = || history.readings[curtain.sensor] == Some(true) && self.told_of(number).come_before;
             let limit = if seen.depth_m.is_finite() && has_told() {
                 Limit::Told(number)
             } else if self.leans_through(curtain, history, link, at) {
