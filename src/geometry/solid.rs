@@ -103,6 +103,25 @@ impl Solid {
         }
     }
 
+    /// The corners of a box along the axes around the link.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        match self {
+            Self::Capsule(link) => {
+                let around = Vec3::splat(link.radius);
+                (link.a.min(link.b) - around, link.a.max(link.b) + around)
+            }
+            Self::Hull(hull) => {
+                let far = |sign: f64| Vec3::AXES.map(|axis| sign * hull.reach_along(axis * sign));
+                (Vec3::from_array(far(-1.0)), Vec3::from_array(far(1.0)))
+            }
+            Self::Mesh(_) => {
+                let (centre, radius) = self.bounding_sphere();
+                (centre - Vec3::splat(radius), centre + Vec3::splat(radius))
+            }
+        }
+    }
+
     /// The link moved by `pose` (`pose * old placement`).
     #[must_use]
     pub fn placed(&self, pose: Pose) -> Self {

@@ -76,6 +76,23 @@ type Sides = Vec<(usize, bool)>;
 /// What is known of the cubes of one joint of the chain, of each largest cube by size.
 type Known = Vec<[OnceLock<Box<[AtomicU8]>>; HALVES_M.len()]>;
 
+/// Of more cubes than this those are left out that are in spheres around long pieces and far from the pieces themselves.
+const MANY: usize = 100_000;
+
+/// The corner of the largest cubes around what lies between such corners, as far as an arm reaches, and how many there are along x, y and z.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "some ten cubes to a side, and a thousand along a hall"
+)]
+fn cubes(pieces: impl Iterator<Item = (Vec3, Vec3)>, reach_m: f64) -> (Vec3, [usize; 3]) {
+    let far = Vec3::splat(reach_m + 2.0 * HALVES_M[0]);
+    let around = |(low, high): (Vec3, Vec3), (from, to): (Vec3, Vec3)| (low.min(from - far), high.max(to + far));
+    let (low, high) = pieces.fold((Vec3::splat(f64::MAX), Vec3::splat(f64::MIN)), around);
+    let size = (high - low).max(Vec3::ZERO);
+    (low, size.to_array().map(|size| (size / (2.0 * HALVES_M[0])).ceil().max(1.0) as usize))
+}
+
 struct Piece {
     solid: Solid,
     centre: Vec3,
@@ -98,7 +115,6 @@ const MAY: u8 = 2;
 impl ArmCells {
     /// For links that matter, at any instant, and everything in the way of arms: obstacles, and what only they do not pass.
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ten cubes to a side")]
     pub fn new(arm: &ArmModel, targets: &[Target<'_>], firm: &[Cuboid], others: &[Cuboid]) -> Self {
         let obstacles = [firm, others].concat();
         let pieces = |counts: &dyn Fn(&Target<'_>) -> bool| -> Vec<Piece> {
@@ -111,13 +127,13 @@ impl ArmCells {
         };
         let [hand, forearm, upper_arm] =
             [pieces(&|target| target.hand), pieces(&|target| target.forearm), pieces(&|target| target.upper_arm)];
-        let (mut low, mut high) = (Vec3::splat(f64::MAX), Vec3::splat(f64::MIN));
-        for piece in hand.iter().chain(&forearm).chain(&upper_arm) {
-            let far = Vec3::splat(piece.radius + arm.reach() + 2.0 * HALVES_M[0]);
-            (low, high) = (low.min(piece.centre - far), high.max(piece.centre + far));
+        let all = || hand.iter().chain(&forearm).chain(&upper_arm);
+        let spheres =
+            all().map(|piece| (piece.centre - Vec3::splat(piece.radius), piece.centre + Vec3::splat(piece.radius)));
+        let (mut low, mut count) = cubes(spheres, arm.reach());
+        if count.iter().product::<usize>() > MANY {
+            (low, count) = cubes(all().map(|piece| piece.solid.bounds()), arm.reach());
         }
-        let size = (high - low).max(Vec3::ZERO);
-        let count = size.to_array().map(|size| (size / (2.0 * HALVES_M[0])).ceil().max(1.0) as usize);
         Self {
             arm: *arm,
             obstacles: obstacles.iter().map(|o| (*o, o.half.length())).collect(),

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
-use crate::geometry::{Capsule, Pose, rotation_about};
+use crate::geometry::{Capsule, Hull, Pose, rotation_about};
 use crate::human::Side;
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::sample;
@@ -194,5 +194,22 @@ fn a_shoulder_in_a_wall_is_known_by_what_it_hangs_from() {
             // Nor if it is not known on which side that is.
             assert!(cells.may_touch_hanging(shoulder, 0.05, (Vec3::new(-0.05, y, 1.2), 0.1)));
         }
+    }
+}
+
+/// Spheres around a plane along a hall hold most of the hall: cubes there would take gigabytes.
+#[test]
+fn what_is_long_is_looked_at_in_few_cubes() {
+    let ends =
+        [-1.0, 1.0].into_iter().flat_map(|x| [-1.0, 1.0].into_iter().flat_map(move |y| [-1.0, 1.0].map(|z| (x, y, z))));
+    let corners: Vec<Vec3> = ends.map(|(x, y, z)| Vec3::new(100.0 * x, 0.001 * y, 0.9 + 0.9 * z)).collect();
+    let solid = Solid::Hull(Hull::from_points(&corners).unwrap());
+    let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
+    let cells = ArmCells::new(&ArmModel::default(), &[target], &[], &[]);
+    assert!(cells.count.iter().product::<usize>() < 3 * MANY, "{:?}", cells.count);
+    for (x, y, may) in
+        [(0.0, 0.5, true), (-99.0, 0.5, true), (99.0, -0.5, true), (0.0, 1.5, false), (102.0, 0.0, false)]
+    {
+        assert_eq!(cells.may_touch(Vec3::new(x, y, 1.4), 0.01), may, "{x} {y}");
     }
 }
