@@ -212,7 +212,10 @@ fn a_reset_with_somebody_inside_is_found_on_a_part_of_the_floor() {
 fn a_reset_with_somebody_inside_is_found_from_anywhere() {
     let found = thin(examples().path(), "");
     assert!(found["hazards"].as_array().unwrap().iter().all(|hazard| hazard["confirmed"] == true), "{found}");
-    assert_eq!(found["reasons"], Value::Array(Vec::new()), "{found}");
+    // Whoever comes and goes more often, and presses more often, is another question.
+    let all = found["obligations"].as_array().unwrap().iter();
+    let open: Vec<&str> = all.filter(|one| one["standing"] == "open").filter_map(|one| one["need"].as_str()).collect();
+    assert!(open.iter().all(|need| ["changes", "presses"].contains(need)), "{open:?}");
 }
 
 #[test]

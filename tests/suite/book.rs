@@ -100,7 +100,7 @@ impl Reader {
         for line in text.lines().filter(|line| !line.trim_start().starts_with('#')) {
             // What is built already is not built again, and what runs this need not run in it.
             let command = line.replace("cargo run --release -- ", "fmi-hazard ");
-            if command.starts_with("tools/test") {
+            if command.starts_with("tools/test") || command.starts_with("python tools/") {
                 continue;
             }
             let long =
@@ -337,7 +337,7 @@ const SAYS: &[(&str, &str)] = &[
     ("check PandaCell.cell.toml --trust-fmu", "nothing wrong"),
     ("scan PandaCell", "confirmed by a fresh replay"),
     ("replay first", "reproduced"),
-    ("cell.toml --out out/before", "What helps: "),
+    ("cell.toml --out out/before", "Tried in part: "),
     ("verify out/before", "fixed"),
     ("--out out/after", "No sequence of actions is hazardous"),
     ("compare", "fixed"),

@@ -100,7 +100,7 @@ fn variables() -> Vec<Variable> {
     let gate = "The gate: 1 = closed, 0 = open, 2 = fault; all but 1 demand a stop";
     all.push(Variable::new("plc.gate_state", gate, Input, Kind::integer_in(1, 0, 2)));
     let level = "Level of the mat, which demands a stop from 0.5 on";
-    all.push(Variable::new("plc.mat_level", level, Input, Kind::real_in("", 0.0, 0.0, 1.0)));
+    all.push(Variable::new("plc.mat_level", level, Input, Kind::real_in("1", 0.0, 0.0, 1.0)));
     let state = "What the curtain itself sees: 7 = nobody, 4 = somebody";
     all.push(Variable::new("curtain.state", state, Output, Kind::integer_in(7, 0, 9)));
     all
