@@ -53,7 +53,7 @@ impl Field {
     }
 
     /// From any point of `sources`, through cells of `domain`; a source that is no cell of it is none. Of ways that are longer than
-    /// `most_m` it is told only that they are. Nothing, where there is no time for it: `is_due` is asked every [`BETWEEN_LOOKS`] discs.
+    /// `most_m` it is told only that they are. Nothing, where there is no time for it: `is_due` is asked every 64 discs.
     #[must_use]
     pub fn from(
         floor: &Floor,
