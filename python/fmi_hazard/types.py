@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, NotRequired, TypeAlias
-
-from typing_extensions import TypedDict
+from typing import Literal, NotRequired, TypeAlias, TypedDict
 
 Ability: TypeAlias = Literal['kneel', 'crouch', 'crawl', 'step_back', 'run']
 """
@@ -1135,7 +1133,7 @@ class Problem(TypedDict):
     """
 
 
-class Radii(TypedDict, closed=True):
+class Radii(TypedDict):
     """
     Radii of body parts, m, instead of those of the median man scaled by stature: of the person who will work there, or with
     thick clothes. What stops a walk, and where joints are, stays as it is.

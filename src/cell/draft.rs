@@ -340,12 +340,16 @@ fn sensors(out: &mut Out, interface: &Interface<'_>) {
         match &guess.role {
             Role::SensorNumber { clear: Some(clear), detected: Some(detected) } => {
                 let values = format!("values = {{ clear = {clear}, detected = {detected} }}");
-                out.line(&format!("{values} # GUESS {:.2}: while nobody and while a person is detected", guess.confidence));
+                out.line(&format!(
+                    "{values} # GUESS {:.2}: while nobody and while a person is detected",
+                    guess.confidence
+                ));
             }
-            Role::SensorNumber { clear, .. } => out.line(&format!(
-                "# values = {{ clear = {}, detected = 0 }} {TODO} its values while nobody and while a person is detected",
-                clear.unwrap_or(1)
-            )),
+            Role::SensorNumber { clear, .. } => {
+                let clear = clear.unwrap_or(1);
+                let values = format!("# values = {{ clear = {clear}, detected = {} }}", i64::from(clear == 0));
+                out.line(&format!("{values} {TODO} its values while nobody and while a person is detected"));
+            }
             Role::SensorInput { active: Some(active) } | Role::SensorOutput { active: Some(active) } => {
                 out.line(&format!(
                     "active = {active} # GUESS {:.2}: its value while a person is detected; `fmi-hazard probe` tries it",

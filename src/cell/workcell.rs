@@ -323,7 +323,7 @@ impl Signal {
     pub fn detects(self, value: f64) -> bool {
         match self {
             Self::Boolean { active } => (value != 0.0) == active,
-            Self::Number { clear, .. } => value.to_bits() != clear.to_bits() && (value - clear).abs() > 0.0,
+            Self::Number { clear, .. } => value.partial_cmp(&clear) != Some(std::cmp::Ordering::Equal),
         }
     }
 

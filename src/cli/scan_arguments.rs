@@ -141,8 +141,8 @@ pub(super) struct Arguments {
     /// baseline.json beside the cell file. Known hazards are not looked up then
     #[arg(long)]
     pub(super) write_baseline: bool,
-    /// Longest time for all of it, for instance 90s, 5m or 2h; what was not looked at then is told [default: 10m for auto;
-    /// none for others]
+    /// Longest time for all of it, trying the FMU out included, for instance 90s, 5m or 2h; what was not looked at then is told
+    /// [default: 10m for auto; none for others]
     #[arg(long, value_name = "TIME", value_parser = time)]
     time: Option<Duration>,
     /// Check only the posture of each sequence, so that iterations compare with the paper's

@@ -111,6 +111,28 @@ mod tests {
     const L: [[f64; 2]; 6] = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
 
     #[test]
+    fn polygons_are_apart_as_far_as_their_nearest_points_and_not_at_all_where_they_meet() {
+        let about = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        let square = |x: f64, y: f64, half: f64| {
+            [[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]
+        };
+        // In the notch, beside it, over a corner, a single point, one within the other, and a cross of which no corner is in the other.
+        about(apart(&L, &square(1.7, 1.7, 0.3)), 0.4);
+        about(apart(&L, &square(4.0, 0.5, 0.5)), 1.5);
+        about(apart(&L, &square(4.0, -3.0, 1.0)), libm::hypot(1.0, 2.0));
+        about(apart(&[[-1.0, 0.5]], &L), 1.0);
+        about(apart(&square(0.5, 0.5, 0.1), &L), 0.0);
+        about(apart(&L, &square(0.5, 0.5, 0.1)), 0.0);
+        about(
+            apart(
+                &[[-1.0, 0.4], [3.0, 0.4], [3.0, 0.6], [-1.0, 0.6]],
+                &[[0.4, -1.0], [0.6, -1.0], [0.6, 3.0], [0.4, 3.0]],
+            ),
+            0.0,
+        );
+    }
+
+    #[test]
     fn a_convex_outline_leaves_out_what_is_inside_or_on_an_edge() {
         let points =
             vec![[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [1.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.5, 1.5], [0.0, 0.0]];

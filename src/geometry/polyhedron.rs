@@ -399,7 +399,7 @@ mod tests {
         let mut unit = || f64::from(random.next_u32()) / f64::from(u32::MAX) * 2.0 - 1.0;
         // A ball of corners, and a prism with rings in its mantle, as meshes of arms are.
         let ball: Vec<Vec3> = (0..900).map(|_| Vec3::new(unit(), unit(), unit()).normalize()).collect();
-        let turns = (0..200).map(|n| libm::sincos(f64::from(n) * 0.031_415_926_535_897_93));
+        let turns = (0..400).map(|n| libm::sincos(f64::from(n) * 0.015_707_963_267_948_967));
         let prism: Vec<Vec3> =
             turns.flat_map(|(y, x)| [0.0, 0.3, 1.0].map(|z| Vec3::new(0.1 * x, 0.1 * y, z))).collect();
         for points in [ball, prism] {
@@ -409,6 +409,12 @@ mod tests {
             for direction in axes.into_iter().chain((0..2000).map(|_| Vec3::new(unit(), unit(), unit()))) {
                 let far = points.iter().map(|point| point.dot(direction)).fold(f64::MIN, f64::max);
                 assert!((hull.reach(direction) - far).abs() < 1e-9, "{direction} {far}");
+            }
+            // Along its faces' normals several corners are as far.
+            assert!(hull.corners().len() >= MANY && hull.faces().count() > 100);
+            for (normal, reach) in hull.faces() {
+                let far = points.iter().map(|point| point.dot(normal)).fold(f64::MIN, f64::max);
+                assert!((reach - far).abs() < 1e-12, "{normal} {reach} {far}");
             }
         }
     }

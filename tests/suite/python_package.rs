@@ -42,6 +42,12 @@ fn results_exceptions_progress_and_interrupts_are_those_of_the_program() {
     assert!(told.contains("\nOK\n"), "none is left out: {told}");
 }
 
+/// Whoever installs it has Python's own library and nothing else.
+#[test]
+fn it_needs_no_other_package() {
+    run(&["-S", "-c", "import fmi_hazard"], &[]);
+}
+
 #[test]
 fn its_types_are_those_of_the_published_schema() {
     let printed = fmi_hazard(&root()).args(["schema", "--of", "commands"]).output().unwrap().stdout;

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 
 use crate::common::archives::{run, with_xml};
 use crate::common::{examples, faulty_cell, fmi_hazard, write};
+use fmi_hazard::cell::draft::interface::Interface;
 use fmi_hazard::cell::draft::roles::{Guess, Role, guess};
+use fmi_hazard::cell::draft::{Facts, draft};
 use fmi_hazard::fmi::{Fmu, ModelDescription};
 
 /// A description with these variables: causality, type and name, unit.
@@ -341,4 +343,38 @@ fn inspect_tells_them_and_what_a_scan_would_miss() {
     // A part of a cell lacks something.
     let text = run(&["sensor-mat/sensor-mat-plc.fmu"]);
     assert!(text.contains("missing      how the robot moves") && text.contains("missing      a cell file"), "{text}");
+}
+
+/// Inputs whose names say little and whose descriptions say what they are: type, description, and the lines that a draft has of them.
+const DESCRIBED: &[(&str, &str, &[&str])] = &[
+    ("Boolean", "light curtain load station, TRUE = free", &["kind = \"light_curtain\"", "active = false"]),
+    ("Boolean", "laser scanner, field 1; true: occupied", &["kind = \"scanner_field\"", "active = true"]),
+    ("Boolean", "pressure mat (false = clear)", &["kind = \"mat\" # GUESS 0.6", "active = true"]),
+    ("Boolean", "guard door 1 closed", &["[inputs]", "\"x.I1\" = true"]),
+    (
+        "Integer",
+        "light curtain, 1 = free, 0 = interrupted",
+        &["kind = \"light_curtain\"", "values = { clear = 1, detected = 0 }"],
+    ),
+    ("Integer", "light curtain: 7 = free; 3 = interrupted", &["values = { clear = 7, detected = 3 }"]),
+    (
+        "Integer",
+        "area scanner (0: clear / 2: detected)",
+        &["kind = \"scanner_field\"", "values = { clear = 0, detected = 2 }"],
+    ),
+    ("Integer", "guard door state, 4 = closed, 5 = open", &["[inputs]", "\"x.I1\" = 4"]),
+    ("Real", "mat level; 1 = pressed, 0 = free", &["kind = \"mat\"", "values = { clear = 0, detected = 1 }"]),
+    // What is not said is to be filled in.
+    ("Integer", "light curtain", &["kind = \"light_curtain\"", "# values = { clear = 0, detected = 1 } # TODO"]),
+    ("Boolean", "light curtain, 0 = not free", &["kind = \"light_curtain\"", "# active = false # TODO"]),
+];
+
+#[test]
+fn descriptions_say_what_sensors_are_and_which_value_is_which() {
+    for (kind, about, expected) in DESCRIBED {
+        let mut of = description(&[("input", &format!("{kind} x.I1"), "")]);
+        of.variables[0].description = (*about).to_owned();
+        let text = draft(&Interface::of_fmu(&of), &Facts { name: "x", fmu: "x.fmu", ..Facts::default() });
+        assert!(expected.iter().all(|line| text.contains(line)), "{about}: {text}");
+    }
 }

@@ -16,10 +16,9 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import tomllib
-from fmpy.fmi2 import FMU2Slave
 
 from fmu import Fmu
-from people import ARM_REGIONS, REGIONS, Cell, turn
+from people import Cell, turn
 from search import Search
 
 # Where nobody is, m.
@@ -43,25 +42,14 @@ class Example(Cell):
 
     def __init__(self, path, outputs):
         text = tomllib.loads(Path(path).read_text())
-        self.path, self.name, self.robot, self.outputs = Path(path), text["name"], text["robot"][0], outputs
-        self.robots, self.sensors = self.robot["link"], text.get("sensor", [])
-        self.parameters, self.inputs = text.get("parameters", {}), text.get("inputs", {})
-        self.step_s = text.get("time", {}).get("step_s", 0.02)
-        self.delays = [int(np.ceil(s.get("delay_ms", 0) / (self.step_s * 1000) - 1e-9)) for s in self.sensors]
-        human = text["human"]
-        self.angles = np.radians([human.get("bend_forward_deg", 45.0), human.get("bend_lateral_deg", 30.0)])
-        self.bends = bool(self.angles.any())
-        self.start = np.array(human["start"]["xy_m"], float), np.radians(human["start"]["heading_deg"])
-        self.actions = text.get("search", {}).get("actions", 8)
-        self.walls = [(np.array(box["centre_m"], float), np.array(box["size_m"], float) / 2) for box in text.get("obstacle", [])]
-        self.latched, self.planes = [s.get("latched", False) for s in self.sensors], []
+        self.path, self.robot, self.outputs = Path(path), text["robot"][0], outputs
+        self.robots, self.inputs, self.planes = self.robot["link"], text.get("inputs", {}), []
+        self.read(text)
         self.carries = None
 
-    def limited(self, payload_kg, only):
+    def carrying(self, payload_kg, only):
         """From now on limits are those for this payload; links count only while it is carried, if so asked."""
-        mass = self.robot["moving_mass_kg"] / 2 + payload_kg
-        self.safe = {n: 1e-3 if g is None else g[2] / np.sqrt(g[1] / (1 / g[0] + 1 / mass)) for n, g in {**REGIONS, **ARM_REGIONS}.items()}
-        self.slowest = min(v for n, v in self.safe.items() if v > 1e-3)
+        self.limited(self.robot["moving_mass_kg"] / 2 + payload_kg)
         self.carries = payload_kg if only else None
 
     def value(self, values, name):
@@ -97,26 +85,13 @@ class ExampleFmu(Fmu):
 
     def __init__(self, file, cell, parameters):
         self.description = fmpy.read_model_description(str(file))
-        self.folder = fmpy.extract(str(file), unzipdir=tempfile.mkdtemp())
+        folder, model = fmpy.extract(str(file), unzipdir=tempfile.mkdtemp()), self.description.coSimulation.modelIdentifier
+        self.instance = {"guid": self.description.guid, "unzipDirectory": folder, "instanceName": "example", "modelIdentifier": model}
         self.fmi, self.step_s, self.cell = 2, cell.step_s, cell
         self.known = {v.name: (v.name, v.valueReference, v.type, v.causality, None) for v in self.description.modelVariables}
         self.told = [self.known[name][1] for name in cell.outputs]
         self.parameters, self.sensors = {**cell.parameters, **cell.inputs, **parameters}, [s["variable"] for s in cell.sensors]
-        self.slave = self.fresh()
-        self.numbers, self.saved, self.values, self.steps, self.next = {}, [], [], [], {}
-        self.start = self.number(0)
-
-    def fresh(self):
-        simulation = self.description.coSimulation
-        slave = FMU2Slave(guid=self.description.guid, unzipDirectory=self.folder, instanceName="example", modelIdentifier=simulation.modelIdentifier)
-        slave.instantiate()
-        slave.setupExperiment(startTime=0.0)
-        for name, value in self.parameters.items():
-            self.set(slave, name, value)
-        self.sense(slave, (False,) * len(self.sensors))
-        slave.enterInitializationMode()
-        slave.exitInitializationMode()
-        return slave
+        self.begin()
 
     def sense(self, slave, reading):
         for sensor, detected in zip(self.cell.sensors, reading):
@@ -145,7 +120,7 @@ def main():
         state = fmu.after(state, (False,) * len(cell.sensors))
         payloads.add(round(cell.payload(fmu.values[state]), 9))
     for payload in sorted({min(payloads), max(payloads)}):
-        cell.limited(payload, payload != min(payloads))
+        cell.carrying(payload, payload != min(payloads))
         search = Search(cell, fmu, arguments.until, arguments.seed)
         for kind, walk, margin in (("free", search.free, 0.045), ("sequences", search.sequences, 0.025)):
             hits, records, last = walk(arguments.walks)

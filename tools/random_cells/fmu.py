@@ -81,17 +81,22 @@ class Fmu:
     """The FMU as a table of transitions between numbered states; each is stepped once, from a state that was brought back."""
 
     def __init__(self, folder, fmi, parameters, sensors, step_s):
-        self.folder, self.fmi, self.parameters, self.sensors, self.step_s = Path(folder) / f"robots{fmi}", fmi, parameters, sensors, step_s
+        self.fmi, self.parameters, self.sensors, self.step_s = fmi, parameters, sensors, step_s
+        unpacked = str(Path(folder) / f"robots{fmi}")
+        self.instance = {"guid": TOKEN, "unzipDirectory": unpacked, "instanceName": "robots", "modelIdentifier": "robots"}
         self.known = {row[0]: row for row in variables()}
         self.told = [reference for name, reference, _, causality, _ in variables() if causality == "output"]
+        self.begin()
+
+    def begin(self):
+        """The first state, in which all tables begin."""
         self.slave = self.fresh()
         self.numbers, self.saved, self.values, self.steps, self.next = {}, [], [], [], {}
         self.start = self.number(0)
 
     def fresh(self):
         """A new instance, initialised with nobody seen."""
-        more = {"guid": TOKEN, "unzipDirectory": str(self.folder), "instanceName": "robots", "modelIdentifier": "robots"}
-        slave = FMU2Slave(**more) if self.fmi == 2 else FMU3Slave(**more)
+        slave = FMU2Slave(**self.instance) if self.fmi == 2 else FMU3Slave(**self.instance)
         slave.instantiate()
         if self.fmi == 2:
             slave.setupExperiment(startTime=0.0)

@@ -67,23 +67,28 @@ class Cell:
     def __init__(self, path):
         self.path = Path(path)
         text = tomllib.loads(self.path.read_text())
-        self.name, self.fmi = text["name"], int(text["fmu"][6])
-        self.robots, self.sensors, self.parameters = text["robot"], text.get("sensor", []), text["parameters"]
+        self.robots, self.fmi = text["robot"], int(text["fmu"][6])
+        self.read(text)
+        for middle, half in self.walls:
+            assert middle[2] - half[2] <= 1e-3 and 2 * half[2] > 0.25
+        self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] == "interlocked_door"]
+        self.limited(self.robots[0]["moving_mass_kg"] / 2 + self.robots[0]["payload_kg"])
+
+    def read(self, text):
+        """What is read of any cell."""
+        self.name, self.sensors, self.parameters = text["name"], text.get("sensor", []), text.get("parameters", {})
         self.step_s = text.get("time", {}).get("step_s", 0.02)
         self.delays = [int(np.ceil(s.get("delay_ms", 0) / (self.step_s * 1000) - 1e-9)) for s in self.sensors]
         human = text["human"]
         self.angles = np.radians([human.get("bend_forward_deg", 45.0), human.get("bend_lateral_deg", 30.0)])
         self.bends = bool(self.angles.any())
         self.start = np.array(human["start"]["xy_m"], float), np.radians(human["start"]["heading_deg"])
-        self.actions = text["search"]["actions"]
-        self.walls = []
-        for box in text.get("obstacle", []):
-            middle, half = np.array(box["centre_m"], float), np.array(box["size_m"], float) / 2
-            assert middle[2] - half[2] <= 1e-3 and 2 * half[2] > 0.25
-            self.walls.append((middle, half))
+        self.actions = text.get("search", {}).get("actions", 8)
+        self.walls = [(np.array(box["centre_m"], float), np.array(box["size_m"], float) / 2) for box in text.get("obstacle", [])]
         self.latched = [s.get("latched", False) for s in self.sensors]
-        self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] == "interlocked_door"]
-        mass = self.robots[0]["moving_mass_kg"] / 2 + self.robots[0]["payload_kg"]
+
+    def limited(self, mass):
+        """The fastest that each region may be hit by an effective mass."""
         self.safe = {n: 1e-3 if g is None else g[2] / np.sqrt(g[1] / (1 / g[0] + 1 / mass)) for n, g in {**REGIONS, **ARM_REGIONS}.items()}
         self.slowest = min(v for n, v in self.safe.items() if v > 1e-3)
 

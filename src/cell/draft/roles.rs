@@ -377,11 +377,12 @@ fn safety_number(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
     Some((Role::SensorNumber { clear, detected }, confidence))
 }
 
-/// The numbers of a description that means something by each, with the words of it: `1 = free, 0 = interrupted`.
+/// The values in a description that means something by each, with the words of it: `1 = free, 0 = interrupted`, `TRUE: clear`.
 fn numbered(description: &str) -> Vec<(i64, Vec<String>)> {
     let parts = description.split([',', ';', '(', ')', '/']);
     let split = |part: &str| {
-        let (number, meaning) = part.split_once(['=', ':'])?;
+        // `light curtain: 1 = free` names what it is before.
+        let (number, meaning) = part.split_once('=').or_else(|| part.split_once(':'))?;
         let value = |word: &str| match word.to_lowercase().as_str() {
             "true" => Some(1),
             "false" => Some(0),
@@ -391,7 +392,10 @@ fn numbered(description: &str) -> Vec<(i64, Vec<String>)> {
         let told = as_number(number).map(|value| (value, words(meaning)));
         told.or_else(|| Some((value(meaning.trim())?, words(number))))
     };
-    parts.filter_map(split).collect()
+    // What is not free is anything else.
+    let is_plain =
+        |(_, words): &(i64, Vec<String>)| !words.iter().any(|word| ["not", "no", "un"].contains(&word.as_str()));
+    parts.filter_map(split).filter(is_plain).collect()
 }
 
 /// The value while a person is detected, if the name says it, or else the description, for one of the two values.

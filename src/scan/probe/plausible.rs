@@ -3,13 +3,12 @@
 //!
 //! Each is one sentence with what was seen and the likely cause, a warning that stays with the result.
 
-use std::f64::consts::{PI, TAU};
+mod angles;
 
-use crate::cell::binding::{MotionBinding, Reader};
-use crate::cell::workcell::{Driven, Kinematics};
+use self::angles::Turned;
+use crate::cell::binding::MotionBinding;
 use crate::cell::{Workcell, Zone};
 use crate::fmi::number;
-use crate::geometry::kinematics::Motion as JointMotion;
 use crate::geometry::polygon::{apart, convex_outline};
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
 use crate::geometry::{Cuboid, Solid, Vec3};
@@ -17,15 +16,10 @@ use crate::human::action::ACTION_S;
 use crate::scan::prepare::Prepared;
 use crate::sim::motion::Comparison;
 use crate::sim::robot::RobotFrame;
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// So many instants of a run are looked at, at most.
 const INSTANTS: usize = 250;
-/// Nobody on the floor reaches higher, m (ISO 13857, 4.2.1, where the risk is high).
-const HIGH_M: f64 = 2.7;
-/// Nobody reaches farther sideways, m: an arm, and the body that leans.
-const SIDEWAYS_M: f64 = 1.5;
-/// The fastest walk, m/s.
-const WALK_M_S: f64 = 1.6;
 /// Feet are no farther from the middle of the body, m.
 const BODY_M: f64 = 0.5;
 /// A link that moves by less is mounted on something, m.
@@ -38,11 +32,6 @@ const TRIANGLES: usize = 2000;
 const ROUGHLY_M: f64 = 0.02;
 /// What a link may be in the floor, m.
 const IN_FLOOR_M: f64 = 0.05;
-/// Joints that turn no farther from 0 than this, as it is told in degrees, turn so far in radians, more likely.
-const FEW_DEG: f64 = 7.0;
-/// A joint that turns by more than this and back, as it is told in radians, does so in degrees, more likely; and one that is so fast, rad/s.
-const MANY_RAD: f64 = 2.0 * TAU;
-const FAST_RAD_S: f64 = 12.0;
 /// A zone is beside a robot that is no farther away, and elsewhere from a distance on, m.
 const BESIDE_M: f64 = 0.5;
 const ELSEWHERE_M: f64 = 2.0;
@@ -121,10 +110,7 @@ impl<'a> Seen<'a> {
                     Turned::new(name, position, (joint, kinematics), &self.instants)
                 })
                 .collect();
-            told.extend(in_degrees(&robot.name, &all).or_else(|| in_radians(&robot.name, &all)).or_else(|| {
-                let beyond = all.iter().find_map(Turned::beyond)?;
-                Some(format!("robot `{}`: {beyond}", robot.name))
-            }));
+            told.extend(angles::odd(&robot.name, &all));
         }
         told
     }
@@ -160,9 +146,7 @@ impl<'a> Seen<'a> {
         let deepest = |robot: usize| {
             let moving = self.links(robot).filter(|link| self.moves_m(*link) > MOVES_M);
             let at = moving.flat_map(|link| {
-                self.instants
-                    .iter()
-                    .map(move |instant| (lowest_m(&instant.frame.links[link], true), link, instant.time_s))
+                self.instants.iter().map(move |instant| (lowest_m(&instant.frame.links[link]), link, instant.time_s))
             });
             at.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(low_m, ..)| *low_m < -IN_FLOOR_M)
         };
@@ -176,16 +160,24 @@ impl<'a> Seen<'a> {
         (0..cell.robots.len()).filter_map(deepest).map(told).collect()
     }
 
+    /// Nothing of anybody is farther from the point 1 m above where they stand, m: of either person, in any posture, with what is held.
+    fn reach_m(&self) -> f64 {
+        let cell = self.cell();
+        let second = cell.of_second();
+        let reach = |cell: &Workcell| cell.body.reach_from_one_metre(cell.arm().reach(), cell.repertoire.low());
+        second.as_ref().map_or(0.0, reach).max(reach(cell))
+    }
+
     /// Robots that nobody reaches who stands where people may be.
     fn out_of_reach(&self) -> Vec<String> {
-        let cell = self.cell();
+        let (cell, reach_m) = (self.cell(), self.reach_m());
         let mut told = Vec::new();
         for (number, robot) in cell.robots.iter().enumerate() {
             let of = |instant: &Instant| {
-                self.links(number).map(|link| lowest_m(&instant.frame.links[link], false)).fold(f64::INFINITY, f64::min)
+                self.links(number).map(|link| instant.frame.links[link].bounds().0.z).fold(f64::INFINITY, f64::min)
             };
             let low_m = self.instants.iter().map(of).fold(f64::INFINITY, f64::min);
-            if low_m.is_finite() && low_m > HIGH_M + cell.held_m {
+            if low_m.is_finite() && low_m > 1.0 + reach_m {
                 told.push(format!(
                     "robot `{}` is never lower than {low_m:.2} m while nobody is detected, where nobody on the floor reaches it: look at \
                      the height and the unit of its base",
@@ -195,7 +187,7 @@ impl<'a> Seen<'a> {
             }
             let Some(floor) = cell.floor.as_deref() else { continue };
             let away_m = self.swept(number).map_or(0.0, |swept| apart(floor, &swept));
-            if away_m > SIDEWAYS_M + cell.held_m {
+            if away_m > reach_m {
                 told.push(format!(
                     "robot `{}` is never nearer than {away_m:.2} m to the floor that people may be on (human.floor_m), where nobody \
                      reaches it: look at that, and at where its base is",
@@ -206,14 +198,16 @@ impl<'a> Seen<'a> {
         told
     }
 
-    /// Where a robot is on the floor plan in the run, where people reach it: its convex outline.
+    /// What a robot is over in the run: a convex outline on the floor plan that holds all of it.
     fn swept(&self, robot: usize) -> Option<Vec<[f64; 2]>> {
-        let points = self
-            .instants
-            .iter()
-            .flat_map(|instant| self.links(robot).flat_map(|link| spokes(&instant.frame.links[link])));
-        let low = points.flatten().filter(|point| point.z < HIGH_M).map(|point| [point.x, point.y]);
-        let outline = convex_outline(low.collect());
+        let corners = |instant: &Instant| -> Vec<[f64; 2]> {
+            let of = |link: usize| {
+                let (low, high) = instant.frame.links[link].bounds();
+                [[low.x, low.y], [low.x, high.y], [high.x, low.y], [high.x, high.y]]
+            };
+            self.links(robot).flat_map(of).collect()
+        };
+        let outline = convex_outline(self.instants.iter().flat_map(corners).collect());
         (!outline.is_empty()).then_some(outline)
     }
 
@@ -221,7 +215,7 @@ impl<'a> Seen<'a> {
     fn zones(&self) -> Vec<String> {
         let cell = self.cell();
         let swept: Vec<_> = (0..cell.robots.len()).filter_map(|robot| self.swept(robot)).collect();
-        let walk_m = WALK_M_S * ACTION_S * f64::from(cell.search.actions) + BODY_M;
+        let walk_m = WALKING_SPEED_M_S * ACTION_S * f64::from(cell.search.actions) + BODY_M;
         let mut told = Vec::new();
         for sensor in &cell.sensors {
             let (Zone::Mat(polygon) | Zone::Field(polygon)) = &sensor.zone else { continue };
@@ -276,126 +270,6 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// How a joint turned in a run.
-struct Turned {
-    name: String,
-    /// Least and greatest angle that the FMU tells, rad.
-    told: [f64; 2],
-    /// The same from the joint's zero on.
-    range: [f64; 2],
-    /// Whether it turned to and fro.
-    returns: bool,
-    /// How fast it was at most, from instant to instant, rad/s.
-    fastest: f64,
-    /// Whether the cell, or the FMU, has it in degrees.
-    in_degrees: bool,
-    /// What its URDF allows, rad.
-    limits: Option<[f64; 2]>,
-}
-
-impl Turned {
-    /// Of a joint that turns and is read from one output.
-    fn new(
-        name: &str,
-        position: &Reader,
-        (joint, kinematics): (usize, &Kinematics),
-        instants: &[Instant],
-    ) -> Option<Self> {
-        let (factor, added) = position.of_one()?;
-        let drives = |driven: &Driven| driven.named == joint && (driven.factor - 1.0).abs() < 1e-12;
-        let at = kinematics.driven.iter().position(drives)?;
-        if kinematics.tree.joints[at].motion != JointMotion::Revolute {
-            return None;
-        }
-        let angle = |instant: &Instant| (instant.time_s, position.read(instant.frame.outputs()) - added);
-        let angles: Vec<(f64, f64)> = instants.iter().map(angle).collect();
-        let zero = added + kinematics.driven[at].offset;
-        Some(Self { limits: kinematics.ranges[at], ..Self::of(name, factor, zero, &angles)? })
-    }
-
-    /// Of angles at some times, which stand for `factor` of what the FMU tells and are counted from a `zero`.
-    fn of(name: &str, factor: f64, zero: f64, angles: &[(f64, f64)]) -> Option<Self> {
-        let widest = |[low, high]: [f64; 2], (_, angle): &(f64, f64)| [low.min(*angle), high.max(*angle)];
-        let told = angles.iter().fold([f64::INFINITY, f64::NEG_INFINITY], widest);
-        let ways: Vec<(f64, f64)> = angles.windows(2).map(|two| (two[1].0 - two[0].0, two[1].1 - two[0].1)).collect();
-        told[0].is_finite().then(|| Self {
-            name: name.to_owned(),
-            told,
-            range: told.map(|angle| angle + zero),
-            returns: ways.iter().any(|way| way.1 > 0.0) && ways.iter().any(|way| way.1 < 0.0),
-            fastest: ways.iter().map(|(seconds, way)| (way / seconds).abs()).fold(0.0, f64::max),
-            in_degrees: (factor.abs() - PI / 180.0).abs() < 1e-6,
-            limits: None,
-        })
-    }
-
-    fn width(&self) -> f64 {
-        self.told[1] - self.told[0]
-    }
-
-    /// Where it is beyond what its URDF allows.
-    fn beyond(&self) -> Option<String> {
-        let limits @ [low, high] = self.limits?;
-        let slack = 0.01 * (high - low) + 0.01;
-        let zero = self.range[0] - self.told[0];
-        let is_beyond = |factor: f64| {
-            let [least, greatest] = self.told.map(|angle| angle * factor + zero);
-            least < low - slack || greatest > high + slack
-        };
-        if !is_beyond(1.0) {
-            return None;
-        }
-        let far = !self.in_degrees && self.width() > 3.0 * (high - low) && !is_beyond(PI / 180.0);
-        let cause = if far { "; in degrees it would be within" } else { "" };
-        let (unit, by) = if self.in_degrees { ("deg", 180.0 / PI) } else { ("rad", 1.0) };
-        let told = |[from, to]: [f64; 2]| format!("{:.2} to {:.2} {unit}", from * by, to * by);
-        Some(format!(
-            "joint `{}` goes from {}, and its URDF allows {}{cause}. Look at its unit, its zero and its variable",
-            self.name,
-            told(self.range),
-            told(limits)
-        ))
-    }
-}
-
-/// Angles that are told in radians and are degrees, more likely.
-fn in_degrees(robot: &str, joints: &[Turned]) -> Option<String> {
-    let far = |joint: &&Turned| {
-        let is_far = joint.width() > MANY_RAD && (joint.returns || joint.fastest > FAST_RAD_S);
-        !joint.in_degrees && is_far
-    };
-    let joint = joints.iter().filter(far).max_by(|a, b| a.width().total_cmp(&b.width()))?;
-    Some(format!(
-        "joint `{}` of robot `{robot}` goes from {:.2} to {:.2} rad, {:.1} turns: these are degrees, more likely. Look at its `unit`, and at what the FMU \
-         says of it",
-        joint.name,
-        joint.told[0],
-        joint.told[1],
-        joint.width() / TAU
-    ))
-}
-
-/// Angles that are told in degrees and are radians, more likely.
-fn in_radians(robot: &str, joints: &[Turned]) -> Option<String> {
-    let deg = |rad: f64| rad.to_degrees();
-    let small = |joint: &Turned| joint.told.iter().all(|angle| deg(*angle).abs() < FEW_DEG);
-    let turning: Vec<&Turned> = joints.iter().filter(|joint| joint.width() > 0.0).collect();
-    if turning.is_empty() || !turning.iter().all(|joint| joint.in_degrees && small(joint)) {
-        return None;
-    }
-    let joint = turning.into_iter().max_by(|a, b| a.width().total_cmp(&b.width()))?;
-    // What hardly moves as radians stands still in either unit.
-    (deg(joint.width()) > 0.2).then(|| {
-        format!(
-            "no joint of robot `{robot}` is farther than {FEW_DEG} deg from 0, and `{}` goes from {:.2} to {:.2} deg: these are radians, more \
-             likely. Look at its `unit`, and at what the FMU says of it",
-            joint.name,
-            deg(joint.told[0]),
-            deg(joint.told[1])
-        )
-    })
-}
-
 /// What is well inside an obstacle.
 fn within(cuboid: &Cuboid) -> Cuboid {
     let less = |half: f64| half - ROUGHLY_M.min(0.8 * half);
@@ -434,74 +308,14 @@ fn is_through(link: &Solid, solid: &Cuboid) -> bool {
         && spokes(link).into_iter().any(|[a, b]| segment_hits_cuboid(a, b, solid))
 }
 
-/// The lowest point of a link, m; of a capsule, which stands for something thinner, that of its axis, if asked for.
-fn lowest_m(link: &Solid, axis: bool) -> f64 {
+/// The lowest point of a link, m; of a capsule, which stands for something thinner, that of its axis.
+fn lowest_m(link: &Solid) -> f64 {
     match link {
-        Solid::Capsule(capsule) => capsule.a.z.min(capsule.b.z) - if axis { 0.0 } else { capsule.radius },
+        Solid::Capsule(capsule) => capsule.a.z.min(capsule.b.z),
         Solid::Hull(hull) => -hull.reach_along(-Vec3::Z),
         Solid::Mesh(mesh) => {
             let corners = mesh.surface().triangles().points.iter().map(|point| (mesh.pose() * *point).z);
             corners.fold(f64::INFINITY, f64::min)
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A joint that swings so far to and fro, or turns on so fast, as an FMU tells it, read with this factor.
-    fn joint(swings: f64, turns_s: f64, factor: f64) -> Turned {
-        let at = |n: u32| {
-            let time = 0.04 * f64::from(n);
-            (time, factor * (swings * libm::sin(2.0 * time) + turns_s * time))
-        };
-        Turned::of("j", factor, 0.0, &(0..250).map(at).collect::<Vec<_>>()).unwrap()
-    }
-
-    const DEG: f64 = PI / 180.0;
-
-    #[test]
-    fn degrees_that_are_taken_for_radians_are_told() {
-        for joints in
-            [vec![joint(90.0, 0.0, 1.0)], vec![joint(8.0, 0.0, 1.0)], vec![joint(0.1, 0.0, 1.0), joint(0.0, 20.0, 1.0)]]
-        {
-            let told = in_degrees("arm", &joints).unwrap();
-            assert!(told.contains("these are degrees, more likely"), "{told}");
-        }
-        // A turntable, an arm, and what is told in degrees.
-        for joints in [vec![joint(0.0, 6.0, 1.0)], vec![joint(2.9, 0.0, 1.0)], vec![joint(90.0, 0.0, DEG)]] {
-            assert_eq!(in_degrees("arm", &joints), None);
-        }
-    }
-
-    #[test]
-    fn radians_that_are_taken_for_degrees_are_told() {
-        for joints in [
-            vec![joint(1.5, 0.0, DEG)],
-            vec![joint(3.1, 0.0, DEG), joint(0.2, 0.0, DEG)],
-            vec![joint(0.3, 0.0, DEG), joint(0.0, 0.5, DEG)],
-        ] {
-            let told = in_radians("arm", &joints).unwrap();
-            assert!(told.contains("these are radians, more likely"), "{told}");
-        }
-        // One joint that turns on, an arm that stands still, and what is told in radians.
-        for joints in
-            [vec![joint(1.5, 0.0, DEG), joint(0.0, 10.0, DEG)], vec![joint(0.05, 0.0, DEG)], vec![joint(0.1, 0.0, 1.0)]]
-        {
-            assert_eq!(in_radians("arm", &joints), None);
-        }
-    }
-
-    #[test]
-    fn angles_beyond_the_limits_of_a_urdf_are_told() {
-        let limited = |joint: Turned, limit: f64| Turned { limits: Some([-limit, limit]), ..joint };
-        let told = limited(joint(90.0, 0.0, 1.0), 2.9).beyond().unwrap();
-        assert!(told.contains("its URDF allows -2.90 to 2.90 rad; in degrees it would be within"), "{told}");
-        let told = limited(joint(3.2, 0.0, 1.0), 2.9).beyond().unwrap();
-        assert!(told.contains("2.90 rad. Look at"), "{told}");
-        let told = limited(joint(170.0, 0.0, DEG), 2.0).beyond().unwrap();
-        assert!(told.contains("its URDF allows -114.59 to 114.59 deg."), "{told}");
-        assert_eq!(limited(joint(2.8, 0.0, 1.0), 2.9).beyond(), None);
     }
 }

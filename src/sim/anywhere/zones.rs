@@ -343,18 +343,34 @@ mod tests {
     use crate::cell::file::validate::validate;
     use crate::stop::Stop;
 
+    const MAT: &str = "schema = 1\nname = \"t\"\nfmu = \"t.fmu\"\n[[robot]]\nname = \"r\"\nmoving_mass_kg = 40\npayload_kg = 3\n\
+                       [[robot.joint]]\nname = \"axis\"\naxis = [0, 0, 1]\nangle = { variable = \"q\", unit = \"rad\" }\n\
+                       speed = { variable = \"qd\", unit = \"rad/s\" }\n[[robot.link]]\nname = \"bar\"\njoint = \"axis\"\n\
+                       capsule = { from_m = [0, 0, 0], to_m = [0.3, 0, 0], radius_m = 0.05 }\n[[sensor]]\nname = \"mat\"\n\
+                       kind = \"mat\"\nvariable = \"clear\"\nactive = false\n\
+                       zone = { polygon_m = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n\
+                       [human]\nstart = { xy_m = [0, -3], heading_deg = 90 }\n";
+
+    /// Whoever has no time is told nothing, and what was known before that stays.
+    #[test]
+    fn nothing_half_done_is_told() {
+        let cell = validate(&Source::new("t.toml", MAT)).unwrap();
+        for asked_before in [true, false] {
+            let stop = Stop::default();
+            let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, stop.clone());
+            let known = (!asked_before).then(|| search.readings().unwrap());
+            stop.ask();
+            assert_eq!(search.readings(), known);
+            // With readings that are known the fields of a floor this small may still be made.
+            assert!(!asked_before || Zones::new(&search, &[false], &[true], (0.3, 10), 0).is_none());
+        }
+    }
+
     /// With strides of 0.3 m. By hand: who looks along x at (0, -0.55) has a foot 0.09 m to the left, at -0.46, on a mat that begins at
     /// -0.5. At the end of that step they may be at -0.85, where nobody has a foot on it.
     #[test]
     fn who_steps_on_a_mat_may_be_a_stride_beside_it_when_the_step_ends() {
-        let text = "schema = 1\nname = \"t\"\nfmu = \"t.fmu\"\n[[robot]]\nname = \"r\"\nmoving_mass_kg = 40\npayload_kg = 3\n\
-                    [[robot.joint]]\nname = \"axis\"\naxis = [0, 0, 1]\nangle = { variable = \"q\", unit = \"rad\" }\n\
-                    speed = { variable = \"qd\", unit = \"rad/s\" }\n[[robot.link]]\nname = \"bar\"\njoint = \"axis\"\n\
-                    capsule = { from_m = [0, 0, 0], to_m = [0.3, 0, 0], radius_m = 0.05 }\n[[sensor]]\nname = \"mat\"\n\
-                    kind = \"mat\"\nvariable = \"clear\"\nactive = false\n\
-                    zone = { polygon_m = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]] }\n\
-                    [human]\nstart = { xy_m = [0, -3], heading_deg = 90 }\n";
-        let cell = validate(&Source::new("t.toml", text)).unwrap();
+        let cell = validate(&Source::new("t.toml", MAT)).unwrap();
         let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, Stop::default());
         let zones = Zones::new(&search, &[false], &[true], (0.3, 10), 0).unwrap();
         let onto: Vec<&Way> = zones.ways.iter().filter(|way| zones.readings[way.to][0]).collect();
