@@ -27,9 +27,17 @@ fn of_example(folder: &Path, example: &str, changes: &[(&str, &str)]) -> Vec<Str
     told(&write(&folder, "changed.toml", &text))
 }
 
+/// Each of them is.
+fn are_told(cases: &[Case<'_>]) {
+    let folder = examples();
+    for (example, changes, expected) in cases {
+        let all = of_example(folder.path(), example, changes);
+        assert!(all.iter().any(|one| one.contains(expected)), "{example} {changes:?}: {all:#?}");
+    }
+}
+
 #[test]
 fn robots_where_no_robot_is_are_told() {
-    let folder = examples();
     let fence =
         |at: &str, size: &str| format!("[[obstacle]]\nname = \"odd\"\ncentre_m = {at}\nsize_m = {size}\n\n[human]\n");
     let [across, beside, thin] =
@@ -59,15 +67,11 @@ fn robots_where_no_robot_is_are_told() {
             "is never nearer than",
         ),
     ];
-    for (example, changes, expected) in cases {
-        let all = of_example(folder.path(), example, changes);
-        assert!(all.iter().any(|one| one.contains(expected)), "{example} {changes:?}: {all:#?}");
-    }
+    are_told(cases);
 }
 
 #[test]
 fn zones_that_nobody_gets_to_are_told() {
-    let folder = examples();
     let mat = "[[-1, -1.2], [1, -1.2], [1, 2], [-1, 2]]";
     let cases: &[Case<'_>] = &[
         ("sensor-mat", &[("xy_m = [-0.74, -1.36]", "xy_m = [-0.74, -6]")], "no walk of 8 actions gets to the zone"),
@@ -84,10 +88,7 @@ fn zones_that_nobody_gets_to_are_told() {
             "nobody is ever in the zone",
         ),
     ];
-    for (example, changes, expected) in cases {
-        let all = of_example(folder.path(), example, changes);
-        assert!(all.iter().any(|one| one.contains(expected)), "{example} {changes:?}: {all:#?}");
-    }
+    are_told(cases);
 }
 
 #[test]
