@@ -25,6 +25,9 @@ use crate::sim::{Options, Simulation, World};
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;
 
+/// They may cost so much, in communication steps about. Where each takes long, the complete part begins without the rest of them.
+const FIRST_COST: u64 = 200_000;
+
 /// While the complete part goes on, the quick one may cost one of so many parts of what that did so far. It has one thread,
 /// the other all: so it takes a larger part of the time.
 const SHARE: u64 = 16;
@@ -197,8 +200,8 @@ fn once(
         Method::Exhaustive(how) => all(how, plain, groups, tell),
         Method::Auto(name, how) => {
             let mut quick = Quick::new(prepared, footing, name, options, links)?;
-            let first = if options.stop_at_first { u32::MAX } else { FIRST };
-            let _ = quick.run(|done, _| done < first, tell);
+            let first = |done, cost| options.stop_at_first || (done < FIRST && cost < FIRST_COST);
+            let _ = quick.run(first, tell);
             let mut found = Groups::default();
             let mut rest = None;
             if !quick.has_ended() {

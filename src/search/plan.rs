@@ -16,6 +16,10 @@ pub const IMAGINED_BEFORE: usize = 400;
 /// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
 pub const IMAGINED_AFTER: usize = 12;
 
+/// What imagining may cost for one sequence that is run, in units of what running costs: [`Imagine::imagine`] says nothing more then. With
+/// robots of capsules it is never reached; links of thousands of corners cost so much that a few hundred sequences took minutes.
+pub const PATIENCE: u64 = 400_000;
+
 /// What kind of ending an unsafe state is. Opaque to a search: equal numbers are the same kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Niche(pub [i64; 5]);
@@ -43,9 +47,16 @@ pub trait Imagine: Environment {
     /// The action that disturbs the least.
     fn calm(&self) -> usize;
 
+    /// From now on imagining may cost so much, whatever was imagined before. What is told does not depend on earlier runs, so neither may
+    /// what this counts.
+    fn begin_imagining(&mut self, patience: u64);
+
     /// What a sequence from the start would lead to, from outputs observed since the strategy began and nothing else.
-    /// Nothing is simulated.
+    /// Nothing is simulated. Nothing more is told, and nothing is exact, once it costs more than it may.
     fn imagine(&mut self, actions: &[usize]) -> Imagined;
+
+    /// Whether it has cost more than it may.
+    fn is_out_of_patience(&self) -> bool;
 }
 
 /// Which sequences to verify.
@@ -85,8 +96,8 @@ impl Planner {
         self.met |= episode.iteration.end == End::Unsafe;
     }
 
-    /// Imagines random sequences until one promises what none promised before, or there were enough; then the one whose
-    /// promise was made least often. No sequence that was run is proposed again.
+    /// Imagines random sequences until one promises what none promised before, or there were enough, or they cost more than
+    /// [`PATIENCE`]; then the one whose promise was made least often. No sequence that was run is proposed again.
     pub fn propose<E: Imagine>(
         &mut self,
         environment: &mut E,
@@ -99,6 +110,7 @@ impl Planner {
         }
         let mut best: Option<(u32, Vec<usize>, Niche)> = None;
         let (mut unknown, mut any) = (None, Vec::new());
+        environment.begin_imagining(PATIENCE);
         for _ in 0..if self.met { IMAGINED_AFTER } else { IMAGINED_BEFORE } {
             let sequence = random_sequence(environment, rng);
             let imagined = environment.imagine(&sequence);
@@ -120,6 +132,9 @@ impl Planner {
                 unknown = Some(sequence.clone());
             }
             any = sequence;
+            if environment.is_out_of_patience() {
+                break;
+            }
         }
         match (best, unknown) {
             (Some((times, actions, niche)), _) => {

@@ -9,6 +9,9 @@ pub(crate) struct Guarded {
     taken: Vec<usize>,
     steps: usize,
     imagined: usize,
+    /// What is left of what imagining may cost, and what it costs.
+    patience: u64,
+    costs: u64,
     /// Guard's fields of the episodes seen, by the step at which the lever was pulled.
     seen: BTreeMap<usize, Vec<i64>>,
 }
@@ -18,7 +21,7 @@ const LENGTH: usize = 8;
 
 impl Guarded {
     pub(crate) const fn new() -> Self {
-        Self { taken: Vec::new(), steps: 0, imagined: 0, seen: BTreeMap::new() }
+        Self { taken: Vec::new(), steps: 0, imagined: 0, patience: u64::MAX, costs: 1, seen: BTreeMap::new() }
     }
 
     fn fields(actions: &[usize]) -> Vec<i64> {
@@ -97,8 +100,18 @@ impl Imagine for Guarded {
     fn calm(&self) -> usize {
         0
     }
+    fn begin_imagining(&mut self, patience: u64) {
+        self.patience = patience;
+    }
+    fn is_out_of_patience(&self) -> bool {
+        self.patience == 0
+    }
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
         self.imagined += 1;
+        self.patience = self.patience.saturating_sub(self.costs);
+        if self.is_out_of_patience() {
+            return Imagined::default();
+        }
         let fields = Self::fields(actions);
         let pulled = Self::pulled(&fields);
         let exact = self.seen.get(&pulled).is_some_and(|guard| guard.len() == actions.len());
@@ -151,4 +164,17 @@ fn promises_of_a_new_kind_come_first_and_nothing_is_run_twice() {
     let new = promised.iter().take_while(|times| **times == 0).count();
     assert!(new >= 2, "{promised:?}");
     assert!(promised.len() > 20, "{promised:?}");
+}
+
+#[test]
+fn who_cannot_afford_to_imagine_runs_something_new_all_the_same() {
+    let (mut guarded, mut rng) = (Guarded { costs: PATIENCE, ..Guarded::new() }, Rng::new(3));
+    let (mut planner, mut trodden) = (Planner::default(), Trodden::default());
+    for k in 0..20 {
+        let proposal = planner.propose(&mut guarded, &trodden, &mut rng);
+        // One sequence each time but the first.
+        assert_eq!(guarded.imagined, k);
+        assert!(k == 0 || matches!(proposal, Proposal::Unknown(_)), "{proposal:?}");
+        trodden.follow(&mut guarded, proposal.actions(), &mut rng).unwrap();
+    }
 }

@@ -130,6 +130,11 @@ impl Coverage {
         (self.contact_checks == 0).then(|| "no action could be evaluated".to_owned())
     }
 
+    /// What comparing person and robots cost, beside so many steps of the FMU, see [`cost`].
+    pub(super) const fn cost(&self, steps: u64) -> u64 {
+        cost(steps, self.contact_checks, self.arm_boxes)
+    }
+
     /// Numbers of the sensors that never reported anybody. That alone does not make a result empty: where somebody was near a robot that
     /// moved, what they met was looked at without these sensors' help.
     pub fn silent_sensors(&self) -> impl Iterator<Item = usize> {

@@ -38,6 +38,9 @@ const EARLIEST: isize = -(DelayLine::LONGEST as isize);
 /// Body regions of a second person are told apart by this.
 const SECONDS_REGION: i64 = 1000;
 
+/// Nothing is left of what imagining may cost.
+const SPENT: u64 = 0;
+
 /// What is imagined is imagined for arms that may be anywhere: so many actions are long enough for that.
 const LONG_AFTER: usize = 1_000_000;
 
@@ -90,6 +93,9 @@ struct Situation {
 /// What the sensing in an action follows from: where it begins, what is on its way, switches, walk and posture, what is worked.
 type Before = (Places, Vec<DelayLine>, Presses, Action, Worked);
 
+/// Whom the robots meet follows from their situation, where an action begins, the action, and what is on its way where that counts.
+type Question = (usize, Places, Action, Vec<DelayLine>);
+
 /// Memory of what was seen in this run, and of what follows from the cell.
 #[derive(Debug)]
 pub(super) struct Imagination {
@@ -105,7 +111,10 @@ pub(super) struct Imagination {
     numbers: BTreeMap<Vec<usize>, usize>,
     walks: BTreeMap<(Places, Action), Arc<Walks>>,
     sensed: BTreeMap<Before, Arc<Sensed>>,
-    met: BTreeMap<(usize, Places, Action, Vec<DelayLine>), Option<Niche>>,
+    met: BTreeMap<Question, (Option<Niche>, u64)>,
+    // Of one proposal.
+    asked: BTreeSet<Question>,
+    patience: u64,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
     world: Arc<World>,
@@ -141,6 +150,8 @@ impl Imagination {
             walks: BTreeMap::new(),
             sensed: BTreeMap::new(),
             met: BTreeMap::new(),
+            asked: BTreeSet::new(),
+            patience: u64::MAX,
             unreal: Coverage::new(world.cell.sensors.len()),
         }
     }
@@ -152,6 +163,20 @@ impl Imagination {
         self.last_nodes.clear();
         self.shadows.clear();
         self.situations.clear();
+    }
+
+    /// From now on the questions asked may cost so much, each counted once and as if nothing were remembered.
+    fn begin(&mut self, patience: u64) {
+        self.asked.clear();
+        self.patience = patience;
+    }
+
+    /// Takes what a question costs from what may be spent. Whether that was enough.
+    fn spend(&mut self, question: Question, cost: u64) -> bool {
+        if self.asked.insert(question) {
+            self.patience = self.patience.checked_sub(cost).unwrap_or(SPENT);
+        }
+        self.patience > SPENT
     }
 
     /// Different actions of the FMU that the run needed.
@@ -314,7 +339,8 @@ impl Imagination {
         situation
     }
 
-    /// The unsafe contact of an action during which the robots move as in the action into `node`.
+    /// The unsafe contact of an action during which the robots move as in the action into `node`. Nothing if to know it costs more than may
+    /// be spent.
     fn meets<P: Plant>(
         &mut self,
         world: &World,
@@ -323,14 +349,15 @@ impl Imagination {
         action: Action,
         sensed: &Sensed,
         node: NodeId,
-    ) -> (Option<Niche>, Situation) {
+    ) -> Option<(Option<Niche>, Situation)> {
         let situation = self.situation(world, robots, node);
         // Without light curtains, contacts do not depend on what was sensed.
         let delays = if world.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
         let key = (situation.number, person.places, action, delays);
-        if let Some(known) = self.met.get(&key) {
-            return (*known, situation);
+        if let Some((known, cost)) = self.met.get(&key).copied() {
+            return self.spend(key, cost).then_some((known, situation));
         }
+        let before = self.unreal.cost(0);
         let walks = self.walk(world, person.places, action);
         let frames = robots.frames(node);
         let mut shadows = Vec::with_capacity(world.curtains.len());
@@ -346,6 +373,10 @@ impl Imagination {
         }
         let mut met = None;
         'action: for i in 0..frames.len() {
+            if self.unreal.cost(0) - before >= self.patience {
+                self.patience = SPENT;
+                return None;
+            }
             for (who, walked) in walks.each() {
                 let stance = world.stance((who, walked), (LONG_AFTER, i), action.of(who).posture(), sensed);
                 let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
@@ -356,7 +387,9 @@ impl Imagination {
                 }
             }
         }
-        (remember(&mut self.met, key, met), situation)
+        let cost = self.unreal.cost(0) - before;
+        remember(&mut self.met, key.clone(), (met, cost));
+        self.spend(key, cost).then_some((met, situation))
     }
 }
 

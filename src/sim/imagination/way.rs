@@ -6,7 +6,7 @@ use super::super::robots::Robots;
 use super::super::sensors::DelayLine;
 use super::super::simulation::Simulation;
 use super::super::world::{Places, Sensed, World};
-use super::{Difference, Ends, Imagination, ends_of};
+use super::{Difference, Ends, Imagination, SPENT, ends_of};
 use crate::host::{NodeId, Plant};
 use crate::human::{Posture, Presses};
 use crate::search::plan::{Imagine, Imagined, Vision};
@@ -71,6 +71,14 @@ impl<P: Plant> Imagine for Simulation<P> {
         0
     }
 
+    fn begin_imagining(&mut self, patience: u64) {
+        self.imagination.begin(patience);
+    }
+
+    fn is_out_of_patience(&self) -> bool {
+        self.imagination.patience == SPENT
+    }
+
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
         let Self { robots, imagination, .. } = self;
         let world = &Arc::clone(&imagination.world);
@@ -113,7 +121,9 @@ impl<P: Plant> Imagine for Simulation<P> {
                 };
                 foreseen = Some((Arc::clone(&sensed), robot));
                 let Some((node, known)) = robot else { continue };
-                let (met, situation) = imagination.meets(world, robots, &person, tried, &sensed, node);
+                let Some((met, situation)) = imagination.meets(world, robots, &person, tried, &sensed, node) else {
+                    return Imagined { exact: false, ..imagined };
+                };
                 imagined.exact &= known && situation.certain;
                 if let Some(niche) = met {
                     let actions = person.taken.iter().copied().chain([index]).collect();
