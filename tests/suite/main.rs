@@ -50,6 +50,7 @@ mod hostile_deeds;
 mod hostile_fmus;
 mod hostile_model;
 mod hostile_scans;
+mod hulls;
 mod interrupted_scans;
 mod long_tests;
 mod machine_formats;
