@@ -9,6 +9,7 @@ use parry3d_f64::shape::ConvexPolyhedron;
 
 use super::distance::segment_segment;
 use super::polyhedron::{Nearest, Polyhedron};
+use super::sampled::Once;
 use super::slabs::Slabs;
 use super::solid::beyond;
 use super::{Capsule, Closest, Pose, Vec3};
@@ -87,6 +88,11 @@ impl Hull {
         self.shape.convex()
     }
 
+    /// Points of its surface that were worked out before.
+    pub(super) fn sampled(&self) -> &Once {
+        &self.shape.sampled
+    }
+
     /// `world_from_local` of the polyhedron.
     #[must_use]
     pub const fn pose(&self) -> Pose {
@@ -162,6 +168,18 @@ impl Hull {
         let [from, to] = [a, b].map(|end| self.pose.inverse_transform_point(end));
         let [enters, leaves] = self.shape.inside(from, to, self.margin_m);
         [enters, leaves].map(|part| a + (b - a) * part)
+    }
+
+    /// Whether a point is inside, or on the surface: told sooner than how deep it is.
+    pub(super) fn holds(&self, point: Vec3) -> bool {
+        if self.at_least(point, point) > 0.0 {
+            return false;
+        }
+        if !self.is_cut {
+            return self.point_distance(point).distance <= 0.0;
+        }
+        let local = self.pose.inverse_transform_point(point);
+        self.shape.outside(local).is_none_or(|on| (on - local).length() <= self.margin_m)
     }
 
     fn bare_point_distance(&self, point: Vec3) -> Closest {

@@ -16,6 +16,7 @@ use parry3d_f64::transformation::try_convex_hull;
 use parry3d_f64::utils::{point_cloud_support_point, point_cloud_support_point_id};
 
 use super::distance::{point_segment, segment_segment};
+use super::sampled::Once;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
 
@@ -32,6 +33,8 @@ pub(super) struct Polyhedron {
     pub(super) sphere: (Vec3, f64),
     /// A capsule that holds it: what is far from that is far from the polyhedron.
     pub(super) around: Capsule,
+    /// Points of its surface.
+    pub(super) sampled: Once,
 }
 
 /// Between two faces.
@@ -112,7 +115,7 @@ impl Polyhedron {
         let faces = normals.map(|normal| (normal, reach(normal))).collect();
         let edges = edges(&convex, triangles);
         let around = capsule_around(corners, low, high);
-        Self { convex, faces, edges, climb, slices, sphere: (centre, radius), around }
+        Self { convex, faces, edges, climb, slices, sphere: (centre, radius), around, sampled: Once::default() }
     }
 
     /// As parry has it.

@@ -68,6 +68,15 @@ impl Solid {
         }
     }
 
+    /// Whether a point is inside, or on the surface.
+    #[must_use]
+    pub fn holds(&self, point: Vec3) -> bool {
+        match self {
+            Self::Hull(hull) => hull.holds(point),
+            Self::Capsule(_) | Self::Mesh(_) => self.point_distance(point).distance <= 0.0,
+        }
+    }
+
     /// Signed distance from a point to the link's surface, negative inside.
     #[must_use]
     pub fn point_distance(&self, point: Vec3) -> Closest {

@@ -9,6 +9,7 @@ use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use parry3d_f64::query::{Ray, RayCast as _};
 
+use super::sampled::Once;
 use super::segment_cuboid::segment_box_local;
 use super::triangle::{Corners, nearest_to_point, nearest_to_segment};
 use super::{Rotation, Vec3};
@@ -136,6 +137,8 @@ pub struct Surface {
     high: Vec3,
     centre: Vec3,
     radius: f64,
+    /// Points of it.
+    pub(super) sampled: Once,
 }
 
 /// `ray_from_local`: a direction in which no machine part has its faces.
@@ -167,7 +170,7 @@ impl Surface {
         let boxes: Vec<Aabb> = (0..triangles.triangles.len()).map(around).collect();
         let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         let along_rays = triangles.points.iter().map(|point| RAY_FROM_LOCAL * *point).collect();
-        Ok(Self { triangles, along_rays, tree, low, high, centre, radius })
+        Ok(Self { triangles, along_rays, tree, low, high, centre, radius, sampled: Once::default() })
     }
 
     /// The triangles, turned outwards.

@@ -24,6 +24,9 @@ const FACING: f64 = 0.5;
 /// What is nearer than this is met, m.
 const MEETS_M: f64 = 5e-4;
 
+/// Farther from a link, a ray goes on by what is soon told of the distance, m.
+const SOON_TOLD_M: f64 = 0.01;
+
 /// Steps of a ray before it is given up: it glides along a surface.
 const MOST_STEPS: u32 = 1000;
 
@@ -225,7 +228,7 @@ impl<'a> Things<'a> {
 
     /// The first that a ray meets within some length; nothing for a ray that begins inside of something.
     fn met(&self, from: Vec3, along: Vec3, longest_m: f64) -> Option<Met> {
-        if self.neighbours.iter().any(|other| self.frame.links[*other].point_distance(from).distance <= 0.0) {
+        if self.neighbours.iter().any(|other| self.frame.links[*other].holds(from)) {
             return None;
         }
         let mut first: Option<Met> = None;
@@ -257,12 +260,24 @@ impl<'a> Things<'a> {
             if point_segment(centre, from, from + along * longest).distance > radius {
                 continue;
             }
+            if solid.at_least(from, from + along * longest) > MEETS_M {
+                continue;
+            }
+            if solid.holds(from) {
+                return None;
+            }
             let mut after_m = 0.0;
-            for step in 0..MOST_STEPS {
-                let near = solid.point_distance(from + along * after_m);
-                if step == 0 && near.distance <= 0.0 {
-                    return None;
+            for _ in 0..MOST_STEPS {
+                let at = from + along * after_m;
+                let at_least_m = solid.at_least(at, at);
+                if at_least_m > SOON_TOLD_M {
+                    after_m += at_least_m;
+                    if after_m > longest {
+                        break;
+                    }
+                    continue;
                 }
+                let near = solid.point_distance(at);
                 if near.distance <= MEETS_M {
                     let Some(outward) = solid.outward(&near) else { break };
                     let velocity = self.frame.velocity(other, from + along * after_m);

@@ -373,7 +373,7 @@ impl Imagination {
         }
         let mut met = None;
         'action: for i in 0..frames.len() {
-            if self.unreal.cost(0) - before >= self.patience {
+            if self.unreal.cost(0) - before >= self.patience || self.world.stop().is_due() {
                 self.patience = SPENT;
                 return None;
             }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Robots with their own meshes against the same with thin capsules: are scans as fast?
 
-    tools/robots/run.py FMI_HAZARD PACKAGES OUT [NAME ...]
+    tools/robots/run.py [--from start|anywhere] FMI_HAZARD PACKAGES OUT [NAME ...]
     tools/robots/run.py --table OUT
 
 PACKAGES is a folder of ROS packages, as the makers of robots publish them: each URDF or xacro file of a robot in it is taken, or those
-whose names hold a NAME. OUT gets for each a folder with four cells and a result.json; what is there is left alone, so that a run goes on
+whose names hold a NAME. OUT gets for each a folder with four cells and a result.json; what is in that is left alone, so that a run goes on
 where one ended. PyPI's xacro expands xacro files, trimesh and scipy read meshes, FMPy unpacks the FMU: install those four.
 
 A cell is the robot, its first two axes swinging, before a scanner field: flawed, where the field is shorter than the arm, and repaired. Each
@@ -237,6 +237,7 @@ def main():
     """Makes the cells, scans them and keeps what came of it."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--from", dest="origin", choices=["start", "anywhere"], default="start", help="which scans (default: start)")
     parser.add_argument("arguments", nargs="*")
     given = parser.parse_args()
     if given.table:
@@ -246,28 +247,39 @@ def main():
     program, packages, out = str(pathlib.Path(program).resolve()), pathlib.Path(packages), pathlib.Path(out)
     fmu.build(out / "fmu")
     for name, path in robots(packages, names):
-        folder = out / name
-        if (folder / "result.json").exists():
-            continue
+        folder, file = out / name, out / name / "result.json"
         folder.mkdir(parents=True, exist_ok=True)
-        urdf = expanded(path, packages)
-        joints = chain(urdf)
-        moving, found = stretched(joints)
-        turn = ("revolute", "continuous", "prismatic")
-        others = [j for j in urdf.findall("joint") if j.get("type") in turn and j.find("mimic") is None and j not in moving]
-        corners = written(urdf, folder, packages, path)
-        result = {"corners": corners}
-        for shape, twin in itertools.product(("meshes", "capsules"), ("flawed", "repaired")):
-            file = folder / f"{shape}-{twin}.toml"
-            file.write_text(cell(f"{name}-{shape}-{twin}", f"{shape}.urdf", others, moving, found, twin == "flawed"), encoding="utf-8")
-            for more in (["--from", "start", "--strategy", "exhaustive"], ["--from", "anywhere", "--until", "4s"]):
-                key = f"{shape} {twin} {more[1]}"
-                result[key] = timed(program, folder, file, more)
-                print(name, key, {k: v for k, v in result[key].items() if k != "hazards"}, len(result[key].get("hazards", [])), flush=True)
-        # Until one is found, confirmed and reported.
-        result["first"] = timed(program, folder, folder / "meshes-flawed.toml", ["--from", "start", "--stop-at", "first"])
-        print(name, "first", result["first"]["wall"], flush=True)
-        (folder / "result.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
+        result = json.loads(file.read_text(encoding="utf-8")) if file.exists() else made(name, path, packages, folder)
+        for key, (cell_file, more) in questions(folder).items():
+            if key in result or given.origin not in more:
+                continue
+            result[key] = timed(program, folder, cell_file, more)
+            print(name, key, {k: v for k, v in result[key].items() if k != "hazards"}, len(result[key].get("hazards", [])), flush=True)
+            file.write_text(json.dumps(result, indent=1), encoding="utf-8")
+
+
+def made(name, path, packages, folder):
+    """Makes the four cells of a robot. What is known before any scan."""
+    urdf = expanded(path, packages)
+    joints = chain(urdf)
+    moving, found = stretched(joints)
+    turn = ("revolute", "continuous", "prismatic")
+    others = [j for j in urdf.findall("joint") if j.get("type") in turn and j.find("mimic") is None and j not in moving]
+    corners = written(urdf, folder, packages, path)
+    for shape, twin in itertools.product(("meshes", "capsules"), ("flawed", "repaired")):
+        text = cell(f"{name}-{shape}-{twin}", f"{shape}.urdf", others, moving, found, twin == "flawed")
+        (folder / f"{shape}-{twin}.toml").write_text(text, encoding="utf-8")
+    return {"corners": corners}
+
+
+def questions(folder):
+    """Each scan's name, cell file and options."""
+    # Until one hazard is found, confirmed and reported.
+    asked = {"first": (folder / "meshes-flawed.toml", ["--from", "start", "--stop-at", "first"])}
+    for more in (["--from", "start", "--strategy", "exhaustive"], ["--from", "anywhere", "--until", "4s"]):
+        for twin, shape in itertools.product(("flawed", "repaired"), ("meshes", "capsules")):
+            asked[f"{shape} {twin} {more[1]}"] = (folder / f"{shape}-{twin}.toml", more)
+    return asked
 
 
 def table(out):
@@ -278,11 +290,17 @@ def table(out):
         result = json.loads(file.read_text(encoding="utf-8"))
         cells = []
         for twin, origin in itertools.product(("flawed", "repaired"), ("start", "anywhere")):
-            mesh, thin = result[f"meshes {twin} {origin}"], result[f"capsules {twin} {origin}"]
-            done = [not {"searched", "finished"} & set(one.get("open", [])) for one in (mesh, thin)]
-            ratio = f"{mesh['seconds'] / thin['seconds']:.1f}" if all(done) else f"not done ({'meshes' if done[1] else 'capsules'})"
-            cells.append(f"{mesh['seconds']:.1f}, {ratio}")
-        print(f"| {file.parent.name} | {sum(result['corners'])} | " + " | ".join(cells) + f" | {result['first']['wall']:.1f} |")
+            both = [result.get(f"{shape} {twin} {origin}") for shape in ("meshes", "capsules")]
+            if None in both:
+                cells.append("")
+                continue
+            mesh, thin = both
+            late = [not {"searched", "finished"}.isdisjoint(one.get("open", [])) for one in both]
+            ratio = f"{mesh['seconds'] / thin['seconds']:.1f}"
+            said = {(False, False): ratio, (True, False): "meshes not done", (False, True): "capsules not done", (True, True): "not done"}
+            cells.append(f"{mesh['seconds']:.1f}, {said[tuple(late)]}")
+        first = f"{result['first']['wall']:.1f}" if "first" in result else ""
+        print(f"| {file.parent.name} | {sum(result['corners'])} | " + " | ".join(cells) + f" | {first} |")
 
 
 if __name__ == "__main__":
