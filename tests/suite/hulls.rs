@@ -77,10 +77,7 @@ fn a_hull_of_many_corners_is_met_as_often_as_the_capsules_within_and_around_it()
         let [from, to] = ends.map(|p| [p.x, p.y, p.z]);
         format!("capsule = {{ from_m = {from:?}, to_m = {to:?}, radius_m = {radius_m:?} }}")
     };
-    for (number, ring) in [14, 28, 113].into_iter().enumerate() {
-        if !sample::is_turn(number, 3) {
-            continue;
-        }
+    for ring in sample::some([14, 28, 113], 3) {
         let (least, _) = searched(&folder, &shaped(&cell, |ends, radius_m| capsule(ends, within(radius_m, ring))));
         let (most, around) = searched(&folder, &shaped(&cell, capsule));
         let hulls = shaped(&cell, |ends, radius_m| written(&corners(ends, radius_m, ring)));
