@@ -258,6 +258,26 @@ mod tests {
         Vec3::new(next(), next(), next())
     }
 
+    /// Of hulls of few and of many corners, and of what is grown.
+    #[test]
+    fn it_holds_what_is_at_no_distance() {
+        let mut next = numbers(17);
+        for corners in [8, 60, 900] {
+            let points: Vec<Vec3> = (0..corners).map(|_| point(&mut next).normalize() * 0.3).collect();
+            let hull = Hull::from_points(&points).unwrap();
+            let mut held = 0;
+            for hull in [hull.clone(), hull.grown(0.05)] {
+                let hull = hull.placed(Pose::from_parts(Vec3::new(0.3, -0.2, 1.0), rotation_about(Vec3::X, 0.7)));
+                for _ in 0..2000 {
+                    let at = hull.sphere().0 + point(&mut next) * 0.4;
+                    assert_eq!(hull.holds(at), hull.point_distance(at).distance <= 0.0, "{corners} corners, {at}");
+                    held += usize::from(hull.holds(at));
+                }
+            }
+            assert!(held > 100 && held < 3900, "{held}");
+        }
+    }
+
     /// The depth of a segment by trying directions: no way out is shorter than the shortest, and near the shortest there
     /// is one of those tried.
     fn tried(points: &[Vec3], a: Vec3, b: Vec3) -> f64 {

@@ -16,9 +16,9 @@ pub const IMAGINED_BEFORE: usize = 400;
 /// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
 pub const IMAGINED_AFTER: usize = 12;
 
-/// What imagining may cost for one sequence that is run, in units of what running costs: [`Imagine::imagine`] says nothing more then. With
-/// robots of capsules it is never reached; links of thousands of corners cost so much that a few hundred sequences took minutes.
-pub const PATIENCE: u64 = 400_000;
+/// What imagining may cost for one sequence that is run, in units of what running costs: [`Imagine::imagine`] says nothing more then. In
+/// the example cells it is not reached, at most half of it; with links of thousands of corners a few hundred sequences took minutes.
+pub const IMAGINING_BUDGET: u64 = 400_000;
 
 /// What kind of ending an unsafe state is. Opaque to a search: equal numbers are the same kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,14 +49,14 @@ pub trait Imagine: Environment {
 
     /// From now on imagining may cost so much, whatever was imagined before. What is told does not depend on earlier runs, so neither may
     /// what this counts.
-    fn begin_imagining(&mut self, patience: u64);
+    fn begin_imagining(&mut self, budget: u64);
 
     /// What a sequence from the start would lead to, from outputs observed since the strategy began and nothing else.
     /// Nothing is simulated. Nothing more is told, and nothing is exact, once it costs more than it may.
     fn imagine(&mut self, actions: &[usize]) -> Imagined;
 
     /// Whether it has cost more than it may.
-    fn is_out_of_patience(&self) -> bool;
+    fn is_over_budget(&self) -> bool;
 }
 
 /// Which sequences to verify.
@@ -97,7 +97,7 @@ impl Planner {
     }
 
     /// Imagines random sequences until one promises what none promised before, or there were enough, or they cost more than
-    /// [`PATIENCE`]; then the one whose promise was made least often. No sequence that was run is proposed again.
+    /// [`IMAGINING_BUDGET`]; then the one whose promise was made least often. No sequence that was run is proposed again.
     pub fn propose<E: Imagine>(
         &mut self,
         environment: &mut E,
@@ -110,7 +110,7 @@ impl Planner {
         }
         let mut best: Option<(u32, Vec<usize>, Niche)> = None;
         let (mut unknown, mut any) = (None, Vec::new());
-        environment.begin_imagining(PATIENCE);
+        environment.begin_imagining(IMAGINING_BUDGET);
         for _ in 0..if self.met { IMAGINED_AFTER } else { IMAGINED_BEFORE } {
             let sequence = random_sequence(environment, rng);
             let imagined = environment.imagine(&sequence);
@@ -132,7 +132,7 @@ impl Planner {
                 unknown = Some(sequence.clone());
             }
             any = sequence;
-            if environment.is_out_of_patience() {
+            if environment.is_over_budget() {
                 break;
             }
         }

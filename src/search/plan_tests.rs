@@ -10,7 +10,7 @@ pub(crate) struct Guarded {
     steps: usize,
     imagined: usize,
     /// What is left of what imagining may cost, and what it costs.
-    patience: u64,
+    budget: u64,
     costs: u64,
     /// Guard's fields of the episodes seen, by the step at which the lever was pulled.
     seen: BTreeMap<usize, Vec<i64>>,
@@ -21,7 +21,7 @@ const LENGTH: usize = 8;
 
 impl Guarded {
     pub(crate) const fn new() -> Self {
-        Self { taken: Vec::new(), steps: 0, imagined: 0, patience: u64::MAX, costs: 1, seen: BTreeMap::new() }
+        Self { taken: Vec::new(), steps: 0, imagined: 0, budget: u64::MAX, costs: 1, seen: BTreeMap::new() }
     }
 
     fn fields(actions: &[usize]) -> Vec<i64> {
@@ -100,16 +100,16 @@ impl Imagine for Guarded {
     fn calm(&self) -> usize {
         0
     }
-    fn begin_imagining(&mut self, patience: u64) {
-        self.patience = patience;
+    fn begin_imagining(&mut self, budget: u64) {
+        self.budget = budget;
     }
-    fn is_out_of_patience(&self) -> bool {
-        self.patience == 0
+    fn is_over_budget(&self) -> bool {
+        self.budget == 0
     }
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
         self.imagined += 1;
-        self.patience = self.patience.saturating_sub(self.costs);
-        if self.is_out_of_patience() {
+        self.budget = self.budget.saturating_sub(self.costs);
+        if self.is_over_budget() {
             return Imagined::default();
         }
         let fields = Self::fields(actions);
@@ -168,7 +168,7 @@ fn promises_of_a_new_kind_come_first_and_nothing_is_run_twice() {
 
 #[test]
 fn who_cannot_afford_to_imagine_runs_something_new_all_the_same() {
-    let (mut guarded, mut rng) = (Guarded { costs: PATIENCE, ..Guarded::new() }, Rng::new(3));
+    let (mut guarded, mut rng) = (Guarded { costs: IMAGINING_BUDGET, ..Guarded::new() }, Rng::new(3));
     let (mut planner, mut trodden) = (Planner::default(), Trodden::default());
     for k in 0..20 {
         let proposal = planner.propose(&mut guarded, &trodden, &mut rng);

@@ -114,7 +114,7 @@ pub(super) struct Imagination {
     met: BTreeMap<Question, (Option<Niche>, u64)>,
     // Of one proposal.
     asked: BTreeSet<Question>,
-    patience: u64,
+    budget: u64,
     /// Contacts that are only imagined do not count in the figures of the run.
     unreal: Coverage,
     world: Arc<World>,
@@ -151,7 +151,7 @@ impl Imagination {
             sensed: BTreeMap::new(),
             met: BTreeMap::new(),
             asked: BTreeSet::new(),
-            patience: u64::MAX,
+            budget: u64::MAX,
             unreal: Coverage::new(world.cell.sensors.len()),
         }
     }
@@ -166,17 +166,17 @@ impl Imagination {
     }
 
     /// From now on the questions asked may cost so much, each counted once and as if nothing were remembered.
-    fn begin(&mut self, patience: u64) {
+    fn begin(&mut self, budget: u64) {
         self.asked.clear();
-        self.patience = patience;
+        self.budget = budget;
     }
 
     /// Takes what a question costs from what may be spent. Whether that was enough.
     fn spend(&mut self, question: Question, cost: u64) -> bool {
         if self.asked.insert(question) {
-            self.patience = self.patience.checked_sub(cost).unwrap_or(SPENT);
+            self.budget = self.budget.checked_sub(cost).unwrap_or(SPENT);
         }
-        self.patience > SPENT
+        self.budget > SPENT
     }
 
     /// Different actions of the FMU that the run needed.
@@ -373,8 +373,8 @@ impl Imagination {
         }
         let mut met = None;
         'action: for i in 0..frames.len() {
-            if self.unreal.cost(0) - before >= self.patience || self.world.stop().is_due() {
-                self.patience = SPENT;
+            if self.unreal.cost(0) - before >= self.budget || self.world.stop().is_due() {
+                self.budget = SPENT;
                 return None;
             }
             for (who, walked) in walks.each() {

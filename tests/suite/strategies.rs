@@ -164,7 +164,7 @@ fn different_hazards_are_counted_and_told_in_every_format() {
 fn what_imagining_may_cost_ends_it_at_the_same_place_whatever_was_imagined_before() {
     let dir = examples();
     let prepared = prepare(&dir.path().join(CELL), None).unwrap();
-    let told = |patience: u64, before: bool| {
+    let told = |budget: u64, before: bool| {
         let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
         simulation.reset().unwrap();
         while simulation.step(0).unwrap().end.is_none() {}
@@ -177,20 +177,20 @@ fn what_imagining_may_cost_ends_it_at_the_same_place_whatever_was_imagined_befor
         if before {
             sequences.iter().for_each(|actions| drop(simulation.imagine(actions)));
         }
-        simulation.begin_imagining(patience);
+        simulation.begin_imagining(budget);
         let told: Vec<_> = sequences.iter().map(|actions| simulation.imagine(actions)).collect();
-        (told, simulation.is_out_of_patience())
+        (told, simulation.is_over_budget())
     };
     let (all, ended) = told(u64::MAX, false);
     assert!(!ended && all.iter().any(|imagined| !imagined.visions.is_empty()));
     let mut cut = 0;
-    for patience in [1, 40, 300, 1_000, 3_000, 8_000] {
-        let fresh = told(patience, false);
-        assert!(fresh == told(patience, true), "{patience}");
+    for budget in [1, 40, 300, 1_000, 3_000, 8_000] {
+        let fresh = told(budget, false);
+        assert!(fresh == told(budget, true), "{budget}");
         let same = fresh.0.iter().zip(&all).take_while(|(a, b)| a == b).count();
         // What is told after that is neither exact nor more than the whole.
-        assert!(fresh.0[same..].iter().all(|imagined| !imagined.exact), "{patience}");
-        assert_eq!(same < all.len(), fresh.1, "{patience}");
+        assert!(fresh.0[same..].iter().all(|imagined| !imagined.exact), "{budget}");
+        assert_eq!(same < all.len(), fresh.1, "{budget}");
         cut += usize::from(fresh.1);
     }
     assert!(cut >= 3, "{cut}");

@@ -71,12 +71,12 @@ impl<P: Plant> Imagine for Simulation<P> {
         0
     }
 
-    fn begin_imagining(&mut self, patience: u64) {
-        self.imagination.begin(patience);
+    fn begin_imagining(&mut self, budget: u64) {
+        self.imagination.begin(budget);
     }
 
-    fn is_out_of_patience(&self) -> bool {
-        self.imagination.patience == SPENT
+    fn is_over_budget(&self) -> bool {
+        self.imagination.budget == SPENT
     }
 
     fn imagine(&mut self, actions: &[usize]) -> Imagined {
