@@ -16,14 +16,14 @@ pub(super) fn coarse(whole: &Polyhedron, within_m: f64) -> Option<Polyhedron> {
     let signs = [-1.0, 0.0, 1.0];
     let directions =
         signs.into_iter().flat_map(|x| signs.into_iter().flat_map(move |y| signs.map(|z| Vec3::new(x, y, z))));
-    let mut taken: BTreeSet<usize> = directions.map(|direction| farthest(corners, direction).0).collect();
+    let mut taken: BTreeSet<usize> = directions.map(|direction| whole.outermost(direction)).collect();
     loop {
         let rest = Polyhedron::around(&taken.iter().map(|number| corners[*number]).collect::<Vec<_>>())?;
         let mut missing: BTreeSet<usize> = rest
             .faces()
             .filter_map(|(normal, reach)| {
-                let (number, far) = farthest(corners, normal);
-                (far - reach > within_m).then_some(number)
+                let number = whole.outermost(normal);
+                (corners[number].dot(normal) - reach > within_m).then_some(number)
             })
             .collect();
         if missing.is_empty() {
@@ -38,13 +38,6 @@ pub(super) fn coarse(whole: &Polyhedron, within_m: f64) -> Option<Polyhedron> {
             return Some(rest);
         }
     }
-}
-
-/// The number of the corner that reaches farthest along a direction, and how far.
-fn farthest(corners: &[Vec3], direction: Vec3) -> (usize, f64) {
-    let far = |(number, corner): (usize, &Vec3)| (number, corner.dot(direction));
-    let farther = |one: (usize, f64), other: (usize, f64)| if other.1 > one.1 { other } else { one };
-    corners.iter().enumerate().map(far).fold((0, f64::NEG_INFINITY), farther)
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ pub mod boxes;
 mod coarse;
 pub mod coordinates;
 pub mod distance;
+mod facing;
 pub mod hull;
 pub mod inertia;
 pub mod joined;

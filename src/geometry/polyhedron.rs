@@ -5,8 +5,6 @@
 //! directions, and goes on to a neighbour that reaches farther until there is none. No corner of a convex polyhedron but the farthest has
 //! no such neighbour.
 
-use std::collections::BTreeMap;
-
 use parry3d_f64::query::details::{
     closest_points_support_map_support_map_with_params, local_point_projection_on_support_map,
 };
@@ -16,6 +14,7 @@ use parry3d_f64::transformation::try_convex_hull;
 use parry3d_f64::utils::{point_cloud_support_point, point_cloud_support_point_id};
 
 use super::distance::{point_segment, segment_segment};
+use super::facing::Facing;
 use super::sampled::Once;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
@@ -26,6 +25,7 @@ pub(super) struct Polyhedron {
     convex: ConvexPolyhedron,
     /// Outward normal of each face, and how far the polyhedron reaches along it, m.
     faces: Vec<(Vec3, f64)>,
+    facing: Facing,
     edges: Vec<Edge>,
     climb: Climb,
     slices: Slices,
@@ -107,15 +107,16 @@ impl Polyhedron {
         let (climb, slices) = (Climb::new(&convex), Slices::of(corners));
         let reach = |normal: Vec3| match corners.len() {
             // Faces times corners: of thousands each that would take as long as all the rest.
-            MANY.. => climb.farthest(corners, normal).dot(normal),
+            MANY.. => corners[climb.farthest(corners, normal)].dot(normal),
             _ => corners.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max),
         };
         // Of a face without area there is no normal.
         let normals = convex.faces().iter().filter_map(|face| face.normal.try_normalize());
-        let faces = normals.map(|normal| (normal, reach(normal))).collect();
+        let faces: Vec<_> = normals.map(|normal| (normal, reach(normal))).collect();
+        let facing = Facing::new(centre, faces.clone());
         let edges = edges(&convex, triangles);
         let around = capsule_around(corners, low, high);
-        Self { convex, faces, edges, climb, slices, sphere: (centre, radius), around, sampled: Once::default() }
+        Self { convex, faces, facing, edges, climb, slices, sphere: (centre, radius), around, sampled: Once::default() }
     }
 
     /// As parry has it.
@@ -142,6 +143,15 @@ impl Polyhedron {
     pub(super) fn support(&self, direction: Vec3) -> Vec3 {
         if self.corners().len() <= FEW {
             point_cloud_support_point(direction, self.corners())
+        } else {
+            self.corners()[self.climb.farthest(self.corners(), direction)]
+        }
+    }
+
+    /// The number of the corner that reaches farthest along a direction.
+    pub(super) fn outermost(&self, direction: Vec3) -> usize {
+        if self.corners().len() <= FEW {
+            point_cloud_support_point_id(direction, self.corners())
         } else {
             self.climb.farthest(self.corners(), direction)
         }
@@ -193,15 +203,15 @@ impl Polyhedron {
     /// the line.
     pub(super) fn inside(&self, a: Vec3, b: Vec3, margin_m: f64) -> [f64; 2] {
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-        for (normal, reach) in &self.faces {
-            let [from, to] = [a, b].map(|end| normal.dot(end) - reach - margin_m);
+        self.facing.beyond(a, b, |from, to| {
+            let (from, to) = (from - margin_m, to - margin_m);
             if from > 0.0 && to < from {
                 enters = enters.max(from / (from - to));
             }
             if to > 0.0 && from < to {
                 leaves = leaves.min(from / (from - to));
             }
-        }
+        });
         [enters.min(1.0), leaves.max(enters).min(1.0)]
     }
 
@@ -283,8 +293,8 @@ impl Climb {
         this
     }
 
-    fn farthest(&self, corners: &[Vec3], direction: Vec3) -> Vec3 {
-        corners[self.from(corners, self.starts[square(direction)], direction) as usize]
+    fn farthest(&self, corners: &[Vec3], direction: Vec3) -> usize {
+        self.from(corners, self.starts[square(direction)], direction) as usize
     }
 
     /// The number of the corner that reaches farthest, from one on.
@@ -336,17 +346,22 @@ fn middle(square: usize) -> Vec3 {
 
 fn edges(convex: &ConvexPolyhedron, triangles: &[[u32; 3]]) -> Vec<Edge> {
     let at = |corner: u32| convex.points()[corner as usize];
-    let mut beside: BTreeMap<[u32; 2], Vec<Vec3>> = BTreeMap::new();
+    let sorted = |from: u32, to: u32| [from.min(to), from.max(to)];
+    let mut beside: Vec<([u32; 2], Vec3)> = Vec::with_capacity(3 * triangles.len());
     for [a, b, c] in triangles {
         let normal = (at(*b) - at(*a)).cross(at(*c) - at(*a)).normalize_or_zero();
-        for [from, to] in [[*a, *b], [*b, *c], [*c, *a]] {
-            beside.entry([from.min(to), from.max(to)]).or_default().push(normal);
-        }
+        beside.extend([[a, b], [b, c], [c, a]].map(|[from, to]| (sorted(*from, *to), normal)));
     }
+    // Those of one edge stay in the order of its triangles.
+    beside.sort_by_key(|(ends, _)| *ends);
     let edge = |[from, to]: [u32; 2]| {
-        let normals = &beside[&[from.min(to), from.max(to)]];
-        let normal = |side: usize| normals.get(side).copied().unwrap_or(Vec3::ZERO);
-        Edge { ends: [at(from), at(to)], normals: [normal(0), normal(1)] }
+        let ends = sorted(from, to);
+        let mut normals = beside[beside.partition_point(|(other, _)| *other < ends)..]
+            .iter()
+            .take_while(|(other, _)| *other == ends)
+            .map(|(_, normal)| *normal);
+        let mut normal = || normals.next().unwrap_or(Vec3::ZERO);
+        Edge { ends: [at(from), at(to)], normals: [normal(), normal()] }
     };
     convex.edges().iter().map(|one| edge(one.vertices)).collect()
 }
