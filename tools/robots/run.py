@@ -87,7 +87,11 @@ def chain(urdf):
     children = {}
     for joint in urdf.findall("joint"):
         children.setdefault(joint.find("parent").get("link"), []).append(joint)
-    root = ({link.get("name") for link in urdf.findall("link")} - {j.find("child").get("link") for j in urdf.findall("joint")}).pop()
+    roots = {link.get("name") for link in urdf.findall("link")} - {j.find("child").get("link") for j in urdf.findall("joint")}
+    if len(roots) != 1:
+        # A part of a robot, which other files put together.
+        return []
+    root = roots.pop()
 
     def longest(link):
         ways = [[joint, *longest(joint.find("child").get("link"))] for joint in children.get(link, [])]
@@ -248,8 +252,10 @@ def main():
     fmu.build(out / "fmu")
     for name, path in robots(packages, names):
         folder, file = out / name, out / name / "result.json"
-        folder.mkdir(parents=True, exist_ok=True)
         result = json.loads(file.read_text(encoding="utf-8")) if file.exists() else made(name, path, packages, folder)
+        if result is None:
+            print(f"{name}: {path} is no whole robot", flush=True)
+            continue
         for key, (cell_file, more) in questions(folder).items():
             if key in result or given.origin not in more:
                 continue
@@ -259,9 +265,12 @@ def main():
 
 
 def made(name, path, packages, folder):
-    """Makes the four cells of a robot. What is known before any scan."""
+    """Makes the four cells of a robot. What is known before any scan; nothing of a file that is no whole robot with two axes."""
     urdf = expanded(path, packages)
     joints = chain(urdf)
+    if sum(j.get("type") in ("revolute", "continuous") for j in joints) < 2:
+        return None
+    folder.mkdir(parents=True, exist_ok=True)
     moving, found = stretched(joints)
     turn = ("revolute", "continuous", "prismatic")
     others = [j for j in urdf.findall("joint") if j.get("type") in turn and j.find("mimic") is None and j not in moving]
