@@ -8,8 +8,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+mod meter;
+
+pub use meter::worked;
+
 /// What is left to do after somebody asked may take this long.
-const GRACE: Duration = Duration::from_millis(900);
+const GRACE: Duration = Duration::from_millis(800);
 
 /// Of the time for all, this part is for what follows the search, and at least and at most so much.
 const SHARE: u32 = 10;
@@ -98,6 +102,7 @@ impl Stop {
     /// Whether the search has to end.
     #[must_use]
     pub fn ends_search(&self) -> bool {
+        meter::looked();
         let end = self.0.search.load(Ordering::Relaxed);
         end != u64::MAX && self.now() >= end
     }
@@ -105,6 +110,7 @@ impl Stop {
     /// Whether whatever is under way has to end.
     #[must_use]
     pub fn is_due(&self) -> bool {
+        meter::looked();
         let end = if self.0.finishing.load(Ordering::Acquire) { &self.0.all } else { &self.0.search };
         let end = end.load(Ordering::Relaxed);
         end != u64::MAX && self.now() >= end

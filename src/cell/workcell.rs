@@ -18,6 +18,7 @@ use crate::human::floor::Floor;
 use crate::human::{Arrangement, Body, Presses, Repertoire, Start, Who};
 use crate::obligations::Acceptance;
 use crate::standards::iso_13855::{Detection, Opening};
+use crate::stop::Stop;
 
 /// The leaf of an open door is so deep in the ground, m.
 const OUT_OF_THE_WAY_M: f64 = 1e3;
@@ -508,16 +509,16 @@ impl Workcell {
         self.criteria == force && self.separation.is_none()
     }
 
-    /// A floor that ends where people may not be, and that they enter where they come from.
+    /// A floor that ends where people may not be, and that they enter where they come from; nothing, where there is no time for it.
     #[must_use]
-    pub fn bounded(&self, floor: Floor) -> Floor {
+    pub fn bounded(&self, floor: Floor, stop: &Stop) -> Option<Floor> {
         let floor = match &self.floor {
-            Some(polygon) => floor.bounded_by(polygon),
+            Some(polygon) => floor.bounded_by(polygon, stop)?,
             None => floor,
         };
         match &self.start_region {
-            Some(polygon) => floor.entered_in(polygon),
-            None => floor,
+            Some(polygon) => floor.entered_in(polygon, stop),
+            None => Some(floor),
         }
     }
 

@@ -6,6 +6,7 @@
 
 use super::Vec3;
 use super::polyhedron::longest;
+use crate::stop::worked;
 
 /// See the top of this file.
 #[derive(Debug)]
@@ -54,6 +55,7 @@ impl Facing {
         let far = ends.map(Vec3::length);
         let mut at = 0;
         while let Some(group) = self.groups.get(at) {
+            worked(1);
             let most = [0, 1].map(|end| group.middle.dot(ends[end]) + group.spread * far[end]);
             if most[0].max(most[1]) + ROUNDING_M <= group.least_m {
                 at = group.next;

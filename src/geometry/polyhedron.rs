@@ -18,6 +18,7 @@ use super::facing::Facing;
 use super::sampled::Once;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
+use crate::stop::worked;
 
 /// See the top of this file.
 #[derive(Debug)]
@@ -142,6 +143,7 @@ impl Polyhedron {
     /// The corner that reaches farthest along a direction.
     pub(super) fn support(&self, direction: Vec3) -> Vec3 {
         if self.corners().len() <= FEW {
+            worked(looked_at(self.corners().len()));
             point_cloud_support_point(direction, self.corners())
         } else {
             self.corners()[self.climb.farthest(self.corners(), direction)]
@@ -151,6 +153,7 @@ impl Polyhedron {
     /// The number of the corner that reaches farthest along a direction.
     pub(super) fn outermost(&self, direction: Vec3) -> usize {
         if self.corners().len() <= FEW {
+            worked(looked_at(self.corners().len()));
             point_cloud_support_point_id(direction, self.corners())
         } else {
             self.climb.farthest(self.corners(), direction)
@@ -219,6 +222,7 @@ impl Polyhedron {
     /// positive if the segment is outside.
     pub(super) fn shallowest(&self, a: Vec3, b: Vec3) -> (Vec3, f64) {
         let out = |(normal, reach): &(Vec3, f64)| (*normal, reach - normal.dot(a).min(normal.dot(b)));
+        worked(looked_at(self.faces.len()));
         let shorter = |one: (Vec3, f64), other: (Vec3, f64)| if other.1 < one.1 { other } else { one };
         self.faces.iter().map(out).fold((Vec3::Z, f64::INFINITY), shorter)
     }
@@ -235,6 +239,7 @@ impl Polyhedron {
         let mut best = (depth, last, normal);
         let length = b - a;
         let unit = length.normalize_or_zero();
+        worked(looked_at(self.edges.len()));
         for Edge { ends: [from, to], normals: [one, other] } in &self.edges {
             if one.dot(unit) * other.dot(unit) > PARALLEL {
                 continue;
@@ -304,6 +309,7 @@ impl Climb {
         loop {
             let neighbours = &self.neighbours[self.begins[at as usize]..self.begins[at as usize + 1]];
             let before = at;
+            worked(looked_at(neighbours.len()));
             for neighbour in neighbours {
                 let far = corners[*neighbour as usize].dot(direction);
                 if far > best {
@@ -315,6 +321,11 @@ impl Climb {
             }
         }
     }
+}
+
+/// The work to look at so many corners, faces or edges.
+const fn looked_at(number: usize) -> usize {
+    number.div_ceil(8)
 }
 
 /// The number of the square that a direction goes through.

@@ -10,9 +10,13 @@ use super::{Body, PoseBox, Posture};
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
+use crate::stop::Stop;
 
 /// More than what rounding does to a place, m.
 const ROUNDING_M: f64 = 1e-9;
+
+/// Cells that are gone through from one look at the clock to the next: each may be asked of hundreds of obstacles.
+const BETWEEN_LOOKS: usize = 256;
 
 /// Cells of a rectangle of the floor, row after row.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +30,12 @@ pub struct Floor {
     bounded: bool,
     /// Where people come from, if that is not the edge.
     entry: Option<Vec<bool>>,
+}
+
+/// What holds of each of so many cells; nothing, where there is no time for it.
+pub fn of_cells<T>(cells: usize, stop: &Stop, of: impl Fn(usize) -> T) -> Option<Vec<T>> {
+    let is_over = |cell: usize| cell.is_multiple_of(BETWEEN_LOOKS) && stop.is_due();
+    (0..cells).map(|cell| (!is_over(cell)).then(|| of(cell))).collect()
 }
 
 /// Whether nobody has room to stand anywhere in a box.
@@ -49,10 +59,17 @@ pub fn has_room_throughout(body: &Body, obstacles: &[Cuboid], at: &PoseBox) -> b
 }
 
 impl Floor {
-    /// The rectangle from `low_m` to `high_m` in cells of `cell_m`, with room where some place of the cell has it.
+    /// The rectangle from `low_m` to `high_m` in cells of `cell_m`, with room where some place of the cell has it. Nothing, where there is no
+    /// time for it: so with all that looks at every cell.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cells to a side")]
-    pub fn new(body: &Body, obstacles: &[Cuboid], (low_m, high_m): ([f64; 2], [f64; 2]), cell_m: f64) -> Self {
+    pub fn new(
+        body: &Body,
+        obstacles: &[Cuboid],
+        (low_m, high_m): ([f64; 2], [f64; 2]),
+        cell_m: f64,
+        stop: &Stop,
+    ) -> Option<Self> {
         let count = |axis: usize| ((high_m[axis] - low_m[axis]) / cell_m).ceil().max(1.0) as usize;
         let mut floor =
             Self { low_m, cell_m, columns: count(0), rows: count(1), open: Vec::new(), bounded: false, entry: None };
@@ -65,29 +82,31 @@ impl Floor {
                 middle.length() > far || segment_cuboid(capsule.a, capsule.b, o).distance + moves >= capsule.radius
             })
         };
-        floor.open = (0..floor.columns * floor.rows).map(|cell| open(floor.middle(cell))).collect();
-        floor
+        floor.open = of_cells(floor.cells(), stop, |cell| open(floor.middle(cell)))?;
+        Some(floor)
     }
 
     /// The same, but there is no floor outside of a polygon: not in the rectangle, and not beyond it.
     #[must_use]
-    pub fn bounded_by(mut self, polygon: &[[f64; 2]]) -> Self {
-        let moves = 0.5 * SQRT_2 * self.cell_m;
-        for cell in 0..self.cells() {
-            let at = self.middle(cell);
-            self.open[cell] &= contains(polygon, at) || distance_to_edge(polygon, at) <= moves;
-        }
+    pub fn bounded_by(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
+        let may_be_in = self.may_be_in(polygon, stop)?;
+        self.open.iter_mut().zip(may_be_in).for_each(|(open, may)| *open &= may);
         self.bounded = true;
-        self
+        Some(self)
     }
 
     /// The same, but people come from within a polygon.
     #[must_use]
-    pub fn entered_in(mut self, polygon: &[[f64; 2]]) -> Self {
+    pub fn entered_in(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
+        self.entry = Some(self.may_be_in(polygon, stop)?);
+        Some(self)
+    }
+
+    /// Whether some place of each cell may be in a polygon.
+    fn may_be_in(&self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Vec<bool>> {
         let moves = 0.5 * SQRT_2 * self.cell_m;
         let may_be_in = |at| contains(polygon, at) || distance_to_edge(polygon, at) <= moves;
-        self.entry = Some((0..self.cells()).map(|cell| may_be_in(self.middle(cell))).collect());
-        self
+        of_cells(self.cells(), stop, |cell| may_be_in(self.middle(cell)))
     }
 
     /// How many cells there are.
@@ -148,8 +167,13 @@ impl Floor {
     /// Leaves open only what is joined by open cells that `may_pass` to where people come from, else to the edge of the rectangle, if
     /// the floor has no boundary, or to a cell where somebody `starts`; cells that meet in a corner are joined.
     #[must_use]
-    pub fn joined_to_the_outside(mut self, starts: &[[f64; 2]], may_pass: impl Fn(usize) -> bool) -> Self {
-        let passable: Vec<bool> = (0..self.cells()).map(|cell| self.open[cell] && may_pass(cell)).collect();
+    pub fn joined_to_the_outside(
+        mut self,
+        starts: &[[f64; 2]],
+        may_pass: impl Fn(usize) -> bool,
+        stop: &Stop,
+    ) -> Option<Self> {
+        let passable = of_cells(self.cells(), stop, |cell| self.open[cell] && may_pass(cell))?;
         let is_start = |cell: &usize| {
             let [x, y] = self.middle(*cell);
             starts.iter().any(|start| (start[0] - x).abs().max((start[1] - y).abs()) <= 0.5 * self.cell_m + ROUNDING_M)
@@ -168,7 +192,7 @@ impl Floor {
             edge.iter().for_each(|cell| from[*cell] = true);
             self.open = self.spread(&from, &passable);
         }
-        self
+        Some(self)
     }
 
     /// Some cells, and all that are joined to them by others that `may_pass` holds.
@@ -350,13 +374,14 @@ mod tests {
 
     fn floor(obstacles: &[Cuboid], cell_m: f64) -> Floor {
         let body = Body::new(&Anthropometry::default()).unwrap();
-        Floor::new(&body, obstacles, ([-2.5, -2.5], [2.5, 2.5]), cell_m)
+        Floor::new(&body, obstacles, ([-2.5, -2.5], [2.5, 2.5]), cell_m, &Stop::default()).unwrap()
     }
 
     #[test]
     fn the_edge_of_the_rectangle_is_in_it_and_beyond_nothing_is_known() {
         let all = floor(&[], 0.025);
-        let bounded = all.clone().bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]);
+        let bounded =
+            all.clone().bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], &Stop::default()).unwrap();
         for at in [[2.5, 0.0], [-2.5, 0.0], [0.0, 2.5], [2.5, -2.5]] {
             assert!(all.holds(at, 0.0) && all.within(at, 0.0).count() > 0, "{at:?}");
         }
@@ -379,7 +404,13 @@ mod tests {
         // Beyond there is floor all around, and none with a boundary.
         let area = |all: &[[f64; 4]]| all.iter().map(|[a, b, c, d]| (c - a) * (d - b)).sum::<f64>();
         assert!((area(&floor.beyond(1.0)) - (7.0 * 7.0 - 5.0 * 5.0)).abs() < 1e-6);
-        assert!(floor.bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]]).beyond(1.0).is_empty());
+        assert!(
+            floor
+                .bounded_by(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]], &Stop::default())
+                .unwrap()
+                .beyond(1.0)
+                .is_empty()
+        );
     }
 
     #[test]
@@ -415,23 +446,34 @@ mod tests {
     #[test]
     fn a_room_is_joined_to_the_outside_through_a_door_that_is_wide_enough() {
         for (door_m, joined) in [(0.0, false), (0.25, false), (0.35, true)] {
-            let floor = floor(&room(door_m), 0.025).joined_to_the_outside(&[], |_| true);
+            let floor = floor(&room(door_m), 0.025).joined_to_the_outside(&[], |_| true, &Stop::default()).unwrap();
             assert_eq!(floor.any_open([0.0, 0.0], 0.1), joined, "{door_m} m");
             assert!(floor.any_open([2.0, 0.0], 0.1));
         }
         // Who starts in a closed room is in it.
-        let inside = floor(&room(0.0), 0.025).joined_to_the_outside(&[[0.3, 0.2]], |_| true);
+        let inside = floor(&room(0.0), 0.025).joined_to_the_outside(&[[0.3, 0.2]], |_| true, &Stop::default()).unwrap();
         assert!(inside.any_open([-0.5, 0.0], 0.1) && inside.any_open([2.0, 0.0], 0.1));
         // Who comes from the room only is in the room only, where it is shut, and anywhere else.
         let in_room = [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3]];
-        let within = |door_m| floor(&room(door_m), 0.025).entered_in(&in_room).joined_to_the_outside(&[], |_| true);
+        let within = |door_m| {
+            floor(&room(door_m), 0.025)
+                .entered_in(&in_room, &Stop::default())
+                .unwrap()
+                .joined_to_the_outside(&[], |_| true, &Stop::default())
+                .unwrap()
+        };
         assert!(within(0.0).any_open([-0.5, 0.0], 0.1) && !within(0.0).any_open([2.0, 0.0], 0.1));
         assert!(within(0.35).any_open([2.0, 0.0], 0.1) && within(0.35).any_open([-0.5, 0.0], 0.1));
         // Where nobody may pass the door, nobody is in the room.
         let all = floor(&room(0.8), 0.025);
         let shut = all
             .clone()
-            .joined_to_the_outside(&[], |cell| all.middle(cell)[1].abs() > 0.2 + 1.5 || all.middle(cell)[1] > -1.3);
+            .joined_to_the_outside(
+                &[],
+                |cell| all.middle(cell)[1].abs() > 0.2 + 1.5 || all.middle(cell)[1] > -1.3,
+                &Stop::default(),
+            )
+            .unwrap();
         assert!(!shut.any_open([0.0, 0.0], 0.1));
     }
 
@@ -441,10 +483,15 @@ mod tests {
     fn places_in_a_polygon_and_places_near_some_cells_are_in_the_cells_that_are_told() {
         let triangle = [[-1.03, -0.87], [1.21, -0.4], [-0.33, 1.17]];
         let all = floor(&[], 0.1);
-        let bounded = all.clone().bounded_by(&triangle);
+        let bounded = all.clone().bounded_by(&triangle, &Stop::default()).unwrap();
         // Only cells that the edge of the triangle may cross may be passed, and have their middles outside.
         let is_cut = |at| !contains(&triangle, at) && distance_to_edge(&triangle, at) <= 0.0708;
-        let entered = all.clone().entered_in(&triangle).joined_to_the_outside(&[], |cell| is_cut(all.middle(cell)));
+        let entered = all
+            .clone()
+            .entered_in(&triangle, &Stop::default())
+            .unwrap()
+            .joined_to_the_outside(&[], |cell| is_cut(all.middle(cell)), &Stop::default())
+            .unwrap();
         let some: Vec<bool> = (0..all.cells()).map(|cell| cell % 97 == 0).collect();
         let grown = all.grown(&some, 0.16);
         let mut rng = Rng::new(13);
@@ -477,10 +524,19 @@ mod tests {
     fn who_leaves_the_rectangle_comes_back_anywhere() {
         let all = floor(&[wall(0.0, 0.0, 2.6, 0.01)], 0.05);
         let south = [[-0.5, -2.0], [0.5, -2.0], [0.0, -1.0]];
-        let entered = all.clone().entered_in(&south).joined_to_the_outside(&[], |_| true);
+        let entered = all
+            .clone()
+            .entered_in(&south, &Stop::default())
+            .unwrap()
+            .joined_to_the_outside(&[], |_| true, &Stop::default())
+            .unwrap();
         assert!(entered.any_open([0.0, -1.0], 0.0) && entered.any_open([0.0, 1.0], 0.0));
-        let bounded = all.bounded_by(&[[-2.4, -2.4], [2.4, -2.4], [2.4, 2.4], [-2.4, 2.4]]);
-        let entered = bounded.entered_in(&south).joined_to_the_outside(&[], |_| true);
+        let bounded = all.bounded_by(&[[-2.4, -2.4], [2.4, -2.4], [2.4, 2.4], [-2.4, 2.4]], &Stop::default()).unwrap();
+        let entered = bounded
+            .entered_in(&south, &Stop::default())
+            .unwrap()
+            .joined_to_the_outside(&[], |_| true, &Stop::default())
+            .unwrap();
         assert!(entered.any_open([0.0, -1.0], 0.0) && !entered.any_open([0.0, 1.0], 0.0));
     }
 }

@@ -8,6 +8,7 @@
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 use super::PoseBox;
+use crate::stop::Stop;
 
 /// Edge of a square, m.
 pub const SQUARE_M: f64 = 0.005;
@@ -15,6 +16,8 @@ pub const SQUARE_M: f64 = 0.005;
 const SIDE: usize = 32;
 /// Squares of a block.
 const SQUARES: usize = SIDE * SIDE;
+/// Squares that people get to from one look at the clock to the next.
+const BETWEEN_LOOKS: usize = 1024;
 /// Headings for all of which something holds.
 pub const ALL_HEADINGS: u8 = 0xff;
 /// Columns and rows by heading, the first along the columns, each further to the left.
@@ -62,13 +65,14 @@ type At = (isize, isize);
 impl Inwards {
     /// Over all of a rectangle, from its low corner to its high one, m, with squares that are turned by so much. `decide` tells of
     /// squares, each a [`PoseBox`] whose places are no farther from its middle than [`PoseBox::place_moves_m`] says, for which of
-    /// some headings they are clear: the first looks where the squares are turned to.
+    /// some headings they are clear: the first looks where the squares are turned to. Where there is no time for it people get to fewer.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand blocks to a side")]
     pub fn new(
         (low_m, high_m): ([f64; 2], [f64; 2]),
         turned_rad: f64,
         decide: &dyn Fn(&PoseBox, u8) -> Decided,
+        stop: &Stop,
     ) -> Self {
         let turned = libm::sincos(turned_rad);
         let mut this = Self { turned_rad, turned, low_m, size: [0; 2], blocks: Vec::new() };
@@ -80,7 +84,7 @@ impl Inwards {
         this.low_m = low;
         this.size = [0, 1].map(|axis| ((high[axis] - low[axis]) / edge).ceil().max(1.0) as usize);
         let all = (0..this.size[1]).flat_map(|row| (0..this.size[0]).map(move |column| (column, row)));
-        this.blocks = all.map(|at| this.block(at, decide)).collect();
+        this.blocks = all.map(|at| this.block(at, decide, stop)).collect();
         this
     }
 
@@ -97,10 +101,13 @@ impl Inwards {
         [cos * x - sin * y, sin * x + cos * y]
     }
 
-    fn block(&self, (column, row): (usize, usize), decide: &dyn Fn(&PoseBox, u8) -> Decided) -> Block {
+    fn block(&self, (column, row): (usize, usize), decide: &dyn Fn(&PoseBox, u8) -> Decided, stop: &Stop) -> Block {
         let mut squares = Box::new([(0, false); SQUARES]);
         let mut pending = vec![(0, 0, SIDE, ALL_HEADINGS, 0)];
         while let Some((left, low, side, asked, known)) = pending.pop() {
+            if stop.is_due() {
+                return Block::Shut;
+            }
             let corner = ((column * SIDE + left).cast_signed(), (row * SIDE + low).cast_signed());
             let at = self.pose_box(corner, side);
             let Decided { clear, shut } = decide(&at, asked);
@@ -217,12 +224,17 @@ impl Inwards {
     }
 
     /// People come from wherever `comes` holds of all of a square, and from squares with some places, and get to all that is joined to
-    /// those.
-    pub fn join(&mut self, comes: Of<'_>, places: &[[f64; 2]]) {
+    /// those; to fewer, where there is no time for it.
+    pub fn join(&mut self, comes: Of<'_>, places: &[[f64; 2]], stop: &Stop) {
         let mut next = Vec::new();
         let from = [self.where_all(comes), places.iter().map(|at| self.square(*at)).collect()].concat();
         from.into_iter().for_each(|at| self.reach(at, &mut next));
+        let mut looked_at = 0_usize;
         while let Some(at) = next.pop() {
+            looked_at += 1;
+            if looked_at.is_multiple_of(BETWEEN_LOOKS) && stop.is_due() {
+                return;
+            }
             for from in self.edge_of(at) {
                 let (clear, _) = self.state(from);
                 for (heading, (across, up)) in (0..8).zip(AHEAD) {
@@ -323,8 +335,8 @@ mod tests {
                 let (before, moves) = (before_m(at.xy_m) - 0.2, at.place_moves_m());
                 (before.abs() > moves).then_some(before > 0.0)
             };
-            let mut floor = Inwards::new(RECTANGLE, if number % 2 == 0 { 0.0 } else { 0.3 }, &decide);
-            floor.join(&comes, &[]);
+            let mut floor = Inwards::new(RECTANGLE, if number % 2 == 0 { 0.0 } else { 0.3 }, &decide, &Stop::default());
+            floor.join(&comes, &[], &Stop::default());
             let there = [-0.25 * libm::sin(turned), 0.25 * libm::cos(turned)];
             let is = floor.is_reached(there);
             assert!(gap_m >= wide_m || !is, "{gap_m} turned by {turned}");
@@ -349,10 +361,8 @@ mod tests {
                 [cos * x + sin * y, cos * y - sin * x]
             };
             let reached = |headings: u8| {
-                let mut floor = Inwards::new(RECTANGLE, turned, &|_, asked| Decided {
-                    clear: asked & headings,
-                    shut: asked & !headings,
-                });
+                let decide = |_: &PoseBox, asked| Decided { clear: asked & headings, shut: asked & !headings };
+                let mut floor = Inwards::new(RECTANGLE, turned, &decide, &Stop::default());
                 // From a square of 0.1 m about the middle.
                 floor.join(
                     &|at: &PoseBox| {
@@ -361,6 +371,7 @@ mod tests {
                         ((far - 0.05).abs() > moves).then_some(far < 0.05)
                     },
                     &[],
+                    &Stop::default(),
                 );
                 [at(0.3, 0.0), at(0.0, 0.3), at(-0.3, 0.0), at(0.0, -0.3), at(0.3, 0.3), at(0.3, 0.15)]
                     .map(|at| floor.is_reached(at))

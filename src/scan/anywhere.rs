@@ -35,7 +35,7 @@ use super::prepare::Prepared;
 use crate::cell::Zone;
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
-use crate::human::Start;
+use crate::human::{Floor, Start};
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Need, Obligations, Point, Verdict};
 use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
@@ -47,7 +47,7 @@ use crate::sim::anywhere::machine::{Machine, Part};
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::Zones;
 use crate::sim::anywhere::{
-    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, Histories, Means, Moment, Somewhere, told_in,
+    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, FLOOR_M, Histories, Means, Moment, Somewhere, told_in,
 };
 use crate::sim::between::STEP_TOLERANCE_M;
 use crate::sim::expansion::Merge;
@@ -83,6 +83,23 @@ pub type Tell<'a> = dyn FnMut(Told) -> ControlFlow<()> + 'a;
 #[must_use]
 pub fn refusal(prepared: &Prepared) -> Option<String> {
     Fields::of(&prepared.cell, &prepared.binding).refusal
+}
+
+/// Said of a floor that is looked at in larger cells than others, because it is so large.
+fn coarse(floor: &Floor) -> Option<String> {
+    let (low_m, high_m) = floor.bounds();
+    let size_m = [0, 1].map(|axis| high_m[axis] - low_m[axis]);
+    let is_coarse = floor.cell_m() > FLOOR_M + 1e-9;
+    is_coarse.then(|| {
+        format!(
+            "all that the cell file describes takes {:.0} m by {:.0} m of floor, so it is looked at in cells of {:.0} mm instead of {:.0} mm: \
+             people may count as getting through gaps that are a little too narrow for them. Leave out what is far from the robots",
+            size_m[0],
+            size_m[1],
+            1000.0 * floor.cell_m(),
+            1000.0 * FLOOR_M
+        )
+    })
 }
 
 /// Sensors that report whoever is *not* at them.
@@ -272,8 +289,9 @@ impl<'a> Looking<'a> {
             return Ok(self.short(tell));
         };
         if self.found.ground.is_empty() {
-            self.found.ground = map::ground(&search, &unmoved);
-            self.walkable = map::walkable(&search);
+            self.found.ground = map::ground(&search, &unmoved, &prepared.stop()).ok_or_else(PlantError::stopped)?;
+            self.walkable = map::walkable(&search, &prepared.stop()).ok_or_else(PlantError::stopped)?;
+            self.found.warnings.extend(coarse(search.floor()));
         }
         let Some(kinds) = self.kinds(&search, told.as_ref(), first) else { return Ok(End::Stopped) };
         let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.short(tell)) };

@@ -242,7 +242,11 @@ impl Measured<'_> {
         match &sensor.zone {
             Zone::Mat(polygon) | Zone::Field(polygon) => {
                 let is_mat = matches!(sensor.zone, Zone::Mat(_));
-                let entrances = Entrances::new(&self.prepared.cell, &self.with(number), polygon);
+                let stop = self.prepared.stop();
+                let Some(entrances) = Entrances::new(&self.prepared.cell, &self.with(number), polygon, &stop) else {
+                    not_known.push("it was stopped before it was known where people get onto it".to_owned());
+                    return Vec::new();
+                };
                 let near = self.swept.nearest_to(&entrances.pieces);
                 if near.is_none() && self.swept.moves() {
                     not_known

@@ -30,7 +30,7 @@ pub mod zones;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde::{Deserialize, Serialize};
 
@@ -55,8 +55,9 @@ use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Pre
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
-/// Edge of a cell of the floor, m.
-const FLOOR_M: f64 = 0.025;
+/// Edge of a cell of the floor, m, where there are no more than so many of them: 25 m by 25 m.
+pub const FLOOR_M: f64 = 0.025;
+const MOST_CELLS: f64 = 1e6;
 /// Half an edge of the cells in which a hazard is told once, m.
 pub const CELL_M: f64 = 0.05;
 /// Contacts of trunk, head and legs that are harmless when the person is moved by no more than this may be missed, m.
@@ -193,6 +194,22 @@ impl Outcome {
     }
 }
 
+/// The edge of a cell of a floor of these corners, m: longer ones where there would be too many. Longer ones exclude less.
+fn cell_m(wanted_m: f64, (low_m, high_m): ([f64; 2], [f64; 2])) -> f64 {
+    let area_m2 = (high_m[0] - low_m[0]) * (high_m[1] - low_m[1]);
+    wanted_m.max((area_m2 / MOST_CELLS).sqrt())
+}
+
+/// A rectangle, its low corner and its high one, m, with 1 m around the origin, if it is near that, or there is none.
+fn with_origin((low_m, high_m): ([f64; 2], [f64; 2])) -> ([f64; 2], [f64; 2]) {
+    let is_far = |axis: usize| low_m[axis] > 1.0 || high_m[axis] < -1.0;
+    // Who measures in a hall has a cell that is far from the hall's origin.
+    if low_m[0] <= high_m[0] && (0..2).any(is_far) {
+        return (low_m, high_m);
+    }
+    (low_m.map(|low| low.min(-1.0)), high_m.map(|high| high.max(1.0)))
+}
+
 /// Everything that stays the same over the search.
 #[derive(Debug)]
 pub struct Anywhere<'a> {
@@ -207,6 +224,8 @@ pub struct Anywhere<'a> {
     unseen: Vec<bool>,
     /// What is known of each plane: worked out when it is asked for.
     told_of: OnceLock<Vec<ToldOf>>,
+    /// Held by who works that out.
+    asking: Mutex<()>,
     /// By which sensors matter, where people get to by the rules of a scan from the start: worked out when it is asked for.
     outside: Mutex<BTreeMap<Vec<bool>, Arc<Outside>>>,
     /// What the sensors may report in each cell of the floor: worked out when it is asked for.
@@ -231,14 +250,14 @@ pub enum Somewhere {
 
 impl<'a> Anywhere<'a> {
     /// For a cell whose robots are never farther from each other, and from the places that matter, than `frames` show; where others are, nothing is left out.
-    /// The floor goes on for `around_m` more.
+    /// The floor goes on for `around_m` more. Nothing, where there is no time for it.
     #[must_use]
     pub fn new<'b>(
         cell: &'a Workcell,
         frames: impl Iterator<Item = &'b RobotFrame>,
         around_m: f64,
         stop: Stop,
-    ) -> Self {
+    ) -> Option<Self> {
         Self::on_cells_of(FLOOR_M, cell, frames, around_m, stop)
     }
 
@@ -250,14 +269,14 @@ impl<'a> Anywhere<'a> {
         frames: impl Iterator<Item = &'b RobotFrame>,
         around_m: f64,
         stop: Stop,
-    ) -> Self {
+    ) -> Option<Self> {
         // Doors are taken to be open.
         let fixed = cell.obstacles.iter().filter(|obstacle| obstacle.opened_by.is_none());
         let obstacles = merged(&fixed.map(|obstacle| obstacle.cuboid).collect::<Vec<_>>());
         let obstacles = [joined(&obstacles), obstacles].concat();
         let arm = cell.arm();
         let reach_m = cell.body.reach_from_one_metre(arm.reach(), &[]);
-        let mut bounds: ([f64; 2], [f64; 2]) = ([-1.0; 2], [1.0; 2]);
+        let mut bounds: ([f64; 2], [f64; 2]) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         let mut hold = |at: [f64; 2], far: f64| {
             for (axis, at) in at.into_iter().enumerate() {
                 bounds.0[axis] = bounds.0[axis].min(at - far);
@@ -287,6 +306,7 @@ impl<'a> Anywhere<'a> {
             // Where the floor is bounded, people come from there.
             starts.iter().for_each(|start| hold(*start, AROUND_M));
         }
+        let bounds = with_origin(bounds);
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
         let curtains = Curtain::all(cell, from, &obstacles);
         let encounter = Encounter {
@@ -299,14 +319,17 @@ impl<'a> Anywhere<'a> {
             clamping: None,
             stop,
         };
-        let floor = cell.bounded(Floor::new(&cell.body, &encounter.obstacles, bounds, floor_m));
-        let ground = floor.joined_to_the_outside(&starts, |_| true);
+        let stop = &encounter.stop;
+        let floor =
+            cell.bounded(Floor::new(&cell.body, &encounter.obstacles, bounds, cell_m(floor_m, bounds), stop)?, stop)?;
+        let ground = floor.joined_to_the_outside(&starts, |_| true, stop)?;
         let mut this = Self {
             cell,
             encounter,
             curtains,
             unseen: Vec::new(),
             told_of: OnceLock::new(),
+            asking: Mutex::new(()),
             outside: Mutex::default(),
             by_cell: OnceLock::new(),
             step_m: WALKING_SPEED_M_S * cell.step_s,
@@ -315,18 +338,18 @@ impl<'a> Anywhere<'a> {
             ground,
             told: None,
         };
-        this.look_for_unseen();
-        this
+        this.unseen = this.untold_by(|_| true)?;
+        Some(this)
     }
 
     /// The same with what sensors inside the FMU report of people.
     #[must_use]
-    pub fn with(mut self, told: Told) -> Self {
+    pub fn with(mut self, told: Told) -> Option<Self> {
         self.told = Some(told);
         self.outside = Mutex::default();
         (self.by_cell, self.told_of) = (OnceLock::new(), OnceLock::new());
-        self.look_for_unseen();
-        self
+        self.unseen = self.untold_by(|_| true)?;
+        Some(self)
     }
 
     /// Where somebody has room.
@@ -350,21 +373,23 @@ impl<'a> Anywhere<'a> {
         entrances
     }
 
-    fn look_for_unseen(&mut self) {
-        self.unseen = self.untold_by(|_| true);
-    }
-
-    /// What is known of a plane.
-    fn told_of(&self, plane: usize) -> &ToldOf {
-        let of_all = || self.curtains.iter().map(|curtain| self.tells_of(curtain)).collect();
-        &self.told_of.get_or_init(of_all)[plane]
+    /// What is known of a plane; nothing, where there is no time for it.
+    fn told_of(&self, plane: usize) -> Option<&ToldOf> {
+        if self.told_of.get().is_none() {
+            let _alone = self.asking.lock().unwrap_or_else(PoisonError::into_inner);
+            if self.told_of.get().is_none() {
+                let of_all: Option<_> = self.curtains.iter().map(|curtain| self.tells_of(curtain)).collect();
+                let _ = self.told_of.set(of_all?);
+            }
+        }
+        Some(&self.told_of.get()?[plane])
     }
 
     /// Where people get to of whom some sensors have told nothing.
-    fn untold_by(&self, sensors: impl Fn(usize) -> bool) -> Vec<bool> {
+    fn untold_by(&self, sensors: impl Fn(usize) -> bool) -> Option<Vec<bool>> {
         let may_pass = |cell| self.may_pass_unseen(cell, &sensors);
-        let untold = self.ground.clone().joined_to_the_outside(&starts(self.cell), may_pass);
-        (0..untold.cells()).map(|cell| untold.is_open(cell)).collect()
+        let untold = self.ground.clone().joined_to_the_outside(&starts(self.cell), may_pass, &self.encounter.stop)?;
+        Some((0..untold.cells()).map(|cell| untold.is_open(cell)).collect())
     }
 
     /// Whether somebody may be in a cell of the floor with none of some sensors seeing them that keeps people out.

@@ -189,7 +189,7 @@ fn wider(o: &Cuboid) -> Cuboid {
 fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
     let instant = Instant::of(&asked.text, STEPS);
     let cell = &instant.prepared.cell;
-    let search = Search::new(cell, std::iter::once(&*instant.frame), 0.0, instant.prepared.stop());
+    let search = Search::new(cell, std::iter::once(&*instant.frame), 0.0, instant.prepared.stop()).unwrap();
     let mut history = instant.history(&search, asked.reading, ANYWHERE);
     let once = history.seen[0].clone();
     history.seen = asked.depths_m.iter().map(|depth_m| AnInstant { depth_m: *depth_m, ..once.clone() }).collect();

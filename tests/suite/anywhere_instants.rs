@@ -41,7 +41,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     let instant = Instant::of(&asked.text, asked.steps);
     let (prepared, frame) = (&instant.prepared, &instant.frame);
     let cell = &prepared.cell;
-    let search = Search::new(cell, std::iter::once(&**frame), 0.0, prepared.stop());
+    let search = Search::new(cell, std::iter::once(&**frame), 0.0, prepared.stop()).unwrap();
     let history = instant.history(&search, asked.reading, asked.walked);
     let mut coverage = Coverage::new(cell.sensors.len());
     let tell = &mut |_| ControlFlow::Continue(());
@@ -152,7 +152,7 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
         let cell = &instant.prepared.cell;
         for floor_m in [0.1, 0.05, 0.025] {
             let frames = std::iter::once(&*instant.frame);
-            let search = Search::on_cells_of(floor_m, cell, frames, 0.0, instant.prepared.stop());
+            let search = Search::on_cells_of(floor_m, cell, frames, 0.0, instant.prepared.stop()).unwrap();
             let history = instant.history(&search, None, ANYWHERE);
             let means = Means { workers: 2, ledger: &Ledger::default() };
             let tell = &mut |_| ControlFlow::Continue(());
@@ -222,7 +222,7 @@ fn a_gap_of_2_cm_that_few_headings_show_is_floor_on_which_nobody_is_seen() {
     let text = cell(0.45, &[side("left", -half, -0.01), side("right", 0.01, half)].concat());
     let dir = guarded();
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
-    let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0).unwrap();
     let (floor, unseen, _) = search.ground();
     for number in 0..200 {
@@ -248,7 +248,9 @@ fn what_an_fmu_reports_of_people_is_among_what_is_told() {
     for (path, low) in paths.iter().zip([[0.3, 0.3], [-1.9, -1.9]]) {
         let prepared = prepare(path, None).unwrap();
         let cell = &prepared.cell;
-        let floor = fmi_hazard::human::Floor::new(&cell.body, &[], (low, low.map(|at| at + 0.4)), 0.025);
+        let floor =
+            fmi_hazard::human::Floor::new(&cell.body, &[], (low, low.map(|at| at + 0.4)), 0.025, &prepared.stop())
+                .unwrap();
         let plant = prepared.plant(StateChoice::Auto);
         let mut asking = Asking::new(plant, cell, &prepared.binding, 15, true).unwrap();
         assert!(asking.settle(&floor, &mut || true).unwrap());

@@ -32,7 +32,7 @@ fn floor_m(larger_m: f64) -> f64 {
 /// What the robot does along all histories, with so many presses.
 fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
     let cell = &*prepared.cell;
-    let search = Search::on_cells_of(floor_m(0.05), cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::on_cells_of(floor_m(0.05), cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
     let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses).unwrap();
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
@@ -117,7 +117,7 @@ fn whoever_has_pressed_is_near_the_button() {
     for (file, is_inside) in [("cell.toml", true), ("fixed.toml", false)] {
         let prepared = prepare(&dir.path().join("reset-inside").join(file), None).unwrap();
         let cell = &*prepared.cell;
-        let search = Search::on_cells_of(floor_m(0.1), cell, std::iter::empty(), 0.0, prepared.stop());
+        let search = Search::on_cells_of(floor_m(0.1), cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
         let stride_m = 1.6 * cell.step_s;
         let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1).unwrap();
         let pressed: Vec<_> = zones.ways.iter().filter(|way| way.pressed == Presses::one(0)).collect();

@@ -148,7 +148,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
     };
     let (prepared, fine, steps) = (prepared_at(0.02), prepared_at(0.002), 40);
     let (cell, binding) = (&*prepared.cell, &*prepared.binding);
-    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let part = Part { sensors: vec![true], links: vec![true].into() };
     let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0).unwrap();
     let entered = zones.ways.iter().position(|way| way.from.is_some() && way.is_first).expect("a way onto the mat");
@@ -204,7 +204,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     let dir = guarded();
     let mats = [mat("square", "clear", [-0.8, -0.8, 0.8, 0.8]), mat("beside", "clear", [1.1, -1.5, 2.0, 1.5])].concat();
     let prepared = prepare(&write(dir.path(), "cell.toml", &cell(0.45, &mats)), None).unwrap();
-    let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let (none, steps) = (vec![false; 2], 12);
     let zones = Zones::new(&search, &none, &[true; 2], (STRIDE_M, steps), 0).unwrap();
     let mut rng = Rng::new(5);
@@ -272,7 +272,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     assert_eq!(prepared.cell.sensors[1].delay_steps, 3);
     let cell = &*prepared.cell;
     let stride_m = 1.6 * cell.step_s;
-    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+    let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let histories = |sensors: [bool; 2], links: [bool; 2]| {
         let part = Part { sensors: sensors.to_vec(), links: links.to_vec().into() };
@@ -364,7 +364,7 @@ fn smaller_cells_of_the_floor_leave_less() {
     let cell = &prepared.cell;
     let (step_m, steps) = (1.6 * cell.step_s, 40);
     let at_sizes = [0.1, 0.05, 0.025].map(|floor_m| {
-        let search = Search::on_cells_of(floor_m, cell, std::iter::empty(), 0.0, prepared.stop());
+        let search = Search::on_cells_of(floor_m, cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
         let zones = Zones::new(&search, &[false], &[true], (step_m, steps), 0).unwrap();
         (search.ground().1, search.floor().clone(), zones)
     });

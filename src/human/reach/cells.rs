@@ -10,7 +10,7 @@
 //! in the way only where it is so for all of them. Directions have no limits here, so no heading changes an answer.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::barrier::{Barrier, Placed, Region};
@@ -64,8 +64,6 @@ pub struct ArmCells {
     stop: Option<Stop>,
     /// It was due.
     over: AtomicBool,
-    /// Cubes that were asked for and not known, over and over.
-    worked: AtomicU32,
     /// Of shoulders that hang from somewhere on these sides of barriers.
     beside: Mutex<BTreeMap<Sides, Arc<Known>>>,
 }
@@ -104,9 +102,6 @@ struct Cube {
     size: usize,
     at: [usize; 3],
 }
-
-/// Cubes that are worked out between two looks at whether it has to end.
-const LOOK: u32 = 64;
 
 const UNKNOWN: u8 = 0;
 const NOT: u8 = 1;
@@ -147,7 +142,6 @@ impl ArmCells {
             known: std::array::from_fn(|_| nothing(count)),
             stop: None,
             over: AtomicBool::new(false),
-            worked: AtomicU32::new(0),
             beside: Mutex::default(),
         }
     }
@@ -160,10 +154,12 @@ impl ArmCells {
 
     fn is_over(&self) -> bool {
         let Some(stop) = &self.stop else { return false };
-        if self.worked.fetch_add(1, Ordering::Relaxed).is_multiple_of(LOOK) && stop.is_due() {
+        // A cube is asked of each link at each instant: of thousands of pieces.
+        let is_over = self.over.load(Ordering::Relaxed) || stop.is_due();
+        if is_over {
             self.over.store(true, Ordering::Relaxed);
         }
-        self.over.load(Ordering::Relaxed)
+        is_over
     }
 
     /// Whether an arm may touch a link harmfully, in some direction, whose shoulder is within `radius_m` of a point: `false`

@@ -3,7 +3,7 @@
 
 use super::trials::Kind;
 use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
-use crate::cell::Zone;
+use crate::cell::{Workcell, Zone};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
 use crate::obligations::{Need, Point};
@@ -74,7 +74,7 @@ impl<'a> Looking<'a> {
     /// same inputs everywhere. Where that is not known, the reasons say so.
     pub(super) fn unseen_start(&mut self, first: &[bool]) -> Result<Somewhere, PlantError> {
         let (prepared, cell) = (self.prepared, &*self.prepared.cell);
-        let probe = Search::new(cell, std::iter::empty(), 0.0, prepared.stop());
+        let probe = search(cell, &[], 0.0, prepared)?;
         if !cell.pose.is_empty() {
             // Only the FMU knows where nobody is seen: where the cell file says that people start, it may be.
             let starts =
@@ -120,11 +120,10 @@ impl<'a> Looking<'a> {
         // By the cell's own starts: the front of planes is on their side.
         let prepared = self.prepared;
         let cell = &*prepared.cell;
-        let stop = || self.prepared.stop();
         if cell.pose.is_empty() {
-            return Ok(Some((Search::new(cell, unmoved.iter(), 0.0, stop()), None)));
+            return Ok(Some((search(cell, unmoved, 0.0, prepared)?, None)));
         }
-        let search = Search::new(cell, unmoved.iter(), AROUND_M, stop());
+        let search = search(cell, unmoved, AROUND_M, prepared)?;
         let mut asking = self.asking(there, footing)?;
         if !asking.settle(search.floor(), &mut || tell(Told::Asked(0.0)).is_continue())? {
             return Ok(None);
@@ -140,7 +139,8 @@ impl<'a> Looking<'a> {
             return Ok(None);
         }
         self.found.spent.fmu_steps += asking.taken();
-        Ok(Some((search.with(told.clone()), Some(told))))
+        let search = search.with(told.clone()).ok_or_else(PlantError::stopped)?;
+        Ok(Some((search, Some(told))))
     }
 
     /// Everything that may be reported of somebody, and people of whom it is; `first` first. Nothing, where there is no time for it.
@@ -155,6 +155,16 @@ impl<'a> Looking<'a> {
         let kinds = all.into_iter().map(|readings| Kind { people: people(&readings), readings });
         Some(kinds.filter(|kind| !kind.people.is_empty()).collect())
     }
+}
+
+/// Ready to look; an error that says so, where there is no time for it.
+fn search<'a>(
+    cell: &'a Workcell,
+    unmoved: &[RobotFrame],
+    around_m: f64,
+    prepared: &Prepared,
+) -> Result<Search<'a>, PlantError> {
+    Search::new(cell, unmoved.iter(), around_m, prepared.stop()).ok_or_else(PlantError::stopped)
 }
 
 /// Readings of two-hand controls in words.

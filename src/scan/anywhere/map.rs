@@ -12,6 +12,7 @@ use crate::scan::picture::part;
 use crate::scan::prepare::Prepared;
 use crate::sim::anywhere::{Anywhere as Search, CELL_M, Moment, told_in};
 use crate::sim::robot::RobotFrame;
+use crate::stop::Stop;
 
 /// Spans of time are this long, s, or longer: no more of them than [`MOST_SPANS`].
 const SPAN_S: f64 = 0.1;
@@ -72,19 +73,22 @@ impl Walkable {
     }
 }
 
-/// The floor on which people can be.
-pub(super) fn walkable(search: &Search<'_>) -> Walkable {
+/// The floor on which people can be; nothing, where there is no time for it.
+pub(super) fn walkable(search: &Search<'_>, stop: &Stop) -> Option<Walkable> {
     let (floor, unseen, watched) = search.ground();
-    let cells = (0..floor.cells()).filter(|cell| unseen[*cell] || watched[*cell]);
     // A cell may lie in several of those that are told.
     let half = 0.499 * floor.cell_m();
-    let corners = [[-half, -half], [-half, half], [half, -half], [half, half]];
-    let of_cell = |cell: usize| {
-        let [x, y] = floor.middle(cell);
-        corners.map(|[right, up]| told_in([x + right, y + up]))
-    };
+    let mut cells = BTreeSet::new();
+    for cell in (0..floor.cells()).filter(|cell| unseen[*cell] || watched[*cell]) {
+        if stop.is_due() {
+            return None;
+        }
+        let [low, high] = [-half, half].map(|by| told_in(floor.middle(cell).map(|at| at + by)));
+        let row = |row: i64| (low[0]..=high[0]).map(move |column| [column, row]);
+        cells.extend((low[1]..=high[1]).flat_map(row));
+    }
     let beyond_m = floor.beyond(BEYOND_M).into_iter().map(|sides| sides.map(rounded)).collect();
-    Walkable { cells: cells.flat_map(of_cell).collect(), beyond_m }
+    Some(Walkable { cells, beyond_m })
 }
 
 /// Cells of the floor, as they are told, as rectangles: runs of a row, and equal ones above each other as one.
@@ -125,12 +129,15 @@ pub(super) fn middle(cell: [i64; 2]) -> [f64; 2] {
     cell.map(|at| (at as f64 + 0.5) * 2.0 * CELL_M)
 }
 
-/// The floor, with what the robots sweep at some instants.
-pub(crate) fn ground(search: &Search<'_>, frames: &[RobotFrame]) -> Ground {
+/// The floor, with what the robots sweep at some instants; nothing, where there is no time for it.
+pub(crate) fn ground(search: &Search<'_>, frames: &[RobotFrame], stop: &Stop) -> Option<Ground> {
     let (floor, unseen, watched) = search.ground();
     let mut swept = vec![false; unseen.len()];
     for frame in frames.iter().step_by(frames.len().div_ceil(DRAWN).max(1)) {
         for link in &frame.links {
+            if stop.is_due() {
+                return None;
+            }
             let (centre, radius) = link.bounding_sphere();
             let part = part(link);
             for cell in floor.within([centre.x, centre.y], radius) {
@@ -142,21 +149,21 @@ pub(crate) fn ground(search: &Search<'_>, frames: &[RobotFrame]) -> Ground {
     let told = |all: Vec<[f64; 4]>| all.into_iter().map(|sides| sides.map(rounded)).collect();
     // What sensors inside the FMU see beyond was not asked.
     let beyond = if search.is_told() { Vec::new() } else { floor.beyond(BEYOND_M) };
-    Ground {
+    Some(Ground {
         unseen_m: told([rectangles(&unseen), beyond].concat()),
         watched_m: told(rectangles(&watched)),
         swept_m: told(rectangles(&swept)),
-    }
+    })
 }
 
-/// The floor on which people may be whom no sensor has seen; none where nobody can be looked for anywhere.
+/// The floor on which people may be whom no sensor has seen; none where nobody can be looked for anywhere, or there is no time for it.
 pub(crate) fn unseen(prepared: &Prepared, frames: &[RobotFrame]) -> Vec<[f64; 4]> {
     // Where sensors inside the FMU see people only a scan asks.
     if refusal(prepared).is_some() || !prepared.cell.pose.is_empty() {
         return Vec::new();
     }
     let search = Search::new(&prepared.cell, frames.iter(), 0.0, prepared.stop());
-    ground(&search, &[]).unseen_m
+    search.and_then(|search| ground(&search, &[], &prepared.stop())).map(|ground| ground.unseen_m).unwrap_or_default()
 }
 
 fn covers(part: &Part, at: [f64; 2]) -> bool {

@@ -6,6 +6,7 @@ use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::{Cuboid, Vec3};
 use crate::human::{Arrangement, Floor};
 use crate::standards::iso_13855::MAT_DEPTH_M;
+use crate::stop::Stop;
 
 /// Longest piece of an edge that is looked at as one, m.
 const PIECE_M: f64 = 0.02;
@@ -27,9 +28,9 @@ pub(super) struct Entrances {
 
 impl Entrances {
     /// Of a polygon among those that tell the same.
-    pub(super) fn new(cell: &Workcell, together: &[&[[f64; 2]]], polygon: &[[f64; 2]]) -> Self {
+    pub(super) fn new(cell: &Workcell, together: &[&[[f64; 2]]], polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
         let seen = |at: [f64; 2]| together.iter().any(|polygon| contains(polygon, at));
-        let floor = outside(cell, together, &seen);
+        let floor = outside(cell, together, &seen, stop)?;
         let foot_m = {
             let [left, right] = cell.body.feet(Vec3::ZERO, 0.0);
             0.5 * (left - right).length()
@@ -67,7 +68,7 @@ impl Entrances {
                     .reduce(f64::min);
             }
         }
-        entrances
+        Some(entrances)
     }
 }
 
@@ -84,7 +85,7 @@ fn depth_m(edge: [f64; 2], inwards: [f64; 2], seen: &dyn Fn([f64; 2]) -> bool, f
 }
 
 /// The floor that people come to before any of some polygons tells of them.
-fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) -> bool) -> Floor {
+fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) -> bool, stop: &Stop) -> Option<Floor> {
     // Doors are taken to be open, and nothing to be there that follows the FMU.
     let obstacles: Vec<Cuboid> = cell.standing(cell.doors(), Arrangement::NONE);
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
@@ -110,14 +111,14 @@ fn outside(cell: &Workcell, together: &[&[[f64; 2]]], seen: &dyn Fn([f64; 2]) ->
     starts.iter().for_each(|start| hold(*start, AROUND_M));
     let longest = (high[0] - low[0]).max(high[1] - low[1]);
     let cell_m = CELL_M.max(longest / MOST_CELLS);
-    let floor = cell.bounded(Floor::new(&cell.body, &obstacles, (low, high), cell_m));
+    let floor = cell.bounded(Floor::new(&cell.body, &obstacles, (low, high), cell_m, stop)?, stop)?;
     // A cell may be cut by an edge: it is passed where its middle is outside, or no deeper inside than it is wide.
     let middles: Vec<[f64; 2]> = (0..floor.cells()).map(|cell| floor.middle(cell)).collect();
     let unseen = |at: [f64; 2]| {
         !seen(at)
             || together.iter().all(|polygon| !contains(polygon, at) || distance_to_edge(polygon, at) <= 0.5 * cell_m)
     };
-    floor.joined_to_the_outside(&starts, |cell| unseen(middles[cell]))
+    floor.joined_to_the_outside(&starts, |cell| unseen(middles[cell]), stop)
 }
 
 #[cfg(test)]
@@ -156,22 +157,23 @@ mod tests {
         let left = fence("left", "[-1, 0.1, 1]", "[0.02, 3.8, 2]");
         let right = fence("right", "[1, 0.1, 1]", "[0.02, 3.8, 2]");
         let back = fence("back", "[0, 2, 1]", "[2.02, 0.02, 2]");
-        let all = Entrances::new(&cell("", ""), &[&MAT], &MAT);
+        let all = Entrances::new(&cell("", ""), &[&MAT], &MAT, &Stop::default()).unwrap();
         assert!(all.pieces.len() == 2 * (100 + 190) && all.stepped_over_m.is_none());
-        let open = Entrances::new(&cell(&format!("{left}{right}{back}"), ""), &[&MAT], &MAT);
+        let open = Entrances::new(&cell(&format!("{left}{right}{back}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
         let [from, to, low, high] = spans(&open);
         assert!(from > -1.01 && to < 1.01 && low < -1.79, "{:?}", spans(&open));
         // Around the ends of the fences a foot may come to the corners only.
         assert!(high < -1.6, "{high}");
         // Without the back, from there as well; with floor in front only, not.
-        let open = Entrances::new(&cell(&format!("{left}{right}"), ""), &[&MAT], &MAT);
+        let open = Entrances::new(&cell(&format!("{left}{right}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
         assert!(spans(&open)[3] > 1.99);
         let floor = "floor_m = [[-3, -4], [3, -4], [3, -1.5], [-3, -1.5]]";
-        let open = Entrances::new(&cell(&format!("{left}{right}"), floor), &[&MAT], &MAT);
+        let open = Entrances::new(&cell(&format!("{left}{right}"), floor), &[&MAT], &MAT, &Stop::default()).unwrap();
         assert!(spans(&open)[3] < -1.5 + 0.2, "{:?}", spans(&open));
         // All around closed.
         let front = fence("front", "[0, -1.8, 1]", "[2.02, 0.02, 2]");
-        let none = Entrances::new(&cell(&format!("{left}{right}{back}{front}"), ""), &[&MAT], &MAT);
+        let none =
+            Entrances::new(&cell(&format!("{left}{right}{back}{front}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
         assert!(none.pieces.is_empty());
     }
 
@@ -181,7 +183,7 @@ mod tests {
             [[-1.0, -1.8], [1.0, -1.8], [1.0, -1.3], [-1.0, -1.3]],
             [[-1.0, -1.3], [1.0, -1.3], [1.0, -0.7], [-1.0, -0.7]],
         );
-        let of = |together: &[&[[f64; 2]]]| Entrances::new(&cell("", ""), together, &front);
+        let of = |together: &[&[[f64; 2]]]| Entrances::new(&cell("", ""), together, &front, &Stop::default()).unwrap();
         let alone = of(&[&front]);
         // From in front, from both sides and from behind: 0.5 m.
         assert!((alone.stepped_over_m.unwrap() - 0.5).abs() < 0.011, "{:?}", alone.stepped_over_m);

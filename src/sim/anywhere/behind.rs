@@ -76,24 +76,29 @@ fn gets_there_through_it_only(curtain: &Curtain, (height_m, reach_m): (f64, f64)
 }
 
 impl Anywhere<'_> {
-    /// What is known of a plane.
-    pub(super) fn tells_of(&self, curtain: &Curtain) -> ToldOf {
+    /// What is known of a plane; nothing, where there is no time for it.
+    pub(super) fn tells_of(&self, curtain: &Curtain) -> Option<ToldOf> {
         let all = ToldOf { come_before: false, others: vec![true; self.ground.cells()] };
-        let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return all };
+        let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return Some(all) };
         let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
         let arms =
             ArmCells::new(&self.encounter.arm, &[target], &self.encounter.obstacles, &[]).heeding(&self.encounter.stop);
         // Other sensors may have told of them.
-        let untold = self.untold_by(|sensor| sensor == curtain.sensor);
+        let untold = self.untold_by(|sensor| sensor == curtain.sensor)?;
         let is_behind = |cell: usize| curtain.depth(self.at_height_of_plane(cell)) > 0.0;
         let behind: Vec<bool> = (0..self.ground.cells()).map(|cell| untold[cell] && is_behind(cell)).collect();
         let (centre, radius) = solid.bounding_sphere();
         let near = |cell: usize| (centre - self.at_height_of_plane(cell)).length() <= radius + self.reach_m;
-        let mut near_behind = (0..self.ground.cells()).filter(|cell| behind[*cell] && near(*cell));
-        if near_behind.any(|cell| self.may_reach(&arms, cell)) {
-            return all;
+        let near_behind = (0..self.ground.cells()).filter(|cell| behind[*cell] && near(*cell));
+        for cell in near_behind {
+            if self.encounter.stop.is_due() {
+                return None;
+            }
+            if self.may_reach(&arms, cell) {
+                return Some(all);
+            }
         }
-        ToldOf { come_before: true, others: behind }
+        Some(ToldOf { come_before: true, others: behind })
     }
 
     fn at_height_of_plane(&self, cell: usize) -> Vec3 {
@@ -172,10 +177,12 @@ impl Anywhere<'_> {
     /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
     /// gets of whom it has told nothing. Who leans over it may be told by other sensors only.
     fn has_told_of(&self, number: usize, is_told: bool, at: &PoseBox) -> bool {
-        let told_of = self.told_of(number);
-        told_of.come_before
-            && (is_told
-                || (is_behind(&self.curtains[number], at) && !told_of.may_have_come_another_way(&self.ground, at)))
+        let is_known = |told_of: &ToldOf| {
+            told_of.come_before
+                && (is_told
+                    || (is_behind(&self.curtains[number], at) && !told_of.may_have_come_another_way(&self.ground, at)))
+        };
+        self.told_of(number).is_some_and(is_known)
     }
 
     /// Whether planes keep the body of whoever is in a box from a link at an instant.
@@ -203,7 +210,10 @@ impl Anywhere<'_> {
         at: &'a PoseBox,
     ) -> impl Iterator<Item = (&'a Curtain, f64)> {
         self.curtains.iter().enumerate().filter_map(move |(number, curtain)| {
-            let has_told = || history.readings[curtain.sensor] == Some(true) && self.told_of(number).come_before;
+            let has_told = || {
+                history.readings[curtain.sensor] == Some(true)
+                    && self.told_of(number).is_some_and(|told_of| told_of.come_before)
+            };
             let limit = if seen.depth_m.is_finite() && has_told() {
                 Limit::Told(number)
             } else if self.leans_through(curtain, history, link, at) {

@@ -5,6 +5,7 @@ use crate::cell::Zone;
 use crate::geometry::{Capsule, rotation_about};
 use crate::human::{Anthropometry, Body};
 use crate::search::Rng;
+use crate::stop::Stop;
 
 fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
     low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
@@ -68,7 +69,7 @@ fn by_hand_who_leans_through() {
 #[test]
 fn a_box_on_floor_to_which_others_get_holds_people_of_whom_nothing_was_told() {
     let body = Body::new(&Anthropometry::default()).unwrap();
-    let floor = Floor::new(&body, &[], ([0.0, 0.0], [1.0, 1.0]), 0.1);
+    let floor = Floor::new(&body, &[], ([0.0, 0.0], [1.0, 1.0]), 0.1, &Stop::default()).unwrap();
     let mut others = vec![false; floor.cells()];
     // From 0.6 to 0.7 m along x and from 0.3 to 0.4 m along y.
     others[3 * 10 + 6] = true;
@@ -91,7 +92,7 @@ fn a_box_on_floor_to_which_others_get_holds_people_of_whom_nothing_was_told() {
 #[test]
 fn everybody_on_a_cell_of_the_floor_is_in_its_box() {
     let body = Body::new(&Anthropometry::default()).unwrap();
-    let floor = Floor::new(&body, &[], ([-0.4, 0.2], [0.6, 0.8]), 0.05);
+    let floor = Floor::new(&body, &[], ([-0.4, 0.2], [0.6, 0.8]), 0.05, &Stop::default()).unwrap();
     for cell in 0..floor.cells() {
         let at = everybody_in(&floor, cell);
         let corner = floor.corner((cell % floor.size()[0], cell / floor.size()[0]));

@@ -21,6 +21,7 @@ use crate::human::{
     Arrangement, Inwards, PoseBox, Posture, Presses, capsule_hits, has_room_throughout, is_without_room,
 };
 use crate::sim::sensors::{Seen, sees};
+use crate::stop::Stop;
 
 /// A place is beside a square if it is no farther from its middle, m.
 const BESIDE_M: f64 = 0.03;
@@ -61,7 +62,15 @@ impl Anywhere<'_> {
 
     fn outside_of(&self, matter: &[bool]) -> Arc<Outside> {
         let mut known = self.outside.lock().unwrap_or_else(PoisonError::into_inner);
-        Arc::clone(known.entry(matter.to_vec()).or_insert_with(|| Arc::new(Outside::new(self, matter))))
+        if let Some(outside) = known.get(matter) {
+            return Arc::clone(outside);
+        }
+        let outside = Arc::new(Outside::new(self, matter));
+        // What there was no time for is not kept: people get to fewer places by it.
+        if !self.encounter.stop.is_due() {
+            known.insert(matter.to_vec(), Arc::clone(&outside));
+        }
+        outside
     }
 }
 
@@ -71,7 +80,7 @@ impl Outside {
         let mut floors: Vec<Inwards> = rules
             .turned()
             .into_iter()
-            .map(|turned| Inwards::new(of.ground.bounds(), turned, &|at, asked| rules.decide(at, asked)))
+            .map(|turned| Inwards::new(of.ground.bounds(), turned, &|at, asked| rules.decide(at, asked), rules.stop()))
             .collect();
         floors.iter_mut().for_each(|floor| rules.join(floor));
         let leaves =
@@ -102,6 +111,10 @@ impl<'a> Rules<'a> {
             sensors: all.clone().filter_map(counts).filter(keeps_out).collect(),
             told: all.map(|(sensor, matters)| *matters && is_reported(sensor)).collect(),
         }
+    }
+
+    const fn stop(&self) -> &'a Stop {
+        &self.of.encounter.stop
     }
 
     /// How squares are turned: along x, and along edges of zones, as a foot keeps beside those all along.
@@ -139,12 +152,12 @@ impl<'a> Rules<'a> {
         let begun: Vec<[f64; 2]> = starts.iter().flat_map(leads).collect();
         let edge = |at: &PoseBox| self.is_edge(at);
         match &self.of.cell.start_region {
-            None => floor.join(&edge, &begun),
+            None => floor.join(&edge, &begun, self.stop()),
             Some(region) => {
-                floor.join(&|at| is_in(region, at), &begun);
+                floor.join(&|at| is_in(region, at), &begun, self.stop());
                 // Who leaves the rectangle comes back anywhere.
                 if floor.reaches(&edge) {
-                    floor.join(&edge, &[]);
+                    floor.join(&edge, &[], self.stop());
                 }
             }
         }

@@ -26,7 +26,7 @@ fn cell(parts: &str, human: &str) -> Workcell {
 }
 
 fn search(cell: &Workcell) -> Anywhere<'_> {
-    Anywhere::on_cells_of(0.025, cell, std::iter::empty(), 0.0, Stop::default())
+    Anywhere::on_cells_of(0.025, cell, std::iter::empty(), 0.0, Stop::default()).unwrap()
 }
 
 /// A wall between two corners.
@@ -210,4 +210,19 @@ fn among_random_walls_people_get_where_a_lattice_of_places_leads() {
         }
     }
     assert!(inside > 50 && outside > 50, "{inside} {outside} {unsure}");
+}
+
+/// A post 150 m away makes cells of the floor larger and not more of them; and where all is 150 m from the hall's origin, there is no floor
+/// between. Nothing of the robot is held here, which a search adds.
+#[test]
+fn floors_have_no_more_cells_than_told_however_far_away_something_is() {
+    let (near, far) = (wall("near", [2.0, 0.0], [2.1, 0.1]), wall("far", [150.0, 120.0], [150.1, 120.1]));
+    let floor = |walls: &str| search(&cell(walls, START)).floor().clone();
+    let (of_near, of_far, of_both) = (floor(&near), floor(&far), floor(&(near + &far)));
+    for one in [&of_near, &of_far] {
+        assert!((one.cell_m() - FLOOR_M).abs() < 1e-12 && one.cells() < 100_000, "{}", one.cells());
+    }
+    assert!(of_far.bounds().0[0] > 140.0 && of_near.holds([0.0, 0.0], 1.0));
+    assert!((900_000..=1_010_000).contains(&of_both.cells()), "{}", of_both.cells());
+    assert!(of_both.holds([0.0, 0.0], 1.0) && of_both.holds([150.0, 120.0], 0.5));
 }

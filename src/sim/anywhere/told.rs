@@ -315,6 +315,7 @@ mod tests {
     use super::*;
     use crate::human::{Anthropometry, Body};
     use crate::search::Rng;
+    use crate::stop::Stop;
 
     /// Fields that see a point somewhat before people on one side of a line: what is reported of anybody is among what is possible in
     /// their cell and arc, but for those nearer to the line than the point moves between the edges of an arc.
@@ -326,7 +327,7 @@ mod tests {
             low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
         };
         let body = Body::new(&Anthropometry::default()).unwrap();
-        let floor = Floor::new(&body, &[], ([-1.0, -1.0], [1.0, 1.1]), 0.05);
+        let floor = Floor::new(&body, &[], ([-1.0, -1.0], [1.0, 1.1]), 0.05, &Stop::default()).unwrap();
         let (sin, cos) = (libm::sin, libm::cos);
         let moves_m = BEFORE_M * (1.0 - cos(TAU / f64::from(ARCS) / 2.0));
         let (mut looked_at, mut both) = (0, 0);

@@ -305,6 +305,11 @@ impl<'a> Within<'a> {
                         outcome.harms.push(harm);
                         return outcome;
                     }
+                    // What was not looked at to the end is not told to be open.
+                    Judged::Unknown(_) if self.is_over() => {
+                        outcome.stopped = true;
+                        return outcome;
+                    }
                     Judged::Unknown(_) if is_smallest(&at) || boxes >= most => {
                         outcome.boxes += boxes;
                         outcome.open.push(cell.xy_m);
@@ -421,6 +426,9 @@ impl<'a> Within<'a> {
         };
         let bodily: Vec<&Pair> = near.iter().map(|&number| &self.pairs[number]).filter(near_body).collect();
         for bend in BendFraction::ALL.into_iter().filter(|bend| (least..=most).contains(bend)) {
+            if self.is_over() {
+                return Judged::Unknown(Why::Arms);
+            }
             let body = self.of.placed(at, posture, bend);
             if !self.of.may_have_read(at, posture, &body, &self.history.readings) {
                 continue;

@@ -78,7 +78,7 @@ impl Zones {
         (step_m, steps): (f64, usize),
         presses: u32,
     ) -> Option<Self> {
-        let (ground, is_due) = (&of.ground, || of.encounter.stop.is_due());
+        let (ground, stop) = (&of.ground, &of.encounter.stop);
         let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
         // Nobody gets farther, with the step before the first sample and the one after the last.
         #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
@@ -122,7 +122,7 @@ impl Zones {
         // Sensors that do not matter may see them later: wherever they get to with those that do still reporting the same.
         let at_first = ground.spread(&both(&zones[0], &either(&unseen, &entrances)), &zones[0]);
         let around = both(&ground.grown(&at_first, step_m), &free);
-        this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m, &is_due)?);
+        this.origin = Arc::new(Field::from(ground, &either(&at_first, &entrances), &free, most_m, stop)?);
         let add = |this: &mut Self, way: Way| {
             this.ways.push(way);
             this.ways.len() - 1
@@ -167,7 +167,7 @@ impl Zones {
                     Some(known) => known,
                     None => {
                         let begins = both(cells, &near);
-                        let field = Arc::new(Field::from(ground, &begins, &beside[other], most_m, &is_due)?);
+                        let field = Arc::new(Field::from(ground, &begins, &beside[other], most_m, stop)?);
                         add(&mut this, Way { field, ..way })
                     }
                 };
@@ -194,7 +194,7 @@ impl Zones {
                     let known = match known(&this, &way) {
                         Some(known) => known,
                         None => {
-                            let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m, &is_due)?);
+                            let field = Arc::new(Field::from(ground, &strip, &beside[other], most_m, stop)?);
                             add(&mut this, Way { field, ..way })
                         }
                     };
@@ -357,7 +357,7 @@ mod tests {
         let cell = validate(&Source::new("t.toml", MAT)).unwrap();
         for asked_before in [true, false] {
             let stop = Stop::default();
-            let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, stop.clone());
+            let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, stop.clone()).unwrap();
             let known = (!asked_before).then(|| search.readings().unwrap());
             stop.ask();
             assert_eq!(search.readings(), known);
@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn who_steps_on_a_mat_may_be_a_stride_beside_it_when_the_step_ends() {
         let cell = validate(&Source::new("t.toml", MAT)).unwrap();
-        let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, Stop::default());
+        let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, Stop::default()).unwrap();
         let zones = Zones::new(&search, &[false], &[true], (0.3, 10), 0).unwrap();
         let onto: Vec<&Way> = zones.ways.iter().filter(|way| zones.readings[way.to][0]).collect();
         assert!(!onto.is_empty());

@@ -14,6 +14,7 @@ use fmi_hazard::search::Rng;
 use fmi_hazard::sim::anywhere::{Anywhere as Search, History, Seen as AnInstant};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::{Seen, input_row};
+use fmi_hazard::stop::Stop;
 use tempfile::TempDir;
 
 /// People are anywhere.
@@ -71,7 +72,7 @@ impl Instant {
             readings: vec![reading; self.prepared.cell.sensors.len()],
             links: vec![true].into(),
             fields: [
-                Field::from(floor, &sources, &open, f64::INFINITY, &|| false).unwrap(),
+                Field::from(floor, &sources, &open, f64::INFINITY, &Stop::default()).unwrap(),
                 Field::at_once(floor, &open),
             ]
             .map(Arc::new),
