@@ -91,7 +91,7 @@ impl Polyhedron {
         if !span_a_volume(points) {
             return None;
         }
-        let (corners, triangles) = try_convex_hull(points).ok()?;
+        let (corners, triangles) = try_convex_hull(&different(points)).ok()?;
         let convex = ConvexPolyhedron::from_convex_mesh(corners, &triangles)?;
         Some(Self::new(convex, &triangles))
     }
@@ -321,6 +321,17 @@ impl Climb {
             }
         }
     }
+}
+
+/// Each of these points once, in their order: files give the corners of each triangle.
+fn different(points: &[Vec3]) -> Vec<Vec3> {
+    // Zero is zero, whatever its sign.
+    let key = |point: &Vec3| point.to_array().map(|value| (value + 0.0).to_bits());
+    let mut all: Vec<_> = points.iter().map(key).zip(0_usize..).collect();
+    all.sort_unstable();
+    all.dedup_by_key(|(key, _)| *key);
+    all.sort_unstable_by_key(|(_, number)| *number);
+    all.into_iter().map(|(_, number)| points[number]).collect()
 }
 
 /// The work to look at so many corners, faces or edges.

@@ -31,8 +31,8 @@ import fmu  # noqa: E402
 THIN = 0.75
 # People walk at this, m/s; the robot stops in this, s.
 WALK, STOP = 1.6, 0.2
-# A scan may take so long, min: where one does, no ratio is told.
-MINUTES = 5
+# A scan may take so long, s. Of one that takes longer is told when it was how far.
+AT_MOST_S = {"start": 300, "anywhere": 90}
 
 
 def expanded(path, packages):
@@ -222,19 +222,27 @@ def timed(program, folder, cell_file, more):
     """What a scan says and takes: seconds of all its processes and from start to end."""
     out = folder / "out" / "-".join([cell_file.stem, more[1], *more[3:4]])
     before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    words = [program, "scan", str(cell_file), "--no-advice", "--out", str(out), "--time", f"{MINUTES}m", "--workers", "1", *more]
-    run = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    words = [program, "scan", str(cell_file), "--no-advice", "--out", str(out), "--time", f"{AT_MOST_S[more[1]]}s", "--workers", "1",
+             "--progress", "json", *more]
+    run = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    lines, reached = [], [(0.0, 0.0)]
+    for line in run.stderr:
+        lines.append(line)
+        event = json.loads(line) if line.startswith("{") else {}
+        if event.get("unit") == "of the floor" and event["done"] / event["total"] > reached[-1][1]:
+            reached.append((time.monotonic() - began, event["done"] / event["total"]))
+    run.wait()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = {"seconds": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, "wall": time.monotonic() - began}
     if not (out / "scan.json").exists():
-        return {**result, "verdict": f"exit {run.returncode}: {run.stdout[-120:]!r}"}
+        return {**result, "verdict": f"exit {run.returncode}: {lines[-1:]}"}
     report = json.loads((out / "scan.json").read_text(encoding="utf-8"))
     worst = {}
     for hazard in report["hazards"]:
         key = f"{hazard['robot_link']} {hazard['body_region']}"
         worst[key] = max(worst.get(key, 0.0), hazard["ratio"])
     open_ = [one["need"] for one in report["obligations"] if one["standing"] == "open"]
-    return {**result, "verdict": report["verdict"], "open": open_, "hazards": worst}
+    return {**result, "verdict": report["verdict"], "open": open_, "hazards": worst, "reached": reached}
 
 
 def main():
@@ -260,7 +268,7 @@ def main():
             if key in result or given.origin not in more:
                 continue
             result[key] = timed(program, folder, cell_file, more)
-            print(name, key, {k: v for k, v in result[key].items() if k != "hazards"}, len(result[key].get("hazards", [])), flush=True)
+            print(name, key, {k: v for k, v in result[key].items() if k not in ("hazards", "reached")}, len(result[key].get("hazards", [])), flush=True)
             file.write_text(json.dumps(result, indent=1), encoding="utf-8")
 
 
@@ -291,6 +299,15 @@ def questions(folder):
     return asked
 
 
+def compared(mesh, thin):
+    """Seconds with meshes, and how many times that of capsules; of searches that did not end, where both were as far."""
+    if all({"searched", "finished"}.isdisjoint(one.get("open", [])) for one in (mesh, thin)):
+        return f"{mesh['seconds']:.1f}, {mesh['seconds'] / thin['seconds']:.1f}"
+    far = min(one["reached"][-1][1] for one in (mesh, thin))
+    at = [next(seconds for seconds, share in one["reached"] if share >= far) for one in (mesh, thin)]
+    return f"{at[0] / at[1]:.1f} at {100 * far:.1f} %" if far > 0 else "none was looked at"
+
+
 def table(out):
     """A line for each robot."""
     print("| robot | corners | " + " | ".join(f"{t}, from {f}: s, ratio" for t in ("flawed", "repaired") for f in ("start", "anywhere")) + " | first, s |")
@@ -304,10 +321,7 @@ def table(out):
                 cells.append("")
                 continue
             mesh, thin = both
-            late = [not {"searched", "finished"}.isdisjoint(one.get("open", [])) for one in both]
-            ratio = f"{mesh['seconds'] / thin['seconds']:.1f}"
-            said = {(False, False): ratio, (True, False): "meshes not done", (False, True): "capsules not done", (True, True): "not done"}
-            cells.append(f"{mesh['seconds']:.1f}, {said[tuple(late)]}")
+            cells.append(compared(mesh, thin))
         first = f"{result['first']['wall']:.1f}" if "first" in result else ""
         print(f"| {file.parent.name} | {sum(result['corners'])} | " + " | ".join(cells) + f" | {first} |")
 
