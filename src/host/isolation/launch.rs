@@ -363,12 +363,15 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        // The keeper sees the live process end, clears the family away and goes.
-        if let (Some(alive), Ok(None)) = (self.alive(), self.keeper.try_wait()) {
-            process::kill(alive);
-        }
         let since = Instant::now();
+        let mut is_killed = false;
         while matches!(self.keeper.try_wait(), Ok(None)) {
+            // The keeper sees the live process end, clears the family away and goes. Of a worker that was just begun that process is
+            // not known yet.
+            if let Some(alive) = self.alive().filter(|_| !is_killed) {
+                process::kill(alive);
+                is_killed = true;
+            }
             if since.elapsed() > Duration::from_secs(1) {
                 let _ = self.keeper.kill();
             }
