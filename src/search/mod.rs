@@ -15,6 +15,7 @@
 //! - [`statistics`]: capped means, intervals and misses over many seeds, binomial bounds
 //! - [`tracks`]: all histories of a few readings, as long as ways between them take
 
+pub mod behaviours;
 pub mod environment;
 pub mod episode;
 pub mod exhaustive;
