@@ -17,6 +17,7 @@
 
 mod behind;
 mod controls;
+pub mod held;
 pub mod ledger;
 mod looks;
 pub mod machine;

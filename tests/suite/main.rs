@@ -22,6 +22,7 @@ mod bad_descriptions;
 mod bad_input;
 mod before_and_after;
 mod beginnings;
+mod behaviours;
 mod book;
 mod both_engines;
 mod campaign_engines;
