@@ -8,7 +8,7 @@ use crate::drive::{Demands, Drive, Settings};
 use crate::interface::WORKCELLS;
 use crate::interface::variables::{Interface, Value, Variant};
 use crate::interface::workcell::{Role, Safeguard, Spec, conveyor, interface, parameter};
-use crate::kinematics::quaternion;
+use crate::kinematics::{Vec3, quaternion};
 use crate::model::{Model, Outcome};
 use crate::path::{Motion, Path};
 use std::sync::OnceLock;
@@ -208,10 +208,10 @@ impl Workcell {
         Some(model)
     }
 
-    fn value(&self, motions: &[Option<Motion>; ROBOTS], role: Role) -> Value {
+    fn value(&self, motions: &[Option<Moving>; ROBOTS], role: Role) -> Value {
         let pace = |robot: usize| self.full_pace() * self.drives[robot].pace();
         let robot_value = |robot: usize, of: &dyn Fn(&Motion, f64) -> f64| {
-            Value::Real(motions[robot].as_ref().map_or(f64::NAN, |motion| of(motion, pace(robot))))
+            Value::Real(motions[robot].as_ref().map_or(f64::NAN, |moving| of(&moving.motion, pace(robot))))
         };
         match role {
             Role::Time => Value::Real(f64::NAN),
@@ -227,19 +227,20 @@ impl Workcell {
             Role::Reset => Value::Boolean(self.reset),
             Role::Q(robot, joint) => robot_value(robot, &|motion, _| motion.q[joint]),
             Role::Qd(robot, joint) => robot_value(robot, &|motion, pace| motion.qd[joint] * pace),
-            Role::Link(robot, link, component) => robot_value(robot, &|motion, pace| {
-                let (velocity, angular) = motion.chain.twists(&motion.qd)[link];
+            Role::Link(robot, link, component) => Value::Real(motions[robot].as_ref().map_or(f64::NAN, |moving| {
+                let Moving { motion, twists, turned } = moving;
+                let (velocity, angular) = twists[link];
                 match component {
                     0..3 => motion.chain.origins[link][component],
-                    3..7 => quaternion(&motion.chain.rotations[link])[component - 3],
-                    7..10 => velocity[component - 7] * pace,
-                    _ => angular[component - 10] * pace,
+                    3..7 => turned[link][component - 3],
+                    7..10 => velocity[component - 7] * pace(robot),
+                    _ => angular[component - 10] * pace(robot),
                 }
-            }),
+            })),
             Role::TcpSpeed(robot) => robot_value(robot, &|motion, pace| motion.tcp_speed * pace),
             Role::Override(robot) => Value::Real(self.drives[robot].pace()),
             Role::Leg(robot) => {
-                let leg = motions[robot].as_ref().map_or(0, |motion| motion.leg);
+                let leg = motions[robot].as_ref().map_or(0, |moving| moving.motion.leg);
                 Value::Integer(i32::try_from(leg).unwrap_or(i32::MAX))
             }
             Role::StopState(robot) => Value::Integer(self.drives[robot].state()),
@@ -249,6 +250,22 @@ impl Workcell {
             }
             Role::Occupied(field) => Value::Boolean(self.occupied(field)),
         }
+    }
+}
+
+/// Where a robot is, with what many variables are parts of: worked out once.
+struct Moving {
+    motion: Motion,
+    /// Velocity and angular velocity of each joint's moving side at full pace.
+    twists: [(Vec3, Vec3); 6],
+    /// Their unit quaternions.
+    turned: [[f64; 4]; 6],
+}
+
+impl Moving {
+    fn new(motion: Motion) -> Self {
+        let turned = std::array::from_fn(|link| quaternion(&motion.chain.rotations[link]));
+        Self { twists: motion.chain.twists(&motion.qd), turned, motion }
     }
 }
 
@@ -268,7 +285,8 @@ impl Model for Workcell {
 
     fn read_out(&self, values: &mut [Value]) {
         let shared = shared(self.cell);
-        let motions = std::array::from_fn(|robot| (robot < shared.paths.len()).then(|| self.motion(robot)));
+        let motions =
+            std::array::from_fn(|robot| (robot < shared.paths.len()).then(|| Moving::new(self.motion(robot))));
         for (value, role) in values.iter_mut().zip(&shared.roles) {
             *value = self.value(&motions, *role);
         }
