@@ -31,6 +31,9 @@ pub const RUN_S: f64 = 10.0;
 /// A robot slower than this stands still: m/s, or the unit of what is measured per second.
 const STILL: f64 = 1e-3;
 
+/// So many inputs that no sensor drives are tried before a scan.
+const MOST_OTHERS: usize = 8;
+
 /// What the robots do after an input has changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -353,7 +356,7 @@ enum Depth {
     Sensors,
     /// Each sensor at several, all together, and persons at many places.
     Moments,
-    /// And the inputs that no sensor drives.
+    /// And what each input does that no sensor drives is told.
     Inputs,
 }
 
@@ -430,10 +433,14 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
         }
         found.reported = places::reported(prepared, &idle.rows, run_s)?;
         let signal = |name: &str| cell.sensors.iter().find(|sensor| sensor.name == name).map(|sensor| sensor.signal);
-        if depth == Depth::Inputs {
-            (found.others, found.not_tried) = others::tried(prepared, &inputs, run_s, &speeds)?;
-        }
         found.warnings.extend(found.reported.iter().filter_map(|one| one.warning(signal(&one.sensor)?)));
+    }
+    // A scan must not wait for long.
+    let most = if thoroughly { usize::MAX } else { MOST_OTHERS };
+    let (others, not_tried) = others::tried(prepared, &inputs, (run_s, most), &speeds)?;
+    found.warnings.extend(others.iter().filter_map(others::held_back));
+    if depth == Depth::Inputs {
+        (found.others, found.not_tried) = (others, not_tried);
     }
     found.motion = motion.into_inner();
     Ok(found)

@@ -277,6 +277,26 @@ fn a_wrong_polarity_is_told_before_a_scan() {
     }
 }
 
+/// A guard that is held open keeps the robot from moving, and nobody is hit: two names that changed places in [inputs]. The scan has no
+/// hazard, and says so with what it rests on.
+#[test]
+fn an_input_that_holds_robots_back_is_told() {
+    let dir = examples();
+    let folder = dir.path().join("safety-fence");
+    let text = std::fs::read_to_string(folder.join("cell.toml")).unwrap();
+    let exchanged = text
+        .replacen("\"plc.guard_closed\"", "\"other\"", 1)
+        .replacen("\"plc.reset\"", "\"plc.guard_closed\"", 1)
+        .replacen("\"other\"", "\"plc.reset\"", 1);
+    write(&folder, "exchanged.toml", &exchanged);
+    let scan = ["scan", "exchanged.toml", "--no-advice", "--from", "start", "--out", "o"];
+    let (code, out, said) = run(&folder, &scan);
+    let told = "input `plc.guard_closed` is false all the time, and robots move when it is true";
+    assert!(code == 0 && said.contains(told), "{code} {out}{said}");
+    assert!(scan_json(&folder.join("o"))["warnings"].to_string().contains(told));
+    assert!(run(&folder, &["check", "exchanged.toml"]).2.contains(told));
+}
+
 /// Name, compressed bytes and checksum of every entry.
 fn entries(path: &Path) -> BTreeMap<String, (Vec<u8>, u32)> {
     use std::io::Read as _;

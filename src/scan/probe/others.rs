@@ -1,7 +1,7 @@
 //! Inputs that no sensor drives: what each of them does. Those that the cell file holds, and those that it leaves at their
 //! start values.
 
-use super::{Prober, Reaction};
+use super::{Effect, Prober, Reaction};
 use crate::fmi::Causality;
 use crate::host::port::{PortKind, ports};
 use crate::host::system::UnitPort;
@@ -9,12 +9,13 @@ use crate::host::{PlantError, SystemSetup};
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 
-/// Tries each such input in a run of `run_s` seconds in which the others are as in `inputs`. Also the names of those that are
-/// neither true nor false, which are not tried; where the person is, is told by the cell and no input of its own.
+/// Tries so many of these inputs, each in a run of `run_s` seconds in which the others are as in `inputs`. Also the names of those that are
+/// neither true nor false, which are not tried; where the person is, is told by the cell and no input of its own. An input with whose
+/// other value the FMU fails tells nothing.
 pub(super) fn tried(
     prepared: &Prepared,
     inputs: &[f64],
-    run_s: f64,
+    (run_s, most): (f64, usize),
     speeds: &dyn Fn(&[f64]) -> Vec<f64>,
 ) -> Result<(Vec<Reaction>, Vec<String>), PlantError> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
@@ -46,10 +47,29 @@ pub(super) fn tried(
     };
     let prober = Prober::new(&plant, cell.step_s, run_s, speeds);
     let idle = prober.run(&inputs, None)?;
-    let reactions = boolean
-        .into_iter()
-        .map(|column| prober.reaction(&name(all[column]), &inputs, (column, 1.0 - inputs[column]), &idle));
-    Ok((reactions.collect::<Result<_, _>>()?, not_tried))
+    let mut reactions = Vec::new();
+    for column in boolean.into_iter().take(most) {
+        match prober.reaction(&name(all[column]), &inputs, (column, 1.0 - inputs[column]), &idle) {
+            Err(error) if error.stopped => return Err(error),
+            reaction => reactions.extend(reaction),
+        }
+    }
+    Ok((reactions, not_tried))
+}
+
+/// What is odd about an input that is held: with its other value the robots are faster.
+pub(super) fn held_back(reaction: &Reaction) -> Option<String> {
+    let Reaction { input, idle, mean_speed: [before, after], .. } = reaction;
+    let how = match reaction.effect {
+        Effect::Starts => "move".to_owned(),
+        Effect::SpeedsUp => format!("are {:.1} times as fast", after / before),
+        Effect::Stops | Effect::Slows | Effect::Changes | Effect::Nothing => return None,
+    };
+    Some(format!(
+        "input `{input}` is {idle} all the time, and robots {how} when it is {}: what they do to people then is not looked at. Is it in \
+         [inputs] as in the cell?",
+        !idle
+    ))
 }
 
 /// Inputs that neither the cell nor a connection drives, with their start values.
