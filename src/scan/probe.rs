@@ -438,9 +438,12 @@ fn probed(prepared: &Prepared, run_s: f64, depth: Depth) -> Result<Probe, PlantE
     // A scan must not wait for long.
     let most = if thoroughly { usize::MAX } else { MOST_OTHERS };
     let (others, not_tried) = others::tried(prepared, &inputs, (run_s, most), &speeds)?;
-    found.warnings.extend(others.iter().filter_map(others::held_back));
+    if let Some(error) = others.iter().find_map(|one| one.as_ref().err().filter(|error| error.stopped)) {
+        return Err(error.clone());
+    }
+    found.warnings.extend(others.iter().flatten().filter_map(others::held_back));
     if depth == Depth::Inputs {
-        (found.others, found.not_tried) = (others, not_tried);
+        (found.others, found.not_tried) = (others.into_iter().collect::<Result<_, _>>()?, not_tried);
     }
     found.motion = motion.into_inner();
     Ok(found)

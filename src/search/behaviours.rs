@@ -14,6 +14,8 @@ pub mod walks;
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::ControlFlow;
 
+use sha2::{Digest as _, Sha256};
+
 /// A machine whose states can be come back to.
 pub trait Machine {
     /// A state.
@@ -187,7 +189,7 @@ struct Search<'a, M: Machine> {
     /// Numbers of what is shown.
     numbers: BTreeMap<M::Shown, u32>,
     /// Behaviours by what tells them from others, in short.
-    known: BTreeMap<[u64; 2], Number>,
+    known: BTreeMap<[u8; 32], Number>,
 }
 
 impl<'a, M: Machine> Search<'a, M> {
@@ -277,8 +279,9 @@ impl<'a, M: Machine> Search<'a, M> {
     /// The behaviour that shows this now, and that while readings are held; whether it is new.
     #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
     fn behaviour(&mut self, shown: u32, runs: &[Run<M::State>], came: Option<(Number, u32)>) -> (Number, bool) {
-        let ahead = || std::iter::once(shown).chain(runs.iter().flat_map(|run| run.ahead.iter().copied()));
-        let key = [1, 2].map(|salt| ahead().fold(salt, |digest, number| mixed(digest, u64::from(number))));
+        let ahead = std::iter::once(shown).chain(runs.iter().flat_map(|run| run.ahead.iter().copied()));
+        let key =
+            ahead.fold(Sha256::new(), |digest, number| digest.chain_update(number.to_le_bytes())).finalize().into();
         let number = self.found.len() as Number;
         if let Some(known) = self.known.get(&key) {
             return (*known, false);
@@ -302,13 +305,6 @@ impl<'a, M: Machine> Search<'a, M> {
         }
         number
     }
-}
-
-/// One number more in a digest. The constants are those of SplitMix64 (Steele, Lea, Flood 2014).
-const fn mixed(digest: u64, number: u64) -> u64 {
-    let mut z = (digest.rotate_left(5) ^ number).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! is reported of people elsewhere, which only the FMU knows of sensors that are inside it.
 
 use super::trials::Kind;
-use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, two_hand};
+use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, coarse, two_hand};
 use crate::cell::{Workcell, Zone};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
@@ -124,6 +124,13 @@ impl<'a> Looking<'a> {
             return Ok(Some((search(cell, unmoved, 0.0, prepared)?, None)));
         }
         let search = search(cell, unmoved, AROUND_M, prepared)?;
+        if coarse(search.floor()).is_some() {
+            // What an FMU reports is asked at corners of cells: between corners that are farther apart it may report anything.
+            let why = "the floor with all that the cell file describes is too large to ask the FMU what its sensors report on it: leave out \
+                       what is far from the robots";
+            self.open(Need::Searched, why);
+            return Ok(None);
+        }
         let mut asking = self.asking(there, footing)?;
         if !asking.settle(search.floor(), &mut || tell(Told::Asked(0.0)).is_continue())? {
             return Ok(None);

@@ -9,15 +9,17 @@ use crate::host::{PlantError, SystemSetup};
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 
+/// What each of these inputs does, or why that could not be tried; and the names of those that were not.
+type Tried = (Vec<Result<Reaction, PlantError>>, Vec<String>);
+
 /// Tries so many of these inputs, each in a run of `run_s` seconds in which the others are as in `inputs`. Also the names of those that are
-/// neither true nor false, which are not tried; where the person is, is told by the cell and no input of its own. An input with whose
-/// other value the FMU fails tells nothing.
+/// neither true nor false, which are not tried; where the person is, is told by the cell and no input of its own.
 pub(super) fn tried(
     prepared: &Prepared,
     inputs: &[f64],
     (run_s, most): (f64, usize),
     speeds: &dyn Fn(&[f64]) -> Vec<f64>,
-) -> Result<(Vec<Reaction>, Vec<String>), PlantError> {
+) -> Result<Tried, PlantError> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let left = left(prepared);
     let all: Vec<&UnitPort> = binding.inputs.iter().chain(left.iter().map(|(port, _)| port)).collect();
@@ -47,14 +49,11 @@ pub(super) fn tried(
     };
     let prober = Prober::new(&plant, cell.step_s, run_s, speeds);
     let idle = prober.run(&inputs, None)?;
-    let mut reactions = Vec::new();
-    for column in boolean.into_iter().take(most) {
-        match prober.reaction(&name(all[column]), &inputs, (column, 1.0 - inputs[column]), &idle) {
-            Err(error) if error.stopped => return Err(error),
-            reaction => reactions.extend(reaction),
-        }
-    }
-    Ok((reactions, not_tried))
+    let reactions = boolean
+        .into_iter()
+        .take(most)
+        .map(|column| prober.reaction(&name(all[column]), &inputs, (column, 1.0 - inputs[column]), &idle));
+    Ok((reactions.collect(), not_tried))
 }
 
 /// What is odd about an input that is held: with its other value the robots are faster.
@@ -66,8 +65,8 @@ pub(super) fn held_back(reaction: &Reaction) -> Option<String> {
         Effect::Stops | Effect::Slows | Effect::Changes | Effect::Nothing => return None,
     };
     Some(format!(
-        "input `{input}` is {idle} all the time, and robots {how} when it is {}: what they do to people then is not looked at. Is it in \
-         [inputs] as in the cell?",
+        "input `{input}` is {idle} all the time, and robots {how} when it is {}: what they do to people then is not looked at. If it is \
+         not {idle} all the time in the cell, change it in [inputs]",
         !idle
     ))
 }

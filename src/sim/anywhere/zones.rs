@@ -18,13 +18,11 @@ use super::readings::{may_report, may_stay_clear};
 use super::{Anywhere, headings, told};
 use crate::cell::{Sensor, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
+use crate::human::floor::of_cells;
 use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
 
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
-
-/// Cells of the floor that are looked at from one look at the clock to the next.
-const BETWEEN_LOOKS: usize = 256;
 
 /// What the sensors report, one after the other.
 pub type Readings = Vec<bool>;
@@ -281,12 +279,8 @@ impl Anywhere<'_> {
     /// All that the sensors may report together of somebody in each cell of the floor, with an arm in a plane or without: worked out once.
     fn readings_by_cell(&self) -> Option<&[BTreeSet<Readings>]> {
         if self.by_cell.get().is_none() {
-            let of_cell = |cell: usize| {
-                let is_over = cell.is_multiple_of(BETWEEN_LOOKS) && self.encounter.stop.is_due();
-                (!is_over).then(|| self.readings_in(&self.ground, cell))
-            };
-            let all: Option<Vec<BTreeSet<Readings>>> = (0..self.ground.cells()).map(of_cell).collect();
-            let _ = self.by_cell.set(all?);
+            let of_cell = |cell: usize| self.readings_in(&self.ground, cell);
+            let _ = self.by_cell.set(of_cells(self.ground.cells(), &self.encounter.stop, of_cell)?);
         }
         self.by_cell.get().map(Vec::as_slice)
     }
