@@ -173,7 +173,7 @@ impl One<'_> {
                 tolerance_m: TOLERANCE_M,
                 enough: CLEARLY,
                 work_limit: MOST_BOXES,
-                stop: None,
+                stop: Some(&self.encounter.stop),
             };
             reach(&query).best.is_some()
         })
