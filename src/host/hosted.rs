@@ -1,7 +1,7 @@
 //! FMUs in this process or in a worker, as one [`Plant`].
 
 use super::isolation::{self, Isolated};
-use super::plant::{Fingerprint, Plant, PlantError, Stepped, Then};
+use super::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Stepped, Then};
 use super::recall::{Effort, Recall};
 use super::system::{self, System};
 use crate::stop::Stop;
@@ -40,6 +40,21 @@ impl Recall<Hosted> {
     pub const fn effort_of_workers(&self) -> Effort {
         Effort { workers_replaced: self.plant().replaced(), ..self.effort() }
     }
+}
+
+/// The same of saved states of one kind.
+fn legs_of<'a, C>(
+    legs: &'a [Leg<'_, Checkpoint>],
+    of: impl Fn(&'a Checkpoint) -> Option<&'a C>,
+) -> Result<Vec<Leg<'a, C>>, PlantError> {
+    let one = |leg: &'a Leg<'_, Checkpoint>| {
+        let from = match leg.from {
+            Begins::At(saved) => Begins::At(of(saved).ok_or_else(|| PlantError::of("a state of another plant"))?),
+            Begins::After(number) => Begins::After(number),
+        };
+        Ok(Leg { from, steps: leg.steps, inputs: leg.inputs.clone() })
+    };
+    legs.iter().map(one).collect()
 }
 
 impl Plant for Hosted {
@@ -84,6 +99,27 @@ impl Plant for Hosted {
                 (outputs, taken.map(|taken| taken.map(Checkpoint::Apart)))
             }
         })
+    }
+
+    fn advance_each(&mut self, legs: &[Leg<'_, Checkpoint>]) -> Result<Vec<Arrived<Checkpoint>>, PlantError> {
+        match self {
+            Self::Here(plant) => {
+                let legs = legs_of(legs, |saved| match saved {
+                    Checkpoint::Here(saved) => Some(saved),
+                    Checkpoint::Apart(_) => None,
+                })?;
+                let all = plant.advance_each(&legs)?.into_iter();
+                Ok(all.map(|(outputs, saved)| (outputs, Checkpoint::Here(saved))).collect())
+            }
+            Self::Apart(plant) => {
+                let legs = legs_of(legs, |saved| match saved {
+                    Checkpoint::Apart(saved) => Some(saved),
+                    Checkpoint::Here(_) => None,
+                })?;
+                let all = plant.advance_each(&legs)?.into_iter();
+                Ok(all.map(|(outputs, saved)| (outputs, Checkpoint::Apart(saved))).collect())
+            }
+        }
     }
 
     fn save(&mut self) -> Result<Checkpoint, PlantError> {

@@ -54,6 +54,19 @@ pub trait Plant {
         Ok((outputs, taken))
     }
 
+    /// Goes on from saved states, or from where other legs ended: one message for all of them where the plant lives elsewhere.
+    ///
+    /// # Errors
+    /// When some steps fail, or the FMU fails otherwise.
+    fn advance_each(
+        &mut self,
+        legs: &[Leg<'_, Self::Checkpoint>],
+    ) -> Result<Vec<Arrived<Self::Checkpoint>>, PlantError> {
+        let mut all = Vec::with_capacity(legs.len());
+        one_by_one(self, legs, &mut all)?;
+        Ok(all)
+    }
+
     /// Saves the present state.
     ///
     /// # Errors
@@ -92,6 +105,47 @@ pub trait Plant {
     fn stop(&self) -> Stop {
         Stop::default()
     }
+}
+
+/// Steps from a saved state, after which the state is saved.
+#[derive(Debug)]
+pub struct Leg<'a, C> {
+    /// Where it begins.
+    pub from: Begins<'a, C>,
+    /// How many.
+    pub steps: usize,
+    /// What the FMU is told, row-major.
+    pub inputs: Vec<f64>,
+}
+
+/// Where a leg begins.
+#[derive(Debug)]
+pub enum Begins<'a, C> {
+    /// At a saved state.
+    At(&'a C),
+    /// Where an earlier leg of the same message ended, by its number.
+    After(usize),
+}
+
+/// Outputs after each step, row-major, and the state after the last.
+pub type Arrived<C> = (Vec<f64>, C);
+
+/// Takes legs with a message each, or more.
+pub(super) fn one_by_one<P: Plant + ?Sized>(
+    plant: &mut P,
+    legs: &[Leg<'_, P::Checkpoint>],
+    all: &mut Vec<Arrived<P::Checkpoint>>,
+) -> Result<(), PlantError> {
+    for leg in legs {
+        match leg.from {
+            Begins::At(saved) => plant.restore_soon(saved)?,
+            Begins::After(number) => plant.restore_soon(&all[number].1)?,
+        }
+        let (outputs, taken) = plant.advance_and(leg.steps, &leg.inputs, Then::Save)?;
+        let Taken::Saved(saved) = taken? else { return Err(PlantError::of("this plant keeps no states")) };
+        all.push((outputs, saved));
+    }
+    Ok(())
 }
 
 /// What is wanted of a state right after it was reached.
@@ -152,6 +206,10 @@ impl<P: Plant> Plant for &mut P {
 
     fn advance_and(&mut self, steps: usize, inputs: &[f64], then: Then) -> Result<Stepped<P::Checkpoint>, PlantError> {
         (**self).advance_and(steps, inputs, then)
+    }
+
+    fn advance_each(&mut self, legs: &[Leg<'_, P::Checkpoint>]) -> Result<Vec<Arrived<P::Checkpoint>>, PlantError> {
+        (**self).advance_each(legs)
     }
 
     fn save(&mut self) -> Result<P::Checkpoint, PlantError> {

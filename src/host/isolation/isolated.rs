@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::launch::{Launcher, Worker};
 use super::message::{self, Answer, Question, Saving};
-use crate::host::plant::{Fingerprint, Plant, PlantError, Stepped, Taken, Then};
+use crate::host::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Stepped, Taken, Then, one_by_one};
 use crate::stop::Stop;
 
 /// How states are brought back.
@@ -75,6 +75,16 @@ impl Drop for Checkpoint {
     }
 }
 
+impl Numbers {
+    /// One that is free.
+    fn take(&mut self) -> u32 {
+        self.unused.pop().unwrap_or_else(|| {
+            self.next += 1;
+            self.next - 1
+        })
+    }
+}
+
 impl Isolated {
     /// A plant whose workers come from `launcher`; nothing is started yet.
     #[must_use]
@@ -136,7 +146,7 @@ impl Isolated {
 
     fn ask(&mut self, question: &Question) -> Result<Answer, PlantError> {
         if let (false, Some(number)) =
-            (matches!(question, Question::Advance { .. } | Question::Forget(_)), self.put_off)
+            (matches!(question, Question::Advance { .. } | Question::Legs { .. } | Question::Forget(_)), self.put_off)
         {
             self.put_off = None;
             self.ask(&Question::Restore { number, how: Saving::ByFmu })?;
@@ -184,10 +194,15 @@ impl Isolated {
         self.worker.as_ref().is_some_and(|worker| self.steps >= limits.steps || worker.growth() > limits.growth)
     }
 
+    /// Numbers of states that nobody needs any more.
+    fn given_back(&self) -> Vec<u32> {
+        let back = std::mem::take(&mut self.free.lock().unwrap_or_else(PoisonError::into_inner).back);
+        back.into_iter().filter(|(g, _)| *g == self.generation).map(|(_, n)| n).collect()
+    }
+
     /// Tells the worker of states that nobody needs any more.
     fn tidy(&mut self) -> Result<(), PlantError> {
-        let back = std::mem::take(&mut self.free.lock().unwrap_or_else(PoisonError::into_inner).back);
-        let numbers: Vec<u32> = back.into_iter().filter(|(g, _)| *g == self.generation).map(|(_, n)| n).collect();
+        let numbers = self.given_back();
         if numbers.is_empty() {
             return Ok(());
         }
@@ -229,15 +244,49 @@ impl Isolated {
         self.tidy()?;
         self.collect_gone();
         let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(free.unused.pop().unwrap_or_else(|| {
-            free.next += 1;
-            free.next - 1
-        }))
+        Ok(free.take())
     }
 
     /// The state that was saved under this number.
     fn checkpoint(&self, number: u32) -> Checkpoint {
         Checkpoint { number, generation: self.generation, home: Arc::clone(&self.free) }
+    }
+
+    /// Asks for legs that fit into a message.
+    fn ask_legs(&mut self, legs: &[Leg<'_, Checkpoint>], all: &mut Vec<Arrived<Checkpoint>>) -> Result<(), PlantError> {
+        let forget = self.given_back();
+        let to: Vec<u32> = {
+            let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+            free.unused.extend(&forget);
+            legs.iter().map(|_| free.take()).collect()
+        };
+        let before = all.len();
+        all.extend(to.iter().map(|number| (Vec::new(), self.checkpoint(*number))));
+        let from = |leg: &Leg<'_, Checkpoint>| match leg.from {
+            Begins::At(saved) => saved.number,
+            Begins::After(number) => all[number].1.number,
+        };
+        let told = legs.iter().zip(&to);
+        let legs = told
+            .map(|(leg, to)| message::Leg { from: from(leg), steps: leg.steps, inputs: leg.inputs.clone(), to: *to })
+            .collect::<Vec<_>>();
+        let steps: Vec<usize> = legs.iter().map(|leg| leg.steps).collect();
+        let count = steps.iter().sum();
+        let rows = match self.ask(&Question::Legs { legs, forget }) {
+            Ok(Answer::Rows(rows)) if self.are_rows(&rows, count) => rows,
+            Ok(_) => return Err(self.unexpected()),
+            Err(error) => {
+                self.one_by_one |= error.lost || error.restoring;
+                return Err(error);
+            }
+        };
+        self.steps += count as u64;
+        let mut rest = &rows[..];
+        for (leg, steps) in all[before..].iter_mut().zip(steps) {
+            let (own, after) = rest.split_at(steps * self.output_count());
+            (leg.0, rest) = (own.to_vec(), after);
+        }
+        Ok(())
     }
 
     /// What a worker is to do after an action.
@@ -336,6 +385,42 @@ impl Plant for Isolated {
             _ => Err(self.unexpected()),
         };
         Ok((rows, taken))
+    }
+
+    fn advance_each(&mut self, legs: &[Leg<'_, Checkpoint>]) -> Result<Vec<Arrived<Checkpoint>>, PlantError> {
+        let mut all = Vec::with_capacity(legs.len());
+        if self.keeping != Keeping::ByFmu || self.one_by_one || self.ended_by_us > 0 {
+            one_by_one(self, legs, &mut all)?;
+            return Ok(all);
+        }
+        let held = |leg: &Leg<'_, Checkpoint>| match leg.from {
+            Begins::At(saved) => self.holds(saved),
+            Begins::After(_) => true,
+        };
+        if self.is_worn() || !legs.iter().all(held) {
+            self.end();
+            return Err(PlantError { lost: true, ..PlantError::of("the FMU's process is replaced") });
+        }
+        self.put_off = None;
+        let row = 8 * self.input_count().max(self.output_count()).max(1);
+        let mut next = 0;
+        while next < legs.len() {
+            let mut bytes = 0;
+            // As many as fit into a message, and one in any case.
+            let fits = |leg: &&Leg<'_, Checkpoint>| {
+                bytes += row * leg.steps + 64;
+                bytes <= super::channel::AREA / 4
+            };
+            let count = legs[next..].iter().take_while(fits).count();
+            if count == 0 {
+                one_by_one(self, &legs[next..=next], &mut all)?;
+                next += 1;
+                continue;
+            }
+            self.ask_legs(&legs[next..next + count], &mut all)?;
+            next += count;
+        }
+        Ok(all)
     }
 
     fn save(&mut self) -> Result<Checkpoint, PlantError> {

@@ -228,7 +228,7 @@ impl Worker {
             return Err(PlantError::of("a message to the worker is too long: this is an error of this program"));
         }
         // Threads begin with an instance, and would inherit its place: not before its first action.
-        if let (Question::Advance { .. }, Some(alive)) = (question, self.alive()) {
+        if let (Question::Advance { .. } | Question::Legs { .. }, Some(alive)) = (question, self.alive()) {
             self.near.follow(alive);
         }
         let number = self.channel.ask(&bytes);

@@ -35,6 +35,8 @@ pub(super) enum Question {
         inputs: Vec<f64>,
         then: Then,
     },
+    /// [`crate::host::Plant::advance_each`], without states that nobody needs any more.
+    Legs { legs: Vec<Leg>, forget: Vec<u32> },
     /// [`crate::host::Plant::save`], under this number.
     Save { number: u32, how: Saving },
     /// [`crate::host::Plant::restore`].
@@ -43,6 +45,16 @@ pub(super) enum Question {
     Forget(Vec<u32>),
     /// [`crate::host::Plant::fingerprint`].
     Fingerprint,
+}
+
+/// Steps from a state that the FMU saved, after which it saves its state again: by number.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Leg {
+    pub from: u32,
+    pub steps: usize,
+    #[serde(with = "numbers")]
+    pub inputs: Vec<f64>,
+    pub to: u32,
 }
 
 /// What is done after an action.

@@ -14,7 +14,7 @@ use rustix::thread::futex;
 
 use super::channel::{Channel, GONE, LIVE, PARKED};
 use super::habits::Before;
-use super::message::{Answer, Load, Question, Saving, Taken, Then};
+use super::message::{Answer, Leg, Load, Question, Saving, Taken, Then};
 use super::process::{self, Ended, Fork};
 use super::sandbox;
 use crate::fmi::{self, Fmu, Slave};
@@ -146,6 +146,17 @@ impl Hosted {
         self.plant.restore(saved)
     }
 
+    /// The outputs of all legs, one after the other.
+    fn legs(&mut self, legs: &[Leg]) -> Result<Vec<f64>, PlantError> {
+        let mut all = Vec::new();
+        for Leg { from, steps, inputs, to } in legs {
+            all.extend(self.stepped(Some(*from), *steps, inputs)?);
+            let saved = self.plant.save()?;
+            self.saved.insert(*to, saved);
+        }
+        Ok(all)
+    }
+
     /// Outputs of an action from the present state, or from a saved one.
     fn stepped(&mut self, from: Option<u32>, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
         if let Some(number) = from {
@@ -201,6 +212,12 @@ impl Server {
                 }
                 Err(error) => Answer::Failed(error),
             },
+            Question::Legs { legs, forget } => {
+                forget.iter().for_each(|number| {
+                    hosted.saved.remove(number);
+                });
+                rows(hosted.legs(&legs))
+            }
             Question::Fingerprint => hosted.plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
             Question::Save { number, how } => {
                 self.save(number, how).map_or_else(Answer::Failed, |(Side::Original | Side::Copy)| Answer::Done)
