@@ -389,6 +389,37 @@ impl Binding {
         rows
     }
 
+    /// Of each output, whether anything but programme phases is read from it: these name hazards, and harm nobody.
+    #[must_use]
+    pub fn matters(&self) -> Vec<bool> {
+        let mut read = vec![false; self.outputs.len()];
+        let mut take = |reader: &Reader| reader.outputs().for_each(|column| read[column] = true);
+        for RobotBinding { motion, payload, phase: _ } in &self.robots {
+            take(payload);
+            match motion {
+                MotionBinding::Joints { positions, speeds } => positions.iter().chain(speeds).for_each(&mut take),
+                MotionBinding::Frames(frames) => {
+                    for FrameBinding { position, orientation, velocity, angular_velocity } in frames {
+                        position.iter().chain(velocity).chain(angular_velocity).for_each(&mut take);
+                        orientation.readers().for_each(&mut take);
+                    }
+                }
+            }
+        }
+        self.derived.iter().for_each(|derived| match derived {
+            Derived::Rate { of, turns: _ } => take(of),
+            Derived::Turning { of } => of.readers().for_each(&mut take),
+        });
+        for sensor in &self.sensors {
+            match sensor {
+                SensorBinding::Input(_) => {}
+                SensorBinding::Output(reader) | SensorBinding::Both { output: reader, .. } => take(reader),
+            }
+        }
+        self.followed.iter().for_each(take);
+        read
+    }
+
     /// The setup of the FMUs for this binding.
     #[must_use]
     pub fn setup(&self, names: &[&str], initial_inputs: Vec<f64>, step_s: f64) -> SystemSetup {

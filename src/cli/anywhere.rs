@@ -169,6 +169,9 @@ fn look(
     let mut tell = |told: Told| {
         match told {
             Told::States(states, most) => output::phase(&format!("stepping the FMU: {states} states, {most} at most")),
+            Told::Behaviours(found, most) => {
+                output::phase(&format!("looking for behaviours of the FMU: {found}, {most} at most"));
+            }
             Told::Asked(share) => {
                 output::phase(&format!("asking the FMU what its sensors report: {:.0} %", share * 100.0));
             }

@@ -23,6 +23,12 @@ pub enum Assumption {
         /// How often.
         at_most: u32,
     },
+    /// What the FMU remembers shows within this time while what the sensors report stays the same, whatever they report: states that show
+    /// the same all that time do the same ever after.
+    MemoryShows {
+        /// Milliseconds.
+        within_ms: u32,
+    },
     /// Robots go on after a contact as far as was tried out.
     TravelAfterContact,
 }
@@ -47,6 +53,7 @@ impl Assumption {
             Self::PeopleAlike => "people_alike",
             Self::SensorSeesAlike { .. } => "sensor_sees_alike",
             Self::Presses { .. } => "presses",
+            Self::MemoryShows { .. } => "memory_shows",
             Self::TravelAfterContact => "travel_after_contact",
         }
     }
@@ -63,16 +70,22 @@ impl Assumption {
             Self::Presses { at_most: 0 } => "no control is worked".to_owned(),
             Self::Presses { at_most: 1 } => "controls are worked once at most".to_owned(),
             Self::Presses { at_most } => format!("controls are worked {at_most} times at most"),
+            Self::MemoryShows { within_ms } => format!(
+                "what the FMU remembers shows within {:.2} s while what the sensors report stays the same",
+                f64::from(*within_ms) / 1000.0
+            ),
             Self::TravelAfterContact => "robots go on after a contact as far as they did in trials".to_owned(),
         }
     }
 
-    /// Whether accepting this accepts `other`: the same, or more presses than were looked at.
+    /// Whether accepting this accepts `other`: the same, or more presses, or more time, than were asked for.
     #[must_use]
     pub fn covers(&self, other: &Self) -> bool {
         match (self, other) {
             // Whoever says that there is one press at most is answered by a search with two.
             (Self::Presses { at_most: mine }, Self::Presses { at_most: its }) => mine <= its,
+            // What shows within a second shows within two.
+            (Self::MemoryShows { within_ms: mine }, Self::MemoryShows { within_ms: its }) => mine <= its,
             _ => self == other,
         }
     }
@@ -88,6 +101,9 @@ impl Assumption {
             }
             Self::SensorSeesAlike { sensor } => lines += &format!("sensor = {}\n", quoted(sensor)),
             Self::Presses { at_most } => lines += &format!("at_most = {at_most}\n"),
+            Self::MemoryShows { within_ms } => {
+                lines += &format!("within_s = {}\n", f64::from(*within_ms) / 1000.0);
+            }
             Self::PeopleAlike | Self::TravelAfterContact => {}
         }
         lines + &format!("fmu = {}\nby = \"\"       # who accepts it\nbecause = \"\"  # why it holds\n", quoted(fmu))

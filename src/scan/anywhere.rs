@@ -2,8 +2,10 @@
 //! then report, sets of poses are searched for harm, and what is found is shown by a run of its own from a place outside.
 
 mod ask;
+mod behaviours;
 mod end;
 mod fields;
+mod guided;
 mod heeded;
 mod keys;
 mod later;
@@ -21,6 +23,7 @@ mod walk_in;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
+use self::behaviours::{Few, Refused};
 use self::end::{End, not_looked_at};
 use self::fields::Fields;
 use self::map::Walkable;
@@ -42,17 +45,19 @@ use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::report::model::SCHEMA_VERSION;
 use crate::report::speeds::Speeds;
 use crate::search::tracks::explore;
+use crate::sim::anywhere::instants::Part;
 use crate::sim::anywhere::ledger::Ledger;
-use crate::sim::anywhere::machine::{Machine, Part};
+use crate::sim::anywhere::machine::Machine;
 use crate::sim::anywhere::told::seen;
-use crate::sim::anywhere::zones::Zones;
+use crate::sim::anywhere::zones::{Readings, Zones};
 use crate::sim::anywhere::{
-    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, FLOOR_M, Histories, Means, Moment, Somewhere, told_in,
+    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, FLOOR_M, Histories, History, Means, Moment, Somewhere, told_in,
 };
 use crate::sim::between::STEP_TOLERANCE_M;
 use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
 use crate::sim::robot::RobotFrame;
+use crate::sim::sensors::Seen as Person;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// So long somebody stays at most of whom the FMU is asked what its sensors report, s: they may tell late.
@@ -60,6 +65,8 @@ const LONGEST_TOLD_S: f64 = 0.3;
 /// So much floor around what robots reach is looked at, m, where sensors inside the FMU may see people beyond it: they come over its
 /// edge, seen just then or long before.
 const AROUND_M: f64 = 2.0;
+/// So many states of the FMU are looked at before behaviours are.
+const FEW_STATES: usize = 60_000;
 /// Of what is tried out at random.
 const SEED: u64 = 1;
 
@@ -68,6 +75,8 @@ const SEED: u64 = 1;
 pub enum Told {
     /// States of the FMU so far, of so many at most.
     States(usize, usize),
+    /// Behaviours of the FMU so far, of so many at most.
+    Behaviours(usize, usize),
     /// The share of the floor of which the FMU was asked what its sensors report there.
     Asked(f64),
     /// Runs of the audit, of so many.
@@ -169,8 +178,22 @@ struct Looking<'a> {
     motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
     met: Vec<(Moment, bool)>,
+    /// Why behaviours did not stand for histories, where they were looked for.
+    not_few: Option<String>,
     /// Walks at random that were run, to harms of each region by each link.
     sought: BTreeMap<(u8, usize), usize>,
+}
+
+/// The history of a way with steps in so many parts, of robots that are where it says; none where that is not known, or too much.
+type WayInParts<'a> = &'a dyn Fn(usize, usize, &dyn Fn(&RobotFrame) -> bool) -> Option<History>;
+
+/// Places and robots that harm is looked for in.
+struct Sets<'a> {
+    zones: &'a Zones,
+    /// By way: at the instants, and with what is between them.
+    histories: &'a [(History, History)],
+    /// One of them with steps in so many parts.
+    in_parts: WayInParts<'a>,
 }
 
 /// What came out.
@@ -242,6 +265,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         end: End::Whole,
         motion: None,
         met: Vec::new(),
+        not_few: None,
         sought: BTreeMap::new(),
     };
     let kinds = unseen(prepared);
@@ -329,7 +353,7 @@ impl<'a> Looking<'a> {
         kinds: &[Kind],
         tell: &mut Tell<'_>,
     ) -> Result<End, PlantError> {
-        let (prepared, cell) = (self.prepared, &there.cell);
+        let cell = &there.cell;
         let presses = self.found.presses.unwrap_or(0);
         let Some(Kind { readings: first, .. }) = kinds.first() else {
             self.open(Need::Searched, "where nobody is seen at the start is not known");
@@ -351,22 +375,89 @@ impl<'a> Looking<'a> {
             let stance = exact.or_else(|| kinds.iter().find(is)).and_then(|kind| kind.people.first().copied());
             seen(cell, stance.unwrap_or_default())
         };
-        let people = zones.readings.iter().map(person).collect();
+        let people = zones.readings.iter().map(&person).collect();
         let mut recall = Recall::new(footing.plant(there), footing.policy(there))?;
         recall.ends_at(self.steps());
         if footing.merge == Merge::Auto {
             recall.merge_equal_states()?;
         }
         let mut machine = Machine::new(recall, (cell, &there.binding), (&zones, people), (part, presses));
-        let end = self.explore(&mut machine, tell)?;
+        let from = (there, footing, search, first.as_slice());
+        let (mut end, limit, few) = self.follow(&mut machine, from, (part, &person), tell)?;
+        self.found.spent.fmu_steps += machine.recall().steps();
+        self.rest.states += machine.recall().states();
+        self.rest.did = self.rest.did.and(machine.recall().effort());
         if end == End::Stopped || !self.run_again(there, footing, &machine, tell)? {
             return Ok(End::Stopped);
         }
-        self.motion.get_or_insert_default().merge(machine.motion());
-        let (histories, between) = (machine.histories(), machine.histories_between());
-        let all: usize = between.iter().map(|history| history.seen.len()).sum();
+        self.motion.get_or_insert_default().merge(machine.instants().motion());
+        if let (Some(few), Some(_)) = (&few, limit) {
+            self.say(Need::Changes, few.tried.clone());
+            self.motion.get_or_insert_default().merge(&few.motion);
+            let sets = Sets { zones: &few.zones, histories: &few.histories, in_parts: &|_, _, _| None };
+            return self.look(search, first, &sets, Some(few), tell).map(|looked| end.and(looked));
+        }
+        if limit == Some(0) {
+            let most = self.effort.most_states;
+            let why = format!("the FMU has more than {most} states within this time while sensors see somebody once");
+            let what_to_do = "Ask for less with --until, or more with --max-states";
+            self.said.push((Need::Searched, Point::open_until(why, what_to_do)));
+            end = End::Short;
+        }
+        self.found.changes = [self.found.changes, limit.filter(|changes| *changes > 0)].into_iter().flatten().min();
+        let (own, between) = (machine.instants().histories(), machine.instants().histories_between());
+        let histories: Vec<(History, History)> = own.into_iter().zip(between).collect();
+        let in_parts = |way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool| {
+            machine.instants().history_in_parts(way, parts, near)
+        };
+        let sets = Sets { zones: &zones, histories: &histories, in_parts: &in_parts };
+        self.look(search, first, &sets, None, tell).map(|looked| end.and(looked))
+    }
+
+    /// Steps the FMU along histories, and looks for the behaviours that stand for them where there are too many: how that ended, with how
+    /// many changes, where that is not all, and what stands for all.
+    fn follow(
+        &mut self,
+        machine: &mut Machine<'_, Hosted>,
+        (there, footing, search, first): (&Prepared, Footing, &Search<'_>, &[bool]),
+        (part, person): (&Part, &dyn Fn(&Readings) -> Person),
+        tell: &mut Tell<'_>,
+    ) -> Result<(End, Option<usize>, Option<Few>), PlantError> {
+        let most = self.effort.most_states;
+        // Whose stop restarts by itself has more states than there is ever room for.
+        let (end, limit) = self.explore(machine, most.min(FEW_STATES), tell)?;
+        if end == End::Stopped || limit.is_none() {
+            return Ok((end, limit, None));
+        }
+        let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
+            Ok(few) => Some(few),
+            Err(Refused::Stopped) => return Ok((End::Stopped, limit, None)),
+            Err(Refused::Because(why)) => {
+                self.not_few.get_or_insert(why);
+                None
+            }
+        };
+        // What nobody has to accept is better.
+        if most > FEW_STATES && !few.as_ref().is_some_and(|few| few.is_accepted) {
+            let (end, limit) = self.explore(machine, most, tell)?;
+            return Ok((end, limit, few));
+        }
+        Ok((end, limit, few))
+    }
+
+    /// Looks for harm in sets of places.
+    fn look(
+        &mut self,
+        search: &Search<'_>,
+        first: &[bool],
+        sets: &Sets<'_>,
+        few: Option<&Few>,
+        tell: &mut Tell<'_>,
+    ) -> Result<End, PlantError> {
+        let (prepared, cell) = (self.prepared, &self.prepared.cell);
+        let all: usize = sets.histories.iter().map(|(_, between)| between.seen.len()).sum();
         let mut done = 0;
-        let each = histories.iter().zip(&between).zip(&zones.ways).enumerate();
+        let each = sets.histories.iter().zip(&sets.zones.ways).enumerate();
         for (number, ((history, between), way)) in each.filter(|(_, ((_, between), _))| !between.seen.is_empty()) {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
@@ -374,8 +465,7 @@ impl<'a> Looking<'a> {
             let Effort { workers, ledger, .. } = self.effort;
             let (means, span) = (Means { workers, ledger }, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
-            let in_parts =
-                |parts: usize, near: &dyn Fn(&RobotFrame) -> bool| machine.history_in_parts(number, parts, near);
+            let in_parts = |parts: usize, near: &dyn Fn(&RobotFrame) -> bool| (sets.in_parts)(number, parts, near);
             let histories = Histories { at_instants: history, around: between, in_parts: &in_parts };
             let outcome = search.search(histories, span, means, &mut self.rest.coverage, &mut told);
             self.found.histories.push(Watched {
@@ -393,14 +483,14 @@ impl<'a> Looking<'a> {
             let harms = outcome.harms.iter().map(|harm| harm.at(history));
             self.met.extend(harms.chain(outcome.moments).map(|moment| (moment, way.unchanged)));
             self.found.followed &= outcome.followed;
-            self.show(search, first, (history, way), outcome.harms);
+            self.show(search, first, (history, way), few.map(|few| (few, number)), outcome.harms);
             if outcome.stopped {
                 return Ok(End::Stopped);
             }
             prepared.stop().searching();
             done += between.seen.len();
         }
-        Ok(end)
+        Ok(End::Whole)
     }
 
     /// Communication steps that are looked at.
@@ -409,12 +499,18 @@ impl<'a> Looking<'a> {
         (self.found.until_s / self.prepared.cell.step_s).ceil().max(1.0) as usize
     }
 
-    /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow.
-    fn explore(&mut self, machine: &mut Machine<'_, Hosted>, tell: &mut Tell<'_>) -> Result<End, PlantError> {
-        let (steps, most) = (self.steps(), self.effort.most_states);
+    /// Steps the FMU along all histories, with as many changes of what sensors report as its states allow; with how many, where that is
+    /// not all: 0 where not even one could be followed.
+    fn explore(
+        &mut self,
+        machine: &mut Machine<'_, Hosted>,
+        most: usize,
+        tell: &mut Tell<'_>,
+    ) -> Result<(End, Option<usize>), PlantError> {
+        let steps = self.steps();
         let mut known: Option<usize> = None;
         let (mut changes, mut told, mut is_last, mut end) = (1, 0, false, End::Whole);
-        loop {
+        let limit = loop {
             machine.begin();
             let mut asked = false;
             let outcome = explore(machine, steps, changes, &mut |machine, taken| {
@@ -426,37 +522,27 @@ impl<'a> Looking<'a> {
                 !asked && (is_last || machine.recall().states() < most)
             })?;
             if asked {
-                return Ok(End::Stopped);
+                return Ok((End::Stopped, None));
             }
             if outcome.ended {
                 // What fewer changes lead to is known already.
                 let Some(before) = known else {
-                    let why =
-                        format!("the FMU has more than {most} states within this time while sensors see somebody once");
-                    let what_to_do = "Ask for less with --until, or more with --max-states";
-                    self.said.push((Need::Searched, Point::open_until(why, what_to_do)));
-                    end = End::Short;
-                    break;
+                    break Some(0);
                 };
                 (changes, is_last) = (before, true);
                 continue;
             }
             if outcome.left_out == 0 || is_last {
-                let limit = (outcome.left_out > 0).then_some(changes);
-                self.found.changes = [self.found.changes, limit].into_iter().flatten().min();
-                break;
+                break (outcome.left_out > 0).then_some(changes);
             }
             (known, changes) = (Some(changes), changes + 1);
-        }
-        self.found.spent.fmu_steps += machine.recall().steps();
-        self.rest.states += machine.recall().states();
-        self.rest.did = self.rest.did.and(machine.recall().effort());
+        };
         if let Some(fault) = machine.fault() {
             let why = format!("the FMU could not finish some steps: {fault}");
             self.open(Need::Finished, why);
             end = End::Short;
         }
-        Ok(end)
+        Ok((end, limit))
     }
 
     /// Runs what the FMU did again from the start; `false` if it was told to end.

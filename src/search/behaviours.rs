@@ -8,6 +8,7 @@
 //! that the machine remembers shows while one reading is held for so long: timers run out and ramps end. It does not where it counts or
 //! looks at a clock. [`walks`] tries that out.
 
+pub mod shows;
 pub mod stays;
 pub mod walks;
 
@@ -20,8 +21,6 @@ use sha2::{Digest as _, Sha256};
 pub trait Machine {
     /// A state.
     type State;
-    /// What a state shows: equal for states that show the same.
-    type Shown: Clone + Ord;
     /// What makes all of it pointless.
     type Error;
 
@@ -29,23 +28,67 @@ pub trait Machine {
     fn readings(&self) -> usize;
 
     /// Whether two things that are shown may be the same, but for what rounding does.
-    fn alike(&self, one: &Self::Shown, other: &Self::Shown) -> bool;
+    fn alike(&self, one: Shown, other: Shown) -> bool;
+    /// Whether something that is shown is what may be shown in place of the middle one of three that follow one another, where rounding
+    /// decides in which of two steps something switches.
+    fn switches(&self, one: Shown, among: [Shown; 3]) -> bool;
 
     /// The state at the start, and what it shows.
     ///
     /// # Errors
     /// When it cannot be begun.
-    fn begin(&mut self) -> Result<(Self::State, Self::Shown), Self::Error>;
+    fn begin(&mut self) -> Result<(Self::State, Shown), Self::Error>;
 
-    /// Holds a reading for some steps: what is shown after each, and the state after the last. Nothing where they could not be finished.
+    /// Holds readings for some steps each: what is shown after each step, and the state after the last. Nothing where some could not be
+    /// finished.
     ///
     /// # Errors
     /// When the machine cannot go on at all.
-    fn hold(&mut self, state: &Self::State, reading: usize, steps: usize) -> Result<Held<Self>, Self::Error>;
+    fn hold_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<AllHeld<Self::State>, Self::Error>;
+
+    /// The same of one.
+    ///
+    /// # Errors
+    /// When the machine cannot go on at all.
+    fn hold(
+        &mut self,
+        state: &Self::State,
+        reading: usize,
+        steps: usize,
+    ) -> Result<Option<Held<Self::State>>, Self::Error> {
+        let all = self.hold_each(&[Hold { from: Begins::At(state), reading, steps }])?;
+        Ok(all.and_then(|mut all| all.pop()))
+    }
 }
 
+/// A reading that is held.
+#[derive(Debug)]
+pub struct Hold<'a, S> {
+    /// From where on.
+    pub from: Begins<'a, S>,
+    /// Which.
+    pub reading: usize,
+    /// For so many steps.
+    pub steps: usize,
+}
+
+/// Where a hold begins.
+#[derive(Debug)]
+pub enum Begins<'a, S> {
+    /// At a state.
+    At(&'a S),
+    /// Where an earlier one of the same holds ended, by its number.
+    After(usize),
+}
+
+/// The number of what is shown: the same for states that show the same.
+pub type Shown = u32;
+
 /// What is shown after each step, and the state after the last.
-pub type Held<M> = Option<(Vec<<M as Machine>::Shown>, <M as Machine>::State)>;
+pub type Held<S> = (Vec<Shown>, S);
+
+/// The same of several holds; nothing where some could not be finished.
+pub type AllHeld<S> = Option<Vec<Held<S>>>;
 
 /// How far is looked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,11 +124,10 @@ const NONE: Number = Number::MAX;
 
 /// What was found.
 #[derive(Clone, Debug)]
-pub struct Behaviours<S> {
+pub struct Behaviours {
     readings: usize,
     /// What each behaviour shows.
-    shows: Vec<u32>,
-    shown: Vec<S>,
+    shows: Vec<Shown>,
     /// The fewest steps that lead to it, and the last of them: from which one, and the reading.
     depth: Vec<u32>,
     came: Vec<(Number, u32)>,
@@ -97,7 +139,7 @@ pub struct Behaviours<S> {
     pub ended: Ended,
 }
 
-impl<S> Behaviours<S> {
+impl Behaviours {
     /// How many there are.
     #[must_use]
     pub const fn len(&self) -> usize {
@@ -112,14 +154,20 @@ impl<S> Behaviours<S> {
 
     /// What one shows.
     #[must_use]
-    pub fn shown(&self, number: Number) -> &S {
-        &self.shown[self.shows[number as usize] as usize]
+    pub fn shown(&self, number: Number) -> Shown {
+        self.shows[number as usize]
     }
 
     /// The one after a step with a reading; nothing where that was not looked at.
     #[must_use]
     pub fn next(&self, number: Number, reading: usize) -> Option<Number> {
         Some(self.next[number as usize * self.readings + reading]).filter(|next| *next != NONE)
+    }
+
+    /// The one before, on a way that leads to one in as few steps as any; nothing at the start.
+    #[must_use]
+    pub fn before(&self, number: Number) -> Option<Number> {
+        (self.depth(number) > 0).then(|| self.came[number as usize].0)
     }
 
     /// How many readings there are.
@@ -150,12 +198,9 @@ impl<S> Behaviours<S> {
 
 /// What is shown while a reading is held from a state on: the next so many steps, and the state after the last of them.
 struct Run<S> {
-    ahead: VecDeque<u32>,
+    ahead: VecDeque<Shown>,
     tip: S,
 }
-
-/// The behaviour after a step, and how it goes on, if it is new; nothing where that could not be finished.
-type Next<S> = Option<(Number, Option<(S, Vec<Run<S>>)>)>;
 
 /// A behaviour whose successors are to be found.
 struct Open<S> {
@@ -165,8 +210,8 @@ struct Open<S> {
     runs: Vec<Run<S>>,
 }
 
-/// What is shown while each reading is held; nothing where steps could not be finished.
-type Runs<S> = Option<Vec<Run<S>>>;
+/// So many behaviours are gone on from at once.
+const AT_ONCE: usize = 48;
 
 /// Finds all behaviours.
 ///
@@ -176,7 +221,7 @@ pub fn find<M: Machine>(
     machine: &mut M,
     extent: Extent,
     tell: &mut dyn FnMut(usize) -> ControlFlow<()>,
-) -> Result<Behaviours<M::Shown>, M::Error> {
+) -> Result<Behaviours, M::Error> {
     let mut search = Search::new(machine, extent);
     let ended = search.run(tell)?;
     Ok(Behaviours { ended, ..search.found })
@@ -185,9 +230,7 @@ pub fn find<M: Machine>(
 struct Search<'a, M: Machine> {
     machine: &'a mut M,
     extent: Extent,
-    found: Behaviours<M::Shown>,
-    /// Numbers of what is shown.
-    numbers: BTreeMap<M::Shown, u32>,
+    found: Behaviours,
     /// Behaviours by what tells them from others, in short.
     known: BTreeMap<[u8; 32], Number>,
 }
@@ -197,83 +240,90 @@ impl<'a, M: Machine> Search<'a, M> {
         let found = Behaviours {
             readings: machine.readings(),
             shows: Vec::new(),
-            shown: Vec::new(),
             depth: Vec::new(),
             came: Vec::new(),
             next: Vec::new(),
             merged: 0,
             ended: Ended::Closed,
         };
-        Self { machine, extent, found, numbers: BTreeMap::new(), known: BTreeMap::new() }
+        Self { machine, extent, found, known: BTreeMap::new() }
     }
 
     fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<Ended, M::Error> {
         let (state, shown) = self.machine.begin()?;
-        let shown = self.number(shown);
-        let Some(runs) = self.runs(&state, None)? else { return Ok(Ended::Unfinished) };
+        let each: Vec<_> = (0..self.found.readings)
+            .map(|reading| Hold { from: Begins::At(&state), reading, steps: self.extent.held })
+            .collect();
+        let Some(runs) = self.machine.hold_each(&each)? else { return Ok(Ended::Unfinished) };
+        let runs = runs.into_iter().map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect::<Vec<_>>();
         let (first, _) = self.behaviour(shown, &runs, None);
         let mut open = VecDeque::from([Open { number: first, state, runs }]);
-        while let Some(Open { number, state, runs }) = open.pop_front() {
-            if self.found.depth(number) == self.extent.steps {
-                return Ok(Ended::Steps);
+        while !open.is_empty() {
+            if tell(self.found.len()).is_break() {
+                return Ok(Ended::Asked);
             }
-            for (reading, run) in runs.into_iter().enumerate() {
-                if tell(self.found.len()).is_break() {
-                    return Ok(Ended::Asked);
+            let some: Vec<Open<M::State>> = open.drain(..AT_ONCE.min(open.len())).collect();
+            let Some(held) = self.machine.hold_each(&self.holds(&some))? else { return Ok(Ended::Unfinished) };
+            let mut held = held.into_iter();
+            for one in some {
+                if self.found.depth(one.number) == self.extent.steps {
+                    return Ok(Ended::Steps);
                 }
-                let Some((next, is_new)) = self.step((number, &state), reading, run)? else {
-                    return Ok(Ended::Unfinished);
-                };
-                match is_new {
-                    Some((state, runs)) => open.push_back(Open { number: next, state, runs }),
-                    None => self.found.merged += 1,
-                }
-                if self.found.len() > self.extent.most {
-                    return Ok(Ended::Most);
+                for (reading, run) in one.runs.into_iter().enumerate() {
+                    let own = held.by_ref().take(1 + self.found.readings).collect();
+                    match self.step(one.number, reading, run, own) {
+                        Some(next) => open.push_back(next),
+                        None => self.found.merged += 1,
+                    }
+                    if self.found.len() > self.extent.most {
+                        return Ok(Ended::Most);
+                    }
                 }
             }
         }
         Ok(Ended::Closed)
     }
 
-    /// The behaviour after a step with a reading, of which `run` tells what is shown while it is held; and how it goes on, if it is new.
+    /// What is asked of some behaviours: by reading, the state after a step with it; a step more while it is held; and all other readings
+    /// held from that state on.
+    fn holds<'b>(&self, some: &'b [Open<M::State>]) -> Vec<Hold<'b, M::State>> {
+        let mut all = Vec::new();
+        for one in some {
+            for (reading, run) in one.runs.iter().enumerate() {
+                let after = all.len();
+                all.push(Hold { from: Begins::At(&one.state), reading, steps: 1 });
+                all.push(Hold { from: Begins::At(&run.tip), reading, steps: 1 });
+                let others = (0..self.found.readings).filter(|other| *other != reading);
+                all.extend(others.map(|other| Hold {
+                    from: Begins::After(after),
+                    reading: other,
+                    steps: self.extent.held,
+                }));
+            }
+        }
+        all
+    }
+
+    /// Takes in a step with a reading, of which `run` tells what is shown while it is held, and what that asked for: how the behaviour after
+    /// it goes on, if it is new.
     fn step(
         &mut self,
-        (number, state): (Number, &M::State),
+        number: Number,
         reading: usize,
         mut run: Run<M::State>,
-    ) -> Result<Next<M::State>, M::Error> {
-        let Some((_, state)) = self.machine.hold(state, reading, 1)? else { return Ok(None) };
-        let Some((more, tip)) = self.machine.hold(&run.tip, reading, 1)? else { return Ok(None) };
+        held: Vec<Held<M::State>>,
+    ) -> Option<Open<M::State>> {
+        let mut held = held.into_iter();
+        let (Some((_, state)), Some((more, tip))) = (held.next(), held.next()) else { return None };
         let shown = run.ahead.pop_front().unwrap_or(NONE);
         run.tip = tip;
-        for one in more {
-            let one = self.number(one);
-            run.ahead.push_back(one);
-        }
-        let Some(runs) = self.runs(&state, Some((reading, run)))? else { return Ok(None) };
+        run.ahead.extend(more);
+        let mut runs: Vec<Run<M::State>> = held.map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect();
+        runs.insert(reading.min(runs.len()), run);
         #[expect(clippy::cast_possible_truncation, reason = "a few readings")]
         let (next, is_new) = self.behaviour(shown, &runs, Some((number, reading as u32)));
         self.found.next[number as usize * self.found.readings + reading] = next;
-        Ok(Some((next, is_new.then_some((state, runs)))))
-    }
-
-    /// What is shown while each reading is held from a state on; of one that is known already.
-    fn runs(
-        &mut self,
-        state: &M::State,
-        mut known: Option<(usize, Run<M::State>)>,
-    ) -> Result<Runs<M::State>, M::Error> {
-        let mut runs = Vec::with_capacity(self.found.readings);
-        for reading in 0..self.found.readings {
-            if let Some((_, run)) = known.take_if(|(own, _)| *own == reading) {
-                runs.push(run);
-                continue;
-            }
-            let Some((ahead, tip)) = self.machine.hold(state, reading, self.extent.held)? else { return Ok(None) };
-            runs.push(Run { ahead: ahead.into_iter().map(|shown| self.number(shown)).collect(), tip });
-        }
-        Ok(Some(runs))
+        is_new.then_some(Open { number: next, state, runs })
     }
 
     /// The behaviour that shows this now, and that while readings are held; whether it is new.
@@ -293,17 +343,6 @@ impl<'a, M: Machine> Search<'a, M> {
         found.came.push(came.unwrap_or((number, 0)));
         found.next.extend(std::iter::repeat_n(NONE, found.readings));
         (number, true)
-    }
-
-    /// The number of what is shown.
-    #[expect(clippy::cast_possible_truncation, reason = "fewer than steps")]
-    fn number(&mut self, shown: M::Shown) -> u32 {
-        let next = self.found.shown.len() as u32;
-        let number = *self.numbers.entry(shown.clone()).or_insert(next);
-        if number == next {
-            self.found.shown.push(shown);
-        }
-        number
     }
 }
 

@@ -87,34 +87,49 @@ impl Drive {
 
 impl Machine for Drive {
     type State = State;
-    type Shown = (u32, u32);
     type Error = Infallible;
 
     fn readings(&self) -> usize {
         2
     }
 
-    fn alike(&self, one: &(u32, u32), other: &(u32, u32)) -> bool {
+    fn alike(&self, one: Shown, other: Shown) -> bool {
         one == other
     }
 
-    fn begin(&mut self) -> Result<(State, (u32, u32)), Infallible> {
-        Ok((Self::START, (0, FULL)))
+    fn switches(&self, _: Shown, _: [Shown; 3]) -> bool {
+        false
     }
 
-    fn hold(&mut self, state: &State, reading: usize, steps: usize) -> Result<Held<Self>, Infallible> {
-        let mut state = state.clone();
-        let shown = (0..steps).map(|_| {
-            state = self.after(&state, reading);
-            (state.at, state.speed)
-        });
-        Ok(Some((shown.collect(), state)))
+    fn begin(&mut self) -> Result<(State, Shown), Infallible> {
+        Ok((Self::START, shown(&Self::START)))
     }
+
+    fn hold_each(&mut self, holds: &[Hold<'_, State>]) -> Result<AllHeld<State>, Infallible> {
+        let mut ended: Vec<Held<State>> = Vec::new();
+        for Hold { from, reading, steps } in holds {
+            let mut state = match from {
+                Begins::At(state) => (*state).clone(),
+                Begins::After(number) => ended[*number].1.clone(),
+            };
+            let all = (0..*steps).map(|_| {
+                state = self.after(&state, *reading);
+                shown(&state)
+            });
+            ended.push((all.collect(), state));
+        }
+        Ok(Some(ended))
+    }
+}
+
+/// Where it is and how fast.
+const fn shown(state: &State) -> Shown {
+    state.at * (FULL + 1) + state.speed
 }
 
 const EXTENT: Extent = Extent { held: 12, steps: usize::MAX, most: 100_000 };
 
-fn found(memory: Memory, extent: Extent) -> Behaviours<(u32, u32)> {
+fn found(memory: Memory, extent: Extent) -> Behaviours {
     find(&mut Drive(memory), extent, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
@@ -133,7 +148,7 @@ fn every_history_does_what_its_behaviour_says() {
                 let after = Drive(Memory::Nothing).after(&state, reading);
                 for number in &numbers {
                     let number = behaviours.next(*number, reading).unwrap();
-                    assert_eq!(*behaviours.shown(number), (after.at, after.speed));
+                    assert_eq!(behaviours.shown(number), shown(&after));
                     next.entry(after.clone()).or_default().insert(number);
                 }
             }
@@ -144,14 +159,14 @@ fn every_history_does_what_its_behaviour_says() {
         layer = next;
     }
     // Some states differ in what never shows: how long a drive that stands has been told to.
-    let shown: BTreeSet<(u32, u32)> = all.iter().map(|state| (state.at, state.speed)).collect();
-    assert!(shown.len() < behaviours.len() && behaviours.len() <= all.len(), "{} {}", behaviours.len(), all.len());
+    let differ: BTreeSet<Shown> = all.iter().map(shown).collect();
+    assert!(differ.len() < behaviours.len() && behaviours.len() <= all.len(), "{} {}", behaviours.len(), all.len());
     let number = u32::try_from(behaviours.len() / 2).unwrap();
     let mut state = Drive::START;
     for reading in behaviours.way_to(number) {
         state = Drive(Memory::Nothing).after(&state, reading);
     }
-    assert_eq!((state.at, state.speed), *behaviours.shown(number));
+    assert_eq!(shown(&state), behaviours.shown(number));
 }
 
 /// Behaviours up to some step are those that so many steps lead to.
@@ -240,7 +255,7 @@ impl Ways for Corridor {
 }
 
 /// The same with every history of its own, and what behaviour that leads to.
-struct Every<'a>(&'a Behaviours<(u32, u32)>);
+struct Every<'a>(&'a Behaviours);
 
 impl Watch for Every<'_> {
     type State = (State, Number);

@@ -18,11 +18,13 @@
 mod behind;
 mod controls;
 pub mod held;
+pub mod instants;
 pub mod ledger;
 mod looks;
 pub mod machine;
 mod outside;
 mod readings;
+pub mod reduced;
 mod shoulders;
 pub mod told;
 mod within;
@@ -53,6 +55,7 @@ use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
 use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
+use crate::search::behaviours::Number;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
@@ -84,6 +87,8 @@ pub struct Seen {
     pub depth_m: f64,
     /// One way in which it came to that, where controls are worked.
     pub story: Arc<Story>,
+    /// The behaviour that the last step began with, where there are few in place of many histories.
+    pub came: Option<Number>,
 }
 
 /// How it came to a state of the FMU.
@@ -452,6 +457,17 @@ impl<'a> Anywhere<'a> {
         let beyond = self.cell.start_region.is_none() && !self.ground.holds(xy_m, 0.0);
         (beyond || self.ground.within(xy_m, 0.0).any(|cell| self.unseen[cell]))
             && self.is_possible(xy_m, heading_rad, Posture::Upright, readings)
+    }
+
+    /// What the sensors report of somebody there, without arms.
+    #[must_use]
+    pub fn reports(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture) -> zones::Readings {
+        let position = PoseBox::point(xy_m, heading_rad).position();
+        let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
+        let body = Some(self.placed(&PoseBox::point(xy_m, heading_rad), posture, bend));
+        let feet = self.cell.body.feet(position, heading_rad);
+        let seen = sensors::Seen { feet, besides: None, body, position, heading_rad };
+        self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     }
 
     /// Whether somebody can stand there while the sensors report these readings.

@@ -28,6 +28,8 @@ pub struct RobotFrame {
     pub fastest: f64,
     /// Whether any contact at all could be above its limit: by the speed bounds, whatever is touched.
     pub may_harm: bool,
+    /// By how much any point of each shape may be faster than by its velocity, m/s; nothing where none is.
+    faster_m_s: Option<Arc<[f64]>>,
     /// Index of each shape's robot.
     robot_of: Vec<usize>,
     /// Index of the joint whose moving side carries each shape, or of the frame.
@@ -101,6 +103,7 @@ impl RobotFrame {
             twists,
             speed_bounds,
             fastest,
+            faster_m_s: None,
             robot_of: cell.links.iter().map(|l| l.robot).collect(),
             joint_of: cell.links.iter().map(|l| l.joint).collect(),
             strike_of,
@@ -117,9 +120,46 @@ impl RobotFrame {
         self.with_links(self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect())
     }
 
+    /// The same where all points of a link may be faster by so much, m/s: what stands for robots that are nearly there and move nearly so.
+    #[must_use]
+    pub fn standing_for(&self, by_m: &[f64], faster_m_s: Arc<[f64]>) -> Self {
+        Self { faster_m_s: Some(faster_m_s), ..self.clone() }.grown(by_m)
+    }
+
+    fn faster_m_s(&self, link: usize) -> f64 {
+        self.faster_m_s.as_ref().map_or(0.0, |faster| faster[link])
+    }
+
+    /// No point of a link is farther from where it is in `other` than so, m.
+    #[must_use]
+    pub fn moved_from(&self, other: &Self, link: usize) -> f64 {
+        self.links[link].moved_from(&other.links[link])
+    }
+
+    /// By how much any point of a link may be faster than the point of `other` in the same place, if that may also be slower than it is;
+    /// m/s.
+    #[must_use]
+    pub fn faster_than(&self, other: &Self, link: usize) -> f64 {
+        let (centre, radius) = self.links[link].bounding_sphere();
+        let [mine, its] = [self, other].map(|frame| frame.twists[link]);
+        let [at_mine, at_its] = [mine, its].map(|twist| twist.velocity_at(centre));
+        let scale = radius * radius;
+        let square = at_its.length_squared() + its.angular.length_squared() * scale;
+        let product = at_mine.dot(at_its) + mine.angular.dot(its.angular) * scale;
+        let share = if square > 0.0 { (product / square).clamp(0.0, 1.0) } else { 0.0 };
+        (at_mine - at_its * share).length() + (mine.angular - its.angular * share).length() * radius
+    }
+
+    /// Whether a link strikes as hard as in `other` when it is as fast.
+    #[must_use]
+    pub fn strikes_as(&self, other: &Self, link: usize) -> bool {
+        self.strike(link) == other.strike(link)
+    }
+
     /// The same robots, moving as they do, with other shapes.
     pub(super) fn with_links(&self, links: Vec<Solid>) -> Self {
-        let speed_bounds: Vec<f64> = links.iter().zip(&self.twists).map(|(s, t)| speed_bound(s, t)).collect();
+        let bounds = links.iter().zip(&self.twists).enumerate();
+        let speed_bounds: Vec<f64> = bounds.map(|(link, (s, t))| speed_bound(s, t) + self.faster_m_s(link)).collect();
         let fastest = speed_bounds.iter().copied().fold(0.0, f64::max);
         let pinches = Pinches::default();
         Self { fastest, links, speed_bounds, pinches, ..self.clone() }
@@ -149,10 +189,14 @@ impl RobotFrame {
         swept.iter().zip(speeds).any(|(swept, speed)| *swept > speed * step_s + JUMP_M)
     }
 
-    /// Velocity of the point of shape `link` at world position `point`, m/s.
+    /// Velocity of the point of shape `link` at world position `point`, m/s, as fast as it may be.
     #[must_use]
     pub fn velocity(&self, link: usize, point: Vec3) -> Vec3 {
-        self.twists[link].velocity_at(point)
+        let velocity = self.twists[link].velocity_at(point);
+        match self.faster_m_s(link) {
+            0.0 => velocity,
+            faster => velocity + velocity.try_normalize().unwrap_or(Vec3::X) * faster,
+        }
     }
 
     /// A speed that some point of shape `link` has, m/s: the greatest of those of a capsule's core, or that of the middle of
@@ -169,7 +213,7 @@ impl RobotFrame {
     /// of its points.
     #[must_use]
     pub fn deciding_speed_bound(&self, link: usize, human: Vec3) -> f64 {
-        let relative = || speed_bound(&self.links[link], &self.twists[link].seen_from(human));
+        let relative = || speed_bound(&self.links[link], &self.twists[link].seen_from(human)) + self.faster_m_s(link);
         self.strike(link).deciding_speed_bound(self.speed_bounds[link], relative)
     }
 
@@ -178,7 +222,7 @@ impl RobotFrame {
     pub fn deciding_speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>, human: Vec3) -> f64 {
         let bound = self.speed_bound_near(link, points);
         let relative = || {
-            let near = self.twists[link].seen_from(human).speed_bound(points);
+            let near = self.twists[link].seen_from(human).speed_bound(points) + self.faster_m_s(link);
             near.min(self.deciding_speed_bound(link, human))
         };
         self.strike(link).deciding_speed_bound(bound, relative)
@@ -187,7 +231,7 @@ impl RobotFrame {
     /// Upper bound on the speed of these points of shape `link`, m/s.
     #[must_use]
     pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
-        self.twists[link].speed_bound(points).min(self.speed_bounds[link])
+        (self.twists[link].speed_bound(points) + self.faster_m_s(link)).min(self.speed_bounds[link])
     }
 
     /// How hard the robot of shape `link` strikes.

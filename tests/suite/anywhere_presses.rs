@@ -11,7 +11,8 @@ use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::tracks::explore;
-use fmi_hazard::sim::anywhere::machine::{Machine, Part};
+use fmi_hazard::sim::anywhere::instants::Part;
+use fmi_hazard::sim::anywhere::machine::Machine;
 use fmi_hazard::sim::anywhere::zones::Zones;
 use fmi_hazard::sim::anywhere::{Anywhere as Search, History};
 use fmi_hazard::sim::robot::RobotFrame;
@@ -44,7 +45,7 @@ fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
         true
     })
     .unwrap();
-    machine.histories()
+    machine.instants().histories()
 }
 
 /// Whether somebody may be there while the robot is so and a sensor reports that.

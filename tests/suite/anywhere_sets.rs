@@ -16,7 +16,8 @@ use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::tracks::{Taken, explore};
-use fmi_hazard::sim::anywhere::machine::{Machine, Part};
+use fmi_hazard::sim::anywhere::instants::Part;
+use fmi_hazard::sim::anywhere::machine::Machine;
 use fmi_hazard::sim::anywhere::zones::{Way, Zones};
 use fmi_hazard::sim::anywhere::{Anywhere as Search, History, Seen as AnInstant};
 use fmi_hazard::sim::robot::RobotFrame;
@@ -161,7 +162,7 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
         true
     };
     explore(&mut machine, steps, 1, look).unwrap();
-    let swept = machine.histories_between();
+    let swept = machine.instants().histories_between();
     let core = |frame: &RobotFrame| match &frame.links[0] {
         Solid::Capsule(bar) => *bar,
         other => panic!("{other:?}"),
@@ -285,7 +286,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
             true
         })
         .unwrap();
-        machine.histories()
+        machine.instants().histories()
     };
     let only = |number: usize| [0, 1].map(|n| n == number);
     let core = |frame: &RobotFrame, robot: usize| match &frame.links[robot] {

@@ -15,6 +15,16 @@ pub enum Orientation {
 }
 
 impl Orientation {
+    /// What it is read by.
+    pub fn readers(&self) -> impl Iterator<Item = &Reader> {
+        let (quaternion, matrix) = match self {
+            Self::Unknown => (None, None),
+            Self::Quaternion(readers) => (Some(readers.iter()), None),
+            Self::Matrix(rows) => (None, Some(rows.iter().flatten())),
+        };
+        quaternion.into_iter().flatten().chain(matrix.into_iter().flatten())
+    }
+
     /// `base_from_frame` in one row of outputs.
     #[must_use]
     pub fn read(&self, outputs: &[f64]) -> Rotation {
@@ -144,6 +154,14 @@ impl Reader {
             Column::Derived(_) => None,
         };
         self.terms.iter().map(output).collect()
+    }
+
+    /// The outputs that it reads itself, by their columns.
+    pub fn outputs(&self) -> impl Iterator<Item = usize> + '_ {
+        self.terms.iter().filter_map(|(column, _)| match *column {
+            Column::Output(column) => Some(column),
+            Column::Derived(_) => None,
+        })
     }
 
     /// By what its output is multiplied and what is added then, where it reads one.

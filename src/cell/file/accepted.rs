@@ -9,6 +9,9 @@ use crate::cell::error::Source;
 use crate::cell::workcell::{Clamping, Control, Robot, Sensor, Zone};
 use crate::obligations::{Acceptance, Assumption};
 
+/// Longest time in which something is accepted to show, s.
+const MOST_S: f64 = 60.0;
+
 /// What acceptances may be about.
 pub(super) struct Subjects<'a> {
     pub robots: &'a [Robot],
@@ -27,7 +30,7 @@ impl Checker<'_> {
     }
 
     fn acceptance(&self, table: &Spanned<AcceptTable>, subjects: &Subjects<'_>) -> Result<Acceptance, Box<CellError>> {
-        let AcceptTable { what, robot, sensor, at_most, fmu: _, by, because } = table.get_ref();
+        let AcceptTable { what, robot, sensor, at_most, within_s, fmu: _, by, because } = table.get_ref();
         let refused =
             |message: String, help: &str| Err(self.source.error(table.span(), "here", message, Some(help.to_owned())));
         if by.trim().is_empty() || because.trim().is_empty() {
@@ -36,19 +39,21 @@ impl Checker<'_> {
                 "say in `by` who accepts it, and in `because` why it holds",
             );
         }
-        let (wants_robot, wants_sensor, wants_number) = match what {
-            Acceptable::RobotIgnoresSensor => (true, true, false),
-            Acceptable::SensorSeesAlike => (false, true, false),
-            Acceptable::Presses => (false, false, true),
-            Acceptable::PeopleAlike | Acceptable::TravelAfterContact => (false, false, false),
+        let wanted: &[&str] = match what {
+            Acceptable::RobotIgnoresSensor => &["robot", "sensor"],
+            Acceptable::SensorSeesAlike => &["sensor"],
+            Acceptable::Presses => &["at_most"],
+            Acceptable::MemoryShows => &["within_s"],
+            Acceptable::PeopleAlike | Acceptable::TravelAfterContact => &[],
         };
         let keys = [
-            ("robot", wants_robot, robot.is_some()),
-            ("sensor", wants_sensor, sensor.is_some()),
-            ("at_most", wants_number, at_most.is_some()),
+            ("robot", robot.is_some()),
+            ("sensor", sensor.is_some()),
+            ("at_most", at_most.is_some()),
+            ("within_s", within_s.is_some()),
         ];
-        for (key, wanted, there) in keys {
-            match (wanted, there) {
+        for (key, there) in keys {
+            match (wanted.contains(&key), there) {
                 (true, false) => {
                     return refused(format!("`{key}` is missing"), "take the lines as the scan prints them");
                 }
@@ -58,8 +63,15 @@ impl Checker<'_> {
                 (true, true) | (false, false) => {}
             }
         }
+        if within_s.is_some_and(|within_s| !(0.0..=MOST_S).contains(&within_s)) {
+            return refused(
+                format!("`within_s` is a time of up to {MOST_S} s"),
+                "take the lines as the scan prints them",
+            );
+        }
         let names = (robot.clone().unwrap_or_default(), sensor.clone().unwrap_or_default());
-        let (assumption, matches) = assumption(*what, names, at_most.unwrap_or_default(), subjects);
+        let (assumption, matches) =
+            assumption(*what, names, (at_most.unwrap_or_default(), within_s.unwrap_or_default()), subjects);
         if let Some(why_not) = matches {
             return refused(
                 format!("`{}` matches nothing in this cell: {why_not}", assumption.name()),
@@ -74,7 +86,7 @@ impl Checker<'_> {
 fn assumption(
     what: Acceptable,
     (robot, sensor): (String, String),
-    at_most: u32,
+    (at_most, within_s): (u32, f64),
     subjects: &Subjects<'_>,
 ) -> (Assumption, Option<String>) {
     let Subjects { robots, sensors, controls, clamping, has_pose } = subjects;
@@ -106,6 +118,12 @@ fn assumption(
             let worked = controls.iter().any(|control| control.by != ControlledBy::Nobody);
             let why_not = (!worked).then(|| "there is no control that anybody works".to_owned());
             (Assumption::Presses { at_most }, why_not)
+        }
+        Acceptable::MemoryShows => {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a minute at most")]
+            let within_ms = (1000.0 * within_s).round() as u32;
+            let why_not = sensors.is_empty().then(|| "there is no sensor".to_owned());
+            (Assumption::MemoryShows { within_ms }, why_not)
         }
         Acceptable::TravelAfterContact => {
             let tried = clamping.is_some_and(|clamping| clamping.signal.is_some());

@@ -23,6 +23,9 @@ use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::arm::ArmModel;
 use crate::stop::Stop;
 
+/// With more pieces in reach of a limb, it is looked for each cube whether there is time for more.
+const CROWD: usize = 200;
+
 /// Half edges of cubes, m, each half the one before.
 const HALVES_M: [f64; 6] = [0.1, 0.05, 0.025, 0.0125, 0.00625, 0.003_125];
 /// The smallest.
@@ -330,7 +333,7 @@ impl ArmCells {
                 && !sides.iter().any(|side| self.is_behind(*side, [from, to]))
         };
         let may = |cube: Cube| {
-            rest(cube) || {
+            rest(cube) || (beside.len() > CROWD && self.is_over()) || {
                 let to = self.region(cube);
                 let far = radius + from.radius.max(to.radius);
                 beside.iter().any(|piece| {

@@ -102,15 +102,21 @@ impl<'a> FromAnywhere<'a> {
     fn changes(&self) -> Reply {
         let open = self.looking.found.changes.map(|changes| {
             let times = if changes == 1 { "once".to_owned() } else { format!("{changes} times") };
+            let few = self.looking.not_few.as_ref().map(|why| {
+                format!(". Nor is there a number of behaviours that stand for all that the FMU may do: {why}")
+            });
             Point::open_until(
                 format!(
                     "what the sensors report was followed while it changes at most {times}: whoever comes and goes more often was not \
-                     looked at"
+                     looked at{}",
+                    few.unwrap_or_default()
                 ),
                 "Raise --max-states, or ask for less with --until. A stop that does not restart by itself needs neither",
             )
         });
-        Reply::unless(open.into_iter().collect(), "until nothing changes any more what the robots do")
+        let mut all = self.points(Need::Changes);
+        all.extend(open);
+        Reply::unless(all, "until nothing changes any more what the robots do")
     }
 
     fn presses(&self) -> Reply {

@@ -11,7 +11,7 @@ use crate::obligations::{Assumption, Need, Point};
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::sim::anywhere::machine::Part;
+use crate::sim::anywhere::instants::Part;
 
 impl Looking<'_> {
     /// Something was tried out.

@@ -19,8 +19,14 @@ const MOST_ACTIONS: usize = 6;
 /// Directions in which they may end.
 const DIRECTIONS: usize = 720;
 
+/// How somebody walks, and by how many eighths of a turn to the left that begins.
+pub(super) type Drawn = (Walk, i8);
+
+/// Where somebody is, floor plan, m, and looks, rad.
+pub(super) type Place = ([f64; 2], f64);
+
 /// What is drawn of each action, with the eighths of a turn to the left that it begins with: mostly straight on.
-const DRAWN: [(Walk, i8); 10] = [
+const DRAWN: [Drawn; 10] = [
     (Walk::Forward, 0),
     (Walk::Forward, 0),
     (Walk::Forward, 0),
@@ -40,6 +46,8 @@ pub(super) struct Seek<'a> {
     /// What sensors report at first.
     pub first: &'a [bool],
     pub history: &'a History,
+    /// Whether walks may take longer than it is to the instant.
+    pub any_time: bool,
 }
 
 impl Seek<'_> {
@@ -52,7 +60,8 @@ impl Seek<'_> {
                 break;
             }
             let harm = harms[rng.below(harms.len())];
-            let Some(way) = self.drawn(&harm, &mut rng) else { continue };
+            let drawn: Vec<Drawn> = (0..=rng.below(MOST_ACTIONS)).map(|_| DRAWN[rng.below(DRAWN.len())]).collect();
+            let Some((way, _)) = self.ending(&harm, &drawn, &mut rng) else { continue };
             run += 1;
             if let Some(finding) = shown_by(self.prepared, &way, None) {
                 return (Some((harm, way, finding)), run);
@@ -61,38 +70,42 @@ impl Seek<'_> {
         (None, run)
     }
 
-    /// A walk that is there in time, if there is room all the way and nobody is seen where it begins.
+    /// A walk of these actions that is there in time, if there is room all the way and nobody is seen where it begins; with the places and headings after each
+    /// step, the start first.
     #[expect(clippy::cast_precision_loss, reason = "some hundred")]
-    fn drawn(&self, harm: &Harm, rng: &mut Rng) -> Option<WalkIn> {
+    pub fn ending(&self, harm: &Harm, drawn: &[Drawn], rng: &mut Rng) -> Option<(WalkIn, Vec<Place>)> {
         let cell = &*self.prepared.cell;
         let (steps, length_m) = (cell.steps_per_action, WALKING_SPEED_M_S * cell.step_s);
-        let drawn: Vec<(Walk, i8)> = (0..=rng.below(MOST_ACTIONS)).map(|_| DRAWN[rng.below(DRAWN.len())]).collect();
         // In its last action it is there after so many steps.
         let reached = 1 + rng.below(steps);
         let bends = harm.posture != Posture::Upright;
         let ends = TAU * rng.below(DIRECTIONS) as f64 / DIRECTIONS as f64;
         let mut heading = if bends { harm.heading_rad } else { ends };
-        let (mut at, mut places) = (harm.xy_m, vec![harm.xy_m]);
+        let (mut at, mut places) = (harm.xy_m, vec![(harm.xy_m, heading)]);
         for (number, (walk, turn)) in drawn.iter().enumerate().rev() {
             let (sin, cos) = libm::sincos(heading);
             let taken = if number + 1 == drawn.len() { reached } else { steps };
-            for _ in (0..taken).filter(|_| *walk != Walk::Stop) {
-                at = [at[0] - cos * length_m, at[1] - sin * length_m];
-                places.push(at);
+            for _ in 0..taken {
+                if *walk != Walk::Stop {
+                    at = [at[0] - cos * length_m, at[1] - sin * length_m];
+                }
+                places.push((at, heading));
             }
             heading -= f64::from(*turn) * FRAC_PI_4;
         }
         let arrived = (drawn.len() - 1) * steps + reached;
-        let lead_in = self.history.seen[harm.instant].step.checked_sub(arrived)?;
+        let lead_in = self.history.seen[harm.instant].step.checked_sub(arrived);
+        let lead_in = if self.any_time { lead_in.unwrap_or(0) } else { lead_in? };
         let heading = heading.rem_euclid(TAU);
         let all = vec![true; self.first.len()];
         let begins = self.search.may_begin(at, heading, &known(self.first)) && self.search.comes_to(at, &all);
-        if !begins || !places.iter().all(|at| self.search.has_room(*at)) {
+        if !begins || !places.iter().all(|(at, _)| self.search.has_room(*at)) {
             return None;
         }
         let mut actions: Vec<Action> = drawn.iter().map(|(walk, _)| Action::new(*walk, Posture::Upright)).collect();
         let last = actions.last_mut()?;
         *last = Action::new(last.walk(), harm.posture);
-        Some(WalkIn { xy_m: at, heading_deg: heading.to_degrees(), lead_in, actions })
+        places.reverse();
+        Some((WalkIn { xy_m: at, heading_deg: heading.to_degrees(), lead_in, actions }, places))
     }
 }

@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use super::behaviours::Few;
+use super::guided::Guided;
 use super::seek::Seek;
 use super::walk_in::WalkIn;
 use super::{Looking, pressing};
@@ -36,12 +38,19 @@ impl Looking<'_> {
         search: &Search<'_>,
         first: &[bool],
         (history, way): (&History, &Way),
+        few: Option<(&Few, usize)>,
         harms: Vec<Harm>,
     ) {
         let (prepared, cell) = (self.prepared, &*self.prepared.cell);
         let as_told = sensors(prepared, &history.readings);
         for alike in alike(harms) {
-            let shown = shown(prepared, search, first, (history, way), &alike);
+            let shown = match few {
+                Some((few, way)) => {
+                    let seek = Seek { prepared, search, first, history, any_time: true };
+                    Guided { seek, few, way }.walk(&alike, 1)
+                }
+                None => shown(prepared, search, first, (history, way), &alike),
+            };
             let shown = shown.or_else(|| self.sought(search, first, history, &alike));
             let (harm, way, finding) = match shown {
                 Some((harm, way, finding)) => (harm, way, Some(finding)),
@@ -88,7 +97,7 @@ impl Looking<'_> {
         }
         let run = self.sought.entry((region as u8, link)).or_default();
         let most = MOST_SOUGHT.saturating_sub(*run).min(MOST_SOUGHT_AT_ONCE);
-        let seek = Seek { prepared: self.prepared, search, first, history };
+        let seek = Seek { prepared: self.prepared, search, first, history, any_time: false };
         let (found, runs) = seek.walk(alike, most, *run as u64);
         *run += runs;
         found

@@ -90,12 +90,12 @@ pub enum Walked {
 /// What the machine reports.
 pub fn walk<M: Machine>(
     machine: &mut M,
-    behaviours: &Behaviours<M::Shown>,
+    behaviours: &Behaviours,
     readings: &[(usize, usize)],
 ) -> Result<Walked, M::Error> {
     let (mut state, shown) = machine.begin()?;
-    let (mut number, mut taken) = (0, 0);
-    if !machine.alike(&shown, behaviours.shown(number)) {
+    let (mut number, mut taken, mut doubt) = (0, 0, None);
+    if !machine.alike(shown, behaviours.shown(number)) {
         return Ok(Walked::Unlike { steps: 0, changes: 0 });
     }
     for (changes, (reading, steps)) in readings.iter().enumerate() {
@@ -103,9 +103,16 @@ pub fn walk<M: Machine>(
         for one in shown {
             // Behaviours that were looked for up to some step say nothing of later ones.
             let Some(next) = behaviours.next(number, *reading) else { return Ok(Walked::Alike(taken)) };
+            let told = [number, next].map(|number| behaviours.shown(number));
             (number, taken) = (next, taken + 1);
-            if !machine.alike(&one, behaviours.shown(number)) {
-                return Ok(Walked::Unlike { steps: taken, changes });
+            let unlike = Ok(Walked::Unlike { steps: taken, changes });
+            if machine.alike(one, told[1]) {
+                // Where rounding decides in which of two steps something switches, it does so by the step after.
+                if doubt.take().is_some_and(|(one, before)| !machine.switches(one, [before, told[0], told[1]])) {
+                    return unlike;
+                }
+            } else if doubt.replace((one, told[0])).is_some() {
+                return unlike;
             }
         }
         state = after;

@@ -1,18 +1,45 @@
 //! The FMU as a machine of readings, for a search of its behaviours: a state is a saved one, with what of readings is on its way to it.
+//!
+//! A saved state is gone with the process that held it. So each knows how it was come to, and is made again where it is needed.
 
-use std::cmp::Ordering;
+use std::cell::{Ref, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use foldhash::quality::FixedState;
+use indexmap::IndexSet;
 
 use super::zones::Readings;
 use crate::cell::{Binding, Workcell};
-use crate::host::{Plant, PlantError, Taken, Then};
+use crate::host::{self as plant, Arrived, Leg, Plant, PlantError};
 use crate::human::Presses;
-use crate::search::behaviours::{Held, Machine};
+use crate::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, Shown};
 use crate::sim::sensors::{DelayLine, Seen, input_row};
 
 /// Outputs no farther apart than this show the same, in the unit of each.
 const ALIKE: f64 = 1e-9;
 /// More than outputs that are rounded alike may be apart by rounding, in [`ALIKE`].
 const ROUNDING: u64 = 2;
+
+/// Of each of some readings what the FMU is told, by number: the same where sensors share an input.
+#[must_use]
+pub fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings], people: &[Seen]) -> Vec<usize> {
+    // What is on its way, or latched by the host, is remembered sensor by sensor.
+    if cell.sensors.iter().any(|sensor| sensor.delay_steps > 0 || sensor.latched) {
+        return (0..readings.len()).collect();
+    }
+    let mut rows: Vec<Vec<u64>> = Vec::new();
+    let mut of = |(reading, person): (&Readings, &Seen)| {
+        let mut row = Vec::new();
+        input_row(cell, binding, reading, person, Presses::NONE, &mut row);
+        let row: Vec<u64> = row.into_iter().map(f64::to_bits).collect();
+        rows.iter().position(|known| *known == row).unwrap_or_else(|| {
+            rows.push(row);
+            rows.len() - 1
+        })
+    };
+    readings.iter().zip(people).map(&mut of).collect()
+}
 
 /// See the top of this file.
 pub struct HeldReadings<'a, P: Plant> {
@@ -22,114 +49,279 @@ pub struct HeldReadings<'a, P: Plant> {
     readings: &'a [Readings],
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
     people: &'a [Seen],
+    known: Known,
+    /// The state at the start.
+    start: Option<P::Checkpoint>,
+    /// What is shown there.
+    first: Option<Shown>,
     /// Steps that were taken.
     pub taken: u64,
 }
 
 /// A saved state, with what is on its way to it.
 pub struct State<C> {
-    saved: C,
+    saved: RefCell<C>,
+    lines: Box<[DelayLine]>,
+    came: Rc<Came>,
+}
+
+/// What the FMU is told in some steps, row-major, and what is on its way after each of them, by number, and after the last.
+struct Told {
+    inputs: Vec<f64>,
+    on_their_way: Vec<i64>,
     lines: Box<[DelayLine]>,
 }
 
-/// What the FMU shows, and what is on its way to it.
-#[derive(Clone, Debug)]
-pub struct Shown {
-    /// Outputs, rounded.
-    rounded: Box<[i64]>,
-    lines: Box<[DelayLine]>,
-    /// The outputs of the first state that showed it.
-    pub outputs: Box<[f64]>,
+/// How a state was come to: from another by a reading that was held for some steps. The start comes of none.
+struct Came {
+    from: Option<Rc<Self>>,
+    reading: usize,
+    steps: usize,
 }
 
-impl PartialEq for Shown {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
+impl Drop for Came {
+    /// One after the other: there may be very many.
+    fn drop(&mut self) {
+        let mut from = self.from.take();
+        while let Some(mut before) = from.and_then(Rc::into_inner) {
+            from = before.from.take();
+        }
     }
 }
 
-impl Eq for Shown {}
-
-impl PartialOrd for Shown {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
+/// All that was shown so far.
+#[derive(Default)]
+struct Known {
+    /// By its number, outputs as they are rounded, and the number of what is on its way.
+    all: IndexSet<Box<[i64]>, FixedState>,
+    /// Outputs of the first state that showed it, one after the other.
+    outputs: Vec<f64>,
+    /// What may be on its way, by number.
+    lines: BTreeMap<Box<[DelayLine]>, i64>,
+    /// What is looked for.
+    wanted: Vec<i64>,
+    /// Of each output, whether it counts.
+    matters: Vec<bool>,
 }
 
-impl Ord for Shown {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (&self.rounded, &self.lines).cmp(&(&other.rounded, &other.lines))
+impl Known {
+    /// The number of what is shown with these outputs and that on its way.
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "what is too large to be rounded so is told apart by the largest number"
+    )]
+    fn number(&mut self, outputs: &[f64], lines: i64) -> Shown {
+        self.wanted.clear();
+        let rounded = |(value, matters): (&f64, &bool)| if *matters { (value / ALIKE).round() as i64 } else { 0 };
+        self.wanted.extend(outputs.iter().zip(&self.matters).map(rounded));
+        self.wanted.push(lines);
+        if let Some(known) = self.all.get_index_of(&*self.wanted) {
+            return known as Shown;
+        }
+        self.outputs.extend(outputs);
+        self.all.insert_full(self.wanted.clone().into()).0 as Shown
     }
-}
 
-impl Shown {
-    fn new(outputs: &[f64], lines: &[DelayLine]) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "what is too large to be rounded so is told apart by the largest number"
-        )]
-        let rounded = outputs.iter().map(|value| (value / ALIKE).round() as i64).collect();
-        Self { rounded, lines: lines.into(), outputs: outputs.into() }
+    #[expect(clippy::cast_possible_wrap, reason = "a few hundred")]
+    fn lines(&mut self, lines: &[DelayLine]) -> i64 {
+        if let Some(known) = self.lines.get(lines) {
+            return *known;
+        }
+        let next = self.lines.len() as i64;
+        self.lines.insert(lines.into(), next);
+        next
     }
 }
 
 impl<'a, P: Plant> HeldReadings<'a, P> {
     /// Ready to be begun.
     #[must_use]
-    pub const fn new(
+    pub fn new(
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
         readings: &'a [Readings],
         people: &'a [Seen],
     ) -> Self {
-        Self { plant, cell, binding, readings, people, taken: 0 }
+        let known = Known { matters: binding.matters(), ..Known::default() };
+        Self { plant, cell, binding, readings, people, known, start: None, first: None, taken: 0 }
+    }
+
+    /// The outputs of what is shown.
+    #[must_use]
+    pub fn outputs(&self, shown: Shown) -> &[f64] {
+        let columns = self.plant.output_count();
+        &self.known.outputs[shown as usize * columns..][..columns]
+    }
+
+    /// The same, rounded, with the number of what is on its way.
+    fn rounded(&self, shown: Shown) -> &[i64] {
+        self.known.all.get_index(shown as usize).map_or(&[], |rounded| rounded)
+    }
+
+    /// What the FMU is told in some steps of a reading, and what is on its way after each of them.
+    fn told(&mut self, mut lines: Box<[DelayLine]>, reading: usize, steps: usize) -> Told {
+        let (mut inputs, mut on_their_way) = (Vec::new(), Vec::with_capacity(steps));
+        for _ in 0..steps {
+            let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(&self.readings[reading]);
+            let told: Vec<bool> = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+            lines.iter_mut().for_each(|line| *line = line.on_its_way());
+            input_row(self.cell, self.binding, &told, &self.people[reading], Presses::NONE, &mut inputs);
+            on_their_way.push(self.known.lines(&lines));
+        }
+        Told { inputs, on_their_way, lines }
+    }
+
+    /// The legs that holds are.
+    fn legs(
+        &mut self,
+        holds: &[Hold<'_, State<P::Checkpoint>>],
+        told: &[Told],
+    ) -> Result<Vec<Arrived<P::Checkpoint>>, PlantError> {
+        let saved: Vec<Option<Ref<'_, P::Checkpoint>>> = holds
+            .iter()
+            .map(|hold| match hold.from {
+                Begins::At(state) => Some(state.saved.borrow()),
+                Begins::After(_) => None,
+            })
+            .collect();
+        let mut legs = Vec::with_capacity(holds.len());
+        for ((hold, told), saved) in holds.iter().zip(told).zip(&saved) {
+            let from = match (&hold.from, saved) {
+                (Begins::After(number), _) => plant::Begins::After(*number),
+                (Begins::At(_), Some(saved)) => plant::Begins::At(&**saved),
+                (Begins::At(_), None) => continue,
+            };
+            legs.push(Leg { from, steps: hold.steps, inputs: told.inputs.clone() });
+            self.taken += hold.steps as u64;
+        }
+        self.plant.advance_each(&legs)
+    }
+
+    fn first_lines(&self) -> Box<[DelayLine]> {
+        let sensors = self.cell.sensors.iter().zip(&self.readings[0]);
+        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| {
+            DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
+        };
+        sensors.map(settled).collect()
+    }
+
+    /// Begins again, without anything being lost that is saved.
+    fn at_start(&mut self) -> Result<(), PlantError> {
+        if let Some(start) = self.start.as_ref().filter(|start| self.plant.holds(start)) {
+            match self.plant.restore(start) {
+                Err(error) if error.lost && !error.stopped => {}
+                outcome => return outcome,
+            }
+        }
+        self.plant.restart()?;
+        self.start = Some(self.plant.save()?);
+        Ok(())
+    }
+
+    /// Makes a state again from the start, if it is gone.
+    fn bring_back(&mut self, state: &State<P::Checkpoint>) -> Result<(), PlantError> {
+        if self.plant.holds(&state.saved.borrow()) {
+            return Ok(());
+        }
+        let mut way = Vec::new();
+        let mut came = Some(&state.came);
+        while let Some(Came { from: Some(from), reading, steps }) = came.map(|came| &**came) {
+            way.push((*reading, *steps));
+            came = Some(from);
+        }
+        let (mut lines, mut inputs) = (self.first_lines(), Vec::new());
+        for (reading, steps) in way.iter().rev() {
+            let told = self.told(lines, *reading, *steps);
+            inputs.extend(told.inputs);
+            lines = told.lines;
+        }
+        self.at_start()?;
+        let steps = way.iter().map(|(_, steps)| steps).sum();
+        self.taken += steps as u64;
+        if steps > 0 {
+            self.plant.advance(steps, &inputs)?;
+        }
+        state.saved.replace(self.plant.save()?);
+        Ok(())
     }
 }
 
 impl<P: Plant> Machine for HeldReadings<'_, P> {
     type State = State<P::Checkpoint>;
-    type Shown = Shown;
     type Error = PlantError;
 
     fn readings(&self) -> usize {
         self.readings.len()
     }
 
-    fn alike(&self, one: &Shown, other: &Shown) -> bool {
+    fn alike(&self, one: Shown, other: Shown) -> bool {
+        let (one, other) = (self.rounded(one), self.rounded(other));
         let near = |(one, other): (&i64, &i64)| one.abs_diff(*other) <= ROUNDING;
-        one.lines == other.lines && one.rounded.iter().zip(&other.rounded).all(near)
+        one.last() == other.last() && one.iter().zip(other).all(near)
+    }
+
+    fn switches(&self, one: Shown, among: [Shown; 3]) -> bool {
+        let mine = self.rounded(one).iter().enumerate();
+        let among = among.map(|shown| self.rounded(shown));
+        mine.into_iter().all(|(column, mine)| among.iter().any(|its| mine.abs_diff(its[column]) <= ROUNDING))
     }
 
     fn begin(&mut self) -> Result<(Self::State, Shown), PlantError> {
-        let outputs = self.plant.restart()?;
-        let sensors = self.cell.sensors.iter().zip(&self.readings[0]);
-        let lines: Box<[DelayLine]> = sensors
-            .map(|(sensor, raw)| {
-                DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
-            })
-            .collect();
-        let shown = Shown::new(&outputs, &lines);
-        Ok((State { saved: self.plant.save()?, lines }, shown))
+        let shown = match self.first {
+            Some(shown) => {
+                self.at_start()?;
+                shown
+            }
+            None => {
+                let outputs = self.plant.restart()?;
+                self.start = Some(self.plant.save()?);
+                let lines = self.first_lines();
+                let number = self.known.lines(&lines);
+                *self.first.insert(self.known.number(&outputs, number))
+            }
+        };
+        let came = Rc::new(Came { from: None, reading: 0, steps: 0 });
+        Ok((State { saved: RefCell::new(self.plant.save()?), lines: self.first_lines(), came }, shown))
     }
 
-    fn hold(&mut self, state: &Self::State, reading: usize, steps: usize) -> Result<Held<Self>, PlantError> {
-        let (mut lines, mut inputs, mut on_their_way) = (state.lines.clone(), Vec::new(), Vec::with_capacity(steps));
-        for _ in 0..steps {
-            let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(&self.readings[reading]);
-            let told: Vec<bool> = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
-            lines.iter_mut().for_each(|line| *line = line.on_its_way());
-            input_row(self.cell, self.binding, &told, &self.people[reading], Presses::NONE, &mut inputs);
-            on_their_way.push(lines.clone());
+    fn hold_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<AllHeld<Self::State>, PlantError> {
+        let mut told: Vec<Told> = Vec::with_capacity(holds.len());
+        for hold in holds {
+            let lines = match hold.from {
+                Begins::At(state) => state.lines.clone(),
+                Begins::After(number) => told[number].lines.clone(),
+            };
+            told.push(self.told(lines, hold.reading, hold.steps));
         }
-        self.plant.restore_soon(&state.saved)?;
-        self.taken += steps as u64;
-        let (outputs, taken) = match self.plant.advance_and(steps, &inputs, Then::Save) {
-            Ok(stepped) => stepped,
+        // Where the process ends meanwhile, once more from the start, one by one.
+        let arrived = match self.legs(holds, &told) {
+            Err(error) if error.lost && !error.stopped => {
+                for hold in holds {
+                    if let Begins::At(state) = hold.from {
+                        self.bring_back(state)?;
+                    }
+                }
+                self.legs(holds, &told)
+            }
+            outcome => outcome,
+        };
+        let arrived = match arrived {
+            Ok(arrived) => arrived,
             Err(error) if error.stopped => return Err(error),
             Err(_) => return Ok(None),
         };
-        let Taken::Saved(saved) = taken? else { return Ok(None) };
-        let rows = outputs.chunks(self.plant.output_count()).zip(&on_their_way);
-        Ok(Some((rows.map(|(row, lines)| Shown::new(row, lines)).collect(), State { saved, lines })))
+        let columns = self.plant.output_count();
+        let mut all: Vec<Held<Self::State>> = Vec::with_capacity(holds.len());
+        for ((hold, told), (outputs, saved)) in holds.iter().zip(told).zip(arrived) {
+            let rows = outputs.chunks(columns).zip(&told.on_their_way);
+            let shown = rows.map(|(row, lines)| self.known.number(row, *lines)).collect();
+            let from = match hold.from {
+                Begins::At(state) => Rc::clone(&state.came),
+                Begins::After(number) => Rc::clone(&all[number].1.came),
+            };
+            let came = Rc::new(Came { from: Some(from), reading: hold.reading, steps: hold.steps });
+            all.push((shown, State { saved: RefCell::new(saved), lines: told.lines, came }));
+        }
+        Ok(Some(all))
     }
 }

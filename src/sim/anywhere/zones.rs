@@ -11,7 +11,7 @@
 //! Every rounding is outwards: a cell belongs to a reading when any pose in it may report it; cells are grown by a step where
 //! somebody may have been elsewhere between two samples.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::readings::{may_report, may_stay_clear};
@@ -20,9 +20,13 @@ use crate::cell::{Sensor, Zone};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::human::floor::of_cells;
 use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
+use crate::search::behaviours::stays::Ways;
 
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
+
+/// Where any number of steps is looked at, it is not known of places that are farther than this how much farther they are, m.
+const FAR_M: f64 = 4.0;
 
 /// What the sensors report, one after the other.
 pub type Readings = Vec<bool>;
@@ -52,8 +56,12 @@ pub struct Way {
 /// See the top of this file.
 #[derive(Clone, Debug)]
 pub struct Zones {
-    /// All readings that somebody can come to.
+    /// All readings that somebody can come to; of those that count as one, the first.
     pub readings: Vec<Readings>,
+    /// What each sensor reports then; nothing where it may be either.
+    pub known: Vec<Vec<Option<bool>>>,
+    /// The number of each of all readings in these.
+    numbers: BTreeMap<Readings, usize>,
     /// The ways to come to them; the first is to be there at the start.
     pub ways: Vec<Way>,
     /// Of each way, those that may follow, after so many steps at least.
@@ -76,11 +84,36 @@ impl Zones {
         (step_m, steps): (f64, usize),
         presses: u32,
     ) -> Option<Self> {
-        let (ground, stop) = (&of.ground, &of.encounter.stop);
-        let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
         // Nobody gets farther, with the step before the first sample and the one after the last.
         #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
         let most_m = step_m * (steps + 4) as f64;
+        Self::with(of, first, matter, (step_m, most_m), (presses, presses > 0), &|all| (0..all.len()).collect())
+    }
+
+    /// The same without presses and for any number of steps, where parts of the floor on which the same is reported are told apart, if
+    /// nobody gets from one to another without that something else is: so both sides of a door are. Readings that the FMU is `told` by the
+    /// same number count as one.
+    #[must_use]
+    pub fn by_sides(
+        of: &Anywhere<'_>,
+        first: &[bool],
+        matter: &[bool],
+        step_m: f64,
+        told: &dyn Fn(&[Readings]) -> Vec<usize>,
+    ) -> Option<Self> {
+        Self::with(of, first, matter, (step_m, FAR_M), (0, true), told)
+    }
+
+    fn with(
+        of: &Anywhere<'_>,
+        first: &[bool],
+        matter: &[bool],
+        (step_m, most_m): (f64, f64),
+        (presses, by_sides): (u32, bool),
+        told: &dyn Fn(&[Readings]) -> Vec<usize>,
+    ) -> Option<Self> {
+        let (ground, stop) = (&of.ground, &of.encounter.stop);
+        let free: Vec<bool> = (0..ground.cells()).map(|cell| ground.is_open(cell)).collect();
         let all: &[BTreeSet<Readings>] = of.readings_by_cell()?;
         let as_first = |reading: &Readings| -> Readings {
             reading
@@ -96,6 +129,12 @@ impl Zones {
         let readings: BTreeSet<&Readings> = all.iter().flatten().collect();
         let mut readings: Vec<Readings> = readings.into_iter().cloned().collect();
         readings.sort_by_key(|reading| (reading != first, reading.clone()));
+        let (numbers, known) = as_one(&readings, &told(&readings));
+        let mut firsts: Vec<Readings> = Vec::new();
+        readings.into_iter().for_each(|one| firsts.extend((numbers[&one] == firsts.len()).then_some(one)));
+        let readings = firsts;
+        let all: Vec<BTreeSet<&Readings>> =
+            all.iter().map(|cell| cell.iter().map(|own| &readings[numbers[own]]).collect()).collect();
         let zone = |reading: &Readings| -> Vec<bool> { all.iter().map(|of_cell| of_cell.contains(reading)).collect() };
         let zones: Vec<Vec<bool>> = readings.iter().map(zone).collect();
         let both = |a: &[bool], b: &[bool]| -> Vec<bool> { a.iter().zip(b).map(|(a, b)| *a && *b).collect() };
@@ -103,7 +142,15 @@ impl Zones {
         // What is reported of people beyond the floor may change there.
         let entrances = of.entrances();
         let nowhere = Arc::new(Field::at_once(ground, &vec![false; ground.cells()]));
-        let mut this = Self { readings, ways: Vec::new(), next: Vec::new(), at_once: Vec::new(), origin: nowhere };
+        let mut this = Self {
+            readings: readings.clone(),
+            known,
+            numbers,
+            ways: Vec::new(),
+            next: Vec::new(),
+            at_once: Vec::new(),
+            origin: nowhere,
+        };
         let in_hand = of.in_hand(presses);
         if this.readings.first().is_none_or(|reading| reading != first) {
             return Some(this);
@@ -112,7 +159,7 @@ impl Zones {
         let areas: Vec<(usize, Vec<bool>)> = (0..)
             .zip(&zones)
             .flat_map(|(reading, zone)| {
-                let parts = if presses == 0 { vec![zone.clone()] } else { parts(ground, zone, &entrances, step_m) };
+                let parts = if by_sides { parts(ground, zone, &entrances, step_m) } else { vec![zone.clone()] };
                 parts.into_iter().map(move |part| (reading, part))
             })
             .collect();
@@ -149,7 +196,9 @@ impl Zones {
             let near = either(&ground.grown(leaves, step_m), &entrances);
             for (other, (reading, cells)) in areas.iter().enumerate().filter(|(_, (reading, _))| *reading != to) {
                 let over = [least_at(&field, leaves, &beside[other]), least_at(&field, leaves, &entrances)];
-                let least = over.into_iter().flatten().reduce(f64::min).filter(|least| *least < most_m);
+                // In a limited time nobody gets farther; else it is not known how far it is.
+                let gets_there = |least: &f64| (by_sides && presses == 0) || *least < most_m;
+                let least = over.into_iter().flatten().reduce(f64::min).filter(gets_there);
                 let Some(least) = least else { continue };
                 let way = Way {
                     from: Some(to),
@@ -212,10 +261,24 @@ impl Zones {
         Some(this)
     }
 
+    /// The number of some readings, if anybody can come to them.
+    #[must_use]
+    pub fn number(&self, readings: &Readings) -> Option<usize> {
+        self.numbers.get(readings).copied()
+    }
+
     /// How far it is at least from where somebody is at the start.
     #[must_use]
     pub const fn origin(&self) -> &Arc<Field> {
         &self.origin
+    }
+
+    /// After so many steps at most everybody is wherever they get to.
+    #[must_use]
+    pub fn longest(&self, step_m: f64) -> usize {
+        let all = self.ways.iter().map(|way| &way.field).chain([&self.origin]);
+        let farthest = |field: &Arc<Field>| field.all().iter().copied().filter(|at| at.is_finite()).fold(0.0, f64::max);
+        steps_for(all.map(farthest).fold(0.0, f64::max), step_m) + 1
     }
 
     /// What may follow a way, after so many steps at least.
@@ -229,6 +292,24 @@ impl Zones {
     pub fn at_once(&self, way: usize) -> &[usize] {
         &self.at_once[way]
     }
+}
+
+/// The number of each of some readings where those of which the FMU is told by the same number are one, in the order of the first of them,
+/// and what sensors report in all that are one.
+fn as_one(all: &[Readings], told: &[usize]) -> (BTreeMap<Readings, usize>, Vec<Vec<Option<bool>>>) {
+    let (mut of_told, mut known): (Vec<usize>, Vec<Vec<Option<bool>>>) = (Vec::new(), Vec::new());
+    let mut numbers = BTreeMap::new();
+    for (readings, told) in all.iter().zip(told) {
+        let number = of_told.iter().position(|known| known == told).unwrap_or(of_told.len());
+        if number == of_told.len() {
+            of_told.push(*told);
+            known.push(readings.iter().copied().map(Some).collect());
+        }
+        let differs = |(known, own): (&mut Option<bool>, &bool)| *known = known.filter(|known| known == own);
+        known[number].iter_mut().zip(readings).for_each(differs);
+        numbers.insert(readings.clone(), number);
+    }
+    (numbers, known)
 }
 
 /// The parts of some cells between which there is more than a step; who gets to one over an entrance may have left another over one.
@@ -266,6 +347,29 @@ fn steps_for(least_m: f64, step_m: f64) -> usize {
 fn least_at(field: &Field, some: &[bool], others: &[bool]) -> Option<f64> {
     let both = (0..some.len()).filter(|cell| some[*cell] && others[*cell]);
     both.map(|cell| field.at(cell)).filter(|least| least.is_finite()).reduce(f64::min)
+}
+
+/// Without controls, which are ways of their own.
+impl Ways for Zones {
+    fn begins(&self) -> Vec<usize> {
+        vec![0]
+    }
+
+    fn ways(&self) -> usize {
+        self.ways.len()
+    }
+
+    fn reading(&self, way: usize) -> usize {
+        self.ways[way].to
+    }
+
+    fn next(&self, way: usize) -> &[(usize, usize)] {
+        self.next(way)
+    }
+
+    fn is_unchanged(&self, way: usize) -> bool {
+        self.ways[way].unchanged
+    }
 }
 
 impl Anywhere<'_> {

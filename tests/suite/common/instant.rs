@@ -83,6 +83,7 @@ impl Instant {
                 within_m,
                 depth_m: f64::INFINITY,
                 story: Arc::default(),
+                came: None,
             }],
         }
     }

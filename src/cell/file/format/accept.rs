@@ -16,6 +16,9 @@ pub enum Acceptable {
     SensorSeesAlike,
     /// Controls are not worked more often than `at_most`, all together, in the time that a scan from anywhere looks at.
     Presses,
+    /// What the FMU remembers shows within `within_s` while what the sensors report stays the same: a scan from anywhere then follows people
+    /// who come and go as often as they like.
+    MemoryShows,
     /// Robots go on after a contact as far as they did when that was tried out.
     TravelAfterContact,
 }
@@ -35,6 +38,9 @@ pub struct AcceptTable {
     /// How often, of `presses`.
     #[serde(default)]
     pub at_most: Option<u32>,
+    /// How soon, s, of `memory_shows`.
+    #[serde(default)]
+    pub within_s: Option<f64>,
     /// The FMU that it was tried out with: its SHA-256, as the scan prints it.
     #[schemars(with = "String")]
     pub fmu: Spanned<String>,

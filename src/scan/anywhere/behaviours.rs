@@ -1,0 +1,319 @@
+//! Where people may come and go again and again: the few behaviours of an FMU in place of its many histories, which they stand for if
+//! it remembers nothing that does not show in time. That is tried out by walks, and is for the user to accept.
+
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use super::{Looking, SEED, Tell, Told};
+use crate::host::{Hosted, PlantError, Policy};
+use crate::obligations::{Assumption, Point};
+use crate::report::terminal::grouped;
+use crate::scan::footing::Footing;
+use crate::scan::prepare::Prepared;
+use crate::search::Rng;
+use crate::search::behaviours::shows::{Shows, ends, shows};
+use crate::search::behaviours::stays::Stays;
+use crate::search::behaviours::walks::{Style, Walked, walk};
+use crate::search::behaviours::{Behaviours, Ended, Extent, Number, find};
+use crate::sim::anywhere::Anywhere as Search;
+use crate::sim::anywhere::History;
+use crate::sim::anywhere::held::{HeldReadings, told_apart};
+use crate::sim::anywhere::instants::{Instant as AnInstant, Instants, Part};
+use crate::sim::anywhere::reduced::Nearly;
+use crate::sim::anywhere::zones::{Readings, Zones};
+use crate::sim::motion::Motion;
+use crate::sim::sensors::Seen;
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+use crate::stop::Stop;
+
+/// So long is looked ahead at first, and at most, for what shows late, s.
+const AHEAD_S: [f64; 2] = [3.0, 12.0];
+/// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
+const HELD_S: f64 = 0.5;
+const LONGER: f64 = 0.25;
+/// Walks of each style, how many of them are longer than the scan looks, and how many times as long.
+const WALKS: usize = 24;
+const LONG_WALKS: usize = 4;
+const LONGER_WALKS: usize = 10;
+/// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
+const FEWEST_ALIKE: usize = 3;
+/// Most behaviours, where more states are not asked for.
+const MOST: usize = 200_000;
+/// They are looked for in this part of the time that is left.
+const SHARE: u32 = 3;
+/// What stands for others is no farther from them, m, slower by no more, m/s, and people have come no less far by more, m.
+const NEARLY: Nearly = Nearly { apart_m: 0.01, faster_m_s: 0.03, farther_m: 0.05 };
+const EXACT: Nearly = Nearly { apart_m: 0.0, faster_m_s: 0.0, farther_m: 0.0 };
+/// So many behaviours are gone through from one look at the clock to the next.
+const LOOK_AFTER: u32 = 64;
+/// Stays are told apart up to this at least, s.
+const STAYS_S: f64 = 1.0;
+
+/// What the robots do whoever comes and goes, in place of histories.
+pub(super) struct Few {
+    pub zones: Zones,
+    /// By way: at the instants, and with what is between them.
+    pub histories: Vec<(History, History)>,
+    pub motion: Motion,
+    /// What was tried out, and whether the cell file accepts what that leaves.
+    pub tried: Point,
+    pub is_accepted: bool,
+    /// Which sensors matter.
+    matter: Vec<bool>,
+    stays: Stays,
+}
+
+/// Why there are none.
+pub(super) enum Refused {
+    /// Told to end.
+    Stopped,
+    /// In words.
+    Because(String),
+}
+
+impl Few {
+    /// A history that leads to a behaviour on a way with such a stay: what the FMU is told, by number, and for how many steps each.
+    pub fn history(&self, number: Number, way: usize, steps: usize) -> Vec<(usize, usize)> {
+        let ways = self.stays.history(number, way, steps);
+        ways.into_iter().map(|(way, steps)| (self.zones.ways[way].to, steps)).collect()
+    }
+
+    /// The number of what the FMU is told of these readings, if they are among those that people can come to.
+    pub fn told(&self, readings: &Readings) -> Option<usize> {
+        let first = &self.zones.readings[0];
+        let as_first = |((own, matters), first): ((&bool, &bool), &bool)| if *matters { *own } else { *first };
+        self.zones.number(&readings.iter().zip(&self.matter).zip(first).map(as_first).collect())
+    }
+}
+
+impl Looking<'_> {
+    /// The behaviours of the FMU that matter to the robots of one part.
+    pub(super) fn behaviours(
+        &mut self,
+        (there, footing): (&Prepared, Footing),
+        (search, part, first): (&Search<'_>, &Part, &[bool]),
+        person: &dyn Fn(&Readings) -> Seen,
+        tell: &mut Tell<'_>,
+    ) -> Outcome<Few> {
+        let (cell, binding) = (&there.cell, &there.binding);
+        if self.found.presses.is_some_and(|presses| presses > 0) {
+            return because("controls are worked".to_owned());
+        }
+        if matches!(footing.policy(there), Policy::Replay | Policy::States { max_checkpoints: 0 }) {
+            return because("the FMU cannot save its states".to_owned());
+        }
+        let step_m = WALKING_SPEED_M_S * cell.step_s;
+        let told = |all: &[Readings]| {
+            let people: Vec<Seen> = all.iter().map(person).collect();
+            told_apart((cell, binding), all, &people)
+        };
+        let Some(zones) = Zones::by_sides(search, first, &part.sensors, step_m, &told) else {
+            return Ok(Err(Refused::Stopped));
+        };
+        let people: Vec<Seen> = zones.readings.iter().map(person).collect();
+        let mut machine = HeldReadings::new(footing.plant(there), (cell, binding), &zones.readings, &people);
+        let found = self.find(&mut machine, tell)?;
+        self.found.spent.fmu_steps += machine.taken;
+        let (found, assumption, tried) = match found {
+            Ok(found) => found,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        let longest = zones.longest(step_m).max(steps_of(STAYS_S, cell.step_s));
+        let stays = Stays::find(&found, &zones, u32::try_from(longest).unwrap_or(u32::MAX));
+        let mut instants = Instants::new((cell, binding), &zones, part);
+        let stop = self.prepared.stop();
+        if look(&mut instants, &machine, &found, (&stays, &zones), &stop).is_none() {
+            return Ok(Err(Refused::Stopped));
+        }
+        let Some(histories) = instants.reduced(NEARLY, EXACT, &stop) else { return Ok(Err(Refused::Stopped)) };
+        let motion = instants.motion().clone();
+        let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
+        let tried = Point::tried(&assumption, &tried, accepted, &fmu);
+        let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&assumption));
+        Ok(Ok(Few { zones, histories, motion, tried, is_accepted, matter: part.sensors.clone(), stays }))
+    }
+
+    /// All behaviours, if walks show no others; what that assumes, and what was tried.
+    fn find(
+        &mut self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        tell: &mut Tell<'_>,
+    ) -> Outcome<(Behaviours, Assumption, String)> {
+        let step_s = self.prepared.cell.step_s;
+        let mut rng = Rng::new(SEED);
+        let (shows, held) = match self.held_for(machine, &mut rng)? {
+            Ok(held) => held,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        let found = match self.closed(machine, held, tell)? {
+            Ok(found) => found,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        let walked = match self.walked(machine, (&found, held), &mut rng, tell)? {
+            Ok(walked) => walked,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
+        let within_ms = (1000.0 * seconds(held, step_s)).ceil() as u32;
+        let tried = format!(
+            "{} behaviours stand for all histories, what shows latest shows after {:.2} s, and {walked} walks of up to {:.0} s showed nothing \
+             else",
+            grouped(&found.len().to_string()),
+            seconds(shows.steps, step_s),
+            seconds(LONGER_WALKS * self.steps(), step_s)
+        );
+        Ok(Ok((found, Assumption::MemoryShows { within_ms }, tried)))
+    }
+
+    /// For how many steps a reading is held before states are taken for one, by what shows latest.
+    fn held_for(&self, machine: &mut HeldReadings<'_, Hosted>, rng: &mut Rng) -> Outcome<(Shows, usize)> {
+        let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
+        let mut ahead = steps_of(AHEAD_S[0], step_s);
+        let shown = loop {
+            let Some(shown) = shows(machine, rng, (steps, ahead))? else { return unfinished() };
+            if 5 * shown.steps <= 4 * ahead {
+                break shown;
+            }
+            if ahead >= steps_of(AHEAD_S[1], step_s) {
+                return because(format!("what it remembers shows only after {:.1} s or later", AHEAD_S[1]));
+            }
+            ahead *= 2;
+        };
+        let Some((ends, different)) = ends(machine, rng, (steps, ahead))? else { return unfinished() };
+        // Of so many that are equally likely, so few of some are the same.
+        if ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE {
+            return because(format!(
+                "it hardly ever shows the same again once it was stopped: {different} of {ends} histories of what the sensors report ended in \
+                 different places"
+            ));
+        }
+        let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
+        Ok(Ok((shown, steps_of(HELD_S.max(longer_s), step_s))))
+    }
+
+    /// All behaviours, if there are not too many.
+    fn closed(&self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Behaviours> {
+        let (mut asked, mut told) = (false, 0_u32);
+        let most = self.effort.most_states.max(MOST);
+        let ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE);
+        let is_late = || ends_at.is_some_and(|ends_at| Instant::now() >= ends_at);
+        let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |behaviours| {
+            told += 1;
+            asked = told.is_multiple_of(8) && tell(Told::Behaviours(behaviours, most)).is_break();
+            if asked || is_late() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        let count = grouped(&found.len().to_string());
+        match found.ended {
+            Ended::Closed | Ended::Steps => Ok(Ok(found)),
+            Ended::Most => because(format!("it has more than {} behaviours", grouped(&most.to_string()))),
+            Ended::Unfinished => unfinished(),
+            Ended::Asked if asked => Ok(Err(Refused::Stopped)),
+            Ended::Asked => because(format!("a third of the time was not enough to find them, {count} so far")),
+        }
+    }
+
+    /// Tries out whether the FMU does what its behaviours say: how many walks that was.
+    fn walked(
+        &self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        (found, held): (&Behaviours, usize),
+        rng: &mut Rng,
+        tell: &mut Tell<'_>,
+    ) -> Outcome<usize> {
+        let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
+        let mut walked = 0;
+        for (style, number) in Style::ALL.iter().flat_map(|style| (0..WALKS).map(move |number| (style, number))) {
+            let long = if number < LONG_WALKS { LONGER_WALKS * steps } else { steps };
+            let drawn = style.drawn(rng, found.readings(), held, long);
+            match walk(machine, found, &drawn)? {
+                Walked::Alike(_) => walked += 1,
+                Walked::Unfinished => return unfinished(),
+                Walked::Unlike { steps, changes } => {
+                    return because(format!(
+                        "it remembers something that does not show within {:.2} s while what the sensors report stays the same: in a walk \
+                         with {changes} changes it did something else after {:.2} s",
+                        seconds(held, step_s),
+                        seconds(steps, step_s)
+                    ));
+                }
+            }
+            if tell(Told::Behaviours(found.len(), found.len())).is_break() {
+                return Ok(Err(Refused::Stopped));
+            }
+        }
+        Ok(Ok(walked))
+    }
+}
+
+/// What there is, or why there is none; an error of the FMU ends everything.
+type Outcome<T> = Result<Result<T, Refused>, PlantError>;
+
+fn because<T>(why: String) -> Outcome<T> {
+    Ok(Err(Refused::Because(why)))
+}
+
+fn unfinished<T>() -> Outcome<T> {
+    because("some steps could not be finished".to_owned())
+}
+
+/// Takes in all that people may come to; nothing, where there is no time for it.
+fn look(
+    instants: &mut Instants<'_>,
+    machine: &HeldReadings<'_, Hosted>,
+    found: &Behaviours,
+    (stays, zones): (&Stays, &Zones),
+    stop: &Stop,
+) -> Option<()> {
+    let rows = instants.compared_rows();
+    #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
+    for number in 0..found.len() as Number {
+        if number.is_multiple_of(LOOK_AFTER) && stop.is_due() {
+            return None;
+        }
+        let before = machine.outputs(found.shown(number));
+        let step = found.depth(number) + 1;
+        for reading in 0..found.readings() {
+            let Some(next) = found.next(number, reading) else { continue };
+            let after = machine.outputs(found.shown(next));
+            let mut is_first = true;
+            let all = zones.ways.iter().enumerate().filter(|(_, way)| way.to == reading);
+            for (way, of) in all {
+                let Some(stay) = stays.of(number, way) else { continue };
+                if std::mem::take(&mut is_first) {
+                    let told = rows_before((machine, found), number, after, rows.min(step + 1).max(2));
+                    instants.compare_speeds(&told.0, told.1, step);
+                }
+                let lasting = stay.lasting(of.unchanged);
+                let instant = AnInstant { step, way, lasting, story: Default::default(), came: Some(number) };
+                instants.look(before, after, &instant);
+            }
+        }
+    }
+    Some(())
+}
+
+/// The last so many rows of outputs on the way to a behaviour, and then these.
+fn rows_before(
+    (machine, found): (&HeldReadings<'_, Hosted>, &Behaviours),
+    mut number: Number,
+    then: &[f64],
+    count: usize,
+) -> (Vec<f64>, usize) {
+    let mut rows = vec![then];
+    while rows.len() < count {
+        rows.push(machine.outputs(found.shown(number)));
+        let Some(before) = found.before(number) else { break };
+        number = before;
+    }
+    (rows.iter().rev().flat_map(|row| row.iter().copied()).collect(), rows.len())
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
+fn steps_of(time_s: f64, step_s: f64) -> usize {
+    (time_s / step_s - 1e-9).ceil().max(1.0) as usize
+}
+
+#[expect(clippy::cast_precision_loss, reason = "some thousand")]
+fn seconds(steps: usize, step_s: f64) -> f64 {
+    steps as f64 * step_s
+}

@@ -1,0 +1,129 @@
+//! For how long a reading has to be held until states that show the same now, and are not the same, show it: timers run out, ramps end.
+//!
+//! States are taken at many moments, right after readings changed and later, two steps one after the other each time: of two timers that
+//! began a step apart one runs out first.
+
+use super::{Begins, Held, Hold, Machine, Shown};
+use crate::search::rng::Rng;
+
+/// Moments at which readings begin to change, and pairs of states after that.
+const MOMENTS: usize = 20;
+const PAIRS: usize = 5;
+/// Changes before states are taken.
+const MOST_CHANGES: usize = 4;
+
+/// What was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shows {
+    /// The most steps after which states that were alike so far showed something else.
+    pub steps: usize,
+    /// How many states were looked at, each with each reading held.
+    pub states: usize,
+    /// For so many steps.
+    pub ahead: usize,
+}
+
+/// Looks `ahead` so many steps from states within so many steps of the start; nothing where steps could not be finished.
+///
+/// # Errors
+/// What the machine reports.
+pub fn shows<M: Machine>(
+    machine: &mut M,
+    rng: &mut Rng,
+    (within, ahead): (usize, usize),
+) -> Result<Option<Shows>, M::Error> {
+    let readings = machine.readings();
+    let mut all: Vec<Vec<Shown>> = Vec::new();
+    for moment in 0..MOMENTS {
+        let (start, shown) = machine.begin()?;
+        let quiet = within * moment / MOMENTS + rng.below(within / MOMENTS + 1);
+        let Some((mut state, mut now)) = last(machine.hold(&start, 0, quiet.max(1))?, shown) else { return Ok(None) };
+        let mut present = 0;
+        for _ in 0..=rng.below(MOST_CHANGES) {
+            present = if readings > 1 { (present + 1 + rng.below(readings - 1)) % readings } else { 0 };
+            let Some(next) = last(machine.hold(&state, present, 1 + rng.below(ahead / 2))?, now) else {
+                return Ok(None);
+            };
+            (state, now) = next;
+        }
+        let other = if readings > 1 { (present + 1) % readings } else { 0 };
+        for _ in 0..PAIRS {
+            let Some(next) = last(machine.hold(&state, other, 1 + rng.below(ahead / PAIRS))?, now) else {
+                return Ok(None);
+            };
+            (state, now) = next;
+            for _ in 0..2 {
+                let Some(next) = last(machine.hold(&state, other, 1)?, now) else { return Ok(None) };
+                (state, now) = next;
+                let mut told = vec![now];
+                let mut runs = Vec::new();
+                for reading in 0..readings {
+                    let Some((shown, _)) = machine.hold(&state, reading, ahead)? else { return Ok(None) };
+                    runs.push(shown);
+                }
+                // Step by step, so that what differs first is met first.
+                told.extend((0..ahead).flat_map(|step| runs.iter().map(move |run| run[step])));
+                all.push(told);
+            }
+        }
+    }
+    all.sort();
+    let first_unlike = |pair: &[Vec<Shown>]| {
+        let [one, other] = pair else { return None };
+        let unlike = one.iter().zip(other).position(|(one, other)| !machine.alike(*one, *other))?;
+        (unlike > 0).then(|| (unlike - 1) / readings + 1)
+    };
+    let steps = all.windows(2).filter_map(first_unlike).max().unwrap_or(0);
+    Ok(Some(Shows { steps, states: all.len(), ahead }))
+}
+
+/// The state after a hold, and what it shows.
+fn last<S>(held: Option<Held<S>>, before: Shown) -> Option<(S, Shown)> {
+    let (shown, state) = held?;
+    Some((state, shown.into_iter().next_back().unwrap_or(before)))
+}
+
+/// Histories of which it is seen where they end, how often readings change in each, and how many are asked for at once.
+const HISTORIES: usize = 1_000;
+const CHANGES: usize = 6;
+const AT_ONCE: usize = 20;
+
+/// Where histories of many changes end when the first reading is held for so many steps after them, of those after which something still
+/// moves: how many, and how many that were different. Where nearly all are, there are more behaviours than can be counted. Nothing where
+/// steps could not be finished.
+///
+/// # Errors
+/// What the machine reports.
+pub fn ends<M: Machine>(
+    machine: &mut M,
+    rng: &mut Rng,
+    (within, ahead): (usize, usize),
+) -> Result<Option<(usize, usize)>, M::Error> {
+    let readings = machine.readings();
+    let mut all: Vec<Shown> = Vec::new();
+    for _ in 0..HISTORIES / AT_ONCE {
+        let (start, _) = machine.begin()?;
+        let (mut holds, mut last) = (Vec::new(), Vec::new());
+        for _ in 0..AT_ONCE {
+            let quiet = 1 + rng.below(within);
+            holds.push(Hold { from: Begins::At(&start), reading: 0, steps: quiet });
+            for change in 0..CHANGES {
+                let reading = if change % 2 == 0 && readings > 1 { 1 + rng.below(readings - 1) } else { 0 };
+                let from = Begins::After(holds.len() - 1);
+                holds.push(Hold { from, reading, steps: 1 + rng.below(ahead / 3) });
+            }
+            holds.push(Hold { from: Begins::After(holds.len() - 1), reading: 0, steps: ahead });
+            last.push(holds.len() - 1);
+        }
+        let Some(held) = machine.hold_each(&holds)? else { return Ok(None) };
+        let moving = last.iter().filter_map(|number| match held[*number].0[..] {
+            [.., before, end] if before != end => Some(end),
+            _ => None,
+        });
+        all.extend(moving);
+    }
+    let count = all.len();
+    all.sort_unstable();
+    all.dedup();
+    Ok(Some((count, all.len())))
+}
