@@ -32,6 +32,8 @@ pub(super) struct Guided<'a> {
     pub seek: Seek<'a>,
     pub few: &'a Few,
     pub way: usize,
+    /// So many steps after the start of the FMU they begin at most.
+    pub until: usize,
 }
 
 impl Guided<'_> {
@@ -53,16 +55,18 @@ impl Guided<'_> {
         }
         following.sort_by_key(|(off, ..)| *off);
         let following = following.into_iter().take(MOST_RUN).map(|(_, harm, way)| (harm, way));
-        let shown = |(harm, way): (Harm, WalkIn)| {
+        let shown = |(harm, mut way): (Harm, WalkIn)| {
             let finding = shown_by(self.seek.prepared, &way, None)?;
+            // What they did until then.
+            way.actions.truncate(finding.step.div_ceil(self.seek.prepared.cell.steps_per_action).max(1));
             Some((harm, way, finding))
         };
         waiting.into_iter().chain(following).find_map(shown)
     }
 
-    /// The same, begun at any moment, and then they stay.
+    /// The same, begun at some moment, and then they stay.
     fn and_waits(&self, harm: &Harm, mut way: WalkIn, rng: &mut Rng) -> WalkIn {
-        way.lead_in = rng.below(WAITS * self.seek.prepared.cell.steps_per_action);
+        way.lead_in = rng.below(self.until);
         way.actions.extend(vec![Action::new(Walk::Stop, harm.posture); WAITS]);
         way
     }

@@ -47,7 +47,7 @@ impl Looking<'_> {
             let shown = match few {
                 Some((few, way)) => {
                     let seek = Seek { prepared, search, first, history, any_time: true };
-                    Guided { seek, few, way }.walk(&alike, 1)
+                    Guided { seek, few, way, until: self.steps() }.walk(&alike, 1)
                 }
                 None => shown(prepared, search, first, (history, way), &alike),
             };
