@@ -212,8 +212,9 @@ impl History {
             digest.update(format!("{} {} ", seen.step, seen.lasting));
             numbers(digest, &mut seen.within_m.into_iter().chain([seen.depth_m]));
             numbers(digest, &mut seen.frame.outputs().iter().copied());
-            // As large as they are here.
+            // As large and as fast as they are here.
             numbers(digest, &mut seen.frame.links.iter().map(|link| link.bounding_sphere().1));
+            numbers(digest, &mut seen.frame.speed_bounds.iter().copied());
         }
     }
 }
