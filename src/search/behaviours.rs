@@ -8,6 +8,7 @@
 //! that the machine remembers shows while one reading is held for so long: timers run out and ramps end. It does not where it counts or
 //! looks at a clock. [`walks`] tries that out.
 
+pub mod decided;
 pub mod shows;
 pub mod stays;
 pub mod walks;

@@ -11,10 +11,9 @@ use crate::report::terminal::grouped;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::search::behaviours::shows::{Shows, ends, shows};
+use crate::search::behaviours::decided::{AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, Why, decide};
 use crate::search::behaviours::stays::Stays;
-use crate::search::behaviours::walks::{Style, Walked, walk};
-use crate::search::behaviours::{Behaviours, Ended, Extent, Number, find};
+use crate::search::behaviours::{Behaviours, Number};
 use crate::sim::anywhere::Anywhere as Search;
 use crate::sim::anywhere::History;
 use crate::sim::anywhere::held::{HeldReadings, told_apart};
@@ -26,17 +25,6 @@ use crate::sim::sensors::Seen;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
-/// So long is looked ahead at first, and at most, for what shows late, s.
-const AHEAD_S: [f64; 2] = [3.0, 12.0];
-/// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
-const HELD_S: f64 = 0.5;
-const LONGER: f64 = 0.25;
-/// Walks of each style, how many of them are longer than the scan looks, and how many times as long.
-const WALKS: usize = 24;
-const LONG_WALKS: usize = 4;
-const LONGER_WALKS: usize = 10;
-/// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
-const FEWEST_ALIKE: usize = 3;
 /// Most behaviours, where more states are not asked for.
 const MOST: usize = 200_000;
 /// They are looked for in this part of the time that is left.
@@ -140,108 +128,62 @@ impl Looking<'_> {
         tell: &mut Tell<'_>,
     ) -> Outcome<(Behaviours, Assumption, String)> {
         let step_s = self.prepared.cell.step_s;
-        let mut rng = Rng::new(SEED);
-        let (shows, held) = match self.held_for(machine, &mut rng)? {
-            Ok(held) => held,
-            Err(refused) => return Ok(Err(refused)),
-        };
-        let found = match self.closed(machine, held, tell)? {
-            Ok(found) => found,
-            Err(refused) => return Ok(Err(refused)),
-        };
-        let walked = match self.walked(machine, (&found, held), &mut rng, tell)? {
-            Ok(walked) => walked,
-            Err(refused) => return Ok(Err(refused)),
+        let most = self.effort.most_states.max(MOST);
+        let question = Question { step_s, steps: self.steps(), most };
+        let (mut told, mut ends_at) = (0_u32, None);
+        let decided = decide(machine, question, &mut Rng::new(SEED), &mut |now| {
+            let mut asked = false;
+            match now {
+                Now::Held => ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE),
+                Now::Behaviours(count) => {
+                    told += 1;
+                    asked = told.is_multiple_of(8) && tell(Told::Behaviours(count, most)).is_break();
+                    if !asked && ends_at.is_some_and(|ends_at| Instant::now() >= ends_at) {
+                        return ControlFlow::Break(Enough::NotInTime);
+                    }
+                }
+                Now::Walked(count) => asked = tell(Told::Behaviours(count, count)).is_break(),
+            }
+            if asked { ControlFlow::Break(Enough::Asked) } else { ControlFlow::Continue(()) }
+        })?;
+        let Decided { behaviours, shows, held, walks } = match decided {
+            Ok(decided) => decided,
+            Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
+            Err(why) => return because(in_words(why, question)),
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
         let within_ms = (1000.0 * seconds(held, step_s)).ceil() as u32;
         let tried = format!(
-            "{} behaviours stand for all histories, what shows latest shows after {:.2} s, and {walked} walks of up to {:.0} s showed nothing \
+            "{} behaviours stand for all histories, what shows latest shows after {:.2} s, and {walks} walks of up to {:.0} s showed nothing \
              else",
-            grouped(&found.len().to_string()),
+            grouped(&behaviours.len().to_string()),
             seconds(shows.steps, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s)
         );
-        Ok(Ok((found, Assumption::MemoryShows { within_ms }, tried)))
+        Ok(Ok((behaviours, Assumption::MemoryShows { within_ms }, tried)))
     }
+}
 
-    /// For how many steps a reading is held before states are taken for one, by what shows latest.
-    fn held_for(&self, machine: &mut HeldReadings<'_, Hosted>, rng: &mut Rng) -> Outcome<(Shows, usize)> {
-        let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
-        let mut ahead = steps_of(AHEAD_S[0], step_s);
-        let shown = loop {
-            let Some(shown) = shows(machine, rng, (steps, ahead))? else { return unfinished() };
-            if 5 * shown.steps <= 4 * ahead {
-                break shown;
-            }
-            if ahead >= steps_of(AHEAD_S[1], step_s) {
-                return because(format!("what it remembers shows only after {:.1} s or later", AHEAD_S[1]));
-            }
-            ahead *= 2;
-        };
-        let Some((ends, different)) = ends(machine, rng, (steps, ahead))? else { return unfinished() };
-        // Of so many that are equally likely, so few of some are the same.
-        if ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE {
-            return because(format!(
-                "it hardly ever shows the same again once it was stopped: {different} of {ends} histories of what the sensors report ended in \
-                 different places"
-            ));
+/// Why behaviours do not stand for all histories.
+fn in_words(why: Why, Question { step_s, most, .. }: Question) -> String {
+    match why {
+        Why::ShowsLate => format!("what it remembers shows only after {:.1} s or later", AHEAD_S[1]),
+        Why::HardlyEverSame { different, ends } => format!(
+            "it hardly ever shows the same again once it was stopped: {different} of {ends} histories of what the sensors report ended in \
+             different places"
+        ),
+        Why::TooMany => format!("it has more than {} behaviours", grouped(&most.to_string())),
+        Why::NotInTime(count) => {
+            format!("a third of the time was not enough to find them, {} so far", grouped(&count.to_string()))
         }
-        let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
-        Ok(Ok((shown, steps_of(HELD_S.max(longer_s), step_s))))
-    }
-
-    /// All behaviours, if there are not too many.
-    fn closed(&self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Behaviours> {
-        let (mut asked, mut told) = (false, 0_u32);
-        let most = self.effort.most_states.max(MOST);
-        let ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE);
-        let is_late = || ends_at.is_some_and(|ends_at| Instant::now() >= ends_at);
-        let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |behaviours| {
-            told += 1;
-            asked = told.is_multiple_of(8) && tell(Told::Behaviours(behaviours, most)).is_break();
-            if asked || is_late() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })?;
-        let count = grouped(&found.len().to_string());
-        match found.ended {
-            Ended::Closed | Ended::Steps => Ok(Ok(found)),
-            Ended::Most => because(format!("it has more than {} behaviours", grouped(&most.to_string()))),
-            Ended::Unfinished => unfinished(),
-            Ended::Asked if asked => Ok(Err(Refused::Stopped)),
-            Ended::Asked => because(format!("a third of the time was not enough to find them, {count} so far")),
-        }
-    }
-
-    /// Tries out whether the FMU does what its behaviours say: how many walks that was.
-    fn walked(
-        &self,
-        machine: &mut HeldReadings<'_, Hosted>,
-        (found, held): (&Behaviours, usize),
-        rng: &mut Rng,
-        tell: &mut Tell<'_>,
-    ) -> Outcome<usize> {
-        let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
-        let mut walked = 0;
-        for (style, number) in Style::ALL.iter().flat_map(|style| (0..WALKS).map(move |number| (style, number))) {
-            let long = if number < LONG_WALKS { LONGER_WALKS * steps } else { steps };
-            let drawn = style.drawn(rng, found.readings(), held, long);
-            match walk(machine, found, &drawn)? {
-                Walked::Alike(_) => walked += 1,
-                Walked::Unfinished => return unfinished(),
-                Walked::Unlike { steps, changes } => {
-                    return because(format!(
-                        "it remembers something that does not show within {:.2} s while what the sensors report stays the same: in a walk \
-                         with {changes} changes it did something else after {:.2} s",
-                        seconds(held, step_s),
-                        seconds(steps, step_s)
-                    ));
-                }
-            }
-            if tell(Told::Behaviours(found.len(), found.len())).is_break() {
-                return Ok(Err(Refused::Stopped));
-            }
-        }
-        Ok(Ok(walked))
+        Why::Unfinished => "some steps could not be finished".to_owned(),
+        Why::Asked => "it was to end".to_owned(),
+        Why::RemembersMore { held, steps, changes, .. } => format!(
+            "it remembers something that does not show within {:.2} s while what the sensors report stays the same: in a walk with {changes} \
+             changes it did something else after {:.2} s",
+            seconds(held, step_s),
+            seconds(steps, step_s)
+        ),
     }
 }
 
@@ -250,10 +192,6 @@ type Outcome<T> = Result<Result<T, Refused>, PlantError>;
 
 fn because<T>(why: String) -> Outcome<T> {
     Ok(Err(Refused::Because(why)))
-}
-
-fn unfinished<T>() -> Outcome<T> {
-    because("some steps could not be finished".to_owned())
 }
 
 /// Takes in all that people may come to; nothing, where there is no time for it.

@@ -1,0 +1,219 @@
+//! Whether the behaviours of a machine stand for all of its histories: for how long readings are held before states are taken for one, that
+//! there are no more than can be counted, and that walks show nothing else.
+
+use std::ops::ControlFlow;
+
+use super::shows::{Shows, ends, shows};
+use super::walks::{Style, Walked, walk};
+use super::{Behaviours, Ended, Extent, Machine, find};
+use crate::search::rng::Rng;
+
+/// So long is looked ahead at first, and at most, for what shows late, s.
+pub const AHEAD_S: [f64; 2] = [3.0, 12.0];
+/// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
+const HELD_S: f64 = 0.5;
+const LONGER: f64 = 0.25;
+/// Walks of each style, and how many of them are longer than is looked.
+const WALKS: usize = 24;
+const LONG_WALKS: usize = 4;
+/// So many times as long these are.
+pub const LONGER_WALKS: usize = 10;
+/// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
+const FEWEST_ALIKE: usize = 3;
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    /// How long a step is, s.
+    pub step_s: f64,
+    /// So many steps from the start are looked at.
+    pub steps: usize,
+    /// So many behaviours at most.
+    pub most: usize,
+}
+
+/// How far it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Now {
+    /// It is known for how long readings are held; behaviours are looked for next.
+    Held,
+    /// So many behaviours so far.
+    Behaviours(usize),
+    /// A walk was walked; there are so many behaviours.
+    Walked(usize),
+}
+
+/// Why it ends before all is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Enough {
+    /// There was only so much time for it.
+    NotInTime,
+    /// Somebody asked for that.
+    Asked,
+}
+
+/// Is told how far it is, and may end it.
+pub type Tell<'a> = dyn FnMut(Now) -> ControlFlow<Enough> + 'a;
+
+/// Behaviours that stand for all histories.
+#[derive(Clone, Debug)]
+pub struct Decided {
+    /// All of them.
+    pub behaviours: Behaviours,
+    /// What was seen of what shows late.
+    pub shows: Shows,
+    /// For so many steps readings were held.
+    pub held: usize,
+    /// So many walks showed nothing else.
+    pub walks: usize,
+}
+
+/// Why they do not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// Something shows later than is looked, see [`AHEAD_S`].
+    ShowsLate,
+    /// So many of so many histories ended in different places.
+    HardlyEverSame {
+        /// Different places.
+        different: usize,
+        /// Histories.
+        ends: usize,
+    },
+    /// There are more behaviours than allowed.
+    TooMany,
+    /// Time was over when there were so many.
+    NotInTime(usize),
+    /// Some steps could not be finished.
+    Unfinished,
+    /// Asked to end.
+    Asked,
+    /// A walk showed something else.
+    RemembersMore {
+        /// Of what kind the walk was.
+        style: Style,
+        /// For so many steps readings were held.
+        held: usize,
+        /// After so many steps of the walk.
+        steps: usize,
+        /// So often readings had changed.
+        changes: usize,
+    },
+}
+
+/// What is found, or why not; an error of the machine ends everything.
+pub type Outcome<T, E> = Result<Result<T, Why>, E>;
+
+/// All behaviours of a machine, if they stand for all of its histories.
+///
+/// # Errors
+/// What the machine reports.
+pub fn decide<M: Machine>(
+    machine: &mut M,
+    question: Question,
+    rng: &mut Rng,
+    tell: &mut Tell<'_>,
+) -> Outcome<Decided, M::Error> {
+    let (shows, held) = match held_for(machine, question, rng)? {
+        Ok(held) => held,
+        Err(why) => return Ok(Err(why)),
+    };
+    let behaviours = match closed(machine, question, held, tell)? {
+        Ok(found) => found,
+        Err(why) => return Ok(Err(why)),
+    };
+    let walked = walked(machine, question, (&behaviours, held), rng, tell)?;
+    Ok(walked.map(|walks| Decided { behaviours, shows, held, walks }))
+}
+
+/// For how many steps a reading is held before states are taken for one, by what shows latest.
+///
+/// # Errors
+/// What the machine reports.
+pub fn held_for<M: Machine>(
+    machine: &mut M,
+    Question { step_s, steps, .. }: Question,
+    rng: &mut Rng,
+) -> Outcome<(Shows, usize), M::Error> {
+    let mut ahead = steps_of(AHEAD_S[0], step_s);
+    let shown = loop {
+        let Some(shown) = shows(machine, rng, (steps, ahead))? else { return Ok(Err(Why::Unfinished)) };
+        if 5 * shown.steps <= 4 * ahead {
+            break shown;
+        }
+        if ahead >= steps_of(AHEAD_S[1], step_s) {
+            return Ok(Err(Why::ShowsLate));
+        }
+        ahead *= 2;
+    };
+    let Some((ends, different)) = ends(machine, rng, (steps, ahead))? else { return Ok(Err(Why::Unfinished)) };
+    // Of so many that are equally likely, so few of some are the same.
+    if ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE {
+        return Ok(Err(Why::HardlyEverSame { different, ends }));
+    }
+    let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
+    Ok(Ok((shown, steps_of(HELD_S.max(longer_s), step_s))))
+}
+
+/// All behaviours, if there are not too many.
+///
+/// # Errors
+/// What the machine reports.
+pub fn closed<M: Machine>(
+    machine: &mut M,
+    Question { most, .. }: Question,
+    held: usize,
+    tell: &mut Tell<'_>,
+) -> Outcome<Behaviours, M::Error> {
+    let mut enough = tell(Now::Held).break_value();
+    let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |behaviours| {
+        enough = enough.or_else(|| tell(Now::Behaviours(behaviours)).break_value());
+        if enough.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })?;
+    Ok(match found.ended {
+        Ended::Closed | Ended::Steps => Ok(found),
+        Ended::Most => Err(Why::TooMany),
+        Ended::Unfinished => Err(Why::Unfinished),
+        Ended::Asked if enough == Some(Enough::NotInTime) => Err(Why::NotInTime(found.len())),
+        Ended::Asked => Err(Why::Asked),
+    })
+}
+
+/// Tries out whether a machine does what its behaviours say, held for so many steps: how many walks that was.
+///
+/// # Errors
+/// What the machine reports.
+pub fn walked<M: Machine>(
+    machine: &mut M,
+    Question { steps, .. }: Question,
+    (found, held): (&Behaviours, usize),
+    rng: &mut Rng,
+    tell: &mut Tell<'_>,
+) -> Outcome<usize, M::Error> {
+    let mut walked = 0;
+    for (style, number) in Style::ALL.iter().flat_map(|style| (0..WALKS).map(move |number| (style, number))) {
+        let long = if number < LONG_WALKS { LONGER_WALKS * steps } else { steps };
+        let drawn = style.drawn(rng, found.readings(), held, long);
+        match walk(machine, found, &drawn)? {
+            Walked::Alike(_) => walked += 1,
+            Walked::Unfinished => return Ok(Err(Why::Unfinished)),
+            Walked::Unlike { steps, changes } => {
+                return Ok(Err(Why::RemembersMore { style: *style, held, steps, changes }));
+            }
+        }
+        if tell(Now::Walked(found.len())).is_break() {
+            return Ok(Err(Why::Asked));
+        }
+    }
+    Ok(Ok(walked))
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
+fn steps_of(time_s: f64, step_s: f64) -> usize {
+    (time_s / step_s - 1e-9).ceil().max(1.0) as usize
+}
+
+#[expect(clippy::cast_precision_loss, reason = "some thousand")]
+fn seconds(steps: usize, step_s: f64) -> f64 {
+    steps as f64 * step_s
+}
