@@ -63,6 +63,7 @@ mod number_signals;
 mod obligations;
 mod obstacles;
 mod pipelines;
+mod planted_memories;
 mod plausible;
 mod plausible_motion;
 mod published;

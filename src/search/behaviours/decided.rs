@@ -13,11 +13,10 @@ pub const AHEAD_S: [f64; 2] = [3.0, 12.0];
 /// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
 const HELD_S: f64 = 0.5;
 const LONGER: f64 = 0.25;
-/// Walks of each style, and how many of them are longer than is looked.
-const WALKS: usize = 24;
-const LONG_WALKS: usize = 4;
-/// So many times as long these are.
-pub const LONGER_WALKS: usize = 10;
+/// Walks of each style, by how many times as long as is looked, and how many of them.
+const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
+/// The longest are so many times as long.
+pub const LONGER_WALKS: usize = 30;
 /// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
 const FEWEST_ALIKE: usize = 3;
 
@@ -191,14 +190,14 @@ pub fn walked<M: Machine>(
     tell: &mut Tell<'_>,
 ) -> Outcome<usize, M::Error> {
     let mut walked = 0;
-    for (style, number) in Style::ALL.iter().flat_map(|style| (0..WALKS).map(move |number| (style, number))) {
-        let long = if number < LONG_WALKS { LONGER_WALKS * steps } else { steps };
+    let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
+    for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
         let drawn = style.drawn(rng, found.readings(), held, long);
         match walk(machine, found, &drawn)? {
             Walked::Alike(_) => walked += 1,
             Walked::Unfinished => return Ok(Err(Why::Unfinished)),
             Walked::Unlike { steps, changes } => {
-                return Ok(Err(Why::RemembersMore { style: *style, held, steps, changes }));
+                return Ok(Err(Why::RemembersMore { style, held, steps, changes }));
             }
         }
         if tell(Now::Walked(found.len())).is_break() {

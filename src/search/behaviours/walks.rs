@@ -4,16 +4,19 @@
 //! behaviours lead to. So whatever states remember that does not show while one reading is held is found if it shows on some walk: what
 //! counts changes by many of them, a clock by long ones, hysteresis and orders of readings by random ones.
 
-use super::{Behaviours, Machine};
+use super::{Begins, Behaviours, Hold, Machine};
 use crate::search::rng::Rng;
 
 /// Readings of a walk, each held for some steps.
 pub type Walk = Vec<(usize, usize)>;
 
+/// Of so many changes of a walk in which nothing is held for long, one is followed by a stay in which more shows.
+const SHOWS: usize = 100;
+
 /// Kinds of walks: each finds what others do not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Style {
-    /// Another reading at each step, and some stays after that in which it would show: what counts changes.
+    /// Another reading at each step: what counts changes.
     EveryStep,
     /// One reading again and again for a step or two, at changing distances: what an edge sets and the next one does not.
     Blinks,
@@ -25,47 +28,93 @@ pub enum Style {
     Long,
     /// The same change again and again, a step later each time: each phase of what the machine does by itself.
     Phases,
-    /// Nothing for long, then short stays: clocks.
+    /// Nothing for most of it, then short stays: clocks.
     Late,
+    /// One reading for most of it, then stays of any length: what somebody leaves behind who was there for long.
+    Out,
+    /// The same stay again and again with hardly anything between: what counts stops that are whole.
+    Stops,
+    /// A step as likely as some and as very many: what only short stays after long ones show, or long ones after short ones.
+    Any,
+    /// The same few changes again and again: what counts rounds.
+    Rounds,
 }
 
 impl Style {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::EveryStep, Self::Blinks, Self::Short, Self::Middle, Self::Long, Self::Phases, Self::Late];
+    pub const ALL: [Self; 11] = [
+        Self::EveryStep,
+        Self::Blinks,
+        Self::Short,
+        Self::Middle,
+        Self::Long,
+        Self::Phases,
+        Self::Late,
+        Self::Out,
+        Self::Stops,
+        Self::Any,
+        Self::Rounds,
+    ];
 
     /// A walk of this kind from reading 0 on, of at least so many steps, where states are taken for one after readings were `held` so long.
+    /// After that some stays follow in which shows what it left behind.
     #[must_use]
     pub fn drawn(self, rng: &mut Rng, readings: usize, held: usize, steps: usize) -> Walk {
         let (mut walk, mut taken, mut present) = (Walk::new(), 0, 0);
         let phase = 1 + rng.below(held);
-        let quiet = rng.below(steps.max(1));
-        while taken < steps {
+        let most = (3 * steps / 4).max(1);
+        let round = if rng.below(2) == 0 { readings.max(2) } else { 2 + rng.below(5) };
+        let all = steps + steps.min(2 * held);
+        while taken < all {
             let number = walk.len();
+            let is_over = taken >= steps;
+            let shows = matches!(self, Self::EveryStep | Self::Blinks | Self::Short) && rng.below(SHOWS) == 0;
             let stay = match self {
-                Self::EveryStep if taken + 4 * held < steps => 1,
+                Self::Middle => 1 + rng.below(2 * held),
+                _ if is_over || shows => 1 + rng.below(2 * held),
+                Self::EveryStep => 1,
                 Self::Blinks if number % 2 == 1 => 1 + rng.below(2),
-                Self::Blinks => 1 + rng.below(held),
                 Self::Short => 1 + rng.below(held.div_ceil(6)),
-                Self::Middle | Self::EveryStep => 1 + rng.below(2 * held),
                 Self::Long => 1 + rng.below(20 * held),
                 Self::Phases if number % 2 == 1 => phase,
                 Self::Phases => 2 * held + number / 2,
-                Self::Late if number == 0 => quiet + 1,
-                Self::Late => 1 + rng.below(held),
+                Self::Late if number == 0 => most + rng.below((steps / 8).max(1)),
+                Self::Blinks | Self::Late => 1 + rng.below(held),
+                Self::Out if (1..readings).contains(&number) => most.div_ceil(readings - 1),
+                Self::Out if number == readings + 1 => [1, held, held, held][phase % 4],
+                Self::Out => any_up_to(4 * held, rng),
+                Self::Stops if number % 2 == 1 => phase,
+                Self::Stops => 1 + rng.below(3),
+                Self::Any => any_up_to(steps / 2, rng),
+                Self::Rounds if number >= round => walk[number - round].1,
+                Self::Rounds => any_up_to(held, rng),
             };
             walk.push((present, stay));
             taken += stay;
             if readings > 1 {
                 present = match self {
                     // Of two readings one is that of the start.
-                    Self::Phases | Self::Blinks if present != 0 => 0,
+                    Self::Phases | Self::Blinks | Self::Stops if present != 0 => 0,
+                    Self::Out if number + 1 < readings => number + 1,
+                    Self::Rounds if number + 1 >= round => walk[number + 1 - round].0,
+                    // One that the round did not come to yet, if there is any.
+                    Self::Rounds if number + 1 < readings => {
+                        let others = (0..readings).filter(|other| walk.iter().all(|(come_to, _)| come_to != other));
+                        others.collect::<Vec<_>>()[rng.below(readings - number - 1)]
+                    }
                     _ => (present + 1 + rng.below(readings - 1)) % readings,
                 };
             }
         }
         walk
     }
+}
+
+/// From one to so many, small ones as likely as large ones.
+fn any_up_to(most: usize, rng: &mut Rng) -> usize {
+    let most = most.max(1);
+    let halved = rng.below(most.ilog2() as usize + 1);
+    1 + rng.below(most >> halved)
 }
 
 /// How a walk came out.
@@ -84,6 +133,10 @@ pub enum Walked {
     Unfinished,
 }
 
+/// So many holds are asked for at once, each of so many steps at most: what they show is kept until it is compared.
+const AT_ONCE: usize = 48;
+const PIECE: usize = 100;
+
 /// Walks from the start.
 ///
 /// # Errors
@@ -98,24 +151,38 @@ pub fn walk<M: Machine>(
     if !machine.alike(shown, behaviours.shown(number)) {
         return Ok(Walked::Unlike { steps: 0, changes: 0 });
     }
-    for (changes, (reading, steps)) in readings.iter().enumerate() {
-        let Some((shown, after)) = machine.hold(&state, *reading, *steps)? else { return Ok(Walked::Unfinished) };
-        for one in shown {
-            // Behaviours that were looked for up to some step say nothing of later ones.
-            let Some(next) = behaviours.next(number, *reading) else { return Ok(Walked::Alike(taken)) };
-            let told = [number, next].map(|number| behaviours.shown(number));
-            (number, taken) = (next, taken + 1);
-            let unlike = Ok(Walked::Unlike { steps: taken, changes });
-            if machine.alike(one, told[1]) {
-                // Where rounding decides in which of two steps something switches, it does so by the step after.
-                if doubt.take().is_some_and(|(one, before)| !machine.switches(one, [before, told[0], told[1]])) {
+    let pieces = readings.iter().enumerate().flat_map(|(changes, (reading, steps))| {
+        (0..*steps).step_by(PIECE).map(move |from| (changes, *reading, PIECE.min(steps - from)))
+    });
+    let pieces: Vec<_> = pieces.collect();
+    for some in pieces.chunks(AT_ONCE) {
+        let hold = |(place, (_, reading, steps)): (usize, &(usize, usize, usize))| Hold {
+            from: place.checked_sub(1).map_or(Begins::At(&state), Begins::After),
+            reading: *reading,
+            steps: *steps,
+        };
+        let holds: Vec<_> = some.iter().enumerate().map(hold).collect();
+        let Some(mut held) = machine.hold_each(&holds)? else { return Ok(Walked::Unfinished) };
+        for ((shown, _), (changes, reading, _)) in held.iter().zip(some) {
+            for one in shown {
+                // Behaviours that were looked for up to some step say nothing of later ones.
+                let Some(next) = behaviours.next(number, *reading) else { return Ok(Walked::Alike(taken)) };
+                let told = [number, next].map(|number| behaviours.shown(number));
+                (number, taken) = (next, taken + 1);
+                let unlike = Ok(Walked::Unlike { steps: taken, changes: *changes });
+                if machine.alike(*one, told[1]) {
+                    // Where rounding decides in which of two steps something switches, it does so by the step after.
+                    if doubt.take().is_some_and(|(one, before)| !machine.switches(one, [before, told[0], told[1]])) {
+                        return unlike;
+                    }
+                } else if doubt.replace((*one, told[0])).is_some() {
                     return unlike;
                 }
-            } else if doubt.replace((one, told[0])).is_some() {
-                return unlike;
             }
         }
-        state = after;
+        if let Some((_, after)) = held.pop() {
+            state = after;
+        }
     }
     Ok(Walked::Alike(taken))
 }
