@@ -10,7 +10,7 @@ from fmpy.fmi3 import FMU3Slave
 
 TOKEN = "{6e4f2a31-random-cells}"
 REALS = ["middle", "swing", "begin"]
-INTEGERS = ["period_ms", "reaction_ms", "ramp_ms", "restart_ms", "heeds"]
+INTEGERS = ["period_ms", "reaction_ms", "ramp_ms", "restart_ms", "heeds", "mutes", "mute_ms", "deaf_ms", "hears"]
 DEFAULTS = {"period_ms": 1000, "reaction_ms": 100, "ramp_ms": 100}
 
 

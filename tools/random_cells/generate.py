@@ -22,7 +22,7 @@ def around(ex, ey, sides):
 
 
 def sensor(name, kind, zone, variable, delay):
-    what = f"polygon_m = {[[round(v, 3) for v in p] for p in zone]}" if kind != "interlocked_door" else \
+    what = f"polygon_m = {[[round(v, 3) for v in p] for p in zone]}" if kind not in ("interlocked_door", "light_curtain") else \
         f"line_m = {[[round(v, 3) for v in p] for p in zone]}, heights_m = [0, 2.2]"
     return (f'[[sensor]]\nname = "{name}"\nkind = "{kind}"\nvariable = "{variable}"\nactive = false\n'
             + (f"delay_ms = {delay}\n" if delay else "") + f"zone = {{ {what} }}\n")

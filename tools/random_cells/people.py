@@ -71,7 +71,7 @@ class Cell:
         self.read(text)
         for middle, half in self.walls:
             assert middle[2] - half[2] <= 1e-3 and 2 * half[2] > 0.25
-        self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] == "interlocked_door"]
+        self.planes = [k for k, s in enumerate(self.sensors) if s["kind"] in ("interlocked_door", "light_curtain")]
         self.limited(self.robots[0]["moving_mass_kg"] / 2 + self.robots[0]["payload_kg"])
 
     def read(self, text):
@@ -201,9 +201,9 @@ class People:
             if k in self.cell.planes:
                 box, y, _ = self.cell.plane(k)
                 near = np.nonzero(np.abs(self.places[:, 1] - y) < (1.2 if self.cell.bends else 0.3))[0]
-                for part in PARTS if len(near) else []:
-                    a, b = self.part(part, near)
-                    told[near, k] |= to_box(a, b, box) <= part[4]
+                if len(near):
+                    a, b = (np.array(ends) for ends in zip(*(self.part(part, near) for part in PARTS)))
+                    told[near, k] = (to_box(a, b, box) <= np.array([[part[4]] for part in PARTS])).any(0)
             else:
                 zone = sensor["zone"]["polygon_m"]
                 told[:, k] = in_polygon(self.places + left, zone) | in_polygon(self.places - left, zone)

@@ -6,7 +6,9 @@
  *   q = middle + swing sin(2 pi (progress / period) + begin)      for each axis, rad or m as the cell file reads it
  *
  * A robot heeds the inputs of its mask (1: s1, 2: s2, 4: s3). Where one of them is false a stop is wanted: for ever if it is latched, else until
- * all have been true for restart_ms. After reaction_ms of that the override goes to nothing in ramp_ms, and back in the same time. */
+ * all have been true for restart_ms. After reaction_ms of that the override goes to nothing in ramp_ms, and back in the same time.
+ * While an input of the mask mutes is false, s1 is not heeded, for mute_ms at most. For deaf_ms from a restart no input is heeded,
+ * and for ever after so many stops as hears says, unless it is 0. */
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,16 +27,19 @@
 #define FULL 1000
 
 /* Value references. Reals: 10 R + 0 middle, 1 swing, 2 begin; outputs 10 R + 5 q, 6 qd. Integers: 100 + 10 R + 0 period_ms,
- * 1 reaction_ms, 2 ramp_ms, 3 restart_ms, 4 heeds. Booleans: 200 + S sensor, 210 + R latched. 999 is the time. */
+ * 1 reaction_ms, 2 ramp_ms, 3 restart_ms, 4 heeds, 5 mutes, 6 mute_ms, 7 deaf_ms, 8 hears. Booleans: 200 + S sensor,
+ * 210 + R latched. 999 is the time. */
 struct parameters {
     double middle[ROBOTS], swing[ROBOTS], begin[ROBOTS];
     int period_ms[ROBOTS], reaction_ms[ROBOTS], ramp_ms[ROBOTS], restart_ms[ROBOTS], heeds[ROBOTS], latched[ROBOTS];
+    int mutes[ROBOTS], mute_ms[ROBOTS], deaf_ms[ROBOTS], hears[ROBOTS];
 };
 
 /* All that changes. */
 struct state {
     int ms, clear[SENSORS];
     int progress[ROBOTS], override[ROBOTS], wanted_ms[ROBOTS], free_ms[ROBOTS], tripped[ROBOTS];
+    int muted_ms[ROBOTS], deaf_ms[ROBOTS], stops[ROBOTS];
 };
 
 struct instance {
@@ -63,14 +68,28 @@ static void tick(struct instance *c, int r)
 {
     const struct parameters *is = &c->is;
     struct state *now = &c->now;
-    bool seen = false;
+    bool seen = false, mutes = false;
     for (int s = 0; s < SENSORS; s++)
-        seen |= (is->heeds[r] >> s & 1) && !now->clear[s];
+        mutes |= (is->mutes[r] >> s & 1) && !now->clear[s];
+    now->muted_ms[r] = !mutes ? 0 : now->muted_ms[r] < is->mute_ms[r] ? now->muted_ms[r] + 1 : is->mute_ms[r];
+    mutes = mutes && now->muted_ms[r] < is->mute_ms[r];
+    for (int s = 0; s < SENSORS; s++)
+        seen |= (is->heeds[r] >> s & 1) && !now->clear[s] && !(s == 0 && mutes);
+    if (now->deaf_ms[r] > 0) {
+        now->deaf_ms[r]--;
+        seen = false;
+    }
+    if (is->hears[r] > 0 && seen && !now->tripped[r]) {
+        seen = now->stops[r] < is->hears[r];
+        now->stops[r] += seen;
+    }
     now->free_ms[r] = seen ? 0 : now->free_ms[r] < is->restart_ms[r] ? now->free_ms[r] + 1 : is->restart_ms[r];
     if (seen)
         now->tripped[r] = 1;
-    else if (!is->latched[r] && now->free_ms[r] >= is->restart_ms[r])
+    else if (now->tripped[r] && !is->latched[r] && now->free_ms[r] >= is->restart_ms[r]) {
         now->tripped[r] = 0;
+        now->deaf_ms[r] = is->deaf_ms[r];
+    }
     if (!now->tripped[r])
         now->wanted_ms[r] = 0;
     else if (now->wanted_ms[r] < is->reaction_ms[r])
@@ -136,9 +155,9 @@ static int set_real(struct instance *c, unsigned vr, double value)
 
 static int *integer(struct instance *c, unsigned vr)
 {
-    int *of[] = {c->is.period_ms, c->is.reaction_ms, c->is.ramp_ms, c->is.restart_ms, c->is.heeds};
+    int *of[] = {c->is.period_ms, c->is.reaction_ms, c->is.ramp_ms, c->is.restart_ms, c->is.heeds, c->is.mutes, c->is.mute_ms, c->is.deaf_ms, c->is.hears};
     unsigned r = (vr - 100) / 10, k = (vr - 100) % 10;
-    return vr >= 100 && r < ROBOTS && k < 5 ? of[k] + r : NULL;
+    return vr >= 100 && r < ROBOTS && k < 9 ? of[k] + r : NULL;
 }
 
 static int *boolean(struct instance *c, unsigned vr)

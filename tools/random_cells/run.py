@@ -2,7 +2,8 @@
 
     run.py BINARY FOLDER [--cells 100] [--first 0] [--walks 1500] [--time 60]
     run.py BINARY FOLDER --enough  what `explain --complete` calls enough, of flawed cells in which people begin 0.7 m farther away
-    run.py --table FOLDER          the table of the book, from what is in FOLDER/results.jsonl
+    run.py BINARY FOLDER --restarting  stops that restart by themselves, and walks of many entries: see again.py
+    run.py --table FOLDER          the table of the book, from what is in FOLDER/results.jsonl; with --restarting, of restarting.jsonl
 
 Each cell is one line of results.jsonl; cells that have theirs are left out, so it may be ended and begun again at any time. Both twins are
 scanned from anywhere and from the start. Each is searched by free walks (against what is said of anywhere) and by sequences of actions
@@ -300,16 +301,22 @@ def main():
     parser.add_argument("--walks", type=int, default=1500)
     parser.add_argument("--time", type=int, default=60, help="longest time of a scan from anywhere, s; twice that for doors and low fences; 40 s at most from the start")
     parser.add_argument("--enough", action="store_true", help="what explain calls enough")
+    parser.add_argument("--restarting", action="store_true", help="stops that restart by themselves")
+    parser.add_argument("--walks-only", action="store_true", help="with --restarting: no scans")
     parser.add_argument("--table", action="store_true")
     given = parser.parse_args()
     folder = given.folder.resolve()
+    if given.restarting:
+        import again  # It needs this file.
     if given.table:
-        return table(folder)
+        return again.table(folder) if given.restarting else table(folder)
     binary = Path(given.binary).resolve()
     fmus.build(folder / "fmu")
     (folder / "cells").mkdir(exist_ok=True)
     for fmi in (2, 3):
         shutil.copy(folder / f"fmu/robots{fmi}.fmu", folder / "cells")
+    if given.restarting:
+        return again.all_pairs(binary, folder, given)
     if given.enough:
         return all_enough(binary, folder, given)
     results = folder / "results.jsonl"

@@ -34,7 +34,8 @@ class Floor:
         unseen = np.zeros(len(flat), bool)
         for heading in np.arange(8) * np.pi / 4:
             unseen |= ~People(cell, flat, np.full(len(flat), heading), np.zeros(len(flat), int)).readings().any(1)
-        self.unseen = self.joined(unseen.reshape(n, n) & self.room)
+        self.nobody = unseen.reshape(n, n) & self.room
+        self.unseen = self.joined(self.nobody)
 
     def joined(self, mask):
         """What is joined to the edge of the lattice."""
@@ -51,6 +52,17 @@ class Floor:
             if (more == reached).all():
                 return reached
             reached = more
+
+    def joined_by(self, mask, times):
+        """What is no more than so many cells from a mask."""
+        for _ in range(times):
+            more = mask.copy()
+            more[1:] |= mask[:-1]
+            more[:-1] |= mask[1:]
+            more[:, 1:] |= mask[:, :-1]
+            more[:, :-1] |= mask[:, 1:]
+            mask = more
+        return mask
 
     def index(self, places):
         return np.clip(((places + self.half) / SPACING).astype(int), 0, len(self.axis) - 1)
