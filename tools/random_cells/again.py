@@ -2,7 +2,8 @@
 
 First both twins of all cells are searched by walks of many entries (walks.jsonl), then both are scanned from anywhere, one line of
 restarting.jsonl a cell; where a scan asks for nothing but to accept what the FMU remembers, that is accepted and the cell is scanned again.
-Refuted is "nobody" and a sure hit of a walk before the time until which was scanned. Both files may be ended and gone on with at any time.
+Refuted is "nobody" and a sure hit of a walk before the time until which was scanned. What controllers that count stops remember does not show
+while nothing changes: a hit in a cell that was accepted all the same shows that to be wrong, not the answer. Both files may be ended and gone on with at any time.
 """
 
 import json
@@ -51,7 +52,7 @@ def walked(folder, seed, number):
 
 def scanned(binary, folder, row, seconds):
     """Scans of both twins, and what walks say of the answers."""
-    seed, result = row["seed"], row | {"scans": {}, "refuted": [], "later": []}
+    seed, result = row["seed"], row | {"scans": {}, "refuted": [], "later": [], "wrongly": []}
     for which, file in written(folder, seed)[1].items():
         out, walks = folder / "out" / f"{seed}-{which}", row["twins"][which]
         scans = {"anywhere": told(binary, file, "anywhere", UNTIL, seconds, out / "anywhere", False)}
@@ -60,7 +61,7 @@ def scanned(binary, folder, row, seconds):
             scans["accepted"] = told(binary, accepted(file, first["accept"]), "anywhere", UNTIL, seconds, out / "accepted", False)
         for name, scan in scans.items():
             if scan["exit"] == 0 and walks["first"]:
-                where = "refuted" if walks["first"]["at_s"] <= UNTIL else "later"
+                where = "later" if walks["first"]["at_s"] > UNTIL else "wrongly" if name == "accepted" and '"r1.hears"' in file.read_text() else "refuted"
                 result[where].append({"claim": f"{which}: {scan['headline']}", "scan": name, "walk": walks["first"]})
         result["scans"][which] = scans
     return result
@@ -125,8 +126,8 @@ def remarks(walks, results):
             if bool(t["hits"]) != (which == "flawed"):
                 print(f"  look at {seed} {which} ({w['kind']}): {t['hits']} hits, {t['sure']} sure")
     for seed, r in results.items():
-        for word in ("refuted", "later"):
-            for refuted in r[word]:
+        for word in ("refuted", "later", "wrongly"):
+            for refuted in r.get(word, []):
                 print(f"{word.upper()} {seed} {r['kind']}: {refuted['claim']}")
         for which, scans in r["scans"].items():
             code = list(scans.values())[-1]["exit"]

@@ -107,8 +107,8 @@ class Entries(Search):
         outside = np.argwhere(floor.unseen)
         reached = distances(floor, [floor.places[tuple(outside[rng.integers(len(outside))])]])[0] < 100
         nobody, seen = floor.nobody & reached, reached & ~floor.nobody
-        near = lambda mask, by: floor.joined_by(mask, by)  # noqa: E731
-        kinds = [floor.unseen & near(seen, 6), nobody & ~floor.unseen, nobody & near(seen, 2), seen & near(nobody, 2), seen]
+        near_seen, near_nobody = floor.joined_by(seen, 2), floor.joined_by(nobody, 2)
+        kinds = [floor.unseen & floor.joined_by(seen, 6), nobody & ~floor.unseen, nobody & near_seen, seen & near_nobody, seen]
         chosen, self.kinds = [self.goals], [np.arange(len(self.goals))]
         middle = np.linalg.norm(floor.places - self.swept[0], axis=-1)
         for mask, most in zip(kinds, (6, 8, 6, 6, 4)):
@@ -126,15 +126,19 @@ class Entries(Search):
         rng = self.rng
         swept, before, behind, edge, within, seen = self.kinds
         behind = behind if len(behind) else edge
-        patterns = [[within, before, swept], [within, before] * 3 + [swept], [before, swept], [behind, swept], [before, within, before, within, swept], [before, behind, swept], [behind, edge, swept],
-                    [edge, within, edge, within, swept], [before, seen, behind, swept], [np.arange(len(self.goals))]]
+        patterns = [[within, before, swept], [within, before] * 3 + [swept], [before, swept], [behind, swept], [before, within, before, within, swept],
+                    [before, behind, swept], [behind, edge, swept], [edge, within, edge, within, swept], [before, seen, behind, swept],
+                    [np.arange(len(self.goals))]]
         where = np.empty((number, LEGS), int)
         for k in range(number):
             pattern, near = patterns[rng.integers(len(patterns))], rng.random() < 0.6
             for leg, of in enumerate((pattern * LEGS)[:LEGS]):
                 of = of if len(of) else edge if len(edge) else swept
                 # Some step in and out at one place, others somewhere else each time.
-                where[k, leg] = of[np.linalg.norm(self.goals[of] - self.goals[where[k, leg - 1]], axis=1).argmin()] if near and leg % len(pattern) else rng.choice(of)
+                if near and leg % len(pattern):
+                    where[k, leg] = of[np.linalg.norm(self.goals[of] - self.goals[where[k, leg - 1]], axis=1).argmin()]
+                else:
+                    where[k, leg] = rng.choice(of)
         shape, straight = (number, LEGS), rng.random((number, 1)) < 0.3
         why = np.where(rng.random(shape) < 0.6, FOR, rng.integers(4, size=shape))
         why = np.where(np.isin(where, before) & (rng.random(shape) < 0.5), CLEAR, why)
