@@ -389,13 +389,12 @@ impl Binding {
         rows
     }
 
-    /// Of each output, whether anything but programme phases is read from it: these name hazards, and harm nobody.
+    /// Of each output, whether it tells where robots are or how fast.
     #[must_use]
-    pub fn matters(&self) -> Vec<bool> {
+    pub fn moves(&self) -> Vec<bool> {
         let mut read = vec![false; self.outputs.len()];
         let mut take = |reader: &Reader| reader.outputs().for_each(|column| read[column] = true);
-        for RobotBinding { motion, payload, phase: _ } in &self.robots {
-            take(payload);
+        for RobotBinding { motion, .. } in &self.robots {
             match motion {
                 MotionBinding::Joints { positions, speeds } => positions.iter().chain(speeds).for_each(&mut take),
                 MotionBinding::Frames(frames) => {
@@ -410,6 +409,17 @@ impl Binding {
             Derived::Rate { of, turns: _ } => take(of),
             Derived::Turning { of } => of.readers().for_each(&mut take),
         });
+        read
+    }
+
+    /// Of each output, whether anything but programme phases is read from it: these name hazards, and harm nobody.
+    #[must_use]
+    pub fn matters(&self) -> Vec<bool> {
+        let mut read = self.moves();
+        let mut take = |reader: &Reader| reader.outputs().for_each(|column| read[column] = true);
+        for RobotBinding { motion: _, payload, phase: _ } in &self.robots {
+            take(payload);
+        }
         for sensor in &self.sensors {
             match sensor {
                 SensorBinding::Input(_) => {}

@@ -1,7 +1,7 @@
 //! FMUs in this process or in a worker, as one [`Plant`].
 
 use super::isolation::{self, Isolated};
-use super::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Stepped, Then};
+use super::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Reads, Stepped, Then};
 use super::recall::{Effort, Recall};
 use super::system::{self, System};
 use crate::stop::Stop;
@@ -52,7 +52,7 @@ fn legs_of<'a, C>(
             Begins::At(saved) => Begins::At(of(saved).ok_or_else(|| PlantError::of("a state of another plant"))?),
             Begins::After(number) => Begins::After(number),
         };
-        Ok(Leg { from, steps: leg.steps, inputs: leg.inputs.clone() })
+        Ok(Leg { from, steps: leg.steps, inputs: leg.inputs.clone(), reads: leg.reads })
     };
     legs.iter().map(one).collect()
 }
@@ -99,6 +99,13 @@ impl Plant for Hosted {
                 (outputs, taken.map(|taken| taken.map(Checkpoint::Apart)))
             }
         })
+    }
+
+    fn advance_reading(&mut self, steps: usize, inputs: &[f64], reads: Reads) -> Result<Vec<f64>, PlantError> {
+        match self {
+            Self::Here(plant) => plant.advance_reading(steps, inputs, reads),
+            Self::Apart(plant) => plant.advance_reading(steps, inputs, reads),
+        }
     }
 
     fn advance_each(&mut self, legs: &[Leg<'_, Checkpoint>]) -> Result<Vec<Arrived<Checkpoint>>, PlantError> {

@@ -34,6 +34,18 @@ pub trait Plant {
     /// When the FMU refuses a step or an output is not finite. The plant must then be restarted or restored.
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError>;
 
+    /// [`advance`](Self::advance) with the outputs after some of the steps only.
+    ///
+    /// # Errors
+    /// The same.
+    fn advance_reading(&mut self, steps: usize, inputs: &[f64], reads: Reads) -> Result<Vec<f64>, PlantError> {
+        let all = self.advance(steps, inputs)?;
+        Ok(match reads {
+            Reads::Each => all,
+            Reads::Last => all[all.len().saturating_sub(self.output_count())..].to_vec(),
+        })
+    }
+
     /// [`advance`](Self::advance), and something of the state that it leads to: one message where the plant lives
     /// elsewhere. An error in what it gives is that of the stocktaking, after steps that went well.
     ///
@@ -116,6 +128,29 @@ pub struct Leg<'a, C> {
     pub steps: usize,
     /// What the FMU is told, row-major.
     pub inputs: Vec<f64>,
+    /// After which steps outputs are read.
+    pub reads: Reads,
+}
+
+/// After which steps outputs are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Reads {
+    /// After each.
+    Each,
+    /// After the last.
+    Last,
+}
+
+impl Reads {
+    /// How many rows of outputs so many steps have.
+    #[must_use]
+    pub const fn rows(self, steps: usize) -> usize {
+        match self {
+            Self::Each => steps,
+            Self::Last if steps == 0 => 0,
+            Self::Last => 1,
+        }
+    }
 }
 
 /// Where a leg begins.
@@ -127,7 +162,7 @@ pub enum Begins<'a, C> {
     After(usize),
 }
 
-/// Outputs after each step, row-major, and the state after the last.
+/// Outputs after the steps that are read, row-major, and the state after the last.
 pub type Arrived<C> = (Vec<f64>, C);
 
 /// Takes legs with a message each, or more.
@@ -141,7 +176,9 @@ pub(super) fn one_by_one<P: Plant + ?Sized>(
             Begins::At(saved) => plant.restore_soon(saved)?,
             Begins::After(number) => plant.restore_soon(&all[number].1)?,
         }
-        let (outputs, taken) = plant.advance_and(leg.steps, &leg.inputs, Then::Save)?;
+        let (mut outputs, taken) = plant.advance_and(leg.steps, &leg.inputs, Then::Save)?;
+        let rows = leg.reads.rows(leg.steps) * plant.output_count();
+        outputs.drain(..outputs.len().saturating_sub(rows));
         let Taken::Saved(saved) = taken? else { return Err(PlantError::of("this plant keeps no states")) };
         all.push((outputs, saved));
     }
@@ -206,6 +243,10 @@ impl<P: Plant> Plant for &mut P {
 
     fn advance_and(&mut self, steps: usize, inputs: &[f64], then: Then) -> Result<Stepped<P::Checkpoint>, PlantError> {
         (**self).advance_and(steps, inputs, then)
+    }
+
+    fn advance_reading(&mut self, steps: usize, inputs: &[f64], reads: Reads) -> Result<Vec<f64>, PlantError> {
+        (**self).advance_reading(steps, inputs, reads)
     }
 
     fn advance_each(&mut self, legs: &[Leg<'_, P::Checkpoint>]) -> Result<Vec<Arrived<P::Checkpoint>>, PlantError> {

@@ -13,7 +13,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::activity::Activity;
 use super::in_process::{self, InProcess, Setup};
-use super::plant::{Fingerprint, Plant, PlantError};
+use super::plant::{Fingerprint, Plant, PlantError, Reads};
 use super::port::Port;
 use crate::fmi::Slave;
 use crate::stop::Stop;
@@ -365,11 +365,15 @@ impl Plant for System {
     }
 
     fn advance(&mut self, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+        self.advance_reading(steps, inputs, Reads::Each)
+    }
+
+    fn advance_reading(&mut self, steps: usize, inputs: &[f64], reads: Reads) -> Result<Vec<f64>, PlantError> {
         if self.setup.connections.is_empty() && self.units.len() == 1 {
-            return self.units[0].advance(steps, inputs);
+            return self.units[0].advance_reading(steps, inputs, reads);
         }
         let (width, rows) = (self.setup.inputs.len(), self.setup.columns());
-        let mut trace = Vec::with_capacity(steps * rows);
+        let mut trace = Vec::with_capacity(reads.rows(steps) * rows);
         for step in 0..steps {
             let mut row = vec![0.0; rows];
             for place in 0..self.order.len() {
@@ -378,7 +382,9 @@ impl Plant for System {
                 let given = self.units[unit].advance(1, &values).map_err(|e| self.blame(unit, e))?;
                 self.collect(unit, &given, &mut row);
             }
-            trace.extend(row);
+            if reads == Reads::Each || step + 1 == steps {
+                trace.extend(row);
+            }
         }
         Ok(trace)
     }

@@ -29,6 +29,12 @@ pub enum Assumption {
         /// Milliseconds.
         within_ms: u32,
     },
+    /// FMU states in which the robots are nearly alike, and for this time while what the sensors report stays the same, whatever they report,
+    /// lead on to such states.
+    NearlyAlike {
+        /// Milliseconds.
+        within_ms: u32,
+    },
     /// Robots go on after a contact as far as was tried out.
     TravelAfterContact,
 }
@@ -54,6 +60,7 @@ impl Assumption {
             Self::SensorSeesAlike { .. } => "sensor_sees_alike",
             Self::Presses { .. } => "presses",
             Self::MemoryShows { .. } => "memory_shows",
+            Self::NearlyAlike { .. } => "nearly_alike",
             Self::TravelAfterContact => "travel_after_contact",
         }
     }
@@ -74,6 +81,10 @@ impl Assumption {
                 "what the FMU remembers shows within {:.2} s while what the sensors report stays the same",
                 f64::from(*within_ms) / 1000.0
             ),
+            Self::NearlyAlike { within_ms } => format!(
+                "robots that are and move nearly alike, now and for {:.2} s while what the sensors report stays the same, go on nearly alike",
+                f64::from(*within_ms) / 1000.0
+            ),
             Self::TravelAfterContact => "robots go on after a contact as far as they did in trials".to_owned(),
         }
     }
@@ -85,7 +96,8 @@ impl Assumption {
             // Whoever says that there is one press at most is answered by a search with two.
             (Self::Presses { at_most: mine }, Self::Presses { at_most: its }) => mine <= its,
             // What shows within a second shows within two.
-            (Self::MemoryShows { within_ms: mine }, Self::MemoryShows { within_ms: its }) => mine <= its,
+            (Self::MemoryShows { within_ms: mine }, Self::MemoryShows { within_ms: its })
+            | (Self::NearlyAlike { within_ms: mine }, Self::NearlyAlike { within_ms: its }) => mine <= its,
             _ => self == other,
         }
     }
@@ -101,7 +113,7 @@ impl Assumption {
             }
             Self::SensorSeesAlike { sensor } => lines += &format!("sensor = {}\n", quoted(sensor)),
             Self::Presses { at_most } => lines += &format!("at_most = {at_most}\n"),
-            Self::MemoryShows { within_ms } => {
+            Self::MemoryShows { within_ms } | Self::NearlyAlike { within_ms } => {
                 lines += &format!("within_s = {}\n", f64::from(*within_ms) / 1000.0);
             }
             Self::PeopleAlike | Self::TravelAfterContact => {}

@@ -11,6 +11,7 @@ mod keys;
 mod later;
 pub(super) mod map;
 mod moments;
+mod nearly;
 mod obligations;
 mod parts;
 mod pressing;
@@ -432,7 +433,7 @@ impl<'a> Looking<'a> {
         let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
             Ok(few) => Some(few),
             Err(Refused::Stopped) => return Ok((End::Stopped, limit, None)),
-            Err(Refused::Because(why)) => {
+            Err(Refused::Because(why) | Refused::Remembers(why)) => {
                 self.not_few.get_or_insert(why);
                 None
             }

@@ -9,6 +9,7 @@
 //! looks at a clock. [`walks`] tries that out.
 
 pub mod decided;
+pub mod net;
 pub mod shows;
 pub mod stays;
 pub mod walks;
@@ -57,7 +58,7 @@ pub trait Machine {
         reading: usize,
         steps: usize,
     ) -> Result<Option<Held<Self::State>>, Self::Error> {
-        let all = self.hold_each(&[Hold { from: Begins::At(state), reading, steps }])?;
+        let all = self.hold_each(&[Hold { from: Begins::At(state), reading, steps, last: false }])?;
         Ok(all.and_then(|mut all| all.pop()))
     }
 }
@@ -71,6 +72,8 @@ pub struct Hold<'a, S> {
     pub reading: usize,
     /// For so many steps.
     pub steps: usize,
+    /// Whether only what is shown after the last of them is asked for.
+    pub last: bool,
 }
 
 /// Where a hold begins.
@@ -141,6 +144,31 @@ pub struct Behaviours {
 }
 
 impl Behaviours {
+    /// None yet.
+    fn none(readings: usize) -> Self {
+        let (shows, depth, came, next) = Default::default();
+        Self { readings, shows, depth, came, next, merged: 0, ended: Ended::Closed }
+    }
+
+    /// Another, which was come to from one by a step with a reading.
+    #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
+    fn add(&mut self, shown: Shown, came: Option<(Number, usize)>) -> Number {
+        let number = self.len() as Number;
+        self.shows.push(shown);
+        self.depth.push(came.map_or(0, |(before, _)| self.depth[before as usize] + 1));
+        self.came.push(came.map_or((number, 0), |(before, reading)| (before, reading as u32)));
+        self.next.extend(std::iter::repeat_n(NONE, self.readings));
+        if let Some((before, reading)) = came {
+            self.follow(before, reading, number);
+        }
+        number
+    }
+
+    /// One is followed by another after a step with a reading.
+    fn follow(&mut self, number: Number, reading: usize, next: Number) {
+        self.next[number as usize * self.readings + reading] = next;
+    }
+
     /// How many there are.
     #[must_use]
     pub const fn len(&self) -> usize {
@@ -238,22 +266,14 @@ struct Search<'a, M: Machine> {
 
 impl<'a, M: Machine> Search<'a, M> {
     fn new(machine: &'a mut M, extent: Extent) -> Self {
-        let found = Behaviours {
-            readings: machine.readings(),
-            shows: Vec::new(),
-            depth: Vec::new(),
-            came: Vec::new(),
-            next: Vec::new(),
-            merged: 0,
-            ended: Ended::Closed,
-        };
+        let found = Behaviours::none(machine.readings());
         Self { machine, extent, found, known: BTreeMap::new() }
     }
 
     fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<Ended, M::Error> {
         let (state, shown) = self.machine.begin()?;
         let each: Vec<_> = (0..self.found.readings)
-            .map(|reading| Hold { from: Begins::At(&state), reading, steps: self.extent.held })
+            .map(|reading| Hold { from: Begins::At(&state), reading, steps: self.extent.held, last: false })
             .collect();
         let Some(runs) = self.machine.hold_each(&each)? else { return Ok(Ended::Unfinished) };
         let runs = runs.into_iter().map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect::<Vec<_>>();
@@ -292,13 +312,14 @@ impl<'a, M: Machine> Search<'a, M> {
         for one in some {
             for (reading, run) in one.runs.iter().enumerate() {
                 let after = all.len();
-                all.push(Hold { from: Begins::At(&one.state), reading, steps: 1 });
-                all.push(Hold { from: Begins::At(&run.tip), reading, steps: 1 });
+                all.push(Hold { from: Begins::At(&one.state), reading, steps: 1, last: false });
+                all.push(Hold { from: Begins::At(&run.tip), reading, steps: 1, last: false });
                 let others = (0..self.found.readings).filter(|other| *other != reading);
                 all.extend(others.map(|other| Hold {
                     from: Begins::After(after),
                     reading: other,
                     steps: self.extent.held,
+                    last: false,
                 }));
             }
         }
@@ -321,28 +342,23 @@ impl<'a, M: Machine> Search<'a, M> {
         run.ahead.extend(more);
         let mut runs: Vec<Run<M::State>> = held.map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect();
         runs.insert(reading.min(runs.len()), run);
-        #[expect(clippy::cast_possible_truncation, reason = "a few readings")]
-        let (next, is_new) = self.behaviour(shown, &runs, Some((number, reading as u32)));
-        self.found.next[number as usize * self.found.readings + reading] = next;
+        let (next, is_new) = self.behaviour(shown, &runs, Some((number, reading)));
         is_new.then_some(Open { number: next, state, runs })
     }
 
     /// The behaviour that shows this now, and that while readings are held; whether it is new.
-    #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
-    fn behaviour(&mut self, shown: u32, runs: &[Run<M::State>], came: Option<(Number, u32)>) -> (Number, bool) {
+    fn behaviour(&mut self, shown: Shown, runs: &[Run<M::State>], came: Option<(Number, usize)>) -> (Number, bool) {
         let ahead = std::iter::once(shown).chain(runs.iter().flat_map(|run| run.ahead.iter().copied()));
         let key =
             ahead.fold(Sha256::new(), |digest, number| digest.chain_update(number.to_le_bytes())).finalize().into();
-        let number = self.found.len() as Number;
-        if let Some(known) = self.known.get(&key) {
-            return (*known, false);
+        if let Some(known) = self.known.get(&key).copied() {
+            if let Some((before, reading)) = came {
+                self.found.follow(before, reading, known);
+            }
+            return (known, false);
         }
+        let number = self.found.add(shown, came);
         self.known.insert(key, number);
-        let found = &mut self.found;
-        found.shows.push(shown);
-        found.depth.push(came.map_or(0, |(before, _)| found.depth[before as usize] + 1));
-        found.came.push(came.unwrap_or((number, 0)));
-        found.next.extend(std::iter::repeat_n(NONE, found.readings));
         (number, true)
     }
 }

@@ -107,16 +107,18 @@ impl Machine for Drive {
 
     fn hold_each(&mut self, holds: &[Hold<'_, State>]) -> Result<AllHeld<State>, Infallible> {
         let mut ended: Vec<Held<State>> = Vec::new();
-        for Hold { from, reading, steps } in holds {
+        for Hold { from, reading, steps, last } in holds {
             let mut state = match from {
                 Begins::At(state) => (*state).clone(),
                 Begins::After(number) => ended[*number].1.clone(),
             };
-            let all = (0..*steps).map(|_| {
+            let mut all = Vec::new();
+            for _ in 0..*steps {
                 state = self.after(&state, *reading);
-                shown(&state)
-            });
-            ended.push((all.collect(), state));
+                all.push(shown(&state));
+            }
+            all.drain(..if *last { all.len() - 1 } else { 0 });
+            ended.push((all, state));
         }
         Ok(Some(ended))
     }

@@ -27,6 +27,7 @@ mod readings;
 pub mod reduced;
 mod shoulders;
 pub mod told;
+pub mod widths;
 mod within;
 pub mod zones;
 

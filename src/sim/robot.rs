@@ -293,11 +293,18 @@ impl RobotFrame {
         &self.outputs
     }
 
-    /// Whether any contact at all with one of some links could be above its limit.
+    /// Whether any contact at all with one of some links could be above its limit, if these are faster by so much, m/s.
     #[must_use]
-    pub fn may_harm_by(&self, counts: &[bool]) -> bool {
+    pub fn may_harm_by(&self, counts: &[bool], faster_m_s: f64) -> bool {
         let mut links = self.speed_bounds.iter().enumerate();
-        links.any(|(link, bound)| counts[link] && self.strike(link).may_harm(*bound))
+        links.any(|(link, bound)| counts[link] && self.strike(link).may_harm(*bound + faster_m_s))
+    }
+
+    /// Upper bound on the speed of any point of some links, m/s.
+    #[must_use]
+    pub fn fastest_of(&self, counts: &[bool]) -> f64 {
+        let bounds = self.speed_bounds.iter().zip(counts).filter(|(_, counts)| **counts);
+        bounds.map(|(bound, _)| *bound).fold(0.0, f64::max)
     }
 
     /// Whether the FMU's outputs are the same to the last bit.

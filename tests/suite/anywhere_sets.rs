@@ -344,7 +344,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
         let outputs = plant.advance(STEPS, &inputs).unwrap();
         for (row, (readings, at)) in outputs.chunks(prepared.binding.columns()).zip(&places) {
             let frame = RobotFrame::new(cell, &prepared.binding, row);
-            for robot in (0..2).filter(|robot| frame.may_harm_by(&only(*robot))) {
+            for robot in (0..2).filter(|robot| frame.may_harm_by(&only(*robot), 0.0)) {
                 let of = |histories: &[History]| is_in(histories, (&frame, robot), readings, *at);
                 assert!(of(&all) && of(&own[robot]), "{robot} {readings:?} {at:?}: {} {}", of(&all), of(&own[robot]));
                 seen += usize::from(readings.contains(&true));

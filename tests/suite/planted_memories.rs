@@ -130,7 +130,7 @@ impl Machine for Drive {
 
     fn hold_each(&mut self, holds: &[Hold<'_, State>]) -> Result<AllHeld<State>, Infallible> {
         let mut ended: Vec<Held<State>> = Vec::new();
-        for Hold { from, reading, steps } in holds {
+        for Hold { from, reading, steps, last } in holds {
             let mut state = match from {
                 Begins::At(state) => (*state).clone(),
                 Begins::After(number) => ended[*number].1.clone(),
@@ -139,7 +139,9 @@ impl Machine for Drive {
                 self.after(&mut state, *reading);
                 shown(&state)
             });
-            ended.push((all.collect(), state));
+            let mut all: Vec<Shown> = all.collect();
+            all.drain(..if *last { all.len() - 1 } else { 0 });
+            ended.push((all, state));
         }
         Ok(Some(ended))
     }

@@ -43,7 +43,7 @@ impl Checker<'_> {
             Acceptable::RobotIgnoresSensor => &["robot", "sensor"],
             Acceptable::SensorSeesAlike => &["sensor"],
             Acceptable::Presses => &["at_most"],
-            Acceptable::MemoryShows => &["within_s"],
+            Acceptable::MemoryShows | Acceptable::NearlyAlike => &["within_s"],
             Acceptable::PeopleAlike | Acceptable::TravelAfterContact => &[],
         };
         let keys = [
@@ -119,11 +119,14 @@ fn assumption(
             let why_not = (!worked).then(|| "there is no control that anybody works".to_owned());
             (Assumption::Presses { at_most }, why_not)
         }
-        Acceptable::MemoryShows => {
+        Acceptable::MemoryShows | Acceptable::NearlyAlike => {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a minute at most")]
             let within_ms = (1000.0 * within_s).round() as u32;
             let why_not = sensors.is_empty().then(|| "there is no sensor".to_owned());
-            (Assumption::MemoryShows { within_ms }, why_not)
+            let is_near = what == Acceptable::NearlyAlike;
+            let assumption =
+                if is_near { Assumption::NearlyAlike { within_ms } } else { Assumption::MemoryShows { within_ms } };
+            (assumption, why_not)
         }
         Acceptable::TravelAfterContact => {
             let tried = clamping.is_some_and(|clamping| clamping.signal.is_some());

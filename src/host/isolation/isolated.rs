@@ -268,10 +268,14 @@ impl Isolated {
         };
         let told = legs.iter().zip(&to);
         let legs = told
-            .map(|(leg, to)| message::Leg { from: from(leg), steps: leg.steps, inputs: leg.inputs.clone(), to: *to })
+            .map(|(leg, to)| {
+                let (steps, inputs, reads) = (leg.steps, leg.inputs.clone(), leg.reads);
+                message::Leg { from: from(leg), steps, inputs, reads, to: *to }
+            })
             .collect::<Vec<_>>();
-        let steps: Vec<usize> = legs.iter().map(|leg| leg.steps).collect();
-        let count = steps.iter().sum();
+        let read: Vec<usize> = legs.iter().map(|leg| leg.reads.rows(leg.steps)).collect();
+        let steps: usize = legs.iter().map(|leg| leg.steps).sum();
+        let count = read.iter().sum();
         let rows = match self.ask(&Question::Legs { legs, forget }) {
             Ok(Answer::Rows(rows)) if self.are_rows(&rows, count) => rows,
             Ok(_) => return Err(self.unexpected()),
@@ -280,10 +284,10 @@ impl Isolated {
                 return Err(error);
             }
         };
-        self.steps += count as u64;
+        self.steps += steps as u64;
         let mut rest = &rows[..];
-        for (leg, steps) in all[before..].iter_mut().zip(steps) {
-            let (own, after) = rest.split_at(steps * self.output_count());
+        for (leg, read) in all[before..].iter_mut().zip(read) {
+            let (own, after) = rest.split_at(read * self.output_count());
             (leg.0, rest) = (own.to_vec(), after);
         }
         Ok(())

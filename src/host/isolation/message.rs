@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use crate::fmi::Fmu;
-use crate::host::plant::{Fingerprint, PlantError};
+use crate::host::plant::{Fingerprint, PlantError, Reads};
 use crate::host::selftest::Stage;
 use crate::host::system::SystemSetup;
 
@@ -54,6 +54,7 @@ pub(super) struct Leg {
     pub steps: usize,
     #[serde(with = "numbers")]
     pub inputs: Vec<f64>,
+    pub reads: Reads,
     pub to: u32,
 }
 

@@ -19,7 +19,7 @@ use super::process::{self, Ended, Fork};
 use super::sandbox;
 use crate::fmi::{self, Fmu, Slave};
 use crate::host::activity::{Activity, Call};
-use crate::host::plant::{Plant, PlantError};
+use crate::host::plant::{Plant, PlantError, Reads};
 use crate::host::selftest::{self, Facts, Stage, moving};
 use crate::host::system::{self, System};
 
@@ -149,8 +149,8 @@ impl Hosted {
     /// The outputs of all legs, one after the other.
     fn legs(&mut self, legs: &[Leg]) -> Result<Vec<f64>, PlantError> {
         let mut all = Vec::new();
-        for Leg { from, steps, inputs, to } in legs {
-            all.extend(self.stepped(Some(*from), *steps, inputs)?);
+        for Leg { from, steps, inputs, reads, to } in legs {
+            all.extend(self.stepped(Some(*from), *steps, inputs, *reads)?);
             let saved = self.plant.save()?;
             self.saved.insert(*to, saved);
         }
@@ -158,11 +158,17 @@ impl Hosted {
     }
 
     /// Outputs of an action from the present state, or from a saved one.
-    fn stepped(&mut self, from: Option<u32>, steps: usize, inputs: &[f64]) -> Result<Vec<f64>, PlantError> {
+    fn stepped(
+        &mut self,
+        from: Option<u32>,
+        steps: usize,
+        inputs: &[f64],
+        reads: Reads,
+    ) -> Result<Vec<f64>, PlantError> {
         if let Some(number) = from {
             self.restore(number).map_err(|error| PlantError { restoring: true, ..error })?;
         }
-        self.plant.advance(steps, inputs)
+        self.plant.advance_reading(steps, inputs, reads)
     }
 }
 
@@ -196,22 +202,24 @@ impl Server {
                 hosted.saved.clear();
                 rows(hosted.plant.restart())
             }
-            Question::Advance { from, steps, inputs, then } => match hosted.stepped(from, steps, &inputs) {
-                Ok(rows) => {
-                    let taken = match then {
-                        Then::Nothing => Ok(Taken::Nothing),
-                        Then::Fingerprint => hosted.plant.fingerprint().map(Taken::Fingerprint),
-                        Then::Save { number, how } => match self.save(number, how) {
-                            Ok(Side::Original) => Ok(Taken::Saved),
-                            // Called to life by another question.
-                            Ok(Side::Copy) => return Answer::Done,
-                            Err(error) => Err(error),
-                        },
-                    };
-                    Answer::Stepped { rows, taken }
+            Question::Advance { from, steps, inputs, then } => {
+                match hosted.stepped(from, steps, &inputs, Reads::Each) {
+                    Ok(rows) => {
+                        let taken = match then {
+                            Then::Nothing => Ok(Taken::Nothing),
+                            Then::Fingerprint => hosted.plant.fingerprint().map(Taken::Fingerprint),
+                            Then::Save { number, how } => match self.save(number, how) {
+                                Ok(Side::Original) => Ok(Taken::Saved),
+                                // Called to life by another question.
+                                Ok(Side::Copy) => return Answer::Done,
+                                Err(error) => Err(error),
+                            },
+                        };
+                        Answer::Stepped { rows, taken }
+                    }
+                    Err(error) => Answer::Failed(error),
                 }
-                Err(error) => Answer::Failed(error),
-            },
+            }
             Question::Legs { legs, forget } => {
                 forget.iter().for_each(|number| {
                     hosted.saved.remove(number);
@@ -396,10 +404,10 @@ mod tests {
         let state = hosted.plant.save().unwrap();
         hosted.saved.insert(3, state);
         for from in [None, Some(3)] {
-            assert_eq!(hosted.stepped(from, 1, &[]), Ok(Vec::new()), "{from:?}");
+            assert_eq!(hosted.stepped(from, 1, &[], Reads::Each), Ok(Vec::new()), "{from:?}");
         }
         // Nothing was saved under this number.
-        let error = hosted.stepped(Some(4), 1, &[]).unwrap_err();
+        let error = hosted.stepped(Some(4), 1, &[], Reads::Each).unwrap_err();
         assert!(error.restoring && !error.lost && !error.fatal, "{error:?}");
     }
 

@@ -2,6 +2,7 @@
 //! it remembers nothing that does not show in time. That is tried out by walks, and is for the user to accept.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 use std::time::Instant;
 
 use super::{Looking, SEED, Tell, Told};
@@ -18,7 +19,7 @@ use crate::sim::anywhere::Anywhere as Search;
 use crate::sim::anywhere::History;
 use crate::sim::anywhere::held::{HeldReadings, told_apart};
 use crate::sim::anywhere::instants::{Instant as AnInstant, Instants, Part};
-use crate::sim::anywhere::reduced::Nearly;
+use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
 use crate::sim::anywhere::zones::{Readings, Zones};
 use crate::sim::motion::Motion;
 use crate::sim::sensors::Seen;
@@ -28,10 +29,9 @@ use crate::stop::Stop;
 /// Most behaviours, where more states are not asked for.
 const MOST: usize = 200_000;
 /// They are looked for in this part of the time that is left.
-const SHARE: u32 = 3;
+const SHARE: u32 = 5;
 /// What stands for others is no farther from them, m, slower by no more, m/s, and people have come no less far by more, m.
 const NEARLY: Nearly = Nearly { apart_m: 0.01, faster_m_s: 0.03, farther_m: 0.05 };
-const EXACT: Nearly = Nearly { apart_m: 0.0, faster_m_s: 0.0, farther_m: 0.0 };
 /// So many behaviours are gone through from one look at the clock to the next.
 const LOOK_AFTER: u32 = 64;
 /// Stays are told apart up to this at least, s.
@@ -51,12 +51,34 @@ pub(super) struct Few {
     stays: Stays,
 }
 
+/// What stands for all that an FMU may do.
+pub(super) struct Stands {
+    pub found: Behaviours,
+    /// What that assumes, and what was tried.
+    pub assumption: Assumption,
+    pub tried: String,
+    /// All may be off by so much.
+    pub off: MayBeOff,
+    /// Whether what is shown is numbered by what robots do.
+    pub is_net: bool,
+}
+
+impl Stands {
+    /// The outputs of what a behaviour shows.
+    fn outputs<'a>(&self, machine: &'a HeldReadings<'_, Hosted>, number: Number) -> &'a [f64] {
+        let shown = self.found.shown(number);
+        if self.is_net { machine.nearly(shown) } else { machine.outputs(shown) }
+    }
+}
+
 /// Why there are none.
 pub(super) enum Refused {
     /// Told to end.
     Stopped,
     /// In words.
     Because(String),
+    /// It remembers something that does not show in time, in words.
+    Remembers(String),
 }
 
 impl Few {
@@ -100,24 +122,24 @@ impl Looking<'_> {
         };
         let people: Vec<Seen> = zones.readings.iter().map(person).collect();
         let mut machine = HeldReadings::new(footing.plant(there), (cell, binding), &zones.readings, &people);
-        let found = self.find(&mut machine, tell)?;
+        let found = self.find(&mut machine, &part.links, tell)?;
         self.found.spent.fmu_steps += machine.taken;
-        let (found, assumption, tried) = match found {
-            Ok(found) => found,
+        let stands = match found {
+            Ok(stands) => stands,
             Err(refused) => return Ok(Err(refused)),
         };
         let longest = zones.longest(step_m).max(steps_of(STAYS_S, cell.step_s));
-        let stays = Stays::find(&found, &zones, u32::try_from(longest).unwrap_or(u32::MAX));
-        let mut instants = Instants::new((cell, binding), &zones, part);
+        let stays = Stays::find(&stands.found, &zones, u32::try_from(longest).unwrap_or(u32::MAX));
+        let mut instants = Instants::new((cell, binding), &zones, part).that_are_off(stands.off.clone());
         let stop = self.prepared.stop();
-        if look(&mut instants, &machine, &found, (&stays, &zones), &stop).is_none() {
+        if look(&mut instants, &machine, &stands, (&stays, &zones), &stop).is_none() {
             return Ok(Err(Refused::Stopped));
         }
-        let Some(histories) = instants.reduced(NEARLY, EXACT, &stop) else { return Ok(Err(Refused::Stopped)) };
+        let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
         let motion = instants.motion().clone();
         let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
-        let tried = Point::tried(&assumption, &tried, accepted, &fmu);
-        let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&assumption));
+        let tried = Point::tried(&stands.assumption, &stands.tried, accepted, &fmu);
+        let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&stands.assumption));
         Ok(Ok(Few { zones, histories, motion, tried, is_accepted, matter: part.sensors.clone(), stays }))
     }
 
@@ -125,8 +147,23 @@ impl Looking<'_> {
     fn find(
         &mut self,
         machine: &mut HeldReadings<'_, Hosted>,
+        links: &Arc<[bool]>,
         tell: &mut Tell<'_>,
-    ) -> Outcome<(Behaviours, Assumption, String)> {
+    ) -> Outcome<Stands> {
+        let exactly = match self.exactly(machine, tell)? {
+            Err(Refused::Because(why)) => why,
+            // What is nearly the same does not stand for it either.
+            Err(Refused::Remembers(why)) => return because(why),
+            outcome => return Ok(outcome),
+        };
+        Ok(match self.nearly(machine, links, tell)? {
+            Err(Refused::Because(why)) => Err(Refused::Because(format!("{exactly}; and {why}"))),
+            outcome => outcome,
+        })
+    }
+
+    /// The same of behaviours that are just the same.
+    fn exactly(&mut self, machine: &mut HeldReadings<'_, Hosted>, tell: &mut Tell<'_>) -> Outcome<Stands> {
         let step_s = self.prepared.cell.step_s;
         let most = self.effort.most_states.max(MOST);
         let question = Question { step_s, steps: self.steps(), most };
@@ -149,6 +186,9 @@ impl Looking<'_> {
         let Decided { behaviours, shows, held, walks } = match decided {
             Ok(decided) => decided,
             Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
+            Err(why @ (Why::RemembersMore { .. } | Why::ShowsLate)) => {
+                return Ok(Err(Refused::Remembers(in_words(why, question))));
+            }
             Err(why) => return because(in_words(why, question)),
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
@@ -160,12 +200,18 @@ impl Looking<'_> {
             seconds(shows.steps, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s)
         );
-        Ok(Ok((behaviours, Assumption::MemoryShows { within_ms }, tried)))
+        Ok(Ok(Stands {
+            found: behaviours,
+            assumption: Assumption::MemoryShows { within_ms },
+            tried,
+            off: MayBeOff::default(),
+            is_net: false,
+        }))
     }
 }
 
 /// Why behaviours do not stand for all histories.
-fn in_words(why: Why, Question { step_s, most, .. }: Question) -> String {
+pub(super) fn in_words(why: Why, Question { step_s, most, .. }: Question) -> String {
     match why {
         Why::ShowsLate => format!("what it remembers shows only after {:.1} s or later", AHEAD_S[1]),
         Why::HardlyEverSame { different, ends } => format!(
@@ -174,7 +220,7 @@ fn in_words(why: Why, Question { step_s, most, .. }: Question) -> String {
         ),
         Why::TooMany => format!("it has more than {} behaviours", grouped(&most.to_string())),
         Why::NotInTime(count) => {
-            format!("a third of the time was not enough to find them, {} so far", grouped(&count.to_string()))
+            format!("a fifth of the time was not enough to find them, {} so far", grouped(&count.to_string()))
         }
         Why::Unfinished => "some steps could not be finished".to_owned(),
         Why::Asked => "it was to end".to_owned(),
@@ -188,9 +234,9 @@ fn in_words(why: Why, Question { step_s, most, .. }: Question) -> String {
 }
 
 /// What there is, or why there is none; an error of the FMU ends everything.
-type Outcome<T> = Result<Result<T, Refused>, PlantError>;
+pub(super) type Outcome<T> = Result<Result<T, Refused>, PlantError>;
 
-fn because<T>(why: String) -> Outcome<T> {
+pub(super) fn because<T>(why: String) -> Outcome<T> {
     Ok(Err(Refused::Because(why)))
 }
 
@@ -198,26 +244,28 @@ fn because<T>(why: String) -> Outcome<T> {
 fn look(
     instants: &mut Instants<'_>,
     machine: &HeldReadings<'_, Hosted>,
-    found: &Behaviours,
+    stands: &Stands,
     (stays, zones): (&Stays, &Zones),
     stop: &Stop,
 ) -> Option<()> {
+    let found = &stands.found;
     let rows = instants.compared_rows();
     #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
     for number in 0..found.len() as Number {
         if number.is_multiple_of(LOOK_AFTER) && stop.is_due() {
             return None;
         }
-        let before = machine.outputs(found.shown(number));
+        let before = stands.outputs(machine, number);
         let step = found.depth(number) + 1;
         for reading in 0..found.readings() {
             let Some(next) = found.next(number, reading) else { continue };
-            let after = machine.outputs(found.shown(next));
+            let after = stands.outputs(machine, next);
             let mut is_first = true;
             let all = zones.ways.iter().enumerate().filter(|(_, way)| way.to == reading);
             for (way, of) in all {
                 let Some(stay) = stays.of(number, way) else { continue };
-                if std::mem::take(&mut is_first) {
+                // What only nearly stands for something says nothing of speeds.
+                if std::mem::take(&mut is_first) && !stands.is_net {
                     let told = rows_before((machine, found), number, after, rows.min(step + 1).max(2));
                     instants.compare_speeds(&told.0, told.1, step);
                 }
@@ -247,11 +295,11 @@ fn rows_before(
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
-fn steps_of(time_s: f64, step_s: f64) -> usize {
+pub(super) fn steps_of(time_s: f64, step_s: f64) -> usize {
     (time_s / step_s - 1e-9).ceil().max(1.0) as usize
 }
 
 #[expect(clippy::cast_precision_loss, reason = "some thousand")]
-fn seconds(steps: usize, step_s: f64) -> f64 {
+pub(super) fn seconds(steps: usize, step_s: f64) -> f64 {
     steps as f64 * step_s
 }

@@ -14,7 +14,7 @@ pub const AHEAD_S: [f64; 2] = [3.0, 12.0];
 const HELD_S: f64 = 0.5;
 const LONGER: f64 = 0.25;
 /// Walks of each style, by how many times as long as is looked, and how many of them.
-const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
+pub const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
 /// The longest are so many times as long.
 pub const LONGER_WALKS: usize = 30;
 /// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
@@ -117,6 +117,9 @@ pub fn decide<M: Machine>(
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
     };
+    if let Err(why) = comes_back(machine, (question.steps, shows.ahead), rng)? {
+        return Ok(Err(why));
+    }
     let behaviours = match closed(machine, question, held, tell)? {
         Ok(found) => found,
         Err(why) => return Ok(Err(why)),
@@ -145,13 +148,16 @@ pub fn held_for<M: Machine>(
         }
         ahead *= 2;
     };
-    let Some((ends, different)) = ends(machine, rng, (steps, ahead))? else { return Ok(Err(Why::Unfinished)) };
-    // Of so many that are equally likely, so few of some are the same.
-    if ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE {
-        return Ok(Err(Why::HardlyEverSame { different, ends }));
-    }
     let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
     Ok(Ok((shown, steps_of(HELD_S.max(longer_s), step_s))))
+}
+
+/// Whether a machine may come back to just the same, by where histories end.
+fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng) -> Outcome<(), M::Error> {
+    let Some((ends, different)) = ends(machine, rng, within)? else { return Ok(Err(Why::Unfinished)) };
+    // Of so many that are equally likely, so few of some are the same.
+    let is_lost = ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE;
+    Ok(if is_lost { Err(Why::HardlyEverSame { different, ends }) } else { Ok(()) })
 }
 
 /// All behaviours, if there are not too many.
@@ -207,8 +213,10 @@ pub fn walked<M: Machine>(
     Ok(Ok(walked))
 }
 
+/// Steps that take so long.
+#[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
-fn steps_of(time_s: f64, step_s: f64) -> usize {
+pub fn steps_of(time_s: f64, step_s: f64) -> usize {
     (time_s / step_s - 1e-9).ceil().max(1.0) as usize
 }
 

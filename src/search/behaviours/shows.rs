@@ -106,19 +106,21 @@ pub fn ends<M: Machine>(
         let (mut holds, mut last) = (Vec::new(), Vec::new());
         for _ in 0..AT_ONCE {
             let quiet = 1 + rng.below(within);
-            holds.push(Hold { from: Begins::At(&start), reading: 0, steps: quiet });
+            holds.push(Hold { from: Begins::At(&start), reading: 0, steps: quiet, last: true });
             for change in 0..CHANGES {
                 let reading = if change % 2 == 0 && readings > 1 { 1 + rng.below(readings - 1) } else { 0 };
                 let from = Begins::After(holds.len() - 1);
-                holds.push(Hold { from, reading, steps: 1 + rng.below(ahead / 3) });
+                holds.push(Hold { from, reading, steps: 1 + rng.below(ahead / 3), last: true });
             }
-            holds.push(Hold { from: Begins::After(holds.len() - 1), reading: 0, steps: ahead });
+            for steps in [ahead - 1, 1] {
+                holds.push(Hold { from: Begins::After(holds.len() - 1), reading: 0, steps, last: true });
+            }
             last.push(holds.len() - 1);
         }
         let Some(held) = machine.hold_each(&holds)? else { return Ok(None) };
-        let moving = last.iter().filter_map(|number| match held[*number].0[..] {
-            [.., before, end] if before != end => Some(end),
-            _ => None,
+        let moving = last.iter().filter_map(|number| {
+            let [before, end] = [number - 1, *number].map(|number| held[number].0.last());
+            end.filter(|_| before != end).copied()
         });
         all.extend(moving);
     }

@@ -160,6 +160,7 @@ pub fn walk<M: Machine>(
             from: place.checked_sub(1).map_or(Begins::At(&state), Begins::After),
             reading: *reading,
             steps: *steps,
+            last: false,
         };
         let holds: Vec<_> = some.iter().enumerate().map(hold).collect();
         let Some(mut held) = machine.hold_each(&holds)? else { return Ok(Walked::Unfinished) };

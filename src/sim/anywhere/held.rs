@@ -5,21 +5,27 @@
 use std::cell::{Ref, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use foldhash::quality::FixedState;
 use indexmap::IndexSet;
 
+use super::widths::{Rows, Width, Widths};
 use super::zones::Readings;
 use crate::cell::{Binding, Workcell};
-use crate::host::{self as plant, Arrived, Leg, Plant, PlantError};
+use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads};
 use crate::human::Presses;
-use crate::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, Shown};
+use crate::search::behaviours::net::{AllRows, Measured};
+use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Shown};
+use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{DelayLine, Seen, input_row};
 
 /// Outputs no farther apart than this show the same, in the unit of each.
 const ALIKE: f64 = 1e-9;
 /// More than outputs that are rounded alike may be apart by rounding, in [`ALIKE`].
 const ROUNDING: u64 = 2;
+/// What tells instants apart is measured at so many of them at most.
+const MEASURED: usize = 128;
 
 /// Of each of some readings what the FMU is told, by number: the same where sensors share an input.
 #[must_use]
@@ -50,6 +56,9 @@ pub struct HeldReadings<'a, P: Plant> {
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
     people: &'a [Seen],
     known: Known,
+    /// How far apart outputs are by what robots do, and those that were numbered by that.
+    widths: Option<Widths>,
+    rows: Rows,
     /// The state at the start.
     start: Option<P::Checkpoint>,
     /// What is shown there.
@@ -71,6 +80,9 @@ struct Told {
     on_their_way: Vec<i64>,
     lines: Box<[DelayLine]>,
 }
+
+/// See [`HeldReadings::each`].
+type Each<C> = Vec<(Vec<f64>, Vec<i64>, State<C>)>;
 
 /// How a state was come to: from another by a reading that was held for some steps. The start comes of none.
 struct Came {
@@ -142,8 +154,21 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
         readings: &'a [Readings],
         people: &'a [Seen],
     ) -> Self {
-        let known = Known { matters: binding.matters(), ..Known::default() };
-        Self { plant, cell, binding, readings, people, known, start: None, first: None, taken: 0 }
+        let mut matters = binding.matters();
+        matters.resize(plant.output_count(), false);
+        let known = Known { matters, ..Known::default() };
+        let rows = Rows::default();
+        Self { plant, cell, binding, readings, people, known, widths: None, rows, start: None, first: None, taken: 0 }
+    }
+
+    /// Measures how far apart robots are by these links.
+    pub fn measure(&mut self, links: &Arc<[bool]>, width: Width) {
+        let columns = self.plant.output_count();
+        let all = self.known.outputs.chunks(columns.max(1));
+        let every = all.len().div_ceil(MEASURED).max(1);
+        let rows: Vec<Vec<f64>> = all.step_by(every).map(<[f64]>::to_vec).collect();
+        self.widths = Some(Widths::new((self.cell, self.binding), width, links, columns, &rows));
+        self.rows = Rows::default();
     }
 
     /// The outputs of what is shown.
@@ -151,6 +176,12 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     pub fn outputs(&self, shown: Shown) -> &[f64] {
         let columns = self.plant.output_count();
         &self.known.outputs[shown as usize * columns..][..columns]
+    }
+
+    /// The outputs of what is shown, numbered by what robots do.
+    #[must_use]
+    pub fn nearly(&self, shown: Shown) -> &[f64] {
+        &self.rows.row(shown)[..self.plant.output_count()]
     }
 
     /// The same, rounded, with the number of what is on its way.
@@ -191,10 +222,54 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
                 (Begins::At(_), Some(saved)) => plant::Begins::At(&**saved),
                 (Begins::At(_), None) => continue,
             };
-            legs.push(Leg { from, steps: hold.steps, inputs: told.inputs.clone() });
+            let reads = if hold.last { Reads::Last } else { Reads::Each };
+            legs.push(Leg { from, steps: hold.steps, inputs: told.inputs.clone(), reads });
             self.taken += hold.steps as u64;
         }
         self.plant.advance_each(&legs)
+    }
+
+    /// Outputs after each step of each hold, row-major, what is on its way after each of them, and the state after the last.
+    fn each(&mut self, holds: &[Hold<'_, State<P::Checkpoint>>]) -> Result<Option<Each<P::Checkpoint>>, PlantError> {
+        let mut told: Vec<Told> = Vec::with_capacity(holds.len());
+        for hold in holds {
+            let lines = match hold.from {
+                Begins::At(state) => state.lines.clone(),
+                Begins::After(number) => told[number].lines.clone(),
+            };
+            told.push(self.told(lines, hold.reading, hold.steps));
+        }
+        // Where the process ends meanwhile, once more from the start, one by one.
+        let arrived = match self.legs(holds, &told) {
+            Err(error) if error.lost && !error.stopped => {
+                for hold in holds {
+                    if let Begins::At(state) = hold.from {
+                        self.bring_back(state)?;
+                    }
+                }
+                self.legs(holds, &told)
+            }
+            outcome => outcome,
+        };
+        let arrived = match arrived {
+            Ok(arrived) => arrived,
+            Err(error) if error.stopped => return Err(error),
+            Err(_) => return Ok(None),
+        };
+        let mut all: Each<P::Checkpoint> = Vec::with_capacity(holds.len());
+        for ((hold, told), (outputs, saved)) in holds.iter().zip(told).zip(arrived) {
+            let from = match hold.from {
+                Begins::At(state) => Rc::clone(&state.came),
+                Begins::After(number) => Rc::clone(&all[number].2.came),
+            };
+            let came = Rc::new(Came { from: Some(from), reading: hold.reading, steps: hold.steps });
+            let mut on_their_way = told.on_their_way;
+            if hold.last {
+                on_their_way.drain(..on_their_way.len().saturating_sub(1));
+            }
+            all.push((outputs, on_their_way, State { saved: RefCell::new(saved), lines: told.lines, came }));
+        }
+        Ok(Some(all))
     }
 
     fn first_lines(&self) -> Box<[DelayLine]> {
@@ -285,43 +360,61 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
     }
 
     fn hold_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<AllHeld<Self::State>, PlantError> {
-        let mut told: Vec<Told> = Vec::with_capacity(holds.len());
-        for hold in holds {
-            let lines = match hold.from {
-                Begins::At(state) => state.lines.clone(),
-                Begins::After(number) => told[number].lines.clone(),
-            };
-            told.push(self.told(lines, hold.reading, hold.steps));
-        }
-        // Where the process ends meanwhile, once more from the start, one by one.
-        let arrived = match self.legs(holds, &told) {
-            Err(error) if error.lost && !error.stopped => {
-                for hold in holds {
-                    if let Begins::At(state) = hold.from {
-                        self.bring_back(state)?;
-                    }
-                }
-                self.legs(holds, &told)
-            }
-            outcome => outcome,
-        };
-        let arrived = match arrived {
-            Ok(arrived) => arrived,
-            Err(error) if error.stopped => return Err(error),
-            Err(_) => return Ok(None),
-        };
         let columns = self.plant.output_count();
-        let mut all: Vec<Held<Self::State>> = Vec::with_capacity(holds.len());
-        for ((hold, told), (outputs, saved)) in holds.iter().zip(told).zip(arrived) {
-            let rows = outputs.chunks(columns).zip(&told.on_their_way);
-            let shown = rows.map(|(row, lines)| self.known.number(row, *lines)).collect();
-            let from = match hold.from {
-                Begins::At(state) => Rc::clone(&state.came),
-                Begins::After(number) => Rc::clone(&all[number].1.came),
-            };
-            let came = Rc::new(Came { from: Some(from), reading: hold.reading, steps: hold.steps });
-            all.push((shown, State { saved: RefCell::new(saved), lines: told.lines, came }));
-        }
-        Ok(Some(all))
+        let number = |(outputs, told): (&[f64], &i64), known: &mut Known| known.number(outputs, *told);
+        let Some(all) = self.each(holds)? else { return Ok(None) };
+        let all = all.into_iter().map(|(outputs, lines, state)| {
+            let rows = outputs.chunks(columns).zip(&lines);
+            (rows.map(|row| number(row, &mut self.known)).collect(), state)
+        });
+        Ok(Some(all.collect()))
     }
+}
+
+impl<P: Plant> Measured for HeldReadings<'_, P> {
+    fn begin_rows(&mut self) -> Result<(Self::State, Vec<f64>), PlantError> {
+        let (state, shown) = self.begin()?;
+        let row = with_lines(self.outputs(shown), &[*self.rounded(shown).last().unwrap_or(&0)]);
+        Ok((state, row))
+    }
+
+    fn rows_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<Option<AllRows<Self::State>>, PlantError> {
+        let Some(all) = self.each(holds)? else { return Ok(None) };
+        Ok(Some(all.into_iter().map(|(outputs, lines, state)| (with_lines(&outputs, &lines), state)).collect()))
+    }
+
+    fn columns(&self) -> usize {
+        self.plant.output_count() + 1
+    }
+
+    fn traits(&self, row: &[f64]) -> Vec<f32> {
+        self.widths.as_ref().map_or_else(Vec::new, |widths| widths.traits((self.cell, self.binding), row))
+    }
+
+    fn place(&self, traits: &[f32]) -> [f32; 3] {
+        self.widths.as_ref().map_or([0.0; 3], |widths| widths.place(traits))
+    }
+
+    fn number(&mut self, row: &[f64], traits: &[f32]) -> Shown {
+        self.widths.as_ref().map_or(0, |widths| self.rows.number(row, traits, widths))
+    }
+
+    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(Shown) -> bool) -> Option<(Shown, f32)> {
+        self.rows.least_beyond(traits, widths, self.widths.as_ref()?, counts)
+    }
+
+    fn off(&self, row: &[f64], shown: Shown) -> Option<(f64, [f64; 2])> {
+        let (columns, widths) = (self.plant.output_count(), self.widths.as_ref()?);
+        let frame = |row: &[f64]| RobotFrame::new(self.cell, self.binding, &row[..columns]);
+        let stands = frame(self.rows.row(shown));
+        Some((widths.fastest(&stands), widths.between(&frame(row), &stands)?))
+    }
+}
+
+/// Rows of outputs, each with the number of what is on its way.
+#[expect(clippy::cast_precision_loss, reason = "a few hundred")]
+fn with_lines(outputs: &[f64], lines: &[i64]) -> Vec<f64> {
+    let columns = outputs.len() / lines.len().max(1);
+    let rows = outputs.chunks(columns.max(1)).zip(lines);
+    rows.flat_map(|(row, lines)| row.iter().copied().chain([*lines as f64])).collect()
 }

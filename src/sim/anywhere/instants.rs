@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
-use super::reduced::{Grown, Nearly, reduced};
+use super::reduced::{Grown, MayBeOff, Nearly, reduced};
 use super::zones::{Way, Zones};
 use super::{History, Seen, Story};
 use crate::cell::{Binding, Workcell};
@@ -59,6 +59,8 @@ pub struct Instants<'a> {
     steps: Vec<BTreeMap<([Number; 2], bool), Step>>,
     /// Robots at instants, by the bits of the outputs.
     frames: BTreeMap<Bits, (Number, Arc<RobotFrame>)>,
+    /// What robots may be off by.
+    off: MayBeOff,
     /// How told speeds are compared with the motion, and what was seen of that in all steps.
     comparison: Comparison,
     motion: Motion,
@@ -121,9 +123,16 @@ impl<'a> Instants<'a> {
             swept: zones.ways.iter().map(|_| BTreeMap::new()).collect(),
             steps: zones.ways.iter().map(|_| BTreeMap::new()).collect(),
             frames: BTreeMap::new(),
+            off: MayBeOff::default(),
             comparison: Comparison::new(cell, binding),
             motion: Motion::default(),
         }
+    }
+
+    /// The same of robots that may be off by so much.
+    #[must_use]
+    pub fn that_are_off(self, off: MayBeOff) -> Self {
+        Self { off, ..self }
     }
 
     /// What was seen of the robots' motion and the speeds that are told of it.
@@ -159,7 +168,10 @@ impl<'a> Instants<'a> {
         let before = [before, &after[before.len()..]].concat();
         let ((from, begins), (to, ends)) = (self.frame(&before), self.frame(&after));
         self.motion.look_at_links(std::slice::from_ref(&ends.1), taken.step);
-        let may_harm = |frame: &RobotFrame| frame.may_harm_by(&self.part.links);
+        let may_harm = |frame: &RobotFrame| {
+            let off = self.off.of(frame.fastest_of(&self.part.links));
+            frame.may_harm_by(&self.part.links, off.faster_m_s)
+        };
         if may_harm(&ends.1) {
             let seen = self.seen_at(taken, &ends.1, 1.0);
             take_in(self.seen[taken.way].entry(ends.0.clone()).or_insert_with(|| seen.clone()), &seen);
@@ -171,7 +183,7 @@ impl<'a> Instants<'a> {
         let in_step = Step { begins: self.seen_at(taken, &begins.1, 0.5), ends: self.seen_at(taken, &ends.1, 1.0) };
         let halves = [(begins, in_step.begins.clone()), (ends, in_step.ends.clone())];
         let halves = halves.into_iter().skip(usize::from(is_jump));
-        for ((bits, frame), seen) in halves.filter(|((_, frame), _)| frame.may_harm_by(&self.part.links)) {
+        for ((bits, frame), seen) in halves.filter(|((_, frame), _)| may_harm(frame)) {
             let by_m = if is_jump { frame.swept_m(&frame, step_s) } else { by_m.clone() };
             let known = self.swept[taken.way].entry(bits);
             let known = known.or_insert_with(|| Swept { seen: seen.clone(), by_m: by_m.clone() });
@@ -240,10 +252,10 @@ impl<'a> Instants<'a> {
     /// Histories as they are and with what is between the instants, of those robots only that count: the others are as long and as fast at
     /// most, nearly there. All may be off by so much. Nothing, where there is no time for it.
     #[must_use]
-    pub fn reduced(&self, nearly: Nearly, off: Nearly, stop: &Stop) -> Option<Vec<(History, History)>> {
+    pub fn reduced(&self, nearly: Nearly, stop: &Stop) -> Option<Vec<(History, History)>> {
         let of_way = |(way, swept): (&Way, &BTreeMap<Bits, Swept>)| {
             let all: Vec<Grown> = swept.values().map(|swept| (swept.seen.clone(), swept.by_m.clone())).collect();
-            let (own, wide) = reduced(&all, &self.part.links, (nearly, off), stop)?;
+            let (own, wide) = reduced(&all, &self.part.links, (nearly, &self.off), stop)?;
             Some((self.history(way, own), self.history(way, wide)))
         };
         self.zones.ways.iter().zip(&self.swept).map(of_way).collect()
@@ -278,7 +290,7 @@ impl<'a> Instants<'a> {
             }
             for number in 0..parts {
                 let seen = if 2 * number < parts { begins } else { ends };
-                if !seen.frame.may_harm_by(&self.part.links) {
+                if !seen.frame.may_harm_by(&self.part.links, 0.0) {
                     continue;
                 }
                 let part = between::Part { number, of: parts, step_s };

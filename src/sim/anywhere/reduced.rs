@@ -25,6 +25,19 @@ pub struct Nearly {
     pub farther_m: f64,
 }
 
+/// What robots may be off by in any case, by the greatest speed of their links up to which it is so, m/s: slowest first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MayBeOff(pub Vec<(f64, Nearly)>);
+
+impl MayBeOff {
+    /// By how much robots may be off that are so fast.
+    #[must_use]
+    pub fn of(&self, fastest_m_s: f64) -> Nearly {
+        let of = self.0.iter().find(|(up_to_m_s, _)| fastest_m_s <= *up_to_m_s).or(self.0.last());
+        of.map_or(Nearly { apart_m: 0.0, faster_m_s: 0.0, farther_m: 0.0 }, |(_, off)| *off)
+    }
+}
+
 /// So many robots are gone through from one look at the clock to the next.
 const LOOK_AFTER: usize = 16;
 
@@ -38,6 +51,8 @@ struct Stands<'a> {
     faster_m_s: Vec<f64>,
     within_m: [f64; 2],
     depth_m: f64,
+    /// What those that it stands for may be off by.
+    off: Nearly,
 }
 
 /// Those that count: as they are, and so large and fast that they stand for all. What each may be off by in any case is added. Nothing,
@@ -45,7 +60,7 @@ struct Stands<'a> {
 pub(super) fn reduced(
     all: &[Grown],
     links: &[bool],
-    (nearly, off): (Nearly, Nearly),
+    (nearly, off): (Nearly, &MayBeOff),
     stop: &Stop,
 ) -> Option<(Vec<Seen>, Vec<Seen>)> {
     let mut order: Vec<usize> = (0..all.len()).collect();
@@ -80,6 +95,10 @@ pub(super) fn reduced(
             let grown = apart_m.iter().zip(&one.1).map(|(apart, by_m)| apart + by_m);
             (0..2).for_each(|n| stands.within_m[n] = stands.within_m[n].max(one.0.within_m[n]));
             stands.depth_m = stands.depth_m.max(one.0.depth_m);
+            let off = off.of(one.0.frame.fastest_of(links));
+            stands.off.apart_m = stands.off.apart_m.max(off.apart_m);
+            stands.off.faster_m_s = stands.off.faster_m_s.max(off.faster_m_s);
+            stands.off.farther_m = stands.off.farther_m.max(off.farther_m);
             stands.by_m.iter_mut().zip(grown).for_each(|(known, by_m)| *known = known.max(by_m));
             stands.faster_m_s.iter_mut().zip(faster_m_s).for_each(|(known, faster)| *known = known.max(faster));
         } else {
@@ -91,15 +110,18 @@ pub(super) fn reduced(
                 faster_m_s: vec![0.0; one.1.len()],
                 within_m,
                 depth_m,
+                off: off.of(one.0.frame.fastest_of(links)),
             });
         }
     }
     let own = standing.iter().map(|stands| stands.of.0.clone()).collect();
     let wide = standing.iter().map(|stands| {
-        let by_m: Vec<f64> = stands.by_m.iter().map(|by_m| by_m + off.apart_m).collect();
-        let faster: Arc<[f64]> = stands.faster_m_s.iter().map(|faster| faster + off.faster_m_s).collect();
+        let by_m: Vec<f64> = stands.by_m.iter().map(|by_m| by_m + stands.off.apart_m).collect();
+        let faster: Arc<[f64]> = stands.faster_m_s.iter().map(|faster| faster + stands.off.faster_m_s).collect();
         let frame = Arc::new(stands.of.0.frame.standing_for(&by_m, faster));
-        Seen { frame, within_m: stands.within_m, depth_m: stands.depth_m, ..stands.of.0.clone() }
+        let within_m = stands.within_m.map(|within_m| within_m + stands.off.farther_m);
+        let depth_m = stands.depth_m + stands.off.farther_m * HAND_SPEED_M_S / WALKING_SPEED_M_S;
+        Seen { frame, within_m, depth_m, ..stands.of.0.clone() }
     });
     Some((own, wide.collect()))
 }

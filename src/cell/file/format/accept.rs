@@ -19,6 +19,9 @@ pub enum Acceptable {
     /// What the FMU remembers shows within `within_s` while what the sensors report stays the same: a scan from anywhere then follows people
     /// who come and go as often as they like.
     MemoryShows,
+    /// Robots that are and move nearly alike, now and for `within_s` while what the sensors report stays the same, go on nearly alike: the
+    /// same for FMUs that hardly ever come back to just the same.
+    NearlyAlike,
     /// Robots go on after a contact as far as they did when that was tried out.
     TravelAfterContact,
 }
@@ -38,7 +41,7 @@ pub struct AcceptTable {
     /// How often, of `presses`.
     #[serde(default)]
     pub at_most: Option<u32>,
-    /// How soon, s, of `memory_shows`.
+    /// How soon, s, of `memory_shows` and `nearly_alike`.
     #[serde(default)]
     pub within_s: Option<f64>,
     /// The FMU that it was tried out with: its SHA-256, as the scan prints it.

@@ -1,0 +1,176 @@
+//! Behaviours of FMUs that hardly ever come back to just the same: a net of them, within some widths of which everything lies. How far off
+//! anything is is measured on walks, and robots are taken to be larger and faster, and people to have come farther, by twice the most that
+//! was seen.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::behaviours::{Outcome, Refused, Stands, because, in_words, seconds};
+use super::{Looking, SEED, Tell, Told};
+use crate::host::Hosted;
+use crate::obligations::Assumption;
+use crate::report::terminal::grouped;
+use crate::search::Rng;
+use crate::search::behaviours::decided::{LONGER_WALKS, Question, WALKS, Why, held_for, steps_of};
+use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
+use crate::search::behaviours::walks::Style;
+use crate::search::behaviours::{Behaviours, Ended, Extent};
+use crate::sim::anywhere::held::HeldReadings;
+use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
+use crate::sim::anywhere::widths::Width;
+use crate::standards::iso_13855::WALKING_SPEED_M_S;
+
+/// Widths that are tried, one after the other.
+const WIDTHS: [Width; 2] = [Width { place_m: 0.01, speed_m_s: 0.05 }, Width { place_m: 0.02, speed_m_s: 0.1 }];
+/// Most instants of a net.
+const MOST: usize = 1_000_000;
+/// It is looked for in this part of the time that is left.
+const SHARE: u32 = 3;
+/// Robots are off by so many times what was seen.
+const TIMES: f64 = 2.0;
+/// Stays are told apart up to this, s.
+const STAYS_S: f64 = 1.0;
+/// What is farther off is not nearly there: by place, m, by speed, m/s, and by how far people get, m.
+const MOST_OFF: [f64; 3] = [0.05, 0.3, 0.13];
+/// Robots that are so fast at most are off alike, m/s.
+const SPEEDS_M_S: [f64; 6] = [0.0, 0.1, 0.25, 0.5, 1.0, f64::INFINITY];
+
+/// By speed, how far off anything is at most, as in [`MOST_OFF`].
+type Worst = [[f64; 3]; SPEEDS_M_S.len()];
+
+impl Looking<'_> {
+    /// A net of behaviours, if walks show nothing that is farther off.
+    pub(super) fn nearly(
+        &mut self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        links: &Arc<[bool]>,
+        tell: &mut Tell<'_>,
+    ) -> Outcome<Stands> {
+        if !self.prepared.binding.derived.is_empty() {
+            return because(
+                "what is nearly the same was not looked for, as speeds are worked out from positions".to_owned(),
+            );
+        }
+        let question = Question { step_s: self.prepared.cell.step_s, steps: self.steps(), most: MOST };
+        let held = match held_for(machine, question, &mut Rng::new(SEED))? {
+            Ok((_, held)) => held,
+            Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
+            Err(why) => return because(in_words(why, question)),
+        };
+        let mut before = None;
+        for width in WIDTHS {
+            machine.measure(links, width);
+            match self.within(machine, held, tell)? {
+                Err(Refused::Because(why)) => before = Some(why),
+                outcome => return Ok(outcome),
+            }
+        }
+        because(before.unwrap_or_default())
+    }
+
+    /// The same of one width.
+    fn within(&mut self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Stands> {
+        let found = match self.net(machine, held, tell)? {
+            Ok(found) => found,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        let (walked, worst) = match self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell)? {
+            Ok(gaps) => gaps,
+            Err(refused) => return Ok(Err(refused)),
+        };
+        let step_s = self.prepared.cell.step_s;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
+        let within_ms = (1000.0 * seconds(held, step_s)).ceil() as u32;
+        let most = |n: usize| worst.iter().map(|off| off[n]).fold(0.0, f64::max);
+        let tried = format!(
+            "{} instants stand for all that the FMU may do, and {walked} walks of up to {:.0} s showed nothing that is off by more than {:.0} mm \
+             and {:.2} m/s and {:.2} s, of which twice as much is added",
+            grouped(&found.len().to_string()),
+            seconds(LONGER_WALKS * self.steps(), step_s),
+            1000.0 * most(0),
+            most(1),
+            most(2) / WALKING_SPEED_M_S
+        );
+        let times = |[place, speed, far]: [f64; 3]| Nearly {
+            apart_m: TIMES * place,
+            faster_m_s: TIMES * speed,
+            farther_m: TIMES * far,
+        };
+        let off = MayBeOff(SPEEDS_M_S.into_iter().zip(worst.map(times)).collect());
+        Ok(Ok(Stands { found, assumption: Assumption::NearlyAlike { within_ms }, tried, off, is_net: true }))
+    }
+
+    /// The net, if there is time and room for it.
+    fn net(&self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Behaviours> {
+        let most = self.effort.most_states.max(MOST);
+        let ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE);
+        let is_late = || ends_at.is_some_and(|ends_at| Instant::now() >= ends_at);
+        let (mut asked, mut told) = (false, 0_u32);
+        let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |instants| {
+            told += 1;
+            asked = told.is_multiple_of(8) && tell(Told::Behaviours(instants, most)).is_break();
+            if asked || is_late() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })?;
+        let count = grouped(&found.len().to_string());
+        match found.ended {
+            Ended::Closed | Ended::Steps => Ok(Ok(found)),
+            Ended::Most => {
+                because(format!("it does more than {} instants nearly stand for", grouped(&most.to_string())))
+            }
+            Ended::Unfinished => because("some steps could not be finished".to_owned()),
+            Ended::Asked if asked => Ok(Err(Refused::Stopped)),
+            Ended::Asked => because(format!(
+                "a third of the time was not enough for instants that nearly stand for all that it does, {count} so far"
+            )),
+        }
+    }
+
+    /// How many walks there were, and how far off anything is at most.
+    fn gaps(
+        &self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        (found, held): (&Behaviours, usize),
+        rng: &mut Rng,
+        tell: &mut Tell<'_>,
+    ) -> Outcome<(usize, Worst)> {
+        let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
+        #[expect(clippy::cast_possible_truncation, reason = "some seconds")]
+        let covers = Covers::new(found, steps_of(STAYS_S, step_s) as u32);
+        let (mut walked, mut worst) = (0, Worst::default());
+        let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
+        for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
+            let drawn = style.drawn(rng, found.readings(), held, long);
+            match gap(machine, &covers, &drawn)? {
+                Gap::Within(all) => {
+                    all.into_iter().for_each(|off| take_in(&mut worst, off, step_s));
+                    walked += 1;
+                }
+                Gap::Unfinished => return because("some steps could not be finished".to_owned()),
+                Gap::Nothing { steps, changes } => {
+                    return because(format!(
+                        "in a walk with {changes} changes it did something after {:.2} s that nothing else nearly stands for",
+                        seconds(steps, step_s)
+                    ));
+                }
+            }
+            if tell(Told::Behaviours(found.len(), found.len())).is_break() {
+                return Ok(Err(Refused::Stopped));
+            }
+        }
+        if let Some([place, speed, _]) = worst.iter().find(|worst| (0..3).any(|n| worst[n] > MOST_OFF[n])) {
+            let place_mm = 1000.0 * place;
+            return because(format!(
+                "what nearly stands for all that it does is off by {place_mm:.0} mm and {speed:.2} m/s"
+            ));
+        }
+        Ok(Ok((walked, worst)))
+    }
+}
+
+/// What was seen of something by how fast it is.
+fn take_in(worst: &mut Worst, Off { fast, by, late }: Off, step_s: f64) {
+    let speed = SPEEDS_M_S.iter().position(|up_to| fast <= *up_to).unwrap_or_default();
+    let off = [by[0], by[1], WALKING_SPEED_M_S * seconds(late, step_s)];
+    (0..3).for_each(|n| worst[speed][n] = worst[speed][n].max(off[n]));
+}
