@@ -179,6 +179,8 @@ struct Looking<'a> {
     motion: Option<Motion>,
     /// What poses alone make possible, where somebody can be then, and whether they are unseen.
     met: Vec<(Moment, bool)>,
+    /// Whether something stood for histories that is not just the same.
+    nearly: bool,
     /// Why behaviours did not stand for histories, where they were looked for.
     not_few: Option<String>,
     /// Walks at random that were run, to harms of each region by each link.
@@ -266,6 +268,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         end: End::Whole,
         motion: None,
         met: Vec::new(),
+        nearly: false,
         not_few: None,
         sought: BTreeMap::new(),
     };
@@ -394,6 +397,7 @@ impl<'a> Looking<'a> {
         self.motion.get_or_insert_default().merge(machine.instants().motion());
         if let (Some(few), Some(_)) = (&few, limit) {
             self.say(Need::Changes, few.tried.clone());
+            self.nearly |= few.is_net;
             self.motion.get_or_insert_default().merge(&few.motion);
             let sets = Sets { zones: &few.zones, histories: &few.histories, in_parts: &|_, _, _| None };
             return self.look(search, first, &sets, Some(few), tell).map(|looked| end.and(looked));

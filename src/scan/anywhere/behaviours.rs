@@ -43,6 +43,8 @@ pub(super) struct Few {
     /// By way: at the instants, and with what is between them.
     pub histories: Vec<(History, History)>,
     pub motion: Motion,
+    /// Whether they only nearly stand for it.
+    pub is_net: bool,
     /// What was tried out, and whether the cell file accepts what that leaves.
     pub tried: Point,
     pub is_accepted: bool,
@@ -140,7 +142,16 @@ impl Looking<'_> {
         let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
         let tried = Point::tried(&stands.assumption, &stands.tried, accepted, &fmu);
         let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&stands.assumption));
-        Ok(Ok(Few { zones, histories, motion, tried, is_accepted, matter: part.sensors.clone(), stays }))
+        Ok(Ok(Few {
+            zones,
+            histories,
+            motion,
+            tried,
+            is_accepted,
+            matter: part.sensors.clone(),
+            stays,
+            is_net: stands.is_net,
+        }))
     }
 
     /// All behaviours, if walks show no others; what that assumes, and what was tried.
@@ -215,7 +226,7 @@ pub(super) fn in_words(why: Why, Question { step_s, most, .. }: Question) -> Str
     match why {
         Why::ShowsLate => format!("what it remembers shows only after {:.1} s or later", AHEAD_S[1]),
         Why::HardlyEverSame { different, ends } => format!(
-            "it hardly ever shows the same again once it was stopped: {different} of {ends} histories of what the sensors report ended in \
+            "it seldom shows the same again once it was stopped: {different} of {ends} histories of what the sensors report ended in \
              different places"
         ),
         Why::TooMany => format!("it has more than {} behaviours", grouped(&most.to_string())),

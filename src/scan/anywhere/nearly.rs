@@ -23,6 +23,8 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Widths that are tried, one after the other.
 const WIDTHS: [Width; 2] = [Width { place_m: 0.01, speed_m_s: 0.05 }, Width { place_m: 0.02, speed_m_s: 0.1 }];
+/// Where walks show something else, a reading is held so many times as long before states are taken for one.
+const LONGER: [usize; 2] = [2, 2];
 /// Most instants of a net.
 const MOST: usize = 1_000_000;
 /// It is looked for in this part of the time that is left.
@@ -58,15 +60,25 @@ impl Looking<'_> {
             Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
             Err(why) => return because(in_words(why, question)),
         };
-        let mut before = None;
-        for width in WIDTHS {
-            machine.measure(links, width);
+        let (mut widths, mut longer) = (WIDTHS.into_iter().peekable(), LONGER.into_iter());
+        let (mut held, mut why) = (held, String::new());
+        while let Some(width) = widths.peek() {
+            machine.measure(links, *width);
             match self.within(machine, held, tell)? {
-                Err(Refused::Because(why)) => before = Some(why),
+                // What it remembers may show later.
+                Err(Refused::Remembers(remembers)) => {
+                    why = remembers;
+                    let Some(times) = longer.next() else { break };
+                    held *= times;
+                }
+                Err(Refused::Because(too_many)) => {
+                    why = too_many;
+                    widths.next();
+                }
                 outcome => return Ok(outcome),
             }
         }
-        because(before.unwrap_or_default())
+        because(why)
     }
 
     /// The same of one width.
@@ -148,8 +160,8 @@ impl Looking<'_> {
                 }
                 Gap::Unfinished => return because("some steps could not be finished".to_owned()),
                 Gap::Nothing { steps, changes } => {
-                    return because(format!(
-                        "in a walk with {changes} changes it did something after {:.2} s that nothing else nearly stands for",
+                    return remembers(format!(
+                        "in a walk with {changes} changes it did something after {:.2} s that nothing nearly stands for",
                         seconds(steps, step_s)
                     ));
                 }
@@ -160,12 +172,16 @@ impl Looking<'_> {
         }
         if let Some([place, speed, _]) = worst.iter().find(|worst| (0..3).any(|n| worst[n] > MOST_OFF[n])) {
             let place_mm = 1000.0 * place;
-            return because(format!(
+            return remembers(format!(
                 "what nearly stands for all that it does is off by {place_mm:.0} mm and {speed:.2} m/s"
             ));
         }
         Ok(Ok((walked, worst)))
     }
+}
+
+fn remembers<T>(why: String) -> Outcome<T> {
+    Ok(Err(Refused::Remembers(why)))
 }
 
 /// What was seen of something by how fast it is.

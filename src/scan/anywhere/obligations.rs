@@ -62,8 +62,9 @@ impl<'a> FromAnywhere<'a> {
         let open = (between > 0).then(|| {
             Point::open(format!(
                 "in {between} {} of the floor somebody may be hit between two communication steps, and at none: the robots are as \
-                 much nearer then as they may move in half a step",
-                if between == 1 { "cell" } else { "cells" }
+                 much nearer then as they may move in half a step{}",
+                if between == 1 { "cell" } else { "cells" },
+                if self.looking.nearly { ", and as what only nearly stands for all that the FMU may do is off" } else { "" }
             ))
         });
         Reply::unless(

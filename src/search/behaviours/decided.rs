@@ -17,8 +17,10 @@ const LONGER: f64 = 0.25;
 pub const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
 /// The longest are so many times as long.
 pub const LONGER_WALKS: usize = 30;
-/// Of histories that end in one of as many places as there may be behaviours, at least so many end where others do.
-const FEWEST_ALIKE: usize = 3;
+/// Where more than this part of histories end in places of their own, of some histories at least, there are more behaviours than can be
+/// counted, %.
+const MOST_DIFFERENT: usize = 80;
+const FEWEST_ENDS: usize = 20;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,8 +157,7 @@ pub fn held_for<M: Machine>(
 /// Whether a machine may come back to just the same, by where histories end.
 fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng) -> Outcome<(), M::Error> {
     let Some((ends, different)) = ends(machine, rng, within)? else { return Ok(Err(Why::Unfinished)) };
-    // Of so many that are equally likely, so few of some are the same.
-    let is_lost = ends > FEWEST_ALIKE && ends - different < FEWEST_ALIKE;
+    let is_lost = ends >= FEWEST_ENDS && 100 * different > MOST_DIFFERENT * ends;
     Ok(if is_lost { Err(Why::HardlyEverSame { different, ends }) } else { Ok(()) })
 }
 
