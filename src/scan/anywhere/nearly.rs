@@ -104,8 +104,9 @@ impl Looking<'_> {
             most(1),
             most(2) / WALKING_SPEED_M_S
         );
+        // What is faster sweeps more in half a step, too.
         let times = |[place, speed, far]: [f64; 3]| Nearly {
-            apart_m: TIMES * place,
+            apart_m: TIMES * (place + 0.5 * speed * step_s),
             faster_m_s: TIMES * speed,
             farther_m: TIMES * far,
         };
