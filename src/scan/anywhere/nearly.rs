@@ -35,8 +35,8 @@ const TIMES: f64 = 2.0;
 const STAYS_S: f64 = 1.0;
 /// What is farther off is not nearly there: by place, m, by speed, m/s, and by how far people get, m.
 const MOST_OFF: [f64; 3] = [0.05, 0.3, 0.13];
-/// Robots that are so fast at most are off alike, m/s.
-const SPEEDS_M_S: [f64; 6] = [0.0, 0.1, 0.25, 0.5, 1.0, f64::INFINITY];
+/// Robots that are so fast at most are off alike, m/s. What is at rest moves by what is rounded.
+const SPEEDS_M_S: [f64; 6] = [1e-6, 0.1, 0.25, 0.5, 1.0, f64::INFINITY];
 
 /// By speed, how far off anything is at most, as in [`MOST_OFF`].
 type Worst = [[f64; 3]; SPEEDS_M_S.len()];
