@@ -5,6 +5,9 @@
 //! a cell may be off its middle at both ends. Inside a disc only cells count that are joined to its middle within it. So every
 //! bound holds whatever the way does, and is a straight line's length where there is one: less a cell's diagonal for each
 //! radius of the disc.
+//!
+//! A cell to which another disc leads sooner by a cell's diagonal begins none: whatever way goes on from it leaves that disc where the
+//! straight line from its middle is no longer than the one to the cell and the way from there.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -58,6 +61,8 @@ impl Field {
     #[must_use]
     pub fn from(floor: &Floor, sources: &[bool], domain: &[bool], most_m: f64, stop: &Stop) -> Option<Self> {
         let mut least_m = vec![f64::INFINITY; floor.cells()];
+        // As far as two points are nearer to each other than the middles of their cells.
+        let off_m = SQRT_2 * floor.cell_m();
         let mut starts = vec![f64::INFINITY; floor.cells()];
         let mut next = BinaryHeap::new();
         let is_source = |cell: usize| sources[cell] && domain[cell];
@@ -72,7 +77,7 @@ impl Field {
         let mut disc = Disc::new(floor, domain);
         let mut discs = 0_usize;
         while let Some(Met(far, cell)) = next.pop() {
-            if far > starts[cell] {
+            if far > starts[cell] || far >= least_m[cell] + off_m {
                 continue;
             }
             discs += 1;
@@ -80,12 +85,12 @@ impl Field {
                 return None;
             }
             disc.around(floor, domain, cell, |other, apart, leaves| {
-                let length = far + (apart - SQRT_2 * floor.cell_m()).max(0.0);
-                least_m[other] = least_m[other].min(length);
-                if leaves && length < starts[other] && length <= most_m {
+                let length = far + (apart - off_m).max(0.0);
+                if leaves && length < starts[other] && length < least_m[other] + off_m && length <= most_m {
                     starts[other] = length;
                     next.push(Met(length, other));
                 }
+                least_m[other] = least_m[other].min(length);
             });
         }
         for (least, _) in least_m.iter_mut().zip(domain).filter(|(least, inside)| **inside && least.is_finite()) {
