@@ -199,6 +199,13 @@ struct Sets<'a> {
     in_parts: WayInParts<'a>,
 }
 
+impl<'a> Sets<'a> {
+    /// Of behaviours in place of histories.
+    fn few(few: &'a Few) -> Self {
+        Self { zones: &few.zones, histories: &few.histories, in_parts: &|_, _, _| None }
+    }
+}
+
 /// What came out.
 pub struct Looked {
     /// Where somebody is hit, and what is not known.
@@ -395,11 +402,16 @@ impl<'a> Looking<'a> {
             return Ok(End::Stopped);
         }
         self.motion.get_or_insert_default().merge(machine.instants().motion());
-        if let (Some(few), Some(_)) = (&few, limit) {
+        if let (Some(few), Some(_)) = (few.as_ref().filter(|few| few.only_hazards.is_some()), limit)
+            && self.hazards(search, first, few, tell)? == End::Stopped
+        {
+            return Ok(End::Stopped);
+        }
+        if let (Some(few), Some(_)) = (few.as_ref().filter(|few| few.only_hazards.is_none()), limit) {
             self.say(Need::Changes, few.tried.clone());
             self.nearly |= few.is_net;
             self.motion.get_or_insert_default().merge(&few.motion);
-            let sets = Sets { zones: &few.zones, histories: &few.histories, in_parts: &|_, _, _| None };
+            let sets = Sets::few(few);
             return self.look(search, first, &sets, Some(few), tell).map(|looked| end.and(looked));
         }
         if limit == Some(0) {
@@ -435,7 +447,10 @@ impl<'a> Looking<'a> {
             return Ok((end, limit, None));
         }
         let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
-            Ok(few) => Some(few),
+            Ok(few) => {
+                self.not_few = self.not_few.take().or(few.only_hazards.clone());
+                Some(few)
+            }
             Err(Refused::Stopped) => return Ok((End::Stopped, limit, None)),
             Err(Refused::Because(why) | Refused::Remembers(why)) => {
                 self.not_few.get_or_insert(why);
@@ -448,6 +463,26 @@ impl<'a> Looking<'a> {
             return Ok((end, limit, few));
         }
         Ok((end, limit, few))
+    }
+
+    /// Looks for hazards alone where behaviours do not stand for all that the FMU may do: what is not known is of no interest then.
+    fn hazards(
+        &mut self,
+        search: &Search<'_>,
+        first: &[bool],
+        few: &Few,
+        tell: &mut Tell<'_>,
+    ) -> Result<End, PlantError> {
+        let known = (self.open.clone(), self.between.clone(), self.found.open, self.found.between);
+        let (histories, met, hazards) = (self.found.histories.len(), self.met.len(), self.found.hazards.len());
+        let end = self.look(search, first, &Sets::few(few), Some(few), tell)?;
+        (self.open, self.between, self.found.open, self.found.between) = known;
+        self.found.histories.truncate(histories);
+        self.found.hazards.retain(|place| place.confirmed);
+        if self.found.hazards.len() <= hazards {
+            self.met.truncate(met);
+        }
+        Ok(end)
     }
 
     /// Looks for harm in sets of places.

@@ -10,7 +10,7 @@ use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
 use fmi_hazard::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, Shown};
 
 /// Eight seconds in steps of 20 ms.
-const QUESTION: Question = Question { step_s: 0.02, steps: 400, most: 25_000 };
+const QUESTION: Question = Question { step_s: 0.02, steps: 400, most: 25_000, times_held: 1 };
 const SECOND: i64 = 50;
 const DAY: i64 = 24 * 3600 * SECOND;
 

@@ -12,7 +12,9 @@ use crate::report::terminal::grouped;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::search::behaviours::decided::{AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, Why, decide};
+use crate::search::behaviours::decided::{
+    AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, TIMES_HELD, Why, decide_keeping,
+};
 use crate::search::behaviours::stays::Stays;
 use crate::search::behaviours::{Behaviours, Number};
 use crate::sim::anywhere::Anywhere as Search;
@@ -45,6 +47,8 @@ pub(super) struct Few {
     pub motion: Motion,
     /// Whether they only nearly stand for it.
     pub is_net: bool,
+    /// Why they do not stand for all: only hazards follow from them then.
+    pub only_hazards: Option<String>,
     /// What was tried out, and whether the cell file accepts what that leaves.
     pub tried: Point,
     pub is_accepted: bool,
@@ -63,9 +67,17 @@ pub(super) struct Stands {
     pub off: MayBeOff,
     /// Whether what is shown is numbered by what robots do.
     pub is_net: bool,
+    /// Why it does not stand for all.
+    pub not_all: Option<String>,
 }
 
 impl Stands {
+    /// Some of what it may do: histories all the same, of which some may be hazards.
+    pub(super) fn not_all(found: Behaviours, is_net: bool, why: String) -> Self {
+        let assumption = Assumption::MemoryShows { within_ms: 0 };
+        Self { found, assumption, tried: String::new(), off: MayBeOff::default(), is_net, not_all: Some(why) }
+    }
+
     /// The outputs of what a behaviour shows.
     fn outputs<'a>(&self, machine: &'a HeldReadings<'_, Hosted>, number: Number) -> &'a [f64] {
         let shown = self.found.shown(number);
@@ -151,35 +163,67 @@ impl Looking<'_> {
             matter: part.sensors.clone(),
             stays,
             is_net: stands.is_net,
+            only_hazards: stands.not_all,
         }))
     }
 
-    /// All behaviours, if walks show no others; what that assumes, and what was tried.
+    /// All behaviours, if walks show no others; what that assumes, and what was tried. Some of them, where there are some, if they do.
     fn find(
         &mut self,
         machine: &mut HeldReadings<'_, Hosted>,
         links: &Arc<[bool]>,
         tell: &mut Tell<'_>,
     ) -> Outcome<Stands> {
-        let exactly = match self.exactly(machine, tell)? {
+        let mut kept = None;
+        let some = |kept: Option<Behaviours>, why: String| match kept {
+            Some(found) => Ok(Ok(Stands::not_all(found, false, why))),
+            None => because(why),
+        };
+        let exactly = match self.exactly(machine, (&mut kept, tell))? {
             Err(Refused::Because(why)) => why,
             // What is nearly the same does not stand for it either.
-            Err(Refused::Remembers(why)) => return because(why),
+            Err(Refused::Remembers(why)) => return some(kept, why),
             outcome => return Ok(outcome),
         };
         Ok(match self.nearly(machine, links, tell)? {
-            Err(Refused::Because(why)) => Err(Refused::Because(format!("{exactly}; and {why}"))),
+            Err(Refused::Because(why)) => return some(kept, format!("{exactly}; and {why}")),
+            Ok(stands) => Ok(Stands { not_all: stands.not_all.map(|why| format!("{exactly}; and {why}")), ..stands }),
             outcome => outcome,
         })
     }
 
     /// The same of behaviours that are just the same.
-    fn exactly(&mut self, machine: &mut HeldReadings<'_, Hosted>, tell: &mut Tell<'_>) -> Outcome<Stands> {
-        let step_s = self.prepared.cell.step_s;
-        let most = self.effort.most_states.max(MOST);
-        let question = Question { step_s, steps: self.steps(), most };
+    fn exactly(
+        &mut self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
+    ) -> Outcome<Stands> {
+        let mut outcome = because(String::new());
+        for times_held in TIMES_HELD {
+            let most = self.effort.most_states.max(MOST);
+            let question = Question { step_s: self.prepared.cell.step_s, steps: self.steps(), most, times_held };
+            let before = std::mem::replace(&mut outcome, self.held_for(machine, question, (kept, tell)));
+            match &outcome {
+                // What it remembers may show later.
+                Ok(Err(Refused::Remembers(_))) => {}
+                // There is no time for that: it stays at what was shown.
+                Ok(Err(Refused::Because(_))) if times_held > 1 => return before,
+                _ => break,
+            }
+        }
+        outcome
+    }
+
+    /// The same of readings that are held for so long.
+    fn held_for(
+        &mut self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        question: Question,
+        (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
+    ) -> Outcome<Stands> {
+        let Question { step_s, most, .. } = question;
         let (mut told, mut ends_at) = (0_u32, None);
-        let decided = decide(machine, question, &mut Rng::new(SEED), &mut |now| {
+        let mut tell = |now| {
             let mut asked = false;
             match now {
                 Now::Held => ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE),
@@ -193,7 +237,8 @@ impl Looking<'_> {
                 Now::Walked(count) => asked = tell(Told::Behaviours(count, count)).is_break(),
             }
             if asked { ControlFlow::Break(Enough::Asked) } else { ControlFlow::Continue(()) }
-        })?;
+        };
+        let decided = decide_keeping(machine, question, &mut Rng::new(SEED), (kept, &mut tell))?;
         let Decided { behaviours, shows, held, walks } = match decided {
             Ok(decided) => decided,
             Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
@@ -217,6 +262,7 @@ impl Looking<'_> {
             tried,
             off: MayBeOff::default(),
             is_net: false,
+            not_all: None,
         }))
     }
 }

@@ -12,7 +12,7 @@ use crate::host::Hosted;
 use crate::obligations::Assumption;
 use crate::report::terminal::grouped;
 use crate::search::Rng;
-use crate::search::behaviours::decided::{LONGER_WALKS, Question, WALKS, Why, held_for, steps_of};
+use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, WALKS, Why, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
 use crate::search::behaviours::walks::Style;
 use crate::search::behaviours::{Behaviours, Ended, Extent};
@@ -23,8 +23,6 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Widths that are tried, one after the other.
 const WIDTHS: [Width; 2] = [Width { place_m: 0.01, speed_m_s: 0.05 }, Width { place_m: 0.02, speed_m_s: 0.1 }];
-/// Where walks show something else, a reading is held so many times as long before states are taken for one.
-const LONGER: [usize; 2] = [2, 2];
 /// Most instants of a net.
 const MOST: usize = 1_000_000;
 /// It is looked for in this part of the time that is left.
@@ -42,7 +40,7 @@ const SPEEDS_M_S: [f64; 6] = [1e-6, 0.1, 0.25, 0.5, 1.0, f64::INFINITY];
 type Worst = [[f64; 3]; SPEEDS_M_S.len()];
 
 impl Looking<'_> {
-    /// A net of behaviours, if walks show nothing that is farther off.
+    /// A net of behaviours, if walks show nothing that is farther off; some of what it may do, if they do.
     pub(super) fn nearly(
         &mut self,
         machine: &mut HeldReadings<'_, Hosted>,
@@ -54,22 +52,21 @@ impl Looking<'_> {
                 "what is nearly the same was not looked for, as speeds are worked out from positions".to_owned(),
             );
         }
-        let question = Question { step_s: self.prepared.cell.step_s, steps: self.steps(), most: MOST };
+        let question = Question { step_s: self.prepared.cell.step_s, steps: self.steps(), most: MOST, times_held: 1 };
         let held = match held_for(machine, question, &mut Rng::new(SEED))? {
             Ok((_, held)) => held,
             Err(Why::Asked) => return Ok(Err(Refused::Stopped)),
             Err(why) => return because(in_words(why, question)),
         };
-        let (mut widths, mut longer) = (WIDTHS.into_iter().peekable(), LONGER.into_iter());
-        let (mut held, mut why) = (held, String::new());
-        while let Some(width) = widths.peek() {
+        let (mut widths, mut times_held) = (WIDTHS.into_iter().peekable(), TIMES_HELD.into_iter().peekable());
+        let (mut kept, mut why) = (None, String::new());
+        while let (Some(width), Some(times)) = (widths.peek(), times_held.peek()) {
             machine.measure(links, *width);
-            match self.within(machine, held, tell)? {
+            match self.within(machine, times * held, (&mut kept, tell))? {
                 // What it remembers may show later.
                 Err(Refused::Remembers(remembers)) => {
                     why = remembers;
-                    let Some(times) = longer.next() else { break };
-                    held *= times;
+                    times_held.next();
                 }
                 Err(Refused::Because(too_many)) => {
                     why = too_many;
@@ -78,18 +75,31 @@ impl Looking<'_> {
                 outcome => return Ok(outcome),
             }
         }
-        because(why)
+        // It is of the last width, as are the numbers of what is shown.
+        match kept {
+            Some(found) => Ok(Ok(Stands::not_all(found, true, why))),
+            None => because(why),
+        }
     }
 
     /// The same of one width.
-    fn within(&mut self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Stands> {
-        let found = match self.net(machine, held, tell)? {
+    fn within(
+        &mut self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        held: usize,
+        (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
+    ) -> Outcome<Stands> {
+        *kept = None;
+        let found = match self.net(machine, held, (kept, tell))? {
             Ok(found) => found,
             Err(refused) => return Ok(Err(refused)),
         };
         let (walked, worst) = match self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell)? {
             Ok(gaps) => gaps,
-            Err(refused) => return Ok(Err(refused)),
+            Err(refused) => {
+                *kept = Some(found);
+                return Ok(Err(refused));
+            }
         };
         let step_s = self.prepared.cell.step_s;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
@@ -111,11 +121,17 @@ impl Looking<'_> {
             farther_m: TIMES * far,
         };
         let off = MayBeOff(SPEEDS_M_S.into_iter().zip(worst.map(times)).collect());
-        Ok(Ok(Stands { found, assumption: Assumption::NearlyAlike { within_ms }, tried, off, is_net: true }))
+        let assumption = Assumption::NearlyAlike { within_ms };
+        Ok(Ok(Stands { found, assumption, tried, off, is_net: true, not_all: None }))
     }
 
-    /// The net, if there is time and room for it.
-    fn net(&self, machine: &mut HeldReadings<'_, Hosted>, held: usize, tell: &mut Tell<'_>) -> Outcome<Behaviours> {
+    /// The net, if there is time and room for it; what was found of it is kept otherwise.
+    fn net(
+        &self,
+        machine: &mut HeldReadings<'_, Hosted>,
+        held: usize,
+        (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
+    ) -> Outcome<Behaviours> {
         let most = self.effort.most_states.max(MOST);
         let ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE);
         let is_late = || ends_at.is_some_and(|ends_at| Instant::now() >= ends_at);
@@ -126,8 +142,8 @@ impl Looking<'_> {
             if asked || is_late() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })?;
         let count = grouped(&found.len().to_string());
-        match found.ended {
-            Ended::Closed | Ended::Steps => Ok(Ok(found)),
+        let outcome = match found.ended {
+            Ended::Closed | Ended::Steps => return Ok(Ok(found)),
             Ended::Most => {
                 because(format!("it does more than {} instants nearly stand for", grouped(&most.to_string())))
             }
@@ -136,7 +152,9 @@ impl Looking<'_> {
             Ended::Asked => because(format!(
                 "a third of the time was not enough for instants that nearly stand for all that it does, {count} so far"
             )),
-        }
+        };
+        *kept = Some(found);
+        outcome
     }
 
     /// How many walks there were, and how far off anything is at most.

@@ -13,6 +13,8 @@ pub const AHEAD_S: [f64; 2] = [3.0, 12.0];
 /// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
 const HELD_S: f64 = 0.5;
 const LONGER: f64 = 0.25;
+/// So many times as long, one after the other, where walks show something else.
+pub const TIMES_HELD: [usize; 3] = [1, 2, 4];
 /// Walks of each style, by how many times as long as is looked, and how many of them.
 pub const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
 /// The longest are so many times as long.
@@ -31,6 +33,8 @@ pub struct Question {
     pub steps: usize,
     /// So many behaviours at most.
     pub most: usize,
+    /// Readings are held for so many times as long as what shows latest asks for: see [`TIMES_HELD`].
+    pub times_held: usize,
 }
 
 /// How far it is.
@@ -115,6 +119,19 @@ pub fn decide<M: Machine>(
     rng: &mut Rng,
     tell: &mut Tell<'_>,
 ) -> Outcome<Decided, M::Error> {
+    decide_keeping(machine, question, rng, (&mut None, tell))
+}
+
+/// The same; what was found is kept where it does not stand for all.
+///
+/// # Errors
+/// What the machine reports.
+pub fn decide_keeping<M: Machine>(
+    machine: &mut M,
+    question: Question,
+    rng: &mut Rng,
+    (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
+) -> Outcome<Decided, M::Error> {
     let (shows, held) = match held_for(machine, question, rng)? {
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
@@ -122,12 +139,17 @@ pub fn decide<M: Machine>(
     if let Err(why) = comes_back(machine, (question.steps, shows.ahead), rng)? {
         return Ok(Err(why));
     }
-    let behaviours = match closed(machine, question, held, tell)? {
+    let behaviours = match closed(machine, question, held, (kept, tell))? {
         Ok(found) => found,
         Err(why) => return Ok(Err(why)),
     };
-    let walked = walked(machine, question, (&behaviours, held), rng, tell)?;
-    Ok(walked.map(|walks| Decided { behaviours, shows, held, walks }))
+    match walked(machine, question, (&behaviours, held), rng, tell)? {
+        Ok(walks) => Ok(Ok(Decided { behaviours, shows, held, walks })),
+        Err(why) => {
+            *kept = Some(behaviours);
+            Ok(Err(why))
+        }
+    }
 }
 
 /// For how many steps a reading is held before states are taken for one, by what shows latest.
@@ -136,7 +158,7 @@ pub fn decide<M: Machine>(
 /// What the machine reports.
 pub fn held_for<M: Machine>(
     machine: &mut M,
-    Question { step_s, steps, .. }: Question,
+    Question { step_s, steps, times_held, .. }: Question,
     rng: &mut Rng,
 ) -> Outcome<(Shows, usize), M::Error> {
     let mut ahead = steps_of(AHEAD_S[0], step_s);
@@ -151,7 +173,7 @@ pub fn held_for<M: Machine>(
         ahead *= 2;
     };
     let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
-    Ok(Ok((shown, steps_of(HELD_S.max(longer_s), step_s))))
+    Ok(Ok((shown, times_held * steps_of(HELD_S.max(longer_s), step_s))))
 }
 
 /// Whether a machine may come back to just the same, by where histories end.
@@ -161,35 +183,31 @@ fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng
     Ok(if is_lost { Err(Why::HardlyEverSame { different, ends }) } else { Ok(()) })
 }
 
-/// All behaviours, if there are not too many.
-///
-/// # Errors
-/// What the machine reports.
-pub fn closed<M: Machine>(
+/// All behaviours, if there are not too many; those that were found are kept otherwise.
+fn closed<M: Machine>(
     machine: &mut M,
     Question { most, .. }: Question,
     held: usize,
-    tell: &mut Tell<'_>,
+    (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
 ) -> Outcome<Behaviours, M::Error> {
     let mut enough = tell(Now::Held).break_value();
     let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |behaviours| {
         enough = enough.or_else(|| tell(Now::Behaviours(behaviours)).break_value());
         if enough.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
-    Ok(match found.ended {
-        Ended::Closed | Ended::Steps => Ok(found),
-        Ended::Most => Err(Why::TooMany),
-        Ended::Unfinished => Err(Why::Unfinished),
-        Ended::Asked if enough == Some(Enough::NotInTime) => Err(Why::NotInTime(found.len())),
-        Ended::Asked => Err(Why::Asked),
-    })
+    let why = match found.ended {
+        Ended::Closed | Ended::Steps => return Ok(Ok(found)),
+        Ended::Most => Why::TooMany,
+        Ended::Unfinished => Why::Unfinished,
+        Ended::Asked if enough == Some(Enough::NotInTime) => Why::NotInTime(found.len()),
+        Ended::Asked => Why::Asked,
+    };
+    *kept = Some(found);
+    Ok(Err(why))
 }
 
 /// Tries out whether a machine does what its behaviours say, held for so many steps: how many walks that was.
-///
-/// # Errors
-/// What the machine reports.
-pub fn walked<M: Machine>(
+fn walked<M: Machine>(
     machine: &mut M,
     Question { steps, .. }: Question,
     (found, held): (&Behaviours, usize),
