@@ -1,7 +1,7 @@
 //! Few behaviours in place of many histories.
 //!
 //! A machine is stepped with one of a few *readings* at a time. States of it that show the same now, and the same after each of some
-//! steps while any one reading is held, are taken for one: a *behaviour*. How often readings changed before does not matter then, nor
+//! steps while any one reading that may come next is held, are taken for one: a *behaviour*. How often readings changed before does not matter then, nor
 //! when: where only so many behaviours turn up, they are all there ever are, and a history of any length is a way through them.
 //!
 //! That states which are taken for one answer any readings alike, and not only held ones, is an assumption. It holds where everything
@@ -14,7 +14,7 @@ pub mod shows;
 pub mod stays;
 pub mod walks;
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::ControlFlow;
 
 use sha2::{Digest as _, Sha256};
@@ -28,6 +28,11 @@ pub trait Machine {
 
     /// How many readings there are.
     fn readings(&self) -> usize;
+
+    /// Which others may follow each of them.
+    fn others(&self) -> Others {
+        any(self.readings())
+    }
 
     /// Whether two things that are shown may be the same, but for what rounding does.
     fn alike(&self, one: Shown, other: Shown) -> bool;
@@ -61,6 +66,15 @@ pub trait Machine {
         let all = self.hold_each(&[Hold { from: Begins::At(state), reading, steps, last: false }])?;
         Ok(all.and_then(|mut all| all.pop()))
     }
+}
+
+/// By reading, others that may follow it: those of a higher number first, and then from 0 on.
+pub type Others = Vec<Vec<usize>>;
+
+/// Where any of so many readings may follow any other.
+#[must_use]
+pub fn any(readings: usize) -> Others {
+    (0..readings).map(|reading| (1..readings).map(|by| (reading + by) % readings).collect()).collect()
 }
 
 /// A reading that is held.
@@ -129,7 +143,9 @@ const NONE: Number = Number::MAX;
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Behaviours {
-    readings: usize,
+    others: Others,
+    /// Where any of these readings may come next: of each reading itself and the others, in order. The same by number.
+    coming: Vec<(u32, Vec<usize>)>,
     /// What each behaviour shows.
     shows: Vec<Shown>,
     /// The fewest steps that lead to it, and the last of them: from which one, and the reading.
@@ -145,9 +161,20 @@ pub struct Behaviours {
 
 impl Behaviours {
     /// None yet.
-    fn none(readings: usize) -> Self {
+    #[expect(clippy::cast_possible_truncation, reason = "a few readings")]
+    fn none(others: Others) -> Self {
         let (shows, depth, came, next) = Default::default();
-        Self { readings, shows, depth, came, next, merged: 0, ended: Ended::Closed }
+        let sets: Vec<BTreeSet<usize>> =
+            others.iter().enumerate().map(|(own, others)| others.iter().copied().chain([own]).collect()).collect();
+        let first = |set: &BTreeSet<usize>| sets.iter().position(|known| known == set).unwrap_or_default() as u32;
+        let coming = sets.iter().map(|set| (first(set), set.iter().copied().collect())).collect();
+        Self { others, coming, shows, depth, came, next, merged: 0, ended: Ended::Closed }
+    }
+
+    /// Readings that may come next after one, itself as well, in order; and a number that is the same for the same of them.
+    fn coming(&self, reading: usize) -> (u32, &[usize]) {
+        let (number, coming) = &self.coming[reading];
+        (*number, coming)
     }
 
     /// Another, which was come to from one by a step with a reading.
@@ -157,7 +184,7 @@ impl Behaviours {
         self.shows.push(shown);
         self.depth.push(came.map_or(0, |(before, _)| self.depth[before as usize] + 1));
         self.came.push(came.map_or((number, 0), |(before, reading)| (before, reading as u32)));
-        self.next.extend(std::iter::repeat_n(NONE, self.readings));
+        self.next.extend(std::iter::repeat_n(NONE, self.readings()));
         if let Some((before, reading)) = came {
             self.follow(before, reading, number);
         }
@@ -166,7 +193,8 @@ impl Behaviours {
 
     /// One is followed by another after a step with a reading.
     fn follow(&mut self, number: Number, reading: usize, next: Number) {
-        self.next[number as usize * self.readings + reading] = next;
+        let readings = self.readings();
+        self.next[number as usize * readings + reading] = next;
     }
 
     /// How many there are.
@@ -190,7 +218,7 @@ impl Behaviours {
     /// The one after a step with a reading; nothing where that was not looked at.
     #[must_use]
     pub fn next(&self, number: Number, reading: usize) -> Option<Number> {
-        Some(self.next[number as usize * self.readings + reading]).filter(|next| *next != NONE)
+        Some(self.next[number as usize * self.readings() + reading]).filter(|next| *next != NONE)
     }
 
     /// The one before, on a way that leads to one in as few steps as any; nothing at the start.
@@ -202,7 +230,13 @@ impl Behaviours {
     /// How many readings there are.
     #[must_use]
     pub const fn readings(&self) -> usize {
-        self.readings
+        self.others.len()
+    }
+
+    /// Which others may follow each of them.
+    #[must_use]
+    pub fn others(&self) -> &[Vec<usize>] {
+        &self.others
     }
 
     /// The fewest steps that lead to one.
@@ -235,8 +269,8 @@ struct Run<S> {
 struct Open<S> {
     number: Number,
     state: S,
-    /// By reading.
-    runs: Vec<Run<S>>,
+    /// Readings that may come next, in order.
+    runs: Vec<(usize, Run<S>)>,
 }
 
 /// So many behaviours are gone on from at once.
@@ -266,18 +300,25 @@ struct Search<'a, M: Machine> {
 
 impl<'a, M: Machine> Search<'a, M> {
     fn new(machine: &'a mut M, extent: Extent) -> Self {
-        let found = Behaviours::none(machine.readings());
+        let found = Behaviours::none(machine.others());
         Self { machine, extent, found, known: BTreeMap::new() }
     }
 
     fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<Ended, M::Error> {
         let (state, shown) = self.machine.begin()?;
-        let each: Vec<_> = (0..self.found.readings)
-            .map(|reading| Hold { from: Begins::At(&state), reading, steps: self.extent.held, last: false })
-            .collect();
+        let coming = self.found.coming(0).1.to_vec();
+        let hold = |reading: &usize| Hold {
+            from: Begins::At(&state),
+            reading: *reading,
+            steps: self.extent.held,
+            last: false,
+        };
+        let each: Vec<_> = coming.iter().map(hold).collect();
         let Some(runs) = self.machine.hold_each(&each)? else { return Ok(Ended::Unfinished) };
-        let runs = runs.into_iter().map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect::<Vec<_>>();
-        let (first, _) = self.behaviour(shown, &runs, None);
+        let runs =
+            coming.into_iter().zip(runs).map(|(reading, (ahead, tip))| (reading, Run { ahead: ahead.into(), tip }));
+        let runs: Vec<_> = runs.collect();
+        let (first, _) = self.behaviour((0, shown), &runs, None);
         let mut open = VecDeque::from([Open { number: first, state, runs }]);
         while !open.is_empty() {
             if tell(self.found.len()).is_break() {
@@ -290,8 +331,8 @@ impl<'a, M: Machine> Search<'a, M> {
                 if self.found.depth(one.number) == self.extent.steps {
                     return Ok(Ended::Steps);
                 }
-                for (reading, run) in one.runs.into_iter().enumerate() {
-                    let own = held.by_ref().take(1 + self.found.readings).collect();
+                for (reading, run) in one.runs {
+                    let own = held.by_ref().take(2 + self.found.others[reading].len()).collect();
                     match self.step(one.number, reading, run, own) {
                         Some(next) => open.push_back(next),
                         None => self.found.merged += 1,
@@ -305,22 +346,19 @@ impl<'a, M: Machine> Search<'a, M> {
         Ok(Ended::Closed)
     }
 
-    /// What is asked of some behaviours: by reading, the state after a step with it; a step more while it is held; and all other readings
-    /// held from that state on.
+    /// What is asked of some behaviours: by reading, the state after a step with it; a step more while it is held; and all others that may
+    /// follow held from that state on.
     fn holds<'b>(&self, some: &'b [Open<M::State>]) -> Vec<Hold<'b, M::State>> {
         let mut all = Vec::new();
         for one in some {
-            for (reading, run) in one.runs.iter().enumerate() {
-                let after = all.len();
+            for (reading, run) in &one.runs {
+                let (after, reading) = (all.len(), *reading);
                 all.push(Hold { from: Begins::At(&one.state), reading, steps: 1, last: false });
                 all.push(Hold { from: Begins::At(&run.tip), reading, steps: 1, last: false });
-                let others = (0..self.found.readings).filter(|other| *other != reading);
-                all.extend(others.map(|other| Hold {
-                    from: Begins::After(after),
-                    reading: other,
-                    steps: self.extent.held,
-                    last: false,
-                }));
+                let steps = self.extent.held;
+                let other =
+                    |reading: &usize| Hold { from: Begins::After(after), reading: *reading, steps, last: false };
+                all.extend(self.found.others[reading].iter().map(other));
             }
         }
         all
@@ -340,15 +378,23 @@ impl<'a, M: Machine> Search<'a, M> {
         let shown = run.ahead.pop_front().unwrap_or(NONE);
         run.tip = tip;
         run.ahead.extend(more);
-        let mut runs: Vec<Run<M::State>> = held.map(|(ahead, tip)| Run { ahead: ahead.into(), tip }).collect();
-        runs.insert(reading.min(runs.len()), run);
-        let (next, is_new) = self.behaviour(shown, &runs, Some((number, reading)));
+        let others = self.found.others[reading].iter().copied();
+        let others = others.zip(held).map(|(other, (ahead, tip))| (other, Run { ahead: ahead.into(), tip }));
+        let mut runs: Vec<_> = others.chain([(reading, run)]).collect();
+        runs.sort_by_key(|(reading, _)| *reading);
+        let (next, is_new) = self.behaviour((reading, shown), &runs, Some((number, reading)));
         is_new.then_some(Open { number: next, state, runs })
     }
 
-    /// The behaviour that shows this now, and that while readings are held; whether it is new.
-    fn behaviour(&mut self, shown: Shown, runs: &[Run<M::State>], came: Option<(Number, usize)>) -> (Number, bool) {
-        let ahead = std::iter::once(shown).chain(runs.iter().flat_map(|run| run.ahead.iter().copied()));
+    /// The behaviour that shows this now after a reading, and that while those are held that may follow; whether it is new.
+    fn behaviour(
+        &mut self,
+        (reading, shown): (usize, Shown),
+        runs: &[(usize, Run<M::State>)],
+        came: Option<(Number, usize)>,
+    ) -> (Number, bool) {
+        let now = [self.found.coming(reading).0, shown].into_iter();
+        let ahead = now.chain(runs.iter().flat_map(|(_, run)| run.ahead.iter().copied()));
         let key =
             ahead.fold(Sha256::new(), |digest, number| digest.chain_update(number.to_le_bytes())).finalize().into();
         if let Some(known) = self.known.get(&key).copied() {

@@ -192,7 +192,7 @@ fn caught(memory: Memory, extent: Extent, walks: usize, steps: usize) -> Option<
     }
     let mut rng = Rng::new(5);
     (0..walks).flat_map(|_| Style::ALL).find(|style| {
-        let readings = style.drawn(&mut rng, 2, extent.held, steps);
+        let readings = style.drawn(&mut rng, &any(2), extent.held, steps);
         matches!(walk(&mut Drive(memory), &behaviours, &readings).unwrap(), Walked::Unlike { .. })
     })
 }

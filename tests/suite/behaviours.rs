@@ -8,7 +8,7 @@ use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
-use fmi_hazard::search::behaviours::{Ended, Extent, find};
+use fmi_hazard::search::behaviours::{Ended, Extent, any, find};
 use fmi_hazard::sim::anywhere::held::HeldReadings;
 use fmi_hazard::sim::anywhere::told::seen;
 
@@ -26,14 +26,14 @@ fn an_fmu_does_what_its_behaviours_say() {
         let readings = [vec![false], vec![true]];
         let people = vec![seen(&prepared.cell, ([0.0, -1.1], 0.0)); 2];
         let parts = (&*prepared.cell, &*prepared.binding);
-        let mut machine = HeldReadings::new(prepared.plant(StateChoice::Auto), parts, &readings, &people);
+        let mut machine = HeldReadings::new(prepared.plant(StateChoice::Auto), parts, (&readings, any(2)), &people);
         let extent = Extent { held: 30, steps, most: 50_000 };
         let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(found.ended, ended, "{fmu} {latched_by}: {} behaviours", found.len());
         assert!(found.len() > 500, "{}", found.len());
         let mut rng = Rng::new(3);
         for style in Style::ALL {
-            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, 2, extent.held, 400)).unwrap();
+            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), extent.held, 400)).unwrap();
             assert!(
                 matches!(walked, Walked::Alike(alike) if alike >= steps.min(400)),
                 "{latched_by} {style:?}: {walked:?}"

@@ -135,7 +135,8 @@ impl Looking<'_> {
             return Ok(Err(Refused::Stopped));
         };
         let people: Vec<Seen> = zones.readings.iter().map(person).collect();
-        let mut machine = HeldReadings::new(footing.plant(there), (cell, binding), &zones.readings, &people);
+        let mut machine =
+            HeldReadings::new(footing.plant(there), (cell, binding), (&zones.readings, zones.others()), &people);
         let found = self.find(&mut machine, &part.links, tell)?;
         self.found.spent.fmu_steps += machine.taken;
         let stands = match found {

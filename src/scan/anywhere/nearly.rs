@@ -171,7 +171,7 @@ impl Looking<'_> {
         let (mut walked, mut worst) = (0, Worst::default());
         let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
         for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-            let drawn = style.drawn(rng, found.readings(), held, long);
+            let drawn = style.drawn(rng, found.others(), held, long);
             match gap(machine, &covers, &drawn)? {
                 Gap::Within(all) => {
                     all.into_iter().for_each(|off| take_in(&mut worst, off, step_s));

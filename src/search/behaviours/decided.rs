@@ -217,7 +217,7 @@ fn walked<M: Machine>(
     let mut walked = 0;
     let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
     for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-        let drawn = style.drawn(rng, found.readings(), held, long);
+        let drawn = style.drawn(rng, found.others(), held, long);
         match walk(machine, found, &drawn)? {
             Walked::Alike(_) => walked += 1,
             Walked::Unfinished => return Ok(Err(Why::Unfinished)),

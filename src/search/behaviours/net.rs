@@ -81,7 +81,8 @@ struct Open<S> {
     before: Option<Traits>,
 }
 
-/// The traits of what is shown now, and after some steps while each reading is held, one after the other.
+/// Which readings may come next, and then the traits of what is shown now, and after some steps while each of these is held, one after the
+/// other.
 type Traits = Box<[f32]>;
 
 /// A row and its traits.
@@ -124,7 +125,7 @@ type Answers<'a, S> = dyn Iterator<Item = (Vec<f64>, S)> + 'a;
 
 impl<'a, M: Measured> Search<'a, M> {
     fn new(machine: &'a mut M, extent: Extent) -> Self {
-        let found = Behaviours::none(machine.readings());
+        let found = Behaviours::none(machine.others());
         // Two at least to tell a state from the one after it.
         let held = extent.held.max(3);
         let compared = [1, (held / 3).max(2), held];
@@ -147,14 +148,16 @@ impl<'a, M: Measured> Search<'a, M> {
         let first = self.found.add(shown, None);
         let mut open = VecDeque::new();
         let mut holds = Vec::new();
-        (0..self.found.readings).for_each(|reading| self.look_ahead(&state, reading, &mut holds));
+        let coming = self.found.coming(0).1.to_vec();
+        coming.iter().for_each(|reading| self.look_ahead(&state, *reading, &mut holds));
         let Some(held) = self.machine.rows_each(&holds)? else { return Ok(Ended::Unfinished) };
         let mut held = held.into_iter();
-        let ahead: Vec<_> = (0..self.found.readings).filter_map(|_| self.ahead(&mut held)).collect();
+        let ahead: Vec<_> = coming.iter().filter_map(|_| self.ahead(&mut held)).collect();
         let rows = ahead.iter().flat_map(|ahead| &ahead.rows);
-        let traits = std::iter::once(&now).chain(rows).flat_map(|instant| &instant.traits).copied().collect();
+        let traits = std::iter::once(&now).chain(rows).flat_map(|instant| &instant.traits).copied();
+        let traits = std::iter::once(self.among(0)).chain(traits).collect();
         self.know(first, &now, traits);
-        for (reading, ahead) in ahead.into_iter().enumerate() {
+        for (reading, ahead) in coming.into_iter().zip(ahead) {
             open.push_back(self.begin_run(first, reading, ahead));
         }
         while !open.is_empty() {
@@ -189,8 +192,7 @@ impl<'a, M: Measured> Search<'a, M> {
                 Some(tip) => Hold { from: Begins::At(tip), reading, steps: 1, last: false },
                 None => Hold { from: Begins::At(state), reading, steps: self.compared[2], last: false },
             });
-            let others = (0..self.found.readings).filter(|other| *other != reading);
-            others.for_each(|other| self.look_ahead(state, other, &mut holds));
+            self.found.others[reading].iter().for_each(|other| self.look_ahead(state, *other, &mut holds));
         }
         holds
     }
@@ -209,13 +211,12 @@ impl<'a, M: Measured> Search<'a, M> {
     fn step(&mut self, mut one: Open<M::State>, held: &mut Answers<'_, M::State>, open: &mut VecDeque<Open<M::State>>) {
         let (Some((_, state)), Some((rows, tip))) = (held.next(), held.next()) else { return };
         one.ahead.extend(rows.chunks(self.machine.columns()).map(|row| self.instant(row.to_vec())));
-        let others: Vec<(usize, Ahead<M::State>)> = (0..self.found.readings)
-            .filter(|other| *other != one.reading)
-            .filter_map(|other| Some((other, self.ahead(held)?)))
-            .collect();
-        let mut traits = one.now.traits.clone();
-        for reading in 0..self.found.readings {
-            match others.iter().find(|(other, _)| *other == reading) {
+        let others: Vec<(usize, Ahead<M::State>)> =
+            self.found.others[one.reading].iter().filter_map(|other| Some((*other, self.ahead(held)?))).collect();
+        let mut traits = vec![self.among(one.reading)];
+        traits.extend(&one.now.traits);
+        for reading in self.found.coming(one.reading).1 {
+            match others.iter().find(|(other, _)| other == reading) {
                 Some((_, ahead)) => ahead.rows.iter().for_each(|instant| traits.extend(&instant.traits)),
                 None => self.compared.iter().for_each(|step| traits.extend(&one.ahead[step - 1].traits)),
             }
@@ -286,6 +287,12 @@ impl<'a, M: Measured> Search<'a, M> {
         Open { number, reading, state, now, ahead: VecDeque::new(), tip: None, age: 0, way: 0.0, before: None }
     }
 
+    /// Which readings may come next after one, as a trait.
+    #[expect(clippy::cast_precision_loss, reason = "a few readings")]
+    fn among(&self, reading: usize) -> f32 {
+        FARTHEST * self.found.coming(reading).0 as f32
+    }
+
     fn instant(&self, row: Vec<f64>) -> Instant {
         let traits = self.machine.traits(&row);
         Instant { row, traits }
@@ -352,13 +359,12 @@ pub fn cell(place: [f32; 3], size: f32) -> [i64; 3] {
     place.map(|at| (at / size).floor() as i64)
 }
 
-/// Any reading may follow any other at any time.
-struct Free(usize, Vec<Vec<(usize, usize)>>);
+/// Readings follow others at any time.
+struct Free(Vec<Vec<(usize, usize)>>);
 
 impl Free {
-    fn new(readings: usize) -> Self {
-        let others = |of| (0..readings).filter(|other| *other != of).map(|other| (other, 0)).collect();
-        Self(readings, (0..readings).map(others).collect())
+    fn new(others: &[Vec<usize>]) -> Self {
+        Self(others.iter().map(|others| others.iter().map(|other| (*other, 0)).collect()).collect())
     }
 }
 
@@ -368,7 +374,7 @@ impl Ways for Free {
     }
 
     fn ways(&self) -> usize {
-        self.0
+        self.0.len()
     }
 
     fn reading(&self, way: usize) -> usize {
@@ -376,7 +382,7 @@ impl Ways for Free {
     }
 
     fn next(&self, way: usize) -> &[(usize, usize)] {
-        &self.1[way]
+        &self.0[way]
     }
 
     fn is_unchanged(&self, _way: usize) -> bool {
@@ -394,7 +400,7 @@ impl Covers {
     /// Of a net, with stays of so many steps at most.
     #[must_use]
     pub fn new(found: &Behaviours, most: u32) -> Self {
-        let stays = Stays::find(found, &Free::new(found.readings()), most);
+        let stays = Stays::find(found, &Free::new(found.others()), most);
         let mut longest: BTreeMap<(usize, Shown), u32> = BTreeMap::new();
         #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
         for number in 0..found.len() as Number {

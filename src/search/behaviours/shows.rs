@@ -32,21 +32,24 @@ pub fn shows<M: Machine>(
     rng: &mut Rng,
     (within, ahead): (usize, usize),
 ) -> Result<Option<Shows>, M::Error> {
-    let readings = machine.readings();
-    let mut all: Vec<Vec<Shown>> = Vec::new();
+    let others = machine.others();
+    let mut all: Vec<(Before, Vec<Shown>)> = Vec::new();
     for moment in 0..MOMENTS {
         let (start, shown) = machine.begin()?;
         let quiet = within * moment / MOMENTS + rng.below(within / MOMENTS + 1);
         let Some((mut state, mut now)) = last(machine.hold(&start, 0, quiet.max(1))?, shown) else { return Ok(None) };
         let mut present = 0;
         for _ in 0..=rng.below(MOST_CHANGES) {
-            present = if readings > 1 { (present + 1 + rng.below(readings - 1)) % readings } else { 0 };
+            present = drawn(&others[present], rng).unwrap_or(present);
             let Some(next) = last(machine.hold(&state, present, 1 + rng.below(ahead / 2))?, now) else {
                 return Ok(None);
             };
             (state, now) = next;
         }
-        let other = if readings > 1 { (present + 1) % readings } else { 0 };
+        let other = others[present].first().copied().unwrap_or(present);
+        let mut coming = others[other].clone();
+        coming.push(other);
+        coming.sort_unstable();
         for _ in 0..PAIRS {
             let Some(next) = last(machine.hold(&state, other, 1 + rng.below(ahead / PAIRS))?, now) else {
                 return Ok(None);
@@ -55,26 +58,34 @@ pub fn shows<M: Machine>(
             for _ in 0..2 {
                 let Some(next) = last(machine.hold(&state, other, 1)?, now) else { return Ok(None) };
                 (state, now) = next;
-                let mut told = vec![now];
                 let mut runs = Vec::new();
-                for reading in 0..readings {
+                for reading in coming.iter().copied() {
                     let Some((shown, _)) = machine.hold(&state, reading, ahead)? else { return Ok(None) };
                     runs.push(shown);
                 }
                 // Step by step, so that what differs first is met first.
-                told.extend((0..ahead).flat_map(|step| runs.iter().map(move |run| run[step])));
-                all.push(told);
+                let told = (0..ahead).flat_map(|step| runs.iter().map(move |run| run[step]));
+                all.push(((coming.clone(), now), told.collect()));
             }
         }
     }
     all.sort();
-    let first_unlike = |pair: &[Vec<Shown>]| {
-        let [one, other] = pair else { return None };
+    let first_unlike = |pair: &[(Before, Vec<Shown>)]| {
+        let [((coming, one_now), one), ((its, other_now), other)] = pair else { return None };
+        let is_alike = coming == its && machine.alike(*one_now, *other_now);
         let unlike = one.iter().zip(other).position(|(one, other)| !machine.alike(*one, *other))?;
-        (unlike > 0).then(|| (unlike - 1) / readings + 1)
+        is_alike.then(|| unlike / coming.len() + 1)
     };
     let steps = all.windows(2).filter_map(first_unlike).max().unwrap_or(0);
     Ok(Some(Shows { steps, states: all.len(), ahead }))
+}
+
+/// Which readings may come next, and what is shown.
+type Before = (Vec<usize>, Shown);
+
+/// One of some readings.
+fn drawn(others: &[usize], rng: &mut Rng) -> Option<usize> {
+    (!others.is_empty()).then(|| others[rng.below(others.len())])
 }
 
 /// The state after a hold, and what it shows.
@@ -99,7 +110,7 @@ pub fn ends<M: Machine>(
     rng: &mut Rng,
     (within, ahead): (usize, usize),
 ) -> Result<Option<(usize, usize)>, M::Error> {
-    let readings = machine.readings();
+    let others = machine.others();
     let mut all: Vec<Shown> = Vec::new();
     for _ in 0..HISTORIES / AT_ONCE {
         let (start, _) = machine.begin()?;
@@ -107,8 +118,10 @@ pub fn ends<M: Machine>(
         for _ in 0..AT_ONCE {
             let quiet = 1 + rng.below(within);
             holds.push(Hold { from: Begins::At(&start), reading: 0, steps: quiet, last: true });
+            let mut reading = 0;
             for change in 0..CHANGES {
-                let reading = if change % 2 == 0 && readings > 1 { 1 + rng.below(readings - 1) } else { 0 };
+                let back = others[reading].contains(&0) && change % 2 == 1;
+                reading = if back { 0 } else { drawn(&others[reading], rng).unwrap_or(reading) };
                 let from = Begins::After(holds.len() - 1);
                 holds.push(Hold { from, reading, steps: 1 + rng.below(ahead / 3), last: true });
             }

@@ -4,6 +4,8 @@
 //! behaviours lead to. So whatever states remember that does not show while one reading is held is found if it shows on some walk: what
 //! counts changes by many of them, a clock by long ones, hysteresis and orders of readings by random ones.
 
+use std::collections::VecDeque;
+
 use super::{Begins, Behaviours, Hold, Machine};
 use crate::search::rng::Rng;
 
@@ -59,11 +61,12 @@ impl Style {
     /// A walk of this kind from reading 0 on, of at least so many steps, where states are taken for one after readings were `held` so long.
     /// After that some stays follow in which shows what it left behind.
     #[must_use]
-    pub fn drawn(self, rng: &mut Rng, readings: usize, held: usize, steps: usize) -> Walk {
+    pub fn drawn(self, rng: &mut Rng, others: &[Vec<usize>], held: usize, steps: usize) -> Walk {
+        let readings = others.len();
         let (mut walk, mut taken, mut present) = (Walk::new(), 0, 0);
         let phase = 1 + rng.below(held);
         let most = (3 * steps / 4).max(1);
-        let round = if rng.below(2) == 0 { readings.max(2) } else { 2 + rng.below(5) };
+        let mut round = if rng.below(2) == 0 { readings.max(2) } else { 2 + rng.below(5) };
         let all = steps + steps.min(2 * held);
         while taken < all {
             let number = walk.len();
@@ -91,23 +94,56 @@ impl Style {
             };
             walk.push((present, stay));
             taken += stay;
-            if readings > 1 {
-                present = match self {
-                    // Of two readings one is that of the start.
-                    Self::Phases | Self::Blinks | Self::Stops if present != 0 => 0,
-                    Self::Out if number + 1 < readings => number + 1,
-                    Self::Rounds if number + 1 >= round => walk[number + 1 - round].0,
-                    // One that the round did not come to yet, if there is any.
-                    Self::Rounds if number + 1 < readings => {
-                        let others = (0..readings).filter(|other| walk.iter().all(|(come_to, _)| come_to != other));
-                        others.collect::<Vec<_>>()[rng.below(readings - number - 1)]
-                    }
-                    _ => (present + 1 + rng.below(readings - 1)) % readings,
-                };
+            let mine = &others[present];
+            if mine.is_empty() {
+                continue;
             }
+            let wanted = match self {
+                // Of two readings one is that of the start.
+                Self::Phases | Self::Blinks | Self::Stops if present != 0 => Some(0),
+                Self::Out if number + 1 < readings => Some(number + 1),
+                Self::Rounds if number + 1 >= round => Some(walk[number + 1 - round].0),
+                // One that the round did not come to yet, if there is any.
+                Self::Rounds if number + 1 < readings => {
+                    let is_new = |other: &&usize| walk.iter().all(|(come_to, _)| come_to != *other);
+                    let mut new: Vec<usize> = mine.iter().filter(is_new).copied().collect();
+                    new.sort_unstable();
+                    (!new.is_empty()).then(|| new[rng.below(new.len())])
+                }
+                _ => None,
+            };
+            let to = |wanted| if wanted == present { Some(wanted) } else { towards(others, present, wanted) };
+            let next = wanted.map(|wanted| (wanted, to(wanted)));
+            present = match next {
+                Some((wanted, Some(next))) => {
+                    // On a way round there may be readings between.
+                    round += usize::from(self == Self::Rounds && next != wanted);
+                    next
+                }
+                _ => mine[rng.below(mine.len())],
+            };
         }
         walk
     }
+}
+
+/// What follows a reading first on a shortest way to another; nothing where none leads there.
+fn towards(others: &[Vec<usize>], from: usize, to: usize) -> Option<usize> {
+    let mut first: Vec<Option<usize>> = vec![None; others.len()];
+    let mut open: VecDeque<usize> = VecDeque::new();
+    for other in &others[from] {
+        first[*other] = Some(*other);
+        open.push_back(*other);
+    }
+    while let Some(next) = open.pop_front().filter(|_| first[to].is_none()) {
+        for other in &others[next] {
+            if first[*other].is_none() {
+                first[*other] = first[next];
+                open.push_back(*other);
+            }
+        }
+    }
+    first[to]
 }
 
 /// From one to so many, small ones as likely as large ones.

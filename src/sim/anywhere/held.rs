@@ -16,7 +16,7 @@ use crate::cell::{Binding, Workcell};
 use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads};
 use crate::human::Presses;
 use crate::search::behaviours::net::{AllRows, Measured};
-use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Shown};
+use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, Shown};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{DelayLine, Seen, input_row};
 
@@ -53,6 +53,8 @@ pub struct HeldReadings<'a, P: Plant> {
     cell: &'a Workcell,
     binding: &'a Binding,
     readings: &'a [Readings],
+    /// Which of these may follow each of them.
+    others: Others,
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
     people: &'a [Seen],
     known: Known,
@@ -151,14 +153,27 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     pub fn new(
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
-        readings: &'a [Readings],
+        (readings, others): (&'a [Readings], Others),
         people: &'a [Seen],
     ) -> Self {
         let mut matters = binding.matters();
         matters.resize(plant.output_count(), false);
         let known = Known { matters, ..Known::default() };
         let rows = Rows::default();
-        Self { plant, cell, binding, readings, people, known, widths: None, rows, start: None, first: None, taken: 0 }
+        Self {
+            plant,
+            cell,
+            binding,
+            readings,
+            others,
+            people,
+            known,
+            widths: None,
+            rows,
+            start: None,
+            first: None,
+            taken: 0,
+        }
     }
 
     /// Measures how far apart robots are by these links.
@@ -327,6 +342,10 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
 
     fn readings(&self) -> usize {
         self.readings.len()
+    }
+
+    fn others(&self) -> Others {
+        self.others.clone()
     }
 
     fn alike(&self, one: Shown, other: Shown) -> bool {

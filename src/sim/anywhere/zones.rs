@@ -21,6 +21,7 @@ use crate::geometry::segment_cuboid::point_cuboid;
 use crate::human::floor::of_cells;
 use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
 use crate::search::behaviours::stays::Ways;
+use crate::search::behaviours::{Others, any};
 
 /// More than what rounding does to a number of steps.
 const ROUNDING: f64 = 1e-9;
@@ -265,6 +266,20 @@ impl Zones {
     #[must_use]
     pub fn number(&self, readings: &Readings) -> Option<usize> {
         self.numbers.get(readings).copied()
+    }
+
+    /// Which readings may follow each of them, as somebody walks.
+    #[must_use]
+    pub fn others(&self) -> Others {
+        let mut others = any(self.readings.len());
+        let follows = |from: usize, to: usize| {
+            let ways = self.ways.iter().zip(&self.next).filter(|(way, _)| way.to == from);
+            ways.flat_map(|(_, next)| next).any(|(next, _)| self.ways[*next].to == to)
+        };
+        for (from, others) in others.iter_mut().enumerate() {
+            others.retain(|to| follows(from, *to));
+        }
+        others
     }
 
     /// How far it is at least from where somebody is at the start.
