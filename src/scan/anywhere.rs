@@ -428,7 +428,16 @@ impl<'a> Looking<'a> {
             machine.instants().history_in_parts(way, parts, near)
         };
         let sets = Sets { zones: &zones, histories: &histories, in_parts: &in_parts };
-        self.look(search, first, &sets, None, tell).map(|looked| end.and(looked))
+        let looked = end.and(self.look(search, first, &sets, None, tell)?);
+        // By behaviours it is known how readings change until then, so that a walk may be found.
+        if looked == End::Stopped || limit.is_some() || self.found.hazards.iter().all(|place| place.confirmed) {
+            return Ok(looked);
+        }
+        match self.behaviours((there, footing), (search, part, first), &person, tell)? {
+            Ok(few) => self.hazards(search, first, &few, tell).map(|end| looked.and(end)),
+            Err(Refused::Stopped) => Ok(End::Stopped),
+            Err(Refused::Because(_) | Refused::Remembers(_)) => Ok(looked),
+        }
     }
 
     /// Steps the FMU along histories, and looks for the behaviours that stand for them where there are too many: how that ended, with how
@@ -478,7 +487,8 @@ impl<'a> Looking<'a> {
         let end = self.look(search, first, &Sets::few(few), Some(few), tell)?;
         (self.open, self.between, self.found.open, self.found.between) = known;
         self.found.histories.truncate(histories);
-        self.found.hazards.retain(|place| place.confirmed);
+        let new = self.found.hazards.split_off(hazards);
+        self.found.hazards.extend(new.into_iter().filter(|place| place.confirmed));
         if self.found.hazards.len() <= hazards {
             self.met.truncate(met);
         }

@@ -24,6 +24,9 @@ const MOST_FORWARD: usize = 12;
 const MOST_STOPS: usize = 6;
 const TURNS: [Drawn; 4] = [(Walk::Left45, 1), (Walk::Right45, -1), (Walk::Left90, 2), (Walk::Right90, -2)];
 
+/// Twice one of these leads back.
+const BACK: [Drawn; 2] = [TURNS[2], TURNS[3]];
+
 /// What the FMU is told, by number, and for how many steps each.
 type Reported = Vec<(usize, usize)>;
 
@@ -97,8 +100,9 @@ fn actions(rng: &mut Rng) -> Vec<Drawn> {
     let mut all = Vec::new();
     for number in 0..=rng.below(MOST_WAYS) {
         if number > 0 {
-            match rng.below(TURNS.len() + 1) {
+            match rng.below(TURNS.len() + BACK.len() + 1) {
                 turn if turn < TURNS.len() => all.push(TURNS[turn]),
+                back if back < TURNS.len() + BACK.len() => all.extend([BACK[back - TURNS.len()]; 2]),
                 _ => all.extend(vec![(Walk::Stop, 0); 1 + rng.below(MOST_STOPS)]),
             }
         }
