@@ -12,7 +12,8 @@ use indexmap::IndexSet;
 
 use super::widths::{Rows, Width, Widths};
 use super::zones::Readings;
-use crate::cell::{Binding, Workcell};
+use crate::cell::binding::SensorBinding;
+use crate::cell::{Binding, Sensor, Workcell};
 use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads};
 use crate::human::Presses;
 use crate::search::behaviours::net::{AllRows, Measured};
@@ -27,18 +28,23 @@ const ROUNDING: u64 = 2;
 /// What tells instants apart is measured at so many of them at most.
 const MEASURED: usize = 128;
 
-/// Of each of some readings what the FMU is told, by number: the same where sensors share an input.
+/// Of each of some readings what the FMU is told, by number: the same where sensors share an input, and are told alike late and for as long.
 #[must_use]
 pub fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings], people: &[Seen]) -> Vec<usize> {
+    let sensors = || cell.sensors.iter().zip(&binding.sensors);
     // What is on its way, or latched by the host, is remembered sensor by sensor.
-    if cell.sensors.iter().any(|sensor| sensor.delay_steps > 0 || sensor.latched) {
-        return (0..readings.len()).collect();
-    }
+    let remembers = |sensor: &Sensor| (sensor.delay_steps, sensor.latched);
+    let is_alone = |(sensor, bound): (&Sensor, &SensorBinding)| {
+        let mut others = sensors().filter(|(_, other)| other.input() == bound.input());
+        others.any(|(other, _)| remembers(other) != remembers(sensor))
+    };
+    let alone: Vec<bool> = sensors().map(is_alone).collect();
     let mut rows: Vec<Vec<u64>> = Vec::new();
     let mut of = |(reading, person): (&Readings, &Seen)| {
         let mut row = Vec::new();
         input_row(cell, binding, reading, person, Presses::NONE, &mut row);
-        let row: Vec<u64> = row.into_iter().map(f64::to_bits).collect();
+        let own = reading.iter().zip(&alone).map(|(reading, alone)| u64::from(*reading && *alone));
+        let row: Vec<u64> = row.into_iter().map(f64::to_bits).chain(own).collect();
         rows.iter().position(|known| *known == row).unwrap_or_else(|| {
             rows.push(row);
             rows.len() - 1
@@ -289,7 +295,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
 
     fn first_lines(&self) -> Box<[DelayLine]> {
         let sensors = self.cell.sensors.iter().zip(&self.readings[0]);
-        let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| {
+        let settled = |(sensor, raw): (&Sensor, &bool)| {
             DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
         };
         sensors.map(settled).collect()
