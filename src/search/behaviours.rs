@@ -8,6 +8,7 @@
 //! that the machine remembers shows while one reading is held for so long: timers run out and ramps end. It does not where it counts or
 //! looks at a clock. [`walks`] tries that out.
 
+pub mod answers;
 pub mod decided;
 pub mod net;
 pub mod shows;
@@ -34,8 +35,16 @@ pub trait Machine {
         any(self.readings())
     }
 
+    /// Whether readings that are taken for one are given by turns from now on, in place of the first of them.
+    fn vary(&mut self, _varies: bool) {}
+
     /// Whether two things that are shown may be the same, but for what rounding does.
     fn alike(&self, one: Shown, other: Shown) -> bool;
+    /// The same, whatever is on its way that does not show yet.
+    fn look_alike(&self, one: Shown, other: Shown) -> bool {
+        self.alike(one, other)
+    }
+
     /// Whether something that is shown is what may be shown in place of the middle one of three that follow one another, where rounding
     /// decides in which of two steps something switches.
     fn switches(&self, one: Shown, among: [Shown; 3]) -> bool;

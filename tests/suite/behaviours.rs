@@ -26,7 +26,12 @@ fn an_fmu_does_what_its_behaviours_say() {
         let readings = [vec![false], vec![true]];
         let people = vec![seen(&prepared.cell, ([0.0, -1.1], 0.0)); 2];
         let parts = (&*prepared.cell, &*prepared.binding);
-        let mut machine = HeldReadings::new(prepared.plant(StateChoice::Auto), parts, (&readings, any(2)), &people);
+        let mut machine = HeldReadings::new(
+            prepared.plant(StateChoice::Auto),
+            parts,
+            (readings.into_iter().map(|one| vec![one]).collect(), any(2)),
+            people,
+        );
         let extent = Extent { held: 30, steps, most: 50_000 };
         let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(found.ended, ended, "{fmu} {latched_by}: {} behaviours", found.len());

@@ -12,6 +12,7 @@ use crate::report::terminal::grouped;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
+use crate::search::behaviours::answers::answered_alike;
 use crate::search::behaviours::decided::{
     AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, TIMES_HELD, Why, decide_keeping,
 };
@@ -131,23 +132,56 @@ impl Looking<'_> {
             let people: Vec<Seen> = all.iter().map(person).collect();
             told_apart((cell, binding), all, &people)
         };
-        let Some(zones) = Zones::by_sides(search, first, &part.sensors, step_m, &told) else {
-            return Ok(Err(Refused::Stopped));
+        let by_sides =
+            |told: &dyn Fn(&[Readings]) -> Vec<usize>| Zones::by_sides(search, first, &part.sensors, step_m, told);
+        let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
+        let of_zones = |zones: &Zones| {
+            let people = zones.readings.iter().map(person).collect();
+            HeldReadings::new(footing.plant(there), (cell, binding), (zones.alike(), zones.others()), people)
         };
-        let people: Vec<Seen> = zones.readings.iter().map(person).collect();
-        let mut machine =
-            HeldReadings::new(footing.plant(there), (cell, binding), (&zones.readings, zones.others()), &people);
-        let found = self.find(&mut machine, &part.links, tell)?;
-        self.found.spent.fmu_steps += machine.taken;
+        let mut machine = of_zones(&zones);
+        let alike = self.answered_alike(&mut machine)?;
+        if let Some(alike) = alike.filter(|_| cell.pose.is_empty()) {
+            let number = |readings: &Readings| zones.number(readings).map_or(usize::MAX, |number| alike[number]);
+            let told = |all: &[Readings]| all.iter().map(number).collect();
+            let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
+            let found = self.few((there, part), (&zones, &mut of_zones(&zones)), tell)?;
+            // Where walks show that not all are answered alike after all, they are told apart.
+            if !matches!(&found, Err(Refused::Remembers(_)) | Ok(Few { only_hazards: Some(_), .. })) {
+                return Ok(found);
+            }
+        }
+        self.few((there, part), (&zones, &mut machine), tell)
+    }
+
+    /// Readings that the FMU answers alike, by the first of them; nothing where there are none.
+    fn answered_alike(&self, machine: &mut HeldReadings<'_, Hosted>) -> Result<Option<Vec<usize>>, PlantError> {
+        let ahead = steps_of(AHEAD_S[0], self.prepared.cell.step_s);
+        let alike = answered_alike(machine, &mut Rng::new(SEED), (self.steps(), ahead))?;
+        Ok(alike.filter(|alike| alike.iter().enumerate().any(|(own, first)| own != *first)))
+    }
+
+    /// The behaviours in these zones.
+    fn few(
+        &mut self,
+        (there, part): (&Prepared, &Part),
+        (zones, machine): (&Zones, &mut HeldReadings<'_, Hosted>),
+        tell: &mut Tell<'_>,
+    ) -> Outcome<Few> {
+        let (cell, binding) = (&there.cell, &there.binding);
+        let step_m = WALKING_SPEED_M_S * cell.step_s;
+        let before = machine.taken;
+        let found = self.find(machine, &part.links, tell)?;
+        self.found.spent.fmu_steps += machine.taken - before;
         let stands = match found {
             Ok(stands) => stands,
             Err(refused) => return Ok(Err(refused)),
         };
         let longest = zones.longest(step_m).max(steps_of(STAYS_S, cell.step_s));
-        let stays = Stays::find(&stands.found, &zones, u32::try_from(longest).unwrap_or(u32::MAX));
-        let mut instants = Instants::new((cell, binding), &zones, part).that_are_off(stands.off.clone());
+        let stays = Stays::find(&stands.found, zones, u32::try_from(longest).unwrap_or(u32::MAX));
+        let mut instants = Instants::new((cell, binding), zones, part).that_are_off(stands.off.clone());
         let stop = self.prepared.stop();
-        if look(&mut instants, &machine, &stands, (&stays, &zones), &stop).is_none() {
+        if look(&mut instants, machine, &stands, (&stays, zones), &stop).is_none() {
             return Ok(Err(Refused::Stopped));
         }
         let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
@@ -156,7 +190,7 @@ impl Looking<'_> {
         let tried = Point::tried(&stands.assumption, &stands.tried, accepted, &fmu);
         let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&stands.assumption));
         Ok(Ok(Few {
-            zones,
+            zones: zones.clone(),
             histories,
             motion,
             tried,

@@ -15,7 +15,7 @@ use crate::search::Rng;
 use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, WALKS, Why, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
 use crate::search::behaviours::walks::Style;
-use crate::search::behaviours::{Behaviours, Ended, Extent};
+use crate::search::behaviours::{Behaviours, Ended, Extent, Machine as _};
 use crate::sim::anywhere::held::HeldReadings;
 use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
 use crate::sim::anywhere::widths::Width;
@@ -94,7 +94,10 @@ impl Looking<'_> {
             Ok(found) => found,
             Err(refused) => return Ok(Err(refused)),
         };
-        let (walked, worst) = match self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell)? {
+        machine.vary(true);
+        let gaps = self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell);
+        machine.vary(false);
+        let (walked, worst) = match gaps? {
             Ok(gaps) => gaps,
             Err(refused) => {
                 *kept = Some(found);

@@ -143,7 +143,10 @@ pub fn decide_keeping<M: Machine>(
         Ok(found) => found,
         Err(why) => return Ok(Err(why)),
     };
-    match walked(machine, question, (&behaviours, held), rng, tell)? {
+    machine.vary(true);
+    let walked = walked(machine, question, (&behaviours, held), rng, tell);
+    machine.vary(false);
+    match walked? {
         Ok(walks) => Ok(Ok(Decided { behaviours, shows, held, walks })),
         Err(why) => {
             *kept = Some(behaviours);

@@ -58,11 +58,14 @@ pub struct HeldReadings<'a, P: Plant> {
     plant: P,
     cell: &'a Workcell,
     binding: &'a Binding,
-    readings: &'a [Readings],
+    /// By number, those that are taken for one: the first of them first.
+    readings: Vec<Vec<Readings>>,
+    /// Counts steps while they are given by turns.
+    turns: Option<usize>,
     /// Which of these may follow each of them.
     others: Others,
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
-    people: &'a [Seen],
+    people: Vec<Seen>,
     known: Known,
     /// How far apart outputs are by what robots do, and those that were numbered by that.
     widths: Option<Widths>,
@@ -159,8 +162,8 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     pub fn new(
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
-        (readings, others): (&'a [Readings], Others),
-        people: &'a [Seen],
+        (readings, others): (Vec<Vec<Readings>>, Others),
+        people: Vec<Seen>,
     ) -> Self {
         let mut matters = binding.matters();
         matters.resize(plant.output_count(), false);
@@ -171,6 +174,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
             cell,
             binding,
             readings,
+            turns: None,
             others,
             people,
             known,
@@ -214,13 +218,27 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     fn told(&mut self, mut lines: Box<[DelayLine]>, reading: usize, steps: usize) -> Told {
         let (mut inputs, mut on_their_way) = (Vec::new(), Vec::with_capacity(steps));
         for _ in 0..steps {
-            let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(&self.readings[reading]);
-            let told: Vec<bool> = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
-            lines.iter_mut().for_each(|line| *line = line.on_its_way());
+            let alike = &self.readings[reading];
+            let given = self.turns.as_mut().map_or(0, |turns| {
+                *turns += 1;
+                turned(*turns) % alike.len()
+            });
+            let (first, of_given) = lines.split_at_mut(self.cell.sensors.len());
+            self.push(first, &alike[0]);
+            let told = self.push(of_given, &alike[given]);
             input_row(self.cell, self.binding, &told, &self.people[reading], Presses::NONE, &mut inputs);
-            on_their_way.push(self.known.lines(&lines));
+            let first = &lines[..self.cell.sensors.len()];
+            on_their_way.push(self.known.lines(first));
         }
         Told { inputs, on_their_way, lines }
+    }
+
+    /// What the FMU is told of sensors that report this.
+    fn push(&self, lines: &mut [DelayLine], readings: &[bool]) -> Vec<bool> {
+        let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(readings);
+        let told = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+        lines.iter_mut().for_each(|line| *line = line.on_its_way());
+        told
     }
 
     /// The legs that holds are.
@@ -293,12 +311,14 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
         Ok(Some(all))
     }
 
+    /// What is on its way at the start: of the first readings of those that are taken for one, and of those that are given.
     fn first_lines(&self) -> Box<[DelayLine]> {
-        let sensors = self.cell.sensors.iter().zip(&self.readings[0]);
+        let sensors = self.cell.sensors.iter().zip(&self.readings[0][0]);
         let settled = |(sensor, raw): (&Sensor, &bool)| {
             DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
         };
-        sensors.map(settled).collect()
+        let first: Vec<DelayLine> = sensors.map(settled).collect();
+        first.repeat(2).into()
     }
 
     /// Begins again, without anything being lost that is saved.
@@ -354,10 +374,18 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
         self.others.clone()
     }
 
+    fn vary(&mut self, varies: bool) {
+        self.turns = varies.then_some(0);
+    }
+
     fn alike(&self, one: Shown, other: Shown) -> bool {
+        self.rounded(one).last() == self.rounded(other).last() && self.look_alike(one, other)
+    }
+
+    fn look_alike(&self, one: Shown, other: Shown) -> bool {
+        let outputs = self.plant.output_count();
         let (one, other) = (self.rounded(one), self.rounded(other));
-        let near = |(one, other): (&i64, &i64)| one.abs_diff(*other) <= ROUNDING;
-        one.last() == other.last() && one.iter().zip(other).all(near)
+        one.iter().zip(other).take(outputs).all(|(one, other)| one.abs_diff(*other) <= ROUNDING)
     }
 
     fn switches(&self, one: Shown, among: [Shown; 3]) -> bool {
@@ -376,7 +404,7 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
                 let outputs = self.plant.restart()?;
                 self.start = Some(self.plant.save()?);
                 let lines = self.first_lines();
-                let number = self.known.lines(&lines);
+                let number = self.known.lines(&lines[..self.cell.sensors.len()]);
                 *self.first.insert(self.known.number(&outputs, number))
             }
         };
@@ -434,6 +462,13 @@ impl<P: Plant> Measured for HeldReadings<'_, P> {
         let stands = frame(self.rows.row(shown));
         Some((widths.fastest(&stands), widths.between(&frame(row), &stands)?))
     }
+}
+
+/// A number that tells nothing of those before it: the same for some steps, and then others.
+const fn turned(turns: usize) -> usize {
+    let stays = turns.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let turn = if stays >> 60 < 8 { turns / 16 } else { turns };
+    turn.wrapping_mul(0xd6e8_feb8_6659_fd93) >> 40
 }
 
 /// Rows of outputs, each with the number of what is on its way.
