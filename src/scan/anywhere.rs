@@ -457,7 +457,7 @@ impl<'a> Looking<'a> {
         }
         let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
             Ok(few) => {
-                self.not_few = self.not_few.take().or(few.only_hazards.clone());
+                self.not_few = self.not_few.take().or(few.only_hazards.as_ref().map(|not_all| not_all.why.clone()));
                 Some(few)
             }
             Err(Refused::Stopped) => return Ok((End::Stopped, limit, None)),

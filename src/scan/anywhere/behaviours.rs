@@ -49,7 +49,7 @@ pub(super) struct Few {
     /// Whether they only nearly stand for it.
     pub is_net: bool,
     /// Why they do not stand for all: only hazards follow from them then.
-    pub only_hazards: Option<String>,
+    pub only_hazards: Option<NotAll>,
     /// What was tried out, and whether the cell file accepts what that leaves.
     pub tried: Point,
     pub is_accepted: bool,
@@ -69,14 +69,21 @@ pub(super) struct Stands {
     /// Whether what is shown is numbered by what robots do.
     pub is_net: bool,
     /// Why it does not stand for all.
-    pub not_all: Option<String>,
+    pub not_all: Option<NotAll>,
+}
+
+/// Why some of what an FMU may do does not stand for all.
+pub(super) struct NotAll {
+    pub why: String,
+    /// Whether that is because it remembers something that does not show in time.
+    pub remembers: bool,
 }
 
 impl Stands {
     /// Some of what it may do: histories all the same, of which some may be hazards.
-    pub(super) fn not_all(found: Behaviours, is_net: bool, why: String) -> Self {
+    pub(super) fn not_all(found: Behaviours, is_net: bool, not_all: NotAll) -> Self {
         let assumption = Assumption::MemoryShows { within_ms: 0 };
-        Self { found, assumption, tried: String::new(), off: MayBeOff::default(), is_net, not_all: Some(why) }
+        Self { found, assumption, tried: String::new(), off: MayBeOff::default(), is_net, not_all: Some(not_all) }
     }
 
     /// The outputs of what a behaviour shows.
@@ -147,7 +154,10 @@ impl Looking<'_> {
             let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
             let found = self.few((there, part), (&zones, &mut of_zones(&zones)), tell)?;
             // Where walks show that not all are answered alike after all, they are told apart.
-            if !matches!(&found, Err(Refused::Remembers(_)) | Ok(Few { only_hazards: Some(_), .. })) {
+            if !matches!(
+                &found,
+                Err(Refused::Remembers(_)) | Ok(Few { only_hazards: Some(NotAll { remembers: true, .. }), .. })
+            ) {
                 return Ok(found);
             }
         }
@@ -210,19 +220,24 @@ impl Looking<'_> {
         tell: &mut Tell<'_>,
     ) -> Outcome<Stands> {
         let mut kept = None;
-        let some = |kept: Option<Behaviours>, why: String| match kept {
-            Some(found) => Ok(Ok(Stands::not_all(found, false, why))),
+        let some = |kept: Option<Behaviours>, why: String, remembers: bool| match kept {
+            Some(found) => Ok(Ok(Stands::not_all(found, false, NotAll { why, remembers }))),
             None => because(why),
         };
         let exactly = match self.exactly(machine, (&mut kept, tell))? {
             Err(Refused::Because(why)) => why,
             // What is nearly the same does not stand for it either.
-            Err(Refused::Remembers(why)) => return some(kept, why),
+            Err(Refused::Remembers(why)) => return some(kept, why, true),
             outcome => return Ok(outcome),
         };
         Ok(match self.nearly(machine, links, tell)? {
-            Err(Refused::Because(why)) => return some(kept, format!("{exactly}; and {why}")),
-            Ok(stands) => Ok(Stands { not_all: stands.not_all.map(|why| format!("{exactly}; and {why}")), ..stands }),
+            Err(Refused::Because(why)) => return some(kept, format!("{exactly}; and {why}"), false),
+            Ok(mut stands) => {
+                if let Some(not_all) = &mut stands.not_all {
+                    not_all.why = format!("{exactly}; and {}", not_all.why);
+                }
+                Ok(stands)
+            }
             outcome => outcome,
         })
     }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::behaviours::{Outcome, Refused, Stands, because, in_words, seconds};
+use super::behaviours::{NotAll, Outcome, Refused, Stands, because, in_words, seconds};
 use super::{Looking, SEED, Tell, Told};
 use crate::host::Hosted;
 use crate::obligations::Assumption;
@@ -59,17 +59,17 @@ impl Looking<'_> {
             Err(why) => return because(in_words(why, question)),
         };
         let (mut widths, mut times_held) = (WIDTHS.into_iter().peekable(), TIMES_HELD.into_iter().peekable());
-        let (mut kept, mut why) = (None, String::new());
+        let (mut kept, mut why, mut is_remembered) = (None, String::new(), false);
         while let (Some(width), Some(times)) = (widths.peek(), times_held.peek()) {
             machine.measure(links, *width);
             match self.within(machine, times * held, (&mut kept, tell))? {
                 // What it remembers may show later.
                 Err(Refused::Remembers(remembers)) => {
-                    why = remembers;
+                    (why, is_remembered) = (remembers, true);
                     times_held.next();
                 }
                 Err(Refused::Because(too_many)) => {
-                    why = too_many;
+                    (why, is_remembered) = (too_many, false);
                     widths.next();
                 }
                 outcome => return Ok(outcome),
@@ -77,7 +77,7 @@ impl Looking<'_> {
         }
         // It is of the last width, as are the numbers of what is shown.
         match kept {
-            Some(found) => Ok(Ok(Stands::not_all(found, true, why))),
+            Some(found) => Ok(Ok(Stands::not_all(found, true, NotAll { why, remembers: is_remembered }))),
             None => because(why),
         }
     }
