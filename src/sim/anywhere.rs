@@ -22,6 +22,7 @@ pub mod instants;
 pub mod ledger;
 mod looks;
 pub mod machine;
+pub mod of_behaviours;
 mod outside;
 mod readings;
 pub mod reduced;

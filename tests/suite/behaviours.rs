@@ -4,13 +4,25 @@ use std::ops::ControlFlow;
 
 use crate::common::write;
 use crate::restarts::{WATCHES, cell, folder};
+use fmi_hazard::geometry::{Solid, Vec3};
+use fmi_hazard::host::{Plant as _, Policy, Recall};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
+use fmi_hazard::search::behaviours::stays::Stays;
 use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
 use fmi_hazard::search::behaviours::{Ended, Extent, any, find};
+use fmi_hazard::search::tracks::explore;
 use fmi_hazard::sim::anywhere::held::HeldReadings;
+use fmi_hazard::sim::anywhere::instants::{Instants, Part};
+use fmi_hazard::sim::anywhere::machine::Machine as ByHistories;
+use fmi_hazard::sim::anywhere::of_behaviours::seen_by;
+use fmi_hazard::sim::anywhere::reduced::Nearly;
 use fmi_hazard::sim::anywhere::told::seen;
+use fmi_hazard::sim::anywhere::zones::Zones;
+use fmi_hazard::sim::anywhere::{Anywhere, History, Seen};
+use fmi_hazard::sim::robot::RobotFrame;
+use fmi_hazard::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Latched, the slide of a gantry has some thousand behaviours for all time; where it restarts, within some steps, one for each moment at
 /// which it was stopped and freed, and more. Walks of each style show nothing else. What restarts is looked at as far as walks go.
@@ -45,4 +57,89 @@ fn an_fmu_does_what_its_behaviours_say() {
             );
         }
     }
+}
+
+/// What is seen of all histories of up to three changes within 0.8 s, each way with its robots, lies within what behaviours stand for.
+#[test]
+fn behaviours_stand_for_all_that_histories_lead_to() {
+    let states = stand_for_all(40, 3);
+    assert!(states > 10_000, "{states}");
+}
+
+/// The same of all histories there are, as far as memory goes.
+#[test]
+#[ignore = "two minutes, a GB: all changes; `behaviours_stand_for_all_that_histories_lead_to` follows three"]
+fn behaviours_stand_for_histories_of_any_number_of_changes() {
+    let states = stand_for_all(84, usize::MAX);
+    assert!(states > 1_000_000, "{states}");
+}
+
+/// Looks at both: robots that stand for others are as large, as fast, and as long there. That they are made larger for it is not in vain: as
+/// they are, they do not stand for all. The answer is how many states of the FMU histories have.
+fn stand_for_all(steps: usize, changes: usize) -> usize {
+    let dir = folder("gantry.fmu");
+    let prepared = prepare(&write(dir.path(), "cell.toml", &cell(WATCHES[0], "nobody")), None).unwrap();
+    let (cell, binding) = (&*prepared.cell, &*prepared.binding);
+    let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
+    let plant = || prepared.plant(StateChoice::Auto);
+    let robots = RobotFrame::new(cell, binding, &plant().restart().unwrap());
+    let search = Anywhere::new(cell, std::iter::once(&robots), 0.5, prepared.stop()).unwrap();
+    let step_m = WALKING_SPEED_M_S * cell.step_s;
+    let zones = Zones::by_sides(&search, &[false], &part.sensors, step_m, &|all| (0..all.len()).collect()).unwrap();
+    let people = || vec![seen(cell, ([0.0, -1.1], 0.0)); zones.readings.len()];
+
+    let mut recall = Recall::new(plant(), Policy::States { max_checkpoints: usize::MAX }).unwrap();
+    recall.ends_at(steps);
+    recall.merge_equal_states().unwrap();
+    let mut exact = ByHistories::new(recall, (cell, binding), (&zones, people()), (&part, 0));
+    explore(&mut exact, steps, changes, &mut |machine, taken| {
+        machine.look(taken);
+        true
+    })
+    .unwrap();
+    let (states, exact) = (exact.recall().states(), exact.instants().histories());
+
+    let mut machine = HeldReadings::new(plant(), (cell, binding), (zones.alike(), zones.others()), people());
+    let extent = Extent { held: 30, steps, most: 2_000_000 };
+    let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
+    assert_ne!(found.ended, Ended::Most);
+    let stays = Stays::find(&found, &zones, u32::try_from(2 * steps).unwrap());
+    let mut instants = Instants::new((cell, binding), &zones, &part);
+    let outputs = |number| machine.outputs(found.shown(number));
+    seen_by(&mut instants, &found, (&stays, &zones), (&outputs, true), &prepared.stop()).unwrap();
+    let nearly = Nearly { apart_m: 0.01, faster_m_s: 0.03, farther_m: 0.05 };
+    let few = instants.reduced(nearly, &prepared.stop()).unwrap();
+
+    let within = |one: &Seen, all: &History| all.seen.iter().any(|stands| stands_for(stands, one));
+    let (mut all, mut as_they_are) = (0, 0);
+    for (way, history) in exact.iter().enumerate() {
+        let (own, wide) = &few[way];
+        assert_eq!(history.readings, own.readings);
+        for one in &history.seen {
+            assert!(within(one, wide), "{way} {}", one.step);
+            as_they_are += usize::from(within(one, own));
+            all += 1;
+        }
+    }
+    let stand: usize = few.iter().map(|(own, _)| own.seen.len()).sum();
+    assert!(all > 900 && stand < all && as_they_are < all, "{all} {stand} {as_they_are}");
+    states
+}
+
+/// Whether links of robots at an instant are within those of others at another, no faster, and people have come no farther.
+fn stands_for(stands: &Seen, one: &Seen) -> bool {
+    let (wide, own) = (&stands.frame, &one.frame);
+    let lies_within = |(link, solid): (usize, &Solid)| {
+        let (Solid::Capsule(wide), Solid::Capsule(own)) = (&wide.links[link], solid) else { panic!("a capsule") };
+        let far = |at: Vec3| {
+            let along = wide.b - wide.a;
+            let share = ((at - wide.a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            (at - wide.a - along * share).length()
+        };
+        [own.a, own.b].into_iter().all(|at| far(at) + own.radius <= wide.radius + 1e-9)
+    };
+    own.links.iter().enumerate().all(lies_within)
+        && own.speed_bounds.iter().zip(&wide.speed_bounds).all(|(own, wide)| *own <= wide + 1e-9)
+        && one.within_m.iter().zip(stands.within_m).all(|(own, wide)| *own <= wide + 1e-9)
+        && one.depth_m <= stands.depth_m + 1e-9
 }

@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use fmi_hazard::search::Rng;
+use fmi_hazard::search::behaviours::answers::answered_alike;
 use fmi_hazard::search::behaviours::decided::{Question, Why, decide};
 use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
 use fmi_hazard::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, Shown};
@@ -70,12 +71,15 @@ struct State {
 }
 
 struct Drive {
-    readings: usize,
+    /// By number, readings that are taken for one.
+    readings: Vec<Vec<usize>>,
     remember: Remember,
+    /// Counts steps while they are given by turns.
+    turns: Option<usize>,
 }
 
 impl Drive {
-    fn after(&self, state: &mut State, reading: usize) {
+    fn after(remember: Remember, state: &mut State, reading: usize) {
         let (open, was_open) = (reading > 0, state.reading > 0);
         let now = Now {
             reading,
@@ -88,7 +92,7 @@ impl Drive {
             step: state.step,
             before: state.reading,
         };
-        (self.remember)(&mut state.mind, &now);
+        remember(&mut state.mind, &now);
         state.since = if open == was_open { state.since + 1 } else { 1 };
         (state.reading, state.step) = (reading, state.step + 1);
         let told = (open || state.mind.waits) && !state.mind.vain;
@@ -109,7 +113,11 @@ impl Machine for Drive {
     type Error = Infallible;
 
     fn readings(&self) -> usize {
-        self.readings
+        self.readings.len()
+    }
+
+    fn vary(&mut self, varies: bool) {
+        self.turns = varies.then_some(0);
     }
 
     fn alike(&self, one: Shown, other: Shown) -> bool {
@@ -136,7 +144,12 @@ impl Machine for Drive {
                 Begins::After(number) => ended[*number].1.clone(),
             };
             let all = (0..*steps).map(|_| {
-                self.after(&mut state, *reading);
+                let alike = &self.readings[*reading];
+                let turn = self.turns.as_mut().map_or(0, |turns| {
+                    *turns += 1;
+                    *turns * *turns / 7
+                });
+                Self::after(self.remember, &mut state, alike[turn % alike.len()]);
                 shown(&state)
             });
             let mut all: Vec<Shown> = all.collect();
@@ -183,8 +196,23 @@ use Found::{Ends, Known, Late, Passes, TooMany, Walk};
 
 /// What is found, where that is expected, by the whole decision.
 fn found(readings: usize, remember: Remember, expected: Found) -> Found {
-    let mut drive = Drive { readings, remember };
-    let decided = decide(&mut drive, QUESTION, &mut Rng::new(1), &mut |_| ControlFlow::Continue(())).unwrap();
+    let mut drive = Drive { readings: (0..readings).map(|own| vec![own]).collect(), remember, turns: None };
+    let decided =
+        |drive: &mut Drive| decide(drive, QUESTION, &mut Rng::new(1), &mut |_| ControlFlow::Continue(())).unwrap();
+    // Readings that are answered alike first as one, as a scan does.
+    let alike = answered_alike(&mut drive, &mut Rng::new(1), (QUESTION.steps, 150), &mut || true).unwrap().unwrap();
+    let firsts = (0..readings).filter(|own| alike[*own] == *own);
+    let alike = firsts.map(|first| (0..readings).filter(|own| alike[*own] == first).collect()).collect();
+    let mut fewer = Drive { readings: alike, remember, turns: None };
+    let of_fewer = (fewer.readings.len() < readings).then(|| decided(&mut fewer));
+    let decided = match of_fewer {
+        Some(Ok(decided)) => {
+            drive = fewer;
+            Ok(decided)
+        }
+        Some(Err(why)) if !matches!(why, Why::RemembersMore { .. }) => Err(why),
+        _ => decided(&mut drive),
+    };
     let decided = match decided {
         Ok(decided) => decided,
         Err(Why::ShowsLate) => return Late,
@@ -198,6 +226,8 @@ fn found(readings: usize, remember: Remember, expected: Found) -> Found {
         _ => STOPS,
     };
     let walked: Vec<_> = way.round.repeat(way.times).into_iter().chain(way.then.iter().copied()).collect();
+    let number = |reading: usize| drive.readings.iter().position(|alike| alike.contains(&reading)).unwrap();
+    let walked: Vec<_> = walked.into_iter().map(|(reading, steps)| (number(reading), steps)).collect();
     match walk(&mut drive, &decided.behaviours, &walked).unwrap() {
         Walked::Alike(_) => Known(way),
         Walked::Unlike { .. } => Passes(way),

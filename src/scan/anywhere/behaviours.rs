@@ -21,22 +21,22 @@ use crate::search::behaviours::{Behaviours, Number};
 use crate::sim::anywhere::Anywhere as Search;
 use crate::sim::anywhere::History;
 use crate::sim::anywhere::held::{HeldReadings, told_apart};
-use crate::sim::anywhere::instants::{Instant as AnInstant, Instants, Part};
+use crate::sim::anywhere::instants::{Instants, Part};
+use crate::sim::anywhere::of_behaviours::seen_by;
 use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
 use crate::sim::anywhere::zones::{Readings, Zones};
 use crate::sim::motion::Motion;
 use crate::sim::sensors::Seen;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
-use crate::stop::Stop;
 
 /// Most behaviours, where more states are not asked for.
 const MOST: usize = 200_000;
 /// They are looked for in this part of the time that is left.
 const SHARE: u32 = 5;
+/// Readings that are answered alike are looked for in this part of it.
+const ALIKE_SHARE: u32 = 20;
 /// What stands for others is no farther from them, m, slower by no more, m/s, and people have come no less far by more, m.
 const NEARLY: Nearly = Nearly { apart_m: 0.01, faster_m_s: 0.03, farther_m: 0.05 };
-/// So many behaviours are gone through from one look at the clock to the next.
-const LOOK_AFTER: u32 = 64;
 /// Stays are told apart up to this at least, s.
 const STAYS_S: f64 = 1.0;
 
@@ -151,8 +151,10 @@ impl Looking<'_> {
         if let Some(alike) = alike.filter(|_| cell.pose.is_empty()) {
             let number = |readings: &Readings| zones.number(readings).map_or(usize::MAX, |number| alike[number]);
             let told = |all: &[Readings]| all.iter().map(number).collect();
+            let all = zones.readings.len();
             let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
-            let found = self.few((there, part), (&zones, &mut of_zones(&zones)), tell)?;
+            let fewer = Some((all, zones.readings.len()));
+            let found = self.few((there, part), (&zones, fewer, &mut of_zones(&zones)), tell)?;
             // Where walks show that not all are answered alike after all, they are told apart.
             if !matches!(
                 &found,
@@ -161,21 +163,23 @@ impl Looking<'_> {
                 return Ok(found);
             }
         }
-        self.few((there, part), (&zones, &mut machine), tell)
+        self.few((there, part), (&zones, None, &mut machine), tell)
     }
 
-    /// Readings that the FMU answers alike, by the first of them; nothing where there are none.
+    /// Readings that the FMU answers alike, by the first of them; nothing where there are none, or no time to see that.
     fn answered_alike(&self, machine: &mut HeldReadings<'_, Hosted>) -> Result<Option<Vec<usize>>, PlantError> {
         let ahead = steps_of(AHEAD_S[0], self.prepared.cell.step_s);
-        let alike = answered_alike(machine, &mut Rng::new(SEED), (self.steps(), ahead))?;
+        let ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / ALIKE_SHARE);
+        let mut goes_on = || ends_at.is_none_or(|ends_at| Instant::now() < ends_at);
+        let alike = answered_alike(machine, &mut Rng::new(SEED), (self.steps(), ahead), &mut goes_on)?;
         Ok(alike.filter(|alike| alike.iter().enumerate().any(|(own, first)| own != *first)))
     }
 
-    /// The behaviours in these zones.
+    /// The behaviours in these zones; of so many readings so many are told apart, where some are answered alike.
     fn few(
         &mut self,
         (there, part): (&Prepared, &Part),
-        (zones, machine): (&Zones, &mut HeldReadings<'_, Hosted>),
+        (zones, fewer, machine): (&Zones, Option<(usize, usize)>, &mut HeldReadings<'_, Hosted>),
         tell: &mut Tell<'_>,
     ) -> Outcome<Few> {
         let (cell, binding) = (&there.cell, &there.binding);
@@ -183,15 +187,22 @@ impl Looking<'_> {
         let before = machine.taken;
         let found = self.find(machine, &part.links, tell)?;
         self.found.spent.fmu_steps += machine.taken - before;
-        let stands = match found {
+        let mut stands = match found {
             Ok(stands) => stands,
             Err(refused) => return Ok(Err(refused)),
         };
+        if let Some((all, fewer)) = fewer {
+            stands.tried += &format!(
+                "; of {all} things that the sensors may report together {fewer} are told apart, as the others are answered alike"
+            );
+        }
         let longest = zones.longest(step_m).max(steps_of(STAYS_S, cell.step_s));
         let stays = Stays::find(&stands.found, zones, u32::try_from(longest).unwrap_or(u32::MAX));
         let mut instants = Instants::new((cell, binding), zones, part).that_are_off(stands.off.clone());
         let stop = self.prepared.stop();
-        if look(&mut instants, machine, &stands, (&stays, zones), &stop).is_none() {
+        let outputs = |number: Number| stands.outputs(machine, number);
+        let seen = seen_by(&mut instants, &stands.found, (&stays, zones), (&outputs, !stands.is_net), &stop);
+        if seen.is_none() {
             return Ok(Err(Refused::Stopped));
         }
         let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
@@ -345,60 +356,6 @@ pub(super) type Outcome<T> = Result<Result<T, Refused>, PlantError>;
 
 pub(super) fn because<T>(why: String) -> Outcome<T> {
     Ok(Err(Refused::Because(why)))
-}
-
-/// Takes in all that people may come to; nothing, where there is no time for it.
-fn look(
-    instants: &mut Instants<'_>,
-    machine: &HeldReadings<'_, Hosted>,
-    stands: &Stands,
-    (stays, zones): (&Stays, &Zones),
-    stop: &Stop,
-) -> Option<()> {
-    let found = &stands.found;
-    let rows = instants.compared_rows();
-    #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
-    for number in 0..found.len() as Number {
-        if number.is_multiple_of(LOOK_AFTER) && stop.is_due() {
-            return None;
-        }
-        let before = stands.outputs(machine, number);
-        let step = found.depth(number) + 1;
-        for reading in 0..found.readings() {
-            let Some(next) = found.next(number, reading) else { continue };
-            let after = stands.outputs(machine, next);
-            let mut is_first = true;
-            let all = zones.ways.iter().enumerate().filter(|(_, way)| way.to == reading);
-            for (way, of) in all {
-                let Some(stay) = stays.of(number, way) else { continue };
-                // What only nearly stands for something says nothing of speeds.
-                if std::mem::take(&mut is_first) && !stands.is_net {
-                    let told = rows_before((machine, found), number, after, rows.min(step + 1).max(2));
-                    instants.compare_speeds(&told.0, told.1, step);
-                }
-                let lasting = stay.lasting(of.unchanged);
-                let instant = AnInstant { step, way, lasting, story: Default::default(), came: Some(number) };
-                instants.look(before, after, &instant);
-            }
-        }
-    }
-    Some(())
-}
-
-/// The last so many rows of outputs on the way to a behaviour, and then these.
-fn rows_before(
-    (machine, found): (&HeldReadings<'_, Hosted>, &Behaviours),
-    mut number: Number,
-    then: &[f64],
-    count: usize,
-) -> (Vec<f64>, usize) {
-    let mut rows = vec![then];
-    while rows.len() < count {
-        rows.push(machine.outputs(found.shown(number)));
-        let Some(before) = found.before(number) else { break };
-        number = before;
-    }
-    (rows.iter().rev().flat_map(|row| row.iter().copied()).collect(), rows.len())
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]

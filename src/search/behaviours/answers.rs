@@ -11,7 +11,7 @@ const MOST_CHANGES: usize = 6;
 const SHORT: usize = 4;
 
 /// By reading, the first that is answered as it is from all of some states within so many steps of the start: now, and while any reading is
-/// held for `ahead` steps after it. Nothing where steps could not be finished.
+/// held for `ahead` steps after it. Nothing where steps could not be finished, or `goes_on` says that it is enough.
 ///
 /// # Errors
 /// What the machine reports.
@@ -19,6 +19,7 @@ pub fn answered_alike<M: Machine>(
     machine: &mut M,
     rng: &mut Rng,
     (within, ahead): (usize, usize),
+    goes_on: &mut dyn FnMut() -> bool,
 ) -> Result<Option<Vec<usize>>, M::Error> {
     let readings = machine.readings();
     let mut alike = vec![0; readings];
@@ -38,6 +39,9 @@ pub fn answered_alike<M: Machine>(
         let stays = 1 + rng.below(SHORT);
         let mut answers = Vec::new();
         for reading in 0..readings {
+            if !goes_on() {
+                return Ok(None);
+            }
             let mut holds = vec![Hold { from: Begins::At(&state), reading, steps: stays, last: false }];
             let after = |reading| Hold { from: Begins::After(0), reading, steps: ahead, last: false };
             holds.extend((0..readings).map(after));

@@ -490,6 +490,32 @@ mod tests {
         }
     }
 
+    /// Somebody gets from a mat to one that lies beside it, and not to one that is farther away than a stride and two feet.
+    #[test]
+    fn what_is_reported_follows_what_is_near() {
+        let mat = |at: f64| {
+            format!(
+                "[[sensor]]\nname = \"at {at}\"\nkind = \"mat\"\nvariable = \"v{at}\"\nactive = false\n\
+                 zone = {{ polygon_m = [[{at}, -0.5], [{}, -0.5], [{}, 0.5], [{at}, 0.5]] }}\n[human]\n",
+                at + 0.5,
+                at + 0.5
+            )
+        };
+        let two = |other: f64| MAT.replace("[human]\n", &mat(other));
+        let follows = |other: f64| {
+            let cell = validate(&Source::new("t.toml", &two(other))).unwrap();
+            let search = Anywhere::on_cells_of(0.1, &cell, std::iter::empty(), 0.0, Stop::default()).unwrap();
+            let zones = Zones::new(&search, &[false, false], &[true, true], (0.032, 1000), 0).unwrap();
+            let [nobody, one, another] =
+                [[false, false], [true, false], [false, true]].map(|of| zones.number(&of.to_vec()).unwrap());
+            let others = zones.others();
+            assert_eq!(nobody, 0);
+            assert!(others[0].contains(&one) && others[one].contains(&0), "{others:?}");
+            others[one].contains(&another) && others[another].contains(&one)
+        };
+        assert!(follows(0.55) && !follows(1.5));
+    }
+
     /// With strides of 0.3 m. By hand: who looks along x at (0, -0.55) has a foot 0.09 m to the left, at -0.46, on a mat that begins at
     /// -0.5. At the end of that step they may be at -0.85, where nobody has a foot on it.
     #[test]
