@@ -35,8 +35,13 @@ pub trait Machine {
         any(self.readings())
     }
 
-    /// Whether readings that are taken for one are given by turns from now on, in place of the first of them.
-    fn vary(&mut self, _varies: bool) {}
+    /// Readings that are taken for one have numbers of their own from now on, or no longer.
+    fn tell_apart(&mut self, _apart: bool) {}
+
+    /// The number of what a reading is taken for.
+    fn taken_for(&self, reading: usize) -> usize {
+        reading
+    }
 
     /// Whether two things that are shown may be the same, but for what rounding does.
     fn alike(&self, one: Shown, other: Shown) -> bool;

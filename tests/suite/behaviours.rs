@@ -99,7 +99,12 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
     .unwrap();
     let (states, exact) = (exact.recall().states(), exact.instants().histories());
 
-    let mut machine = HeldReadings::new(plant(), (cell, binding), (zones.alike(), zones.others()), people());
+    let mut machine = HeldReadings::new(
+        plant(),
+        (cell, binding),
+        (zones.readings.iter().map(|one| vec![one.clone()]).collect(), zones.others()),
+        people(),
+    );
     let extent = Extent { held: 30, steps, most: 2_000_000 };
     let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
     assert_ne!(found.ended, Ended::Most);

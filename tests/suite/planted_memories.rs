@@ -74,11 +74,17 @@ struct Drive {
     /// By number, readings that are taken for one.
     readings: Vec<Vec<usize>>,
     remember: Remember,
-    /// Counts steps while they are given by turns.
-    turns: Option<usize>,
+    /// Whether these have numbers of their own.
+    apart: bool,
 }
 
 impl Drive {
+    /// What a reading is taken for, and what is given then.
+    fn given(&self, reading: usize) -> (usize, usize) {
+        let mut all = self.readings.iter().enumerate().flat_map(|(n, alike)| alike.iter().map(move |own| (n, *own)));
+        if self.apart { all.nth(reading).unwrap() } else { (reading, self.readings[reading][0]) }
+    }
+
     fn after(remember: Remember, state: &mut State, reading: usize) {
         let (open, was_open) = (reading > 0, state.reading > 0);
         let now = Now {
@@ -113,11 +119,15 @@ impl Machine for Drive {
     type Error = Infallible;
 
     fn readings(&self) -> usize {
-        self.readings.len()
+        if self.apart { self.readings.iter().map(Vec::len).sum() } else { self.readings.len() }
     }
 
-    fn vary(&mut self, varies: bool) {
-        self.turns = varies.then_some(0);
+    fn tell_apart(&mut self, apart: bool) {
+        self.apart = apart;
+    }
+
+    fn taken_for(&self, reading: usize) -> usize {
+        self.given(reading).0
     }
 
     fn alike(&self, one: Shown, other: Shown) -> bool {
@@ -143,13 +153,9 @@ impl Machine for Drive {
                 Begins::At(state) => (*state).clone(),
                 Begins::After(number) => ended[*number].1.clone(),
             };
+            let given = self.given(*reading).1;
             let all = (0..*steps).map(|_| {
-                let alike = &self.readings[*reading];
-                let turn = self.turns.as_mut().map_or(0, |turns| {
-                    *turns += 1;
-                    *turns * *turns / 7
-                });
-                Self::after(self.remember, &mut state, alike[turn % alike.len()]);
+                Self::after(self.remember, &mut state, given);
                 shown(&state)
             });
             let mut all: Vec<Shown> = all.collect();
@@ -196,14 +202,14 @@ use Found::{Ends, Known, Late, Passes, TooMany, Walk};
 
 /// What is found, where that is expected, by the whole decision.
 fn found(readings: usize, remember: Remember, expected: Found) -> Found {
-    let mut drive = Drive { readings: (0..readings).map(|own| vec![own]).collect(), remember, turns: None };
+    let mut drive = Drive { readings: (0..readings).map(|own| vec![own]).collect(), remember, apart: false };
     let decided =
         |drive: &mut Drive| decide(drive, QUESTION, &mut Rng::new(1), &mut |_| ControlFlow::Continue(())).unwrap();
     // Readings that are answered alike first as one, as a scan does.
     let alike = answered_alike(&mut drive, &mut Rng::new(1), (QUESTION.steps, 150), &mut || true).unwrap().unwrap();
     let firsts = (0..readings).filter(|own| alike[*own] == *own);
     let alike = firsts.map(|first| (0..readings).filter(|own| alike[*own] == first).collect()).collect();
-    let mut fewer = Drive { readings: alike, remember, turns: None };
+    let mut fewer = Drive { readings: alike, remember, apart: false };
     let of_fewer = (fewer.readings.len() < readings).then(|| decided(&mut fewer));
     let decided = match of_fewer {
         Some(Ok(decided)) => {

@@ -142,19 +142,24 @@ impl Looking<'_> {
         let by_sides =
             |told: &dyn Fn(&[Readings]) -> Vec<usize>| Zones::by_sides(search, first, &part.sensors, step_m, told);
         let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
-        let of_zones = |zones: &Zones| {
+        // Of these readings those that count as one.
+        let of_zones = |zones: &Zones, all: &[Readings]| {
             let people = zones.readings.iter().map(person).collect();
-            HeldReadings::new(footing.plant(there), (cell, binding), (zones.alike(), zones.others()), people)
+            let mut alike: Vec<Vec<Readings>> = vec![Vec::new(); zones.readings.len()];
+            for readings in all {
+                alike[zones.number(readings).unwrap_or_default()].push(readings.clone());
+            }
+            HeldReadings::new(footing.plant(there), (cell, binding), (alike, zones.others()), people)
         };
-        let mut machine = of_zones(&zones);
+        let mut machine = of_zones(&zones, &zones.readings);
         let alike = self.answered_alike(&mut machine)?;
         if let Some(alike) = alike.filter(|_| cell.pose.is_empty()) {
             let number = |readings: &Readings| zones.number(readings).map_or(usize::MAX, |number| alike[number]);
             let told = |all: &[Readings]| all.iter().map(number).collect();
-            let all = zones.readings.len();
+            let all = zones.readings.clone();
             let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
-            let fewer = Some((all, zones.readings.len()));
-            let found = self.few((there, part), (&zones, fewer, &mut of_zones(&zones)), tell)?;
+            let fewer = Some((all.len(), zones.readings.len()));
+            let found = self.few((there, part), (&zones, fewer, &mut of_zones(&zones, &all)), tell)?;
             // Where walks show that not all are answered alike after all, they are told apart.
             if !matches!(
                 &found,

@@ -94,9 +94,9 @@ impl Looking<'_> {
             Ok(found) => found,
             Err(refused) => return Ok(Err(refused)),
         };
-        machine.vary(true);
+        machine.tell_apart(true);
         let gaps = self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell);
-        machine.vary(false);
+        machine.tell_apart(false);
         let (walked, worst) = match gaps? {
             Ok(gaps) => gaps,
             Err(refused) => {
@@ -171,10 +171,10 @@ impl Looking<'_> {
         let (step_s, steps) = (self.prepared.cell.step_s, self.steps());
         #[expect(clippy::cast_possible_truncation, reason = "some seconds")]
         let covers = Covers::new(found, steps_of(STAYS_S, step_s) as u32);
-        let (mut walked, mut worst) = (0, Worst::default());
+        let (mut walked, mut worst, others) = (0, Worst::default(), machine.others());
         let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
         for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-            let drawn = style.drawn(rng, found.others(), held, long);
+            let drawn = style.drawn(rng, &others, held, long);
             match gap(machine, &covers, &drawn)? {
                 Gap::Within(all) => {
                     all.into_iter().for_each(|off| take_in(&mut worst, off, step_s));

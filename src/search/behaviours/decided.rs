@@ -143,9 +143,9 @@ pub fn decide_keeping<M: Machine>(
         Ok(found) => found,
         Err(why) => return Ok(Err(why)),
     };
-    machine.vary(true);
+    machine.tell_apart(true);
     let walked = walked(machine, question, (&behaviours, held), rng, tell);
-    machine.vary(false);
+    machine.tell_apart(false);
     match walked? {
         Ok(walks) => Ok(Ok(Decided { behaviours, shows, held, walks })),
         Err(why) => {
@@ -217,10 +217,10 @@ fn walked<M: Machine>(
     rng: &mut Rng,
     tell: &mut Tell<'_>,
 ) -> Outcome<usize, M::Error> {
-    let mut walked = 0;
+    let (mut walked, others) = (0, machine.others());
     let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
     for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-        let drawn = style.drawn(rng, found.others(), held, long);
+        let drawn = style.drawn(rng, &others, held, long);
         match walk(machine, found, &drawn)? {
             Walked::Alike(_) => walked += 1,
             Walked::Unfinished => return Ok(Err(Why::Unfinished)),

@@ -470,14 +470,19 @@ pub enum Gap {
 pub fn gap<M: Measured>(machine: &mut M, covers: &Covers, readings: &[(usize, usize)]) -> Result<Gap, M::Error> {
     let (mut state, _) = machine.begin_rows()?;
     let (mut all, mut taken, columns) = (Vec::new(), 0, machine.columns());
+    // As long as the same is reported, or what is taken for it.
+    let (mut lasted, mut before) = (0, None);
     for (changes, (reading, steps)) in readings.iter().enumerate() {
         let hold = Hold { from: Begins::At(&state), reading: *reading, steps: *steps, last: false };
         let Some((rows, after)) = machine.rows_each(&[hold])?.and_then(|mut all| all.pop()) else {
             return Ok(Gap::Unfinished);
         };
-        for (lasted, row) in rows.chunks(columns).enumerate() {
+        let of = machine.taken_for(*reading);
+        for row in rows.chunks(columns) {
+            lasted = if before == Some(of) { lasted + 1 } else { 0 };
+            before = Some(of);
             taken += 1;
-            let nearest = covers.nearest(machine, row, *reading, lasted);
+            let nearest = covers.nearest(machine, row, of, lasted);
             let off = nearest.and_then(|(shown, late)| Some((machine.off(row, shown)?, late)));
             let Some(off) = off.map(|((fast, by), late)| Off { fast, by, late }) else {
                 return Ok(Gap::Nothing { steps: taken, changes });

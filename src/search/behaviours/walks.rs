@@ -201,9 +201,10 @@ pub fn walk<M: Machine>(
         let holds: Vec<_> = some.iter().enumerate().map(hold).collect();
         let Some(mut held) = machine.hold_each(&holds)? else { return Ok(Walked::Unfinished) };
         for ((shown, _), (changes, reading, _)) in held.iter().zip(some) {
+            let reading = machine.taken_for(*reading);
             for one in shown {
                 // Behaviours that were looked for up to some step say nothing of later ones.
-                let Some(next) = behaviours.next(number, *reading) else { return Ok(Walked::Alike(taken)) };
+                let Some(next) = behaviours.next(number, reading) else { return Ok(Walked::Alike(taken)) };
                 let told = [number, next].map(|number| behaviours.shown(number));
                 (number, taken) = (next, taken + 1);
                 let unlike = Ok(Walked::Unlike { steps: taken, changes: *changes });

@@ -17,7 +17,7 @@ use crate::cell::{Binding, Sensor, Workcell};
 use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads};
 use crate::human::Presses;
 use crate::search::behaviours::net::{AllRows, Measured};
-use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, Shown};
+use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, Shown, any};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{DelayLine, Seen, input_row};
 
@@ -60,8 +60,8 @@ pub struct HeldReadings<'a, P: Plant> {
     binding: &'a Binding,
     /// By number, those that are taken for one: the first of them first.
     readings: Vec<Vec<Readings>>,
-    /// Counts steps while they are given by turns.
-    turns: Option<usize>,
+    /// Whether these have numbers of their own.
+    apart: bool,
     /// Which of these may follow each of them.
     others: Others,
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
@@ -174,7 +174,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
             cell,
             binding,
             readings,
-            turns: None,
+            apart: false,
             others,
             people,
             known,
@@ -217,20 +217,22 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     /// What the FMU is told in some steps of a reading, and what is on its way after each of them.
     fn told(&mut self, mut lines: Box<[DelayLine]>, reading: usize, steps: usize) -> Told {
         let (mut inputs, mut on_their_way) = (Vec::new(), Vec::with_capacity(steps));
+        let (number, own) = self.given(reading);
         for _ in 0..steps {
-            let alike = &self.readings[reading];
-            let given = self.turns.as_mut().map_or(0, |turns| {
-                *turns += 1;
-                turned(*turns) % alike.len()
-            });
             let (first, of_given) = lines.split_at_mut(self.cell.sensors.len());
-            self.push(first, &alike[0]);
-            let told = self.push(of_given, &alike[given]);
-            input_row(self.cell, self.binding, &told, &self.people[reading], Presses::NONE, &mut inputs);
+            self.push(first, &self.readings[number][0]);
+            let told = self.push(of_given, &self.readings[number][own]);
+            input_row(self.cell, self.binding, &told, &self.people[number], Presses::NONE, &mut inputs);
             let first = &lines[..self.cell.sensors.len()];
             on_their_way.push(self.known.lines(first));
         }
         Told { inputs, on_their_way, lines }
+    }
+
+    /// What a reading is taken for, and which of these it is.
+    fn given(&self, reading: usize) -> (usize, usize) {
+        let all = || self.readings.iter().enumerate().flat_map(|(n, alike)| (0..alike.len()).map(move |own| (n, own)));
+        if self.apart { all().nth(reading).unwrap_or_default() } else { (reading, 0) }
     }
 
     /// What the FMU is told of sensors that report this.
@@ -367,15 +369,31 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
     type Error = PlantError;
 
     fn readings(&self) -> usize {
-        self.readings.len()
+        if self.apart { self.readings.iter().map(Vec::len).sum() } else { self.readings.len() }
     }
 
     fn others(&self) -> Others {
-        self.others.clone()
+        if !self.apart {
+            return self.others.clone();
+        }
+        let mut others = any(self.readings());
+        for (reading, others) in others.iter_mut().enumerate() {
+            let mine = self.taken_for(reading);
+            let follows = |other: &usize| {
+                let its = self.taken_for(*other);
+                its == mine || self.others[mine].contains(&its)
+            };
+            others.retain(follows);
+        }
+        others
     }
 
-    fn vary(&mut self, varies: bool) {
-        self.turns = varies.then_some(0);
+    fn tell_apart(&mut self, apart: bool) {
+        self.apart = apart;
+    }
+
+    fn taken_for(&self, reading: usize) -> usize {
+        self.given(reading).0
     }
 
     fn alike(&self, one: Shown, other: Shown) -> bool {
@@ -462,13 +480,6 @@ impl<P: Plant> Measured for HeldReadings<'_, P> {
         let stands = frame(self.rows.row(shown));
         Some((widths.fastest(&stands), widths.between(&frame(row), &stands)?))
     }
-}
-
-/// A number that tells nothing of those before it: the same for some steps, and then others.
-const fn turned(turns: usize) -> usize {
-    let stays = turns.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let turn = if stays >> 60 < 8 { turns / 16 } else { turns };
-    turn.wrapping_mul(0xd6e8_feb8_6659_fd93) >> 40
 }
 
 /// Rows of outputs, each with the number of what is on its way.

@@ -282,17 +282,6 @@ impl Zones {
         others
     }
 
-    /// By number, the readings that count as one, the first of them first.
-    #[must_use]
-    pub fn alike(&self) -> Vec<Vec<Readings>> {
-        let mut alike: Vec<Vec<Readings>> = self.readings.iter().map(|first| vec![first.clone()]).collect();
-        for (readings, number) in self.numbers.iter().filter(|(readings, number)| **readings != self.readings[**number])
-        {
-            alike[*number].push(readings.clone());
-        }
-        alike
-    }
-
     /// How far it is at least from where somebody is at the start.
     #[must_use]
     pub const fn origin(&self) -> &Arc<Field> {
