@@ -32,6 +32,9 @@ pub struct Anywhere {
     pub subject: Subject,
     /// How long after the start of the FMU, s.
     pub until_s: f64,
+    /// Whether what is said to be clean is so for all time, as behaviours stand for all that the FMU ever does.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub any_time: bool,
     /// How often the robots repeat what they do while nobody comes, s, if they did so twice until then.
     pub cycle_s: Option<f64>,
     /// Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
@@ -259,6 +262,9 @@ impl Anywhere {
                  {}",
                 counted(report)
             ),
+            Verdict::NoneFound(_) if self.any_time => "Nobody is hit harder than allowed, at any time, who comes from where no sensor sees them, wherever they walk or \
+                 stand, and however they bend and reach."
+                .to_owned(),
             Verdict::NoneFound(_) => format!(
                 "Nobody is hit harder than allowed within {until} of the start who comes from where no sensor sees them, wherever \
                  and whenever they walk or stand, and however they bend and reach."
@@ -270,11 +276,13 @@ impl Anywhere {
         };
         let people = "people who come from anywhere that no sensor sees";
         let complete = if self.obligations.clean().is_some() { "" } else { "Not complete. " };
-        let covers = format!(
-            "{complete}About {people}, at any moment within {until} of the start.{presses} {} A statement about the model, not about \
-             the real cell.",
-            self.cycles()
-        );
+        let moments = if self.any_time {
+            "at any moment.".to_owned()
+        } else {
+            format!("at any moment within {until} of the start.{presses} {}", self.cycles())
+        };
+        let covers =
+            format!("{complete}About {people}, {moments} A statement about the model, not about the real cell.");
         Headline { says, covers }
     }
 

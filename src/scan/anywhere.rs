@@ -181,6 +181,8 @@ struct Looking<'a> {
     met: Vec<(Moment, bool)>,
     /// Whether something stood for histories that is not just the same.
     nearly: bool,
+    /// Whether behaviours stood for histories, of all robots, for all time.
+    any_time: bool,
     /// Why behaviours did not stand for histories, where they were looked for.
     not_few: Option<String>,
     /// Walks at random that were run, to harms of each region by each link.
@@ -236,6 +238,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         verdict: Verdict::Inconclusive,
         subject: prepared.subject.clone(),
         until_s: 0.0,
+        any_time: false,
         cycle_s: None,
         speed_criterion: cell.search.criterion,
         cell_m: 2.0 * CELL_M,
@@ -276,6 +279,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         motion: None,
         met: Vec::new(),
         nearly: false,
+        any_time: true,
         not_few: None,
         sought: BTreeMap::new(),
     };
@@ -330,6 +334,8 @@ impl<'a> Looking<'a> {
         }
         let Some(kinds) = self.kinds(&search, told.as_ref(), first) else { return Ok(End::Stopped) };
         let Some(parts) = self.parts(&there, footing, &kinds)? else { return Ok(self.short(tell)) };
+        // What is tried out of people and sensors inside the FMU is so in that time.
+        self.any_time &= parts.len() == 1 && !search.is_told() && there.cell.pose.is_empty();
         let (all, mut end) = (parts.len(), End::Whole);
         for (number, part) in parts.iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few robots")]
@@ -402,18 +408,14 @@ impl<'a> Looking<'a> {
             return Ok(End::Stopped);
         }
         self.motion.get_or_insert_default().merge(machine.instants().motion());
-        if let (Some(few), Some(_)) = (few.as_ref().filter(|few| few.only_hazards.is_some()), limit)
-            && self.hazards(search, first, few, tell)? == End::Stopped
-        {
-            return Ok(End::Stopped);
-        }
-        if let (Some(few), Some(_)) = (few.as_ref().filter(|few| few.only_hazards.is_none()), limit) {
+        if let (Some(few), Some(_)) = (&few, limit) {
             self.say(Need::Changes, few.tried.clone());
             self.nearly |= few.is_net;
             self.motion.get_or_insert_default().merge(&few.motion);
             let sets = Sets::few(few);
             return self.look(search, first, &sets, Some(few), tell).map(|looked| end.and(looked));
         }
+        self.any_time = false;
         if limit == Some(0) {
             let most = self.effort.most_states;
             let why = format!("the FMU has more than {most} states within this time while sensors see somebody once");
@@ -456,10 +458,20 @@ impl<'a> Looking<'a> {
             return Ok((end, limit, None));
         }
         let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
-            Ok(few) => {
-                self.not_few = self.not_few.take().or(few.only_hazards.as_ref().map(|not_all| not_all.why.clone()));
-                Some(few)
-            }
+            Ok(few) => match &few.only_hazards {
+                Some(not_all) => {
+                    self.not_few.get_or_insert_with(|| not_all.why.clone());
+                    if self.hazards(search, first, &few, tell)? == End::Stopped {
+                        return Ok((End::Stopped, limit, None));
+                    }
+                    // What fewer changes lead to is of less interest then.
+                    if self.found.hazards.iter().any(|place| place.confirmed) {
+                        return Ok((end, limit, None));
+                    }
+                    None
+                }
+                None => Some(few),
+            },
             Err(Refused::Stopped) => return Ok((End::Stopped, limit, None)),
             Err(Refused::Because(why) | Refused::Remembers(why)) => {
                 self.not_few.get_or_insert(why);
@@ -666,6 +678,7 @@ impl<'a> Looking<'a> {
         };
         self.rest.speeds = speeds.map(|speeds| speeds.records).unwrap_or_default();
         self.found.verdict = Verdict::of(ended, &obligations);
+        self.found.any_time = self.any_time && self.found.verdict.is_clean();
         self.found.reasons = obligations.reasons();
         self.found.obligations = obligations;
         Looked { found: self.found, rest: self.rest, stopped: self.end == End::Stopped }
