@@ -2878,6 +2878,10 @@ class Anywhere(TypedDict):
     What came out.
     """
 
+    any_time: NotRequired[bool]
+    """
+    Whether what is said to be clean is so for all time, as behaviours stand for all that the FMU ever does.
+    """
     arm_tolerance_m: float
     """
     The same of contacts of arms, and those with less room for the arm, m.
