@@ -431,8 +431,9 @@ impl<'a> Looking<'a> {
         };
         let sets = Sets { zones: &zones, histories: &histories, in_parts: &in_parts };
         let looked = end.and(self.look(search, first, &sets, None, tell)?);
-        // By behaviours it is known how readings change until then, so that a walk may be found.
-        if looked == End::Stopped || limit.is_some() || self.found.hazards.iter().all(|place| place.confirmed) {
+        // By behaviours it is known how readings change until then, so that a walk may be found where none was so far.
+        let is_met = !self.found.hazards.is_empty() && !self.found.hazards.iter().any(|place| place.confirmed);
+        if looked == End::Stopped || limit.is_some() || !is_met {
             return Ok(looked);
         }
         match self.behaviours((there, footing), (search, part, first), &person, tell)? {
