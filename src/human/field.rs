@@ -319,6 +319,50 @@ mod tests {
         }
     }
 
+    /// The same with a disc around every cell that leaves one.
+    fn by_all_discs(floor: &Floor, sources: &[bool], domain: &[bool]) -> Vec<f64> {
+        let off_m = SQRT_2 * floor.cell_m();
+        let mut least_m: Vec<f64> = sources.iter().map(|own| if *own { 0.0 } else { f64::INFINITY }).collect();
+        let mut starts = least_m.clone();
+        let mut next: BinaryHeap<Met> =
+            (0..floor.cells()).filter(|cell| sources[*cell]).map(|cell| Met(0.0, cell)).collect();
+        let mut disc = Disc::new(floor, domain);
+        while let Some(Met(far, cell)) = next.pop() {
+            if far <= starts[cell] {
+                disc.around(floor, domain, cell, |other, apart, leaves| {
+                    let length = far + (apart - off_m).max(0.0);
+                    least_m[other] = least_m[other].min(length);
+                    if leaves && length < starts[other] {
+                        starts[other] = length;
+                        next.push(Met(length, other));
+                    }
+                });
+            }
+        }
+        least_m
+    }
+
+    /// Where nothing is in the way, cells that begin no disc would not have told anything less.
+    #[test]
+    fn who_begins_none_would_tell_nothing_less() {
+        let floor = floor(&[], 0.15);
+        let domain = open(&floor);
+        let mut rng = Rng::new(23);
+        for _ in 0..4 {
+            let sources: Vec<bool> = (0..floor.cells()).map(|_| rng.below(400) == 0).collect();
+            let (told, all) =
+                (whole(&floor, &sources, &domain, f64::INFINITY), by_all_discs(&floor, &sources, &domain));
+            for (cell, least) in all.into_iter().enumerate() {
+                assert!(
+                    (told.at(cell) - least).abs() < 1e-9,
+                    "{} and {least} at {:?}",
+                    told.at(cell),
+                    floor.middle(cell)
+                );
+            }
+        }
+    }
+
     /// Random walks among random walls: none is shorter than what is told of the cells that it passes.
     #[test]
     fn no_walk_is_shorter() {

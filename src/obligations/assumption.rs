@@ -35,6 +35,8 @@ pub enum Assumption {
         /// Milliseconds.
         within_ms: u32,
     },
+    /// The FMU answers different reports of its sensors alike at any time, where it did so in trials.
+    ReadingsAlike,
     /// Robots go on after a contact as far as was tried out.
     TravelAfterContact,
 }
@@ -61,6 +63,7 @@ impl Assumption {
             Self::Presses { .. } => "presses",
             Self::MemoryShows { .. } => "memory_shows",
             Self::NearlyAlike { .. } => "nearly_alike",
+            Self::ReadingsAlike => "readings_alike",
             Self::TravelAfterContact => "travel_after_contact",
         }
     }
@@ -85,6 +88,10 @@ impl Assumption {
                 "robots that are and move nearly alike, now and for {:.2} s while what the sensors report stays the same, go on nearly alike",
                 f64::from(*within_ms) / 1000.0
             ),
+            Self::ReadingsAlike => {
+                "the FMU answers different reports of its sensors alike at any time, where it did so in trials"
+                    .to_owned()
+            }
             Self::TravelAfterContact => "robots go on after a contact as far as they did in trials".to_owned(),
         }
     }
@@ -116,7 +123,7 @@ impl Assumption {
             Self::MemoryShows { within_ms } | Self::NearlyAlike { within_ms } => {
                 lines += &format!("within_s = {}\n", f64::from(*within_ms) / 1000.0);
             }
-            Self::PeopleAlike | Self::TravelAfterContact => {}
+            Self::PeopleAlike | Self::ReadingsAlike | Self::TravelAfterContact => {}
         }
         lines + &format!("fmu = {}\nby = \"\"       # who accepts it\nbecause = \"\"  # why it holds\n", quoted(fmu))
     }

@@ -409,7 +409,7 @@ impl<'a> Looking<'a> {
         }
         self.motion.get_or_insert_default().merge(machine.instants().motion());
         if let (Some(few), Some(_)) = (&few, limit) {
-            self.say(Need::Changes, few.tried.clone());
+            few.tried.iter().for_each(|tried| self.say(Need::Changes, tried.clone()));
             self.nearly |= few.is_net;
             self.motion.get_or_insert_default().merge(&few.motion);
             let sets = Sets::few(few);

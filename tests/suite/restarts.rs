@@ -113,10 +113,26 @@ fn where_histories_are_too_many_behaviours_stand_for_them() {
         assert_eq!(passed.verdict, Verdict::HazardsFound, "{fmu}: {:?}", passed.reasons);
         let held = look(&dir, &coming_back(true), 600);
         let open: Vec<_> = held.obligations.open().collect();
-        assert!(held.hazards.is_empty() && open.len() == 1 && open[0].need == Need::Changes, "{fmu}: {open:?}");
-        let Standing::Open { accept: Some(lines), .. } = &open[0].standing else { panic!("{open:?}") };
-        let lines = lines.replace("by = \"\"", "by = \"us\"").replace("because = \"\"", "because = \"so\"");
-        assert!(lines.contains(name), "{lines}");
+        assert!(held.hazards.is_empty() && open.iter().all(|one| one.need == Need::Changes), "{fmu}: {open:?}");
+        let lines: Vec<String> = open
+            .iter()
+            .map(|one| {
+                let Standing::Open { accept: Some(lines), .. } = &one.standing else { panic!("{one:?}") };
+                lines.replace("by = \"\"", "by = \"us\"").replace("because = \"\"", "because = \"so\"")
+            })
+            .collect();
+        assert!(lines[0].contains(name), "{lines:?}");
+        // That what comes by two inputs is answered alike is accepted by a name of its own.
+        if fmu == "gantry.fmu" {
+            assert_eq!(lines.len(), 1, "{lines:?}");
+        } else {
+            assert!(lines.len() == 2 && lines[1].contains("readings_alike"), "{lines:?}");
+            for one in &lines {
+                let half = look(&dir, &format!("{}{one}", coming_back(true)), 600);
+                assert!(!half.verdict.is_clean() && half.obligations.open().count() == 1, "{one}: {:?}", half.reasons);
+            }
+        }
+        let lines = lines.concat();
         let accepted = look(&dir, &format!("{}{lines}", coming_back(true)), 600);
         assert!(accepted.verdict.is_clean() && accepted.any_time, "{fmu}: {:?}", accepted.reasons);
         // Who says that it takes longer does not accept this.

@@ -16,7 +16,7 @@ from restarting import KINDS, UNTIL, twins
 from run import accepted, told
 
 # What may be accepted here: nothing about sensors that a robot ignores, or people who are alike.
-NEEDS = {"changes", "memory_shows", "nearly_alike"}
+NEEDS = {"changes", "memory_shows", "nearly_alike", "readings_alike"}
 
 
 def lines(file):

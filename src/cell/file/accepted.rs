@@ -44,7 +44,7 @@ impl Checker<'_> {
             Acceptable::SensorSeesAlike => &["sensor"],
             Acceptable::Presses => &["at_most"],
             Acceptable::MemoryShows | Acceptable::NearlyAlike => &["within_s"],
-            Acceptable::PeopleAlike | Acceptable::TravelAfterContact => &[],
+            Acceptable::PeopleAlike | Acceptable::ReadingsAlike | Acceptable::TravelAfterContact => &[],
         };
         let keys = [
             ("robot", robot.is_some()),
@@ -127,6 +127,10 @@ fn assumption(
             let assumption =
                 if is_near { Assumption::NearlyAlike { within_ms } } else { Assumption::MemoryShows { within_ms } };
             (assumption, why_not)
+        }
+        Acceptable::ReadingsAlike => {
+            let why_not = (sensors.len() < 2).then(|| "there are no two sensors".to_owned());
+            (Assumption::ReadingsAlike, why_not)
         }
         Acceptable::TravelAfterContact => {
             let tried = clamping.is_some_and(|clamping| clamping.signal.is_some());

@@ -12,7 +12,7 @@ use crate::report::terminal::grouped;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::search::behaviours::answers::answered_alike;
+use crate::search::behaviours::answers::{STATES, answered_alike};
 use crate::search::behaviours::decided::{
     AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, TIMES_HELD, Why, decide_keeping,
 };
@@ -51,7 +51,7 @@ pub(super) struct Few {
     /// Why they do not stand for all: only hazards follow from them then.
     pub only_hazards: Option<NotAll>,
     /// What was tried out, and whether the cell file accepts what that leaves.
-    pub tried: Point,
+    pub tried: Vec<Point>,
     pub is_accepted: bool,
     /// Which sensors matter.
     matter: Vec<bool>,
@@ -158,7 +158,7 @@ impl Looking<'_> {
             let told = |all: &[Readings]| all.iter().map(number).collect();
             let all = zones.readings.clone();
             let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
-            let fewer = Some((all.len(), zones.readings.len()));
+            let fewer = Some(self.in_words(&all, &alike));
             let found = self.few((there, part), (&zones, fewer, &mut of_zones(&zones, &all)), tell)?;
             // Where walks show that not all are answered alike after all, they are told apart.
             if !matches!(
@@ -180,11 +180,31 @@ impl Looking<'_> {
         Ok(alike.filter(|alike| alike.iter().enumerate().any(|(own, first)| own != *first)))
     }
 
-    /// The behaviours in these zones; of so many readings so many are told apart, where some are answered alike.
+    /// Which readings are answered alike.
+    fn in_words(&self, all: &[Readings], alike: &[usize]) -> String {
+        let sensors = &self.prepared.cell.sensors;
+        let named = |readings: &Readings| {
+            let names = sensors.iter().zip(readings).filter(|(_, reports)| **reports);
+            let names: Vec<&str> = names.map(|(sensor, _)| sensor.name.as_str()).collect();
+            if names.is_empty() { "none".to_owned() } else { names.join(" with ") }
+        };
+        let others = alike.iter().enumerate().filter(|(own, first)| own != *first);
+        let others: Vec<String> =
+            others.map(|(own, first)| format!("{} like {}", named(&all[own]), named(&all[*first]))).collect();
+        format!(
+            "of {} that may come together {} are told apart ({}), from {STATES} states it did the same for {:.0} s, and in all walks",
+            all.len(),
+            all.len() - others.len(),
+            others.join(", "),
+            AHEAD_S[0]
+        )
+    }
+
+    /// The behaviours in these zones; what was tried out of readings that are answered alike, where some are.
     fn few(
         &mut self,
         (there, part): (&Prepared, &Part),
-        (zones, fewer, machine): (&Zones, Option<(usize, usize)>, &mut HeldReadings<'_, Hosted>),
+        (zones, alike, machine): (&Zones, Option<String>, &mut HeldReadings<'_, Hosted>),
         tell: &mut Tell<'_>,
     ) -> Outcome<Few> {
         let (cell, binding) = (&there.cell, &there.binding);
@@ -192,15 +212,10 @@ impl Looking<'_> {
         let before = machine.taken;
         let found = self.find(machine, &part.links, tell)?;
         self.found.spent.fmu_steps += machine.taken - before;
-        let mut stands = match found {
+        let stands = match found {
             Ok(stands) => stands,
             Err(refused) => return Ok(Err(refused)),
         };
-        if let Some((all, fewer)) = fewer {
-            stands.tried += &format!(
-                "; of {all} things that the sensors may report together {fewer} are told apart, as the others are answered alike"
-            );
-        }
         let longest = zones.longest(step_m).max(steps_of(STAYS_S, cell.step_s));
         let stays = Stays::find(&stands.found, zones, u32::try_from(longest).unwrap_or(u32::MAX));
         let mut instants = Instants::new((cell, binding), zones, part).that_are_off(stands.off.clone());
@@ -213,8 +228,11 @@ impl Looking<'_> {
         let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
         let motion = instants.motion().clone();
         let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
-        let tried = Point::tried(&stands.assumption, &stands.tried, accepted, &fmu);
-        let is_accepted = accepted.iter().any(|acceptance| acceptance.assumption.covers(&stands.assumption));
+        let alike = alike.map(|tried| (Assumption::ReadingsAlike, tried));
+        let tried: Vec<(Assumption, String)> = [(stands.assumption, stands.tried)].into_iter().chain(alike).collect();
+        let covers = |assumption| accepted.iter().any(|acceptance| acceptance.assumption.covers(assumption));
+        let is_accepted = tried.iter().all(|(assumption, _)| covers(assumption));
+        let tried = tried.iter().map(|(assumption, tried)| Point::tried(assumption, tried, accepted, &fmu)).collect();
         Ok(Ok(Few {
             zones: zones.clone(),
             histories,

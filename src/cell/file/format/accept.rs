@@ -22,6 +22,9 @@ pub enum Acceptable {
     /// Robots that are and move nearly alike, now and for `within_s` while what the sensors report stays the same, go on nearly alike: the
     /// same for FMUs that hardly ever come back to just the same.
     NearlyAlike,
+    /// The FMU answers different reports of its sensors alike at any time, where it did so in trials: a scan from anywhere then tells fewer
+    /// of them apart.
+    ReadingsAlike,
     /// Robots go on after a contact as far as they did when that was tried out.
     TravelAfterContact,
 }
