@@ -3,6 +3,7 @@
 //! The human's motion during an action does not depend on the robot, so the whole trace of inputs is known before the
 //! action starts. [`Plant::advance`] takes it and gives back the trace of outputs.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -126,10 +127,22 @@ pub struct Leg<'a, C> {
     pub from: Begins<'a, C>,
     /// How many.
     pub steps: usize,
-    /// What the FMU is told, row-major.
+    /// What the FMU is told, row-major: the last row for the rest of the steps, too.
     pub inputs: Vec<f64>,
     /// After which steps outputs are read.
     pub reads: Reads,
+}
+
+/// Rows of so many columns for so many steps, of which the last goes on where there are fewer.
+#[must_use]
+pub fn for_all_steps(inputs: &[f64], columns: usize, steps: usize) -> Cow<'_, [f64]> {
+    let missing = (steps * columns).saturating_sub(inputs.len());
+    if missing == 0 {
+        return Cow::Borrowed(inputs);
+    }
+    let last = &inputs[inputs.len().saturating_sub(columns)..];
+    let rest = last.iter().copied().cycle().take(missing);
+    Cow::Owned(inputs.iter().copied().chain(rest).collect())
 }
 
 /// After which steps outputs are read.
@@ -176,7 +189,8 @@ pub(super) fn one_by_one<P: Plant + ?Sized>(
             Begins::At(saved) => plant.restore_soon(saved)?,
             Begins::After(number) => plant.restore_soon(&all[number].1)?,
         }
-        let (mut outputs, taken) = plant.advance_and(leg.steps, &leg.inputs, Then::Save)?;
+        let inputs = for_all_steps(&leg.inputs, plant.input_count(), leg.steps);
+        let (mut outputs, taken) = plant.advance_and(leg.steps, &inputs, Then::Save)?;
         let rows = leg.reads.rows(leg.steps) * plant.output_count();
         outputs.drain(..outputs.len().saturating_sub(rows));
         let Taken::Saved(saved) = taken? else { return Err(PlantError::of("this plant keeps no states")) };
@@ -397,5 +411,17 @@ pub(super) fn insist<T>(attempt: &mut dyn FnMut() -> Result<T, PlantError>) -> R
             Err(error) if error.lost && tries < error.tries() => tries += 1,
             outcome => return outcome,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::for_all_steps;
+
+    #[test]
+    fn the_last_row_goes_on() {
+        assert_eq!(*for_all_steps(&[1.0, 2.0, 3.0, 4.0], 2, 4), [1.0, 2.0, 3.0, 4.0, 3.0, 4.0, 3.0, 4.0]);
+        assert_eq!(*for_all_steps(&[1.0, 2.0], 2, 1), [1.0, 2.0]);
+        assert!(for_all_steps(&[], 0, 3).is_empty());
     }
 }

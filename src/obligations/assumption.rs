@@ -23,14 +23,14 @@ pub enum Assumption {
         /// How often.
         at_most: u32,
     },
-    /// What the FMU remembers shows within this time while what the sensors report stays the same, whatever they report: states that show
-    /// the same all that time do the same ever after.
+    /// What the FMU remembers shows within this time while what the sensors report stays the same, and for each report as soon as it did in
+    /// trials: states that show the same all that time do the same ever after.
     MemoryShows {
         /// Milliseconds.
         within_ms: u32,
     },
-    /// FMU states in which the robots are nearly alike, and for this time while what the sensors report stays the same, whatever they report,
-    /// lead on to such states.
+    /// FMU states in which the robots are nearly alike, and for this time at most, by each report as long as trials showed, while what the
+    /// sensors report stays the same, lead on to such states.
     NearlyAlike {
         /// Milliseconds.
         within_ms: u32,
@@ -81,11 +81,12 @@ impl Assumption {
             Self::Presses { at_most: 1 } => "controls are worked once at most".to_owned(),
             Self::Presses { at_most } => format!("controls are worked {at_most} times at most"),
             Self::MemoryShows { within_ms } => format!(
-                "what the FMU remembers shows within {:.2} s while what the sensors report stays the same",
+                "what the FMU remembers shows within {:.2} s, and as soon as it did in trials, while what the sensors report stays the same",
                 f64::from(*within_ms) / 1000.0
             ),
             Self::NearlyAlike { within_ms } => format!(
-                "robots that are and move nearly alike, now and for {:.2} s while what the sensors report stays the same, go on nearly alike",
+                "robots that are and move nearly alike, now and as long as trials showed, {:.2} s at most, while what the sensors report stays \
+                 the same, go on nearly alike",
                 f64::from(*within_ms) / 1000.0
             ),
             Self::ReadingsAlike => {

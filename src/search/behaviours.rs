@@ -124,13 +124,19 @@ pub type AllHeld<S> = Option<Vec<Held<S>>>;
 
 /// How far is looked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Extent {
-    /// For so many steps a reading is held before states are taken for one.
-    pub held: usize,
+pub struct Extent<'a> {
+    /// By reading, for so many steps it is held before states are taken for one.
+    pub held: &'a [usize],
     /// So many steps from the start at most.
     pub steps: usize,
     /// So many behaviours at most.
     pub most: usize,
+}
+
+/// The longest that a reading is held.
+#[must_use]
+pub fn longest(held: &[usize]) -> usize {
+    held.iter().copied().max().unwrap_or_default()
 }
 
 /// Why no more behaviours were looked for.
@@ -296,7 +302,7 @@ const AT_ONCE: usize = 48;
 /// What the machine reports.
 pub fn find<M: Machine>(
     machine: &mut M,
-    extent: Extent,
+    extent: Extent<'_>,
     tell: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Behaviours, M::Error> {
     let mut search = Search::new(machine, extent);
@@ -306,14 +312,14 @@ pub fn find<M: Machine>(
 
 struct Search<'a, M: Machine> {
     machine: &'a mut M,
-    extent: Extent,
+    extent: Extent<'a>,
     found: Behaviours,
     /// Behaviours by what tells them from others, in short.
     known: BTreeMap<[u8; 32], Number>,
 }
 
 impl<'a, M: Machine> Search<'a, M> {
-    fn new(machine: &'a mut M, extent: Extent) -> Self {
+    fn new(machine: &'a mut M, extent: Extent<'a>) -> Self {
         let found = Behaviours::none(machine.others());
         Self { machine, extent, found, known: BTreeMap::new() }
     }
@@ -324,7 +330,7 @@ impl<'a, M: Machine> Search<'a, M> {
         let hold = |reading: &usize| Hold {
             from: Begins::At(&state),
             reading: *reading,
-            steps: self.extent.held,
+            steps: self.extent.held[*reading],
             last: false,
         };
         let each: Vec<_> = coming.iter().map(hold).collect();
@@ -369,9 +375,10 @@ impl<'a, M: Machine> Search<'a, M> {
                 let (after, reading) = (all.len(), *reading);
                 all.push(Hold { from: Begins::At(&one.state), reading, steps: 1, last: false });
                 all.push(Hold { from: Begins::At(&run.tip), reading, steps: 1, last: false });
-                let steps = self.extent.held;
-                let other =
-                    |reading: &usize| Hold { from: Begins::After(after), reading: *reading, steps, last: false };
+                let other = |other: &usize| {
+                    let (reading, steps) = (*other, self.extent.held[*other]);
+                    Hold { from: Begins::After(after), reading, steps, last: false }
+                };
                 all.extend(self.found.others[reading].iter().map(other));
             }
         }

@@ -129,9 +129,9 @@ const fn shown(state: &State) -> Shown {
     state.at * (FULL + 1) + state.speed
 }
 
-const EXTENT: Extent = Extent { held: 12, steps: usize::MAX, most: 100_000 };
+const EXTENT: Extent<'static> = Extent { held: &[12; 2], steps: usize::MAX, most: 100_000 };
 
-fn found(memory: Memory, extent: Extent) -> Behaviours {
+fn found(memory: Memory, extent: Extent<'_>) -> Behaviours {
     find(&mut Drive(memory), extent, &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
@@ -185,14 +185,14 @@ fn a_search_may_end_before_all_are_found() {
 }
 
 /// The first style of which a walk shows that the machine does something else.
-fn caught(memory: Memory, extent: Extent, walks: usize, steps: usize) -> Option<Style> {
+fn caught(memory: Memory, extent: Extent<'_>, walks: usize, steps: usize) -> Option<Style> {
     let behaviours = found(memory, extent);
     if behaviours.ended != Ended::Closed {
         return Some(Style::EveryStep);
     }
     let mut rng = Rng::new(5);
     (0..walks).flat_map(|_| Style::ALL).find(|style| {
-        let readings = style.drawn(&mut rng, &any(2), extent.held, steps);
+        let readings = style.drawn(&mut rng, &any(2), longest(extent.held), steps);
         matches!(walk(&mut Drive(memory), &behaviours, &readings).unwrap(), Walked::Unlike { .. })
     })
 }
@@ -301,4 +301,62 @@ fn stays_are_at_least_those_of_every_history() {
     })
     .unwrap();
     assert!(looked_at > 10_000 && 4 * as_long > looked_at, "{as_long} of {looked_at}");
+}
+
+/// A drive that a curtain (reading 2) stops only once a mat (readings 1 and 2) has muted it for so many steps.
+struct Muted;
+
+const MUTES: u32 = 40;
+
+impl Machine for Muted {
+    type State = (u32, u32);
+    type Error = Infallible;
+
+    fn readings(&self) -> usize {
+        3
+    }
+
+    fn alike(&self, one: Shown, other: Shown) -> bool {
+        one == other
+    }
+
+    fn switches(&self, _: Shown, _: [Shown; 3]) -> bool {
+        false
+    }
+
+    fn begin(&mut self) -> Result<((u32, u32), Shown), Infallible> {
+        Ok(((0, 0), 0))
+    }
+
+    fn hold_each(&mut self, holds: &[Hold<'_, (u32, u32)>]) -> Result<AllHeld<(u32, u32)>, Infallible> {
+        let mut ended: Vec<Held<(u32, u32)>> = Vec::new();
+        for hold in holds {
+            let (mut at, mut muted) = match hold.from {
+                Begins::At(state) => *state,
+                Begins::After(number) => ended[number].1,
+            };
+            let mut all = Vec::new();
+            for _ in 0..hold.steps {
+                muted = if hold.reading == 0 { 0 } else { MUTES.min(muted + 1) };
+                at = if hold.reading == 2 && muted == MUTES { at } else { (at + 1) % PERIOD };
+                all.push(at);
+            }
+            all.drain(..if hold.last { all.len() - 1 } else { 0 });
+            ended.push((all, (at, muted)));
+        }
+        Ok(Some(ended))
+    }
+}
+
+/// Where each reading is held as long as it takes to show what it alone shows, behaviours are the same as where all are held as long.
+#[test]
+fn only_what_shows_late_is_held_for_long() {
+    let held = [25, 25, 45];
+    let count = |held: &[usize]| {
+        let extent = Extent { held, steps: usize::MAX, most: 100_000 };
+        let found = find(&mut Muted, extent, &mut |_| ControlFlow::Continue(())).unwrap();
+        assert_eq!(found.ended, Ended::Closed);
+        found.len()
+    };
+    assert!(count(&held) == count(&[60; 3]) && count(&[25; 3]) < count(&held), "{held:?}");
 }

@@ -23,6 +23,7 @@ pub mod ledger;
 mod looks;
 pub mod machine;
 pub mod of_behaviours;
+mod on_its_way;
 mod outside;
 mod readings;
 pub mod reduced;

@@ -13,7 +13,7 @@ use crate::geometry::{Cuboid, Vec3};
 use crate::human::{PlacedBody, Presses};
 
 /// Whether a sensor's reading is held once it has taken effect.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Latch {
     /// It is not.
     #[default]
@@ -26,7 +26,7 @@ enum Latch {
 
 /// What is remembered of a sensor's raw readings: those still on their way to the FMU, how long ago the sensor first
 /// saw the person, and whether its reading is held. Nothing else of the past matters, so equal lines have equal futures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DelayLine {
     /// Bit `i` is the raw reading `i` steps ago, as many as are on their way.
     recent: u64,

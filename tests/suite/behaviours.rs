@@ -44,13 +44,13 @@ fn an_fmu_does_what_its_behaviours_say() {
             (readings.into_iter().map(|one| vec![one]).collect(), any(2)),
             people,
         );
-        let extent = Extent { held: 30, steps, most: 50_000 };
+        let extent = Extent { held: &[30; 2], steps, most: 50_000 };
         let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(found.ended, ended, "{fmu} {latched_by}: {} behaviours", found.len());
         assert!(found.len() > 500, "{}", found.len());
         let mut rng = Rng::new(3);
         for style in Style::ALL {
-            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), extent.held, 400)).unwrap();
+            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), 30, 400)).unwrap();
             assert!(
                 matches!(walked, Walked::Alike(alike) if alike >= steps.min(400)),
                 "{latched_by} {style:?}: {walked:?}"
@@ -105,7 +105,7 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
         (zones.readings.iter().map(|one| vec![one.clone()]).collect(), zones.others()),
         people(),
     );
-    let extent = Extent { held: 30, steps, most: 2_000_000 };
+    let extent = Extent { held: &[30; 2], steps, most: 2_000_000 };
     let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
     assert_ne!(found.ended, Ended::Most);
     let stays = Stays::find(&found, &zones, u32::try_from(2 * steps).unwrap());

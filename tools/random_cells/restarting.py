@@ -43,7 +43,7 @@ class Restarting(Robot):
 
 
 def written(seed, which, robot, parts, parameters, start, bends=False):
-    return cell(f"{seed}-{which}", 10 * ((seed + seed // len(KINDS)) % 2), [robot], parts, parameters, start, UNTIL, bends)
+    return cell(f"{seed}-{which}", 10 * (seed % 2), [robot], parts, parameters, start, UNTIL, bends)
 
 
 class Room:

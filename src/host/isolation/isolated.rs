@@ -406,13 +406,13 @@ impl Plant for Isolated {
             return Err(PlantError { lost: true, ..PlantError::of("the FMU's process is replaced") });
         }
         self.put_off = None;
-        let row = 8 * self.input_count().max(self.output_count()).max(1);
+        let row = 8 * self.output_count().max(1);
         let mut next = 0;
         while next < legs.len() {
             let mut bytes = 0;
             // As many as fit into a message, and one in any case.
             let fits = |leg: &&Leg<'_, Checkpoint>| {
-                bytes += row * leg.steps + 64;
+                bytes += (row * leg.reads.rows(leg.steps)).max(8 * leg.inputs.len()) + 64;
                 bytes <= super::channel::AREA / 4
             };
             let count = legs[next..].iter().take_while(fits).count();

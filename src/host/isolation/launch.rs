@@ -38,13 +38,13 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 10 s a call, 4 GiB, replaced after growing by 256 MiB or ten million steps.
+    /// 10 s a call, 4 GiB, replaced after growing by 256 MiB or a hundred million steps.
     fn default() -> Self {
         Self {
             call: Duration::from_secs(10),
             memory: 4 << 30,
             growth: 256 << 20,
-            steps: 10_000_000,
+            steps: 100_000_000,
             stop: Stop::default(),
         }
     }

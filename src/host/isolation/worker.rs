@@ -19,7 +19,7 @@ use super::process::{self, Ended, Fork};
 use super::sandbox;
 use crate::fmi::{self, Fmu, Slave};
 use crate::host::activity::{Activity, Call};
-use crate::host::plant::{Plant, PlantError, Reads};
+use crate::host::plant::{Plant, PlantError, Reads, for_all_steps};
 use crate::host::selftest::{self, Facts, Stage, moving};
 use crate::host::system::{self, System};
 
@@ -150,7 +150,8 @@ impl Hosted {
     fn legs(&mut self, legs: &[Leg]) -> Result<Vec<f64>, PlantError> {
         let mut all = Vec::new();
         for Leg { from, steps, inputs, reads, to } in legs {
-            all.extend(self.stepped(Some(*from), *steps, inputs, *reads)?);
+            let inputs = for_all_steps(inputs, self.plant.input_count(), *steps);
+            all.extend(self.stepped(Some(*from), *steps, &inputs, *reads)?);
             let saved = self.plant.save()?;
             self.saved.insert(*to, saved);
         }

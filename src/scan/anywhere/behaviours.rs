@@ -17,7 +17,7 @@ use crate::search::behaviours::decided::{
     AHEAD_S, Decided, Enough, LONGER_WALKS, Now, Question, TIMES_HELD, Why, decide_keeping,
 };
 use crate::search::behaviours::stays::Stays;
-use crate::search::behaviours::{Behaviours, Number};
+use crate::search::behaviours::{Behaviours, Number, longest};
 use crate::sim::anywhere::Anywhere as Search;
 use crate::sim::anywhere::History;
 use crate::sim::anywhere::held::{HeldReadings, told_apart};
@@ -31,8 +31,9 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most behaviours, where more states are not asked for.
 const MOST: usize = 200_000;
-/// They are looked for in this part of the time that is left.
+/// They are looked for in this part of the time that is left, and in this one where it is accepted what they rest on.
 const SHARE: u32 = 5;
+const ACCEPTED_SHARE: u32 = 2;
 /// Readings that are answered alike are looked for in this part of it.
 const ALIKE_SHARE: u32 = 20;
 /// What stands for others is no farther from them, m, slower by no more, m/s, and people have come no less far by more, m.
@@ -230,8 +231,7 @@ impl Looking<'_> {
         let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
         let alike = alike.map(|tried| (Assumption::ReadingsAlike, tried));
         let tried: Vec<(Assumption, String)> = [(stands.assumption, stands.tried)].into_iter().chain(alike).collect();
-        let covers = |assumption| accepted.iter().any(|acceptance| acceptance.assumption.covers(assumption));
-        let is_accepted = tried.iter().all(|(assumption, _)| covers(assumption));
+        let is_accepted = tried.iter().all(|(assumption, _)| self.accepts(|one| one.covers(assumption)));
         let tried = tried.iter().map(|(assumption, tried)| Point::tried(assumption, tried, accepted, &fmu)).collect();
         Ok(Ok(Few {
             zones: zones.clone(),
@@ -246,6 +246,14 @@ impl Looking<'_> {
         }))
     }
 
+    fn accepts(&self, is: impl Fn(&Assumption) -> bool) -> bool {
+        self.prepared.cell.accepted.iter().any(|one| is(&one.assumption))
+    }
+
+    fn accepts_memory(&self) -> bool {
+        self.accepts(|one| matches!(one, Assumption::MemoryShows { .. }))
+    }
+
     /// All behaviours, if walks show no others; what that assumes, and what was tried. Some of them, where there are some, if they do.
     fn find(
         &mut self,
@@ -253,6 +261,13 @@ impl Looking<'_> {
         links: &Arc<[bool]>,
         tell: &mut Tell<'_>,
     ) -> Outcome<Stands> {
+        // Whoever accepts the one and not the other has seen that it takes that.
+        if self.accepts(|one| matches!(one, Assumption::NearlyAlike { .. })) && !self.accepts_memory() {
+            match self.nearly(machine, links, tell)? {
+                Ok(Stands { not_all: Some(_), .. }) | Err(Refused::Because(_) | Refused::Remembers(_)) => {}
+                outcome => return Ok(outcome),
+            }
+        }
         let mut kept = None;
         let some = |kept: Option<Behaviours>, why: String, remembers: bool| match kept {
             Some(found) => Ok(Ok(Stands::not_all(found, false, NotAll { why, remembers }))),
@@ -287,11 +302,13 @@ impl Looking<'_> {
             let most = self.effort.most_states.max(MOST);
             let question = Question { step_s: self.prepared.cell.step_s, steps: self.steps(), most, times_held };
             let before = std::mem::replace(&mut outcome, self.held_for(machine, question, (kept, tell)));
-            match &outcome {
+            match (&outcome, before) {
                 // What it remembers may show later.
-                Ok(Err(Refused::Remembers(_))) => {}
-                // There is no time for that: it stays at what was shown.
-                Ok(Err(Refused::Because(_))) if times_held > 1 => return before,
+                (Ok(Err(Refused::Remembers(_))), _) => {}
+                // There is no room or time for that: what is nearly the same may do.
+                (Ok(Err(Refused::Because(why))), Ok(Err(Refused::Remembers(before)))) => {
+                    return because(format!("{before}; where each report is held {times_held} times as long, {why}"));
+                }
                 _ => break,
             }
         }
@@ -307,10 +324,11 @@ impl Looking<'_> {
     ) -> Outcome<Stands> {
         let Question { step_s, most, .. } = question;
         let (mut told, mut ends_at) = (0_u32, None);
+        let share = if self.accepts_memory() { ACCEPTED_SHARE } else { SHARE };
         let mut tell = |now| {
             let mut asked = false;
             match now {
-                Now::Held => ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / SHARE),
+                Now::Held => ends_at = self.prepared.stop().left().map(|left| Instant::now() + left / share),
                 Now::Behaviours(count) => {
                     told += 1;
                     asked = told.is_multiple_of(8) && tell(Told::Behaviours(count, most)).is_break();
@@ -332,12 +350,13 @@ impl Looking<'_> {
             Err(why) => return because(in_words(why, question)),
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
-        let within_ms = (1000.0 * seconds(held, step_s)).ceil() as u32;
+        let within_ms = (1000.0 * seconds(longest(&held), step_s)).ceil() as u32;
         let tried = format!(
-            "{} behaviours stand for all histories, what shows latest shows after {:.2} s, and {walks} walks of up to {:.0} s showed nothing \
-             else",
+            "{} behaviours stand for all histories, what shows latest shows after {:.2} s, each report was held for {}, and {walks} walks of \
+             up to {:.0} s showed nothing else",
             grouped(&behaviours.len().to_string()),
-            seconds(shows.steps, step_s),
+            seconds(longest(&shows.steps), step_s),
+            in_seconds(&held, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s)
         );
         Ok(Ok(Stands {
@@ -361,7 +380,7 @@ pub(super) fn in_words(why: Why, Question { step_s, most, .. }: Question) -> Str
         ),
         Why::TooMany => format!("it has more than {} behaviours", grouped(&most.to_string())),
         Why::NotInTime(count) => {
-            format!("a fifth of the time was not enough to find them, {} so far", grouped(&count.to_string()))
+            format!("there was not time enough to find them, {} so far", grouped(&count.to_string()))
         }
         Why::Unfinished => "some steps could not be finished".to_owned(),
         Why::Asked => "it was to end".to_owned(),
@@ -379,6 +398,15 @@ pub(super) type Outcome<T> = Result<Result<T, Refused>, PlantError>;
 
 pub(super) fn because<T>(why: String) -> Outcome<T> {
     Ok(Err(Refused::Because(why)))
+}
+
+/// For how long reports are held, in words.
+pub(super) fn in_seconds(held: &[usize], step_s: f64) -> String {
+    let (least, most) = (held.iter().copied().min().unwrap_or_default(), longest(held));
+    if least == most {
+        return format!("{:.2} s", seconds(most, step_s));
+    }
+    format!("{:.2} to {:.2} s", seconds(least, step_s), seconds(most, step_s))
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::behaviours::{NotAll, Outcome, Refused, Stands, because, in_words, seconds};
+use super::behaviours::{NotAll, Outcome, Refused, Stands, because, in_seconds, in_words, seconds};
 use super::{Looking, SEED, Tell, Told};
 use crate::host::Hosted;
 use crate::obligations::Assumption;
@@ -15,7 +15,7 @@ use crate::search::Rng;
 use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, WALKS, Why, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
 use crate::search::behaviours::walks::Style;
-use crate::search::behaviours::{Behaviours, Ended, Extent, Machine as _};
+use crate::search::behaviours::{Behaviours, Ended, Extent, Machine as _, longest};
 use crate::sim::anywhere::held::HeldReadings;
 use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
 use crate::sim::anywhere::widths::Width;
@@ -62,7 +62,8 @@ impl Looking<'_> {
         let (mut kept, mut why, mut is_remembered) = (None, String::new(), false);
         while let (Some(width), Some(times)) = (widths.peek(), times_held.peek()) {
             machine.measure(links, *width);
-            match self.within(machine, times * held, (&mut kept, tell))? {
+            let held: Vec<usize> = held.iter().map(|held| times * held).collect();
+            match self.within(machine, &held, (&mut kept, tell))? {
                 // What it remembers may show later.
                 Err(Refused::Remembers(remembers)) => {
                     (why, is_remembered) = (remembers, true);
@@ -86,7 +87,7 @@ impl Looking<'_> {
     fn within(
         &mut self,
         machine: &mut HeldReadings<'_, Hosted>,
-        held: usize,
+        held: &[usize],
         (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
     ) -> Outcome<Stands> {
         *kept = None;
@@ -95,7 +96,7 @@ impl Looking<'_> {
             Err(refused) => return Ok(Err(refused)),
         };
         machine.tell_apart(true);
-        let gaps = self.gaps(machine, (&found, held), &mut Rng::new(SEED), tell);
+        let gaps = self.gaps(machine, (&found, longest(held)), &mut Rng::new(SEED), tell);
         machine.tell_apart(false);
         let (walked, worst) = match gaps? {
             Ok(gaps) => gaps,
@@ -106,12 +107,13 @@ impl Looking<'_> {
         };
         let step_s = self.prepared.cell.step_s;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
-        let within_ms = (1000.0 * seconds(held, step_s)).ceil() as u32;
+        let within_ms = (1000.0 * seconds(longest(held), step_s)).ceil() as u32;
         let most = |n: usize| worst.iter().map(|off| off[n]).fold(0.0, f64::max);
         let tried = format!(
-            "{} instants stand for all that the FMU may do, and {walked} walks of up to {:.0} s showed nothing that is off by more than {:.0} mm \
-             and {:.2} m/s and {:.2} s, of which twice as much is added",
+            "{} instants stand for all that the FMU may do, each report was held for {}, and {walked} walks of up to {:.0} s showed nothing that is off by more than \
+             {:.0} mm and {:.2} m/s and {:.2} s, of which twice as much is added",
             grouped(&found.len().to_string()),
+            in_seconds(held, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s),
             1000.0 * most(0),
             most(1),
@@ -132,7 +134,7 @@ impl Looking<'_> {
     fn net(
         &self,
         machine: &mut HeldReadings<'_, Hosted>,
-        held: usize,
+        held: &[usize],
         (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
     ) -> Outcome<Behaviours> {
         let most = self.effort.most_states.max(MOST);

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::shows::{Shows, ends, shows};
 use super::walks::{Style, Walked, walk};
-use super::{Behaviours, Ended, Extent, Machine, find};
+use super::{Behaviours, Ended, Extent, Machine, find, longest};
 use crate::search::rng::Rng;
 
 /// So long is looked ahead at first, and at most, for what shows late, s.
@@ -67,8 +67,8 @@ pub struct Decided {
     pub behaviours: Behaviours,
     /// What was seen of what shows late.
     pub shows: Shows,
-    /// For so many steps readings were held.
-    pub held: usize,
+    /// By reading, for so many steps it was held.
+    pub held: Vec<usize>,
     /// So many walks showed nothing else.
     pub walks: usize,
 }
@@ -139,12 +139,12 @@ pub fn decide_keeping<M: Machine>(
     if let Err(why) = comes_back(machine, (question.steps, shows.ahead), rng)? {
         return Ok(Err(why));
     }
-    let behaviours = match closed(machine, question, held, (kept, tell))? {
+    let behaviours = match closed(machine, question, &held, (kept, tell))? {
         Ok(found) => found,
         Err(why) => return Ok(Err(why)),
     };
     machine.tell_apart(true);
-    let walked = walked(machine, question, (&behaviours, held), rng, tell);
+    let walked = walked(machine, question, (&behaviours, longest(&held)), rng, tell);
     machine.tell_apart(false);
     match walked? {
         Ok(walks) => Ok(Ok(Decided { behaviours, shows, held, walks })),
@@ -155,7 +155,7 @@ pub fn decide_keeping<M: Machine>(
     }
 }
 
-/// For how many steps a reading is held before states are taken for one, by what shows latest.
+/// For how many steps each reading is held before states are taken for one, by what shows latest.
 ///
 /// # Errors
 /// What the machine reports.
@@ -163,11 +163,11 @@ pub fn held_for<M: Machine>(
     machine: &mut M,
     Question { step_s, steps, times_held, .. }: Question,
     rng: &mut Rng,
-) -> Outcome<(Shows, usize), M::Error> {
+) -> Outcome<(Shows, Vec<usize>), M::Error> {
     let mut ahead = steps_of(AHEAD_S[0], step_s);
     let shown = loop {
         let Some(shown) = shows(machine, rng, (steps, ahead))? else { return Ok(Err(Why::Unfinished)) };
-        if 5 * shown.steps <= 4 * ahead {
+        if 5 * longest(&shown.steps) <= 4 * ahead {
             break shown;
         }
         if ahead >= steps_of(AHEAD_S[1], step_s) {
@@ -175,8 +175,9 @@ pub fn held_for<M: Machine>(
         }
         ahead *= 2;
     };
-    let longer_s = seconds(shown.steps, step_s) * (1.0 + LONGER);
-    Ok(Ok((shown, times_held * steps_of(HELD_S.max(longer_s), step_s))))
+    let held = |shown: &usize| times_held * steps_of(HELD_S.max(seconds(*shown, step_s) * (1.0 + LONGER)), step_s);
+    let held = shown.steps.iter().map(held).collect();
+    Ok(Ok((shown, held)))
 }
 
 /// Whether a machine may come back to just the same, by where histories end.
@@ -190,7 +191,7 @@ fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng
 fn closed<M: Machine>(
     machine: &mut M,
     Question { most, .. }: Question,
-    held: usize,
+    held: &[usize],
     (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
 ) -> Outcome<Behaviours, M::Error> {
     let mut enough = tell(Now::Held).break_value();

@@ -97,7 +97,7 @@ struct Instant {
 /// What the machine reports.
 pub fn find<M: Measured>(
     machine: &mut M,
-    extent: Extent,
+    extent: Extent<'_>,
     tell: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Behaviours, M::Error> {
     let mut search = Search::new(machine, extent);
@@ -107,28 +107,27 @@ pub fn find<M: Measured>(
 
 struct Search<'a, M: Measured> {
     machine: &'a mut M,
-    extent: Extent,
-    /// After how many steps what is shown is compared.
-    compared: [usize; 3],
+    extent: Extent<'a>,
+    /// After how many steps what is shown is compared, by reading.
+    compared: Vec<[usize; 3]>,
     found: Behaviours,
     /// States that others are taken for, and what they show and do; by place.
     known: Vec<(Number, Traits)>,
     places: BTreeMap<[i64; 3], Vec<u32>>,
     /// By number, in which run it is, and how old that was.
     runs: Vec<(u32, u32)>,
-    /// Of each run, how old it is, or for ever where it stays as it is.
-    ages: Vec<u32>,
+    /// Of each run, its reading, and how old it is, or for ever where it stays as it is.
+    ages: Vec<(usize, u32)>,
 }
 
 /// What a machine answers to several holds.
 type Answers<'a, S> = dyn Iterator<Item = (Vec<f64>, S)> + 'a;
 
 impl<'a, M: Measured> Search<'a, M> {
-    fn new(machine: &'a mut M, extent: Extent) -> Self {
+    fn new(machine: &'a mut M, extent: Extent<'a>) -> Self {
         let found = Behaviours::none(machine.others());
         // Two at least to tell a state from the one after it.
-        let held = extent.held.max(3);
-        let compared = [1, (held / 3).max(2), held];
+        let compared = extent.held.iter().map(|held| [1, (held / 3).max(2), *held.max(&3)]).collect();
         Self {
             machine,
             extent,
@@ -137,7 +136,7 @@ impl<'a, M: Measured> Search<'a, M> {
             known: Vec::new(),
             places: BTreeMap::new(),
             runs: vec![(0, 0)],
-            ages: vec![0],
+            ages: vec![(0, 0)],
         }
     }
 
@@ -190,7 +189,7 @@ impl<'a, M: Measured> Search<'a, M> {
             holds.push(Hold { from, reading, steps: 1, last: true });
             holds.push(match tip {
                 Some(tip) => Hold { from: Begins::At(tip), reading, steps: 1, last: false },
-                None => Hold { from: Begins::At(state), reading, steps: self.compared[2], last: false },
+                None => Hold { from: Begins::At(state), reading, steps: self.compared[reading][2], last: false },
             });
             self.found.others[reading].iter().for_each(|other| self.look_ahead(state, *other, &mut holds));
         }
@@ -200,7 +199,7 @@ impl<'a, M: Measured> Search<'a, M> {
     /// What is asked of a state and a reading: how it goes on from there.
     fn look_ahead<'b>(&self, state: &'b M::State, reading: usize, holds: &mut Vec<Hold<'b, M::State>>) {
         let mut before = 0;
-        for steps in self.compared {
+        for steps in self.compared[reading] {
             let from = if before == 0 { Begins::At(state) } else { Begins::After(holds.len() - 1) };
             holds.push(Hold { from, reading, steps: steps - before, last: true });
             before = steps;
@@ -218,7 +217,7 @@ impl<'a, M: Measured> Search<'a, M> {
         for reading in self.found.coming(one.reading).1 {
             match others.iter().find(|(other, _)| other == reading) {
                 Some((_, ahead)) => ahead.rows.iter().for_each(|instant| traits.extend(&instant.traits)),
-                None => self.compared.iter().for_each(|step| traits.extend(&one.ahead[step - 1].traits)),
+                None => self.compared[*reading].iter().for_each(|step| traits.extend(&one.ahead[step - 1].traits)),
             }
         }
         let traits: Traits = traits.into();
@@ -240,7 +239,7 @@ impl<'a, M: Measured> Search<'a, M> {
         if one.before.as_ref().is_some_and(|before| apart(before, &traits, SAME).is_some()) {
             // It stays as it is.
             self.found.follow(one.number, one.reading, one.number);
-            self.ages[self.runs[one.number as usize].0 as usize] = u32::MAX;
+            self.ages[self.runs[one.number as usize].0 as usize].1 = u32::MAX;
             return;
         }
         let next = near.and_then(|(known, apart)| Some((self.found.next(known, one.reading)?, apart)));
@@ -256,7 +255,8 @@ impl<'a, M: Measured> Search<'a, M> {
     /// Whether a run is known for as long as is looked ahead after that.
     fn lasts(&self, number: Number) -> bool {
         let (run, age) = self.runs[number as usize];
-        (self.ages[run as usize] - age) as usize >= self.extent.held
+        let (reading, lasted) = self.ages[run as usize];
+        (lasted - age) as usize >= self.extent.held[reading]
     }
 
     /// A run a step later.
@@ -272,7 +272,7 @@ impl<'a, M: Measured> Search<'a, M> {
         let number = self.found.add(shown, Some((one.number, one.reading)));
         let (run, age) = self.runs[one.number as usize];
         self.runs.push((run, age + 1));
-        self.ages[run as usize] = age + 1;
+        self.ages[run as usize].1 = age + 1;
         Some(Open { number, state, now, tip: Some(tip), age: one.age + 1, way, before: Some(traits), ..one })
     }
 
@@ -283,7 +283,7 @@ impl<'a, M: Measured> Search<'a, M> {
         let number = self.found.add(shown, Some((from, reading)));
         #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
         self.runs.push((self.ages.len() as u32, 0));
-        self.ages.push(0);
+        self.ages.push((reading, 0));
         Open { number, reading, state, now, ahead: VecDeque::new(), tip: None, age: 0, way: 0.0, before: None }
     }
 

@@ -156,7 +156,7 @@ impl Measured for Drive {
     }
 }
 
-const EXTENT: Extent = Extent { held: 40, steps: usize::MAX, most: 200_000 };
+const EXTENT: Extent<'static> = Extent { held: &[40; 2], steps: usize::MAX, most: 200_000 };
 
 fn found(drive: &mut Drive) -> Behaviours {
     let found = find(drive, EXTENT, &mut |_| ControlFlow::Continue(())).unwrap();
@@ -168,7 +168,7 @@ fn found(drive: &mut Drive) -> Behaviours {
 fn worst(drive: &mut Drive, covers: &Covers) -> Option<([f64; 2], usize)> {
     let (mut rng, mut worst) = (Rng::new(5), ([0.0_f64; 2], 0));
     for style in Style::ALL {
-        let Gap::Within(all) = gap(drive, covers, &style.drawn(&mut rng, &any(2), EXTENT.held, 600)).unwrap() else {
+        let Gap::Within(all) = gap(drive, covers, &style.drawn(&mut rng, &any(2), 40, 600)).unwrap() else {
             return None;
         };
         for off in all {

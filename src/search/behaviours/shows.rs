@@ -13,10 +13,10 @@ const PAIRS: usize = 5;
 const MOST_CHANGES: usize = 4;
 
 /// What was seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shows {
-    /// The most steps after which states that were alike so far showed something else.
-    pub steps: usize,
+    /// The most steps after which states that were alike so far showed something else, by the reading that showed it first.
+    pub steps: Vec<usize>,
     /// How many states were looked at, each with each reading held.
     pub states: usize,
     /// For so many steps.
@@ -74,9 +74,12 @@ pub fn shows<M: Machine>(
         let [((coming, one_now), one), ((its, other_now), other)] = pair else { return None };
         let is_alike = coming == its && machine.alike(*one_now, *other_now);
         let unlike = one.iter().zip(other).position(|(one, other)| !machine.alike(*one, *other))?;
-        is_alike.then(|| unlike / coming.len() + 1)
+        is_alike.then(|| (coming[unlike % coming.len()], unlike / coming.len() + 1))
     };
-    let steps = all.windows(2).filter_map(first_unlike).max().unwrap_or(0);
+    let mut steps = vec![0; machine.readings()];
+    for (reading, after) in all.windows(2).filter_map(first_unlike) {
+        steps[reading] = after.max(steps[reading]);
+    }
     Ok(Some(Shows { steps, states: all.len(), ahead }))
 }
 

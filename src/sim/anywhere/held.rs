@@ -10,11 +10,12 @@ use std::sync::Arc;
 use foldhash::quality::FixedState;
 use indexmap::IndexSet;
 
+use super::on_its_way::{Lines, OnItsWay, Step, Told};
 use super::widths::{Rows, Width, Widths};
 use super::zones::Readings;
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell};
-use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads};
+use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads, for_all_steps};
 use crate::human::Presses;
 use crate::search::behaviours::net::{AllRows, Measured};
 use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, Shown, any};
@@ -67,6 +68,7 @@ pub struct HeldReadings<'a, P: Plant> {
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
     people: Vec<Seen>,
     known: Known,
+    on_its_way: OnItsWay,
     /// How far apart outputs are by what robots do, and those that were numbered by that.
     widths: Option<Widths>,
     rows: Rows,
@@ -81,15 +83,8 @@ pub struct HeldReadings<'a, P: Plant> {
 /// A saved state, with what is on its way to it.
 pub struct State<C> {
     saved: RefCell<C>,
-    lines: Box<[DelayLine]>,
+    lines: Lines,
     came: Rc<Came>,
-}
-
-/// What the FMU is told in some steps, row-major, and what is on its way after each of them, by number, and after the last.
-struct Told {
-    inputs: Vec<f64>,
-    on_their_way: Vec<i64>,
-    lines: Box<[DelayLine]>,
 }
 
 /// See [`HeldReadings::each`].
@@ -178,6 +173,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
             others,
             people,
             known,
+            on_its_way: OnItsWay::default(),
             widths: None,
             rows,
             start: None,
@@ -215,32 +211,25 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     }
 
     /// What the FMU is told in some steps of a reading, and what is on its way after each of them.
-    fn told(&mut self, mut lines: Box<[DelayLine]>, reading: usize, steps: usize) -> Told {
-        let (mut inputs, mut on_their_way) = (Vec::new(), Vec::with_capacity(steps));
+    fn told(&mut self, lines: Lines, reading: usize, steps: usize) -> Told {
         let (number, own) = self.given(reading);
-        for _ in 0..steps {
-            let (first, of_given) = lines.split_at_mut(self.cell.sensors.len());
-            self.push(first, &self.readings[number][0]);
-            let told = self.push(of_given, &self.readings[number][own]);
-            input_row(self.cell, self.binding, &told, &self.people[number], Presses::NONE, &mut inputs);
-            let first = &lines[..self.cell.sensors.len()];
-            on_their_way.push(self.known.lines(first));
-        }
-        Told { inputs, on_their_way, lines }
+        let (cell, binding, known) = (self.cell, self.binding, &mut self.known);
+        let (readings, person) = (&self.readings[number], &self.people[number]);
+        self.on_its_way.told(lines, (number, own), steps, &mut |all, lines| {
+            let mut lines = all.lines(lines).to_vec();
+            let (first, of_given) = lines.split_at_mut(cell.sensors.len());
+            push(cell, first, &readings[0]);
+            let told = push(cell, of_given, &readings[own]);
+            let mut row = Vec::new();
+            input_row(cell, binding, &told, person, Presses::NONE, &mut row);
+            Step { row: row.into(), counts: known.lines(first), after: all.number(&lines) }
+        })
     }
 
     /// What a reading is taken for, and which of these it is.
     fn given(&self, reading: usize) -> (usize, usize) {
         let all = || self.readings.iter().enumerate().flat_map(|(n, alike)| (0..alike.len()).map(move |own| (n, own)));
         if self.apart { all().nth(reading).unwrap_or_default() } else { (reading, 0) }
-    }
-
-    /// What the FMU is told of sensors that report this.
-    fn push(&self, lines: &mut [DelayLine], readings: &[bool]) -> Vec<bool> {
-        let sensors = self.cell.sensors.iter().zip(lines.iter_mut()).zip(readings);
-        let told = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
-        lines.iter_mut().for_each(|line| *line = line.on_its_way());
-        told
     }
 
     /// The legs that holds are.
@@ -275,8 +264,8 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
         let mut told: Vec<Told> = Vec::with_capacity(holds.len());
         for hold in holds {
             let lines = match hold.from {
-                Begins::At(state) => state.lines.clone(),
-                Begins::After(number) => told[number].lines.clone(),
+                Begins::At(state) => state.lines,
+                Begins::After(number) => told[number].lines,
             };
             told.push(self.told(lines, hold.reading, hold.steps));
         }
@@ -304,7 +293,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
                 Begins::After(number) => Rc::clone(&all[number].2.came),
             };
             let came = Rc::new(Came { from: Some(from), reading: hold.reading, steps: hold.steps });
-            let mut on_their_way = told.on_their_way;
+            let mut on_their_way = told.counts;
             if hold.last {
                 on_their_way.drain(..on_their_way.len().saturating_sub(1));
             }
@@ -314,13 +303,13 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     }
 
     /// What is on its way at the start: of the first readings of those that are taken for one, and of those that are given.
-    fn first_lines(&self) -> Box<[DelayLine]> {
+    fn first_lines(&self) -> Vec<DelayLine> {
         let sensors = self.cell.sensors.iter().zip(&self.readings[0][0]);
         let settled = |(sensor, raw): (&Sensor, &bool)| {
             DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
         };
         let first: Vec<DelayLine> = sensors.map(settled).collect();
-        first.repeat(2).into()
+        first.repeat(2)
     }
 
     /// Begins again, without anything being lost that is saved.
@@ -347,10 +336,11 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
             way.push((*reading, *steps));
             came = Some(from);
         }
-        let (mut lines, mut inputs) = (self.first_lines(), Vec::new());
+        let (first, mut inputs) = (self.first_lines(), Vec::new());
+        let mut lines = self.on_its_way.number(&first);
         for (reading, steps) in way.iter().rev() {
             let told = self.told(lines, *reading, *steps);
-            inputs.extend(told.inputs);
+            inputs.extend(for_all_steps(&told.inputs, self.plant.input_count(), *steps).iter());
             lines = told.lines;
         }
         self.at_start()?;
@@ -427,7 +417,8 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
             }
         };
         let came = Rc::new(Came { from: None, reading: 0, steps: 0 });
-        Ok((State { saved: RefCell::new(self.plant.save()?), lines: self.first_lines(), came }, shown))
+        let lines = self.on_its_way.number(&self.first_lines());
+        Ok((State { saved: RefCell::new(self.plant.save()?), lines, came }, shown))
     }
 
     fn hold_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<AllHeld<Self::State>, PlantError> {
@@ -480,6 +471,14 @@ impl<P: Plant> Measured for HeldReadings<'_, P> {
         let stands = frame(self.rows.row(shown));
         Some((widths.fastest(&stands), widths.between(&frame(row), &stands)?))
     }
+}
+
+/// What the FMU is told of sensors that report this.
+fn push(cell: &Workcell, lines: &mut [DelayLine], readings: &[bool]) -> Vec<bool> {
+    let sensors = cell.sensors.iter().zip(lines.iter_mut()).zip(readings);
+    let told = sensors.map(|((sensor, line), raw)| line.push(*raw, sensor.delay_steps)).collect();
+    lines.iter_mut().for_each(|line| *line = line.on_its_way());
+    told
 }
 
 /// Rows of outputs, each with the number of what is on its way.

@@ -16,11 +16,11 @@ pub enum Acceptable {
     SensorSeesAlike,
     /// Controls are not worked more often than `at_most`, all together, in the time that a scan from anywhere looks at.
     Presses,
-    /// What the FMU remembers shows within `within_s` while what the sensors report stays the same: a scan from anywhere then follows people
-    /// who come and go as often as they like.
+    /// What the FMU remembers shows within `within_s`, and as soon as it did in trials, while what the sensors report stays the same: a scan
+    /// from anywhere then follows people who come and go as often as they like.
     MemoryShows,
-    /// Robots that are and move nearly alike, now and for `within_s` while what the sensors report stays the same, go on nearly alike: the
-    /// same for FMUs that hardly ever come back to just the same.
+    /// Robots that are and move nearly alike, now and as long as trials showed, `within_s` at most, while what the sensors report stays the
+    /// same, go on nearly alike: the same for FMUs that hardly ever come back to just the same.
     NearlyAlike,
     /// The FMU answers different reports of its sensors alike at any time, where it did so in trials: a scan from anywhere then tells fewer
     /// of them apart.
