@@ -50,7 +50,7 @@ fn an_fmu_does_what_its_behaviours_say() {
         assert!(found.len() > 500, "{}", found.len());
         let mut rng = Rng::new(3);
         for style in Style::ALL {
-            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), 30, 400)).unwrap();
+            let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), 0, (30, 400))).unwrap();
             assert!(
                 matches!(walked, Walked::Alike(alike) if alike >= steps.min(400)),
                 "{latched_by} {style:?}: {walked:?}"

@@ -12,9 +12,8 @@ use crate::host::Hosted;
 use crate::obligations::Assumption;
 use crate::report::terminal::grouped;
 use crate::search::Rng;
-use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, WALKS, Why, held_for, steps_of};
+use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, Why, each_walk, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
-use crate::search::behaviours::walks::Style;
 use crate::search::behaviours::{Behaviours, Ended, Extent, Machine as _, longest};
 use crate::sim::anywhere::held::HeldReadings;
 use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
@@ -174,9 +173,8 @@ impl Looking<'_> {
         #[expect(clippy::cast_possible_truncation, reason = "some seconds")]
         let covers = Covers::new(found, steps_of(STAYS_S, step_s) as u32);
         let (mut walked, mut worst, others) = (0, Worst::default(), machine.others());
-        let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
-        for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-            let drawn = style.drawn(rng, &others, held, long);
+        for (style, number, long) in each_walk(steps) {
+            let drawn = style.drawn(rng, &others, number, (held, long));
             match gap(machine, &covers, &drawn)? {
                 Gap::Within(all) => {
                     all.into_iter().for_each(|off| take_in(&mut worst, off, step_s));

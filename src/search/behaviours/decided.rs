@@ -16,7 +16,7 @@ const LONGER: f64 = 0.25;
 /// So many times as long, one after the other, where walks show something else.
 pub const TIMES_HELD: [usize; 3] = [1, 2, 4];
 /// Walks of each style, by how many times as long as is looked, and how many of them.
-pub const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
+const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
 /// The longest are so many times as long.
 pub const LONGER_WALKS: usize = 30;
 /// Where more than this part of histories end in places of their own, of some histories at least, there are more behaviours than can be
@@ -210,6 +210,13 @@ fn closed<M: Machine>(
     Ok(Err(why))
 }
 
+/// Of each walk its kind, which of those of its kind it is, and for how many steps it goes on, if so many are looked at.
+pub fn each_walk(steps: usize) -> impl Iterator<Item = (Style, usize, usize)> {
+    let long =
+        move || WALKS.iter().flat_map(move |(times, walks)| std::iter::repeat_n(times * steps, *walks)).enumerate();
+    Style::ALL.into_iter().flat_map(move |style| long().map(move |(number, long)| (style, number, long)))
+}
+
 /// Tries out whether a machine does what its behaviours say, held for so many steps: how many walks that was.
 fn walked<M: Machine>(
     machine: &mut M,
@@ -219,9 +226,8 @@ fn walked<M: Machine>(
     tell: &mut Tell<'_>,
 ) -> Outcome<usize, M::Error> {
     let (mut walked, others) = (0, machine.others());
-    let lengths = || WALKS.iter().flat_map(|(times, walks)| std::iter::repeat_n(times * steps, *walks));
-    for (style, long) in Style::ALL.into_iter().flat_map(|style| lengths().map(move |long| (style, long))) {
-        let drawn = style.drawn(rng, &others, held, long);
+    for (style, number, long) in each_walk(steps) {
+        let drawn = style.drawn(rng, &others, number, (held, long));
         match walk(machine, found, &drawn)? {
             Walked::Alike(_) => walked += 1,
             Walked::Unfinished => return Ok(Err(Why::Unfinished)),

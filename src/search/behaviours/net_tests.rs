@@ -168,7 +168,7 @@ fn found(drive: &mut Drive) -> Behaviours {
 fn worst(drive: &mut Drive, covers: &Covers) -> Option<([f64; 2], usize)> {
     let (mut rng, mut worst) = (Rng::new(5), ([0.0_f64; 2], 0));
     for style in Style::ALL {
-        let Gap::Within(all) = gap(drive, covers, &style.drawn(&mut rng, &any(2), 40, 600)).unwrap() else {
+        let Gap::Within(all) = gap(drive, covers, &style.drawn(&mut rng, &any(2), 0, (40, 600))).unwrap() else {
             return None;
         };
         for off in all {

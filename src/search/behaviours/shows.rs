@@ -1,16 +1,17 @@
 //! For how long a reading has to be held until states that show the same now, and are not the same, show it: timers run out, ramps end.
 //!
-//! States are taken at many moments, right after readings changed and later, two steps one after the other each time: of two timers that
-//! began a step apart one runs out first.
+//! States are taken at many moments, right after readings changed and later, two each time: one a step later, or with a step less of one
+//! reading and one more of another before. Of two timers that began a step apart one runs out first.
 
-use super::{Begins, Held, Hold, Machine, Shown};
+use super::{Begins, Hold, Machine, Shown};
 use crate::search::rng::Rng;
 
 /// Moments at which readings begin to change, and pairs of states after that.
 const MOMENTS: usize = 20;
 const PAIRS: usize = 5;
-/// Changes before states are taken.
+/// Changes before states are taken, and steps of the shortest stays.
 const MOST_CHANGES: usize = 4;
+const SHORT: usize = 10;
 
 /// What was seen.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,37 +36,13 @@ pub fn shows<M: Machine>(
     let others = machine.others();
     let mut all: Vec<(Before, Vec<Shown>)> = Vec::new();
     for moment in 0..MOMENTS {
-        let (start, shown) = machine.begin()?;
         let quiet = within * moment / MOMENTS + rng.below(within / MOMENTS + 1);
-        let Some((mut state, mut now)) = last(machine.hold(&start, 0, quiet.max(1))?, shown) else { return Ok(None) };
-        let mut present = 0;
-        for _ in 0..=rng.below(MOST_CHANGES) {
-            present = drawn(&others[present], rng).unwrap_or(present);
-            let Some(next) = last(machine.hold(&state, present, 1 + rng.below(ahead / 2))?, now) else {
-                return Ok(None);
-            };
-            (state, now) = next;
-        }
-        let other = others[present].first().copied().unwrap_or(present);
-        let mut coming = others[other].clone();
-        coming.push(other);
-        coming.sort_unstable();
-        for _ in 0..PAIRS {
-            let Some(next) = last(machine.hold(&state, other, 1 + rng.below(ahead / PAIRS))?, now) else {
-                return Ok(None);
-            };
-            (state, now) = next;
-            for _ in 0..2 {
-                let Some(next) = last(machine.hold(&state, other, 1)?, now) else { return Ok(None) };
-                (state, now) = next;
-                let mut runs = Vec::new();
-                for reading in coming.iter().copied() {
-                    let Some((shown, _)) = machine.hold(&state, reading, ahead)? else { return Ok(None) };
-                    runs.push(shown);
-                }
-                // Step by step, so that what differs first is met first.
-                let told = (0..ahead).flat_map(|step| runs.iter().map(move |run| run[step]));
-                all.push(((coming.clone(), now), told.collect()));
+        for pair in 0..PAIRS {
+            let legs = legs(&others, rng, (quiet.max(1), ahead));
+            let other = changed(&legs, rng, pair % 2 == 0);
+            for legs in [legs, other] {
+                let Some(one) = looked(machine, &others, (&legs, ahead))? else { return Ok(None) };
+                all.push(one);
             }
         }
     }
@@ -86,15 +63,63 @@ pub fn shows<M: Machine>(
 /// Which readings may come next, and what is shown.
 type Before = (Vec<usize>, Shown);
 
+/// Readings, each held for some steps: some changes after so many quiet ones.
+fn legs(others: &[Vec<usize>], rng: &mut Rng, (quiet, ahead): (usize, usize)) -> Vec<(usize, usize)> {
+    let mut legs = vec![(0, quiet)];
+    for _ in 0..=rng.below(MOST_CHANGES) {
+        let present = legs.last().map_or(0, |(reading, _)| *reading);
+        let most = [SHORT, ahead / 5, ahead / 2][rng.below(3)];
+        let stay = 1 + rng.below(most.max(1));
+        legs.push((drawn(&others[present], rng).unwrap_or(present), stay));
+    }
+    legs
+}
+
+/// The same a step later, or with a step less of one leg and one more of another.
+fn changed(legs: &[(usize, usize)], rng: &mut Rng, later: bool) -> Vec<(usize, usize)> {
+    let mut other = legs.to_vec();
+    let (from, to) = (rng.below(legs.len()), rng.below(legs.len()));
+    if later || from == to || legs[from].1 == 1 {
+        other[legs.len() - 1].1 += 1;
+    } else {
+        other[from].1 -= 1;
+        other[to].1 += 1;
+    }
+    other
+}
+
+/// What is shown after some legs, and what while each reading is held that may come then; nothing where steps could not be finished.
+fn looked<M: Machine>(
+    machine: &mut M,
+    others: &[Vec<usize>],
+    (legs, ahead): (&[(usize, usize)], usize),
+) -> Result<Option<(Before, Vec<Shown>)>, M::Error> {
+    let (start, _) = machine.begin()?;
+    let present = legs.last().map_or(0, |(reading, _)| *reading);
+    let mut coming = others[present].clone();
+    coming.push(present);
+    coming.sort_unstable();
+    let from = |number: usize| number.checked_sub(1).map_or(Begins::At(&start), Begins::After);
+    let hold = |(number, (reading, steps)): (usize, &(usize, usize))| Hold {
+        from: from(number),
+        reading: *reading,
+        steps: *steps,
+        last: true,
+    };
+    let mut holds: Vec<_> = legs.iter().enumerate().map(hold).collect();
+    let after = |reading: &usize| Hold { from: from(legs.len()), reading: *reading, steps: ahead, last: false };
+    holds.extend(coming.iter().map(after));
+    let Some(held) = machine.hold_each(&holds)? else { return Ok(None) };
+    let now = held[legs.len() - 1].0.last().copied().unwrap_or_default();
+    let runs: Vec<&[Shown]> = held[legs.len()..].iter().map(|(shown, _)| &shown[..]).collect();
+    // Step by step, so that what differs first is met first.
+    let told = (0..ahead).flat_map(|step| runs.iter().map(move |run| run[step])).collect();
+    Ok(Some(((coming, now), told)))
+}
+
 /// One of some readings.
 fn drawn(others: &[usize], rng: &mut Rng) -> Option<usize> {
     (!others.is_empty()).then(|| others[rng.below(others.len())])
-}
-
-/// The state after a hold, and what it shows.
-fn last<S>(held: Option<Held<S>>, before: Shown) -> Option<(S, Shown)> {
-    let (shown, state) = held?;
-    Some((state, shown.into_iter().next_back().unwrap_or(before)))
 }
 
 /// Histories of which it is seen where they end, how often readings change in each, and how many are asked for at once.

@@ -59,37 +59,39 @@ impl Style {
     ];
 
     /// A walk of this kind from reading 0 on, of at least so many steps, where states are taken for one after readings were `held` so long.
-    /// After that some stays follow in which shows what it left behind.
+    /// After that some stays follow in which shows what it left behind. Of some walks each has a number: every other one of [`Self::Rounds`]
+    /// goes through all readings, in another order each time.
     #[must_use]
-    pub fn drawn(self, rng: &mut Rng, others: &[Vec<usize>], held: usize, steps: usize) -> Walk {
+    pub fn drawn(self, rng: &mut Rng, others: &[Vec<usize>], number: usize, (held, steps): (usize, usize)) -> Walk {
         let readings = others.len();
         let (mut walk, mut taken, mut present) = (Walk::new(), 0, 0);
         let phase = 1 + rng.below(held);
         let most = (3 * steps / 4).max(1);
-        let mut round = if rng.below(2) == 0 { readings.max(2) } else { 2 + rng.below(5) };
+        let mut round = if number.is_multiple_of(2) { readings.max(2) } else { 2 + rng.below(5) };
+        let mut order = number / 2;
         let all = steps + steps.min(2 * held);
         while taken < all {
-            let number = walk.len();
+            let stays = walk.len();
             let is_over = taken >= steps;
             let shows = matches!(self, Self::EveryStep | Self::Blinks | Self::Short) && rng.below(SHOWS) == 0;
             let stay = match self {
                 Self::Middle => 1 + rng.below(2 * held),
                 _ if is_over || shows => 1 + rng.below(2 * held),
                 Self::EveryStep => 1,
-                Self::Blinks if number % 2 == 1 => 1 + rng.below(2),
+                Self::Blinks if stays % 2 == 1 => 1 + rng.below(2),
                 Self::Short => 1 + rng.below(held.div_ceil(6)),
                 Self::Long => 1 + rng.below(20 * held),
-                Self::Phases if number % 2 == 1 => phase,
-                Self::Phases => 2 * held + number / 2,
-                Self::Late if number == 0 => most + rng.below((steps / 8).max(1)),
+                Self::Phases if stays % 2 == 1 => phase,
+                Self::Phases => 2 * held + stays / 2,
+                Self::Late if stays == 0 => most + rng.below((steps / 8).max(1)),
                 Self::Blinks | Self::Late => 1 + rng.below(held),
-                Self::Out if (1..readings).contains(&number) => most.div_ceil(readings - 1),
-                Self::Out if number == readings + 1 => [1, held, held, held][phase % 4],
+                Self::Out if (1..readings).contains(&stays) => most.div_ceil(readings - 1),
+                Self::Out if stays == readings + 1 => [1, held, held, held][phase % 4],
                 Self::Out => any_up_to(4 * held, rng),
-                Self::Stops if number % 2 == 1 => phase,
+                Self::Stops if stays % 2 == 1 => phase,
                 Self::Stops => 1 + rng.below(3),
                 Self::Any => any_up_to(steps / 2, rng),
-                Self::Rounds if number >= round => walk[number - round].1,
+                Self::Rounds if stays >= round => walk[stays - round].1,
                 Self::Rounds => any_up_to(held, rng),
             };
             walk.push((present, stay));
@@ -101,14 +103,18 @@ impl Style {
             let wanted = match self {
                 // Of two readings one is that of the start.
                 Self::Phases | Self::Blinks | Self::Stops if present != 0 => Some(0),
-                Self::Out if number + 1 < readings => Some(number + 1),
-                Self::Rounds if number + 1 >= round => Some(walk[number + 1 - round].0),
+                Self::Out if stays + 1 < readings => Some(stays + 1),
+                Self::Rounds if stays + 1 >= round => Some(walk[stays + 1 - round].0),
                 // One that the round did not come to yet, if there is any.
-                Self::Rounds if number + 1 < readings => {
+                Self::Rounds if stays + 1 < readings => {
                     let is_new = |other: &&usize| walk.iter().all(|(come_to, _)| come_to != *other);
                     let mut new: Vec<usize> = mine.iter().filter(is_new).copied().collect();
                     new.sort_unstable();
-                    (!new.is_empty()).then(|| new[rng.below(new.len())])
+                    (!new.is_empty()).then(|| {
+                        let next = new[order % new.len()];
+                        order /= new.len();
+                        next
+                    })
                 }
                 _ => None,
             };
