@@ -36,7 +36,10 @@ pub enum Assumption {
         within_ms: u32,
     },
     /// The FMU answers different reports of its sensors alike at any time, where it did so in trials.
-    ReadingsAlike,
+    ReadingsAlike {
+        /// Each with the one that stands for it: `this like that`.
+        readings: Vec<String>,
+    },
     /// Robots go on after a contact as far as was tried out.
     TravelAfterContact,
 }
@@ -63,7 +66,7 @@ impl Assumption {
             Self::Presses { .. } => "presses",
             Self::MemoryShows { .. } => "memory_shows",
             Self::NearlyAlike { .. } => "nearly_alike",
-            Self::ReadingsAlike => "readings_alike",
+            Self::ReadingsAlike { .. } => "readings_alike",
             Self::TravelAfterContact => "travel_after_contact",
         }
     }
@@ -89,7 +92,7 @@ impl Assumption {
                  the same, go on nearly alike",
                 f64::from(*within_ms) / 1000.0
             ),
-            Self::ReadingsAlike => {
+            Self::ReadingsAlike { .. } => {
                 "the FMU answers different reports of its sensors alike at any time, where it did so in trials"
                     .to_owned()
             }
@@ -106,6 +109,10 @@ impl Assumption {
             // What shows within a second shows within two.
             (Self::MemoryShows { within_ms: mine }, Self::MemoryShows { within_ms: its })
             | (Self::NearlyAlike { within_ms: mine }, Self::NearlyAlike { within_ms: its }) => mine <= its,
+            // Whoever accepts more of them is answered where fewer are taken for one.
+            (Self::ReadingsAlike { readings: mine }, Self::ReadingsAlike { readings: its }) => {
+                its.iter().all(|one| mine.contains(one))
+            }
             _ => self == other,
         }
     }
@@ -124,7 +131,11 @@ impl Assumption {
             Self::MemoryShows { within_ms } | Self::NearlyAlike { within_ms } => {
                 lines += &format!("within_s = {}\n", f64::from(*within_ms) / 1000.0);
             }
-            Self::PeopleAlike | Self::ReadingsAlike | Self::TravelAfterContact => {}
+            Self::ReadingsAlike { readings } => {
+                let readings: Vec<String> = readings.iter().map(|one| quoted(one)).collect();
+                lines += &format!("readings = [{}]\n", readings.join(", "));
+            }
+            Self::PeopleAlike | Self::TravelAfterContact => {}
         }
         lines + &format!("fmu = {}\nby = \"\"       # who accepts it\nbecause = \"\"  # why it holds\n", quoted(fmu))
     }
@@ -139,6 +150,14 @@ mod tests {
         let presses = |at_most| Assumption::Presses { at_most };
         assert!(presses(1).covers(&presses(1)) && presses(1).covers(&presses(2)));
         assert!(!presses(2).covers(&presses(1)) && !Assumption::PeopleAlike.covers(&presses(1)));
+    }
+
+    #[test]
+    fn readings_are_accepted_one_by_one() {
+        let alike =
+            |of: &[&str]| Assumption::ReadingsAlike { readings: of.iter().map(|one| (*one).to_owned()).collect() };
+        let (one, both, other) = (alike(&["a like b"]), alike(&["c like b", "a like b"]), alike(&["c like b"]));
+        assert!(both.covers(&one) && both.covers(&other) && !one.covers(&both) && !one.covers(&other));
     }
 
     /// Names with quotes and backslashes stay names.

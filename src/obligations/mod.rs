@@ -3,6 +3,7 @@
 //!
 //! - [`need`]: what answers need, a closed list
 //! - [`assumption`]: what can only be tried out, and counts once the cell file accepts it
+//! - [`readings`]: how those that are answered alike are named
 //! - [`verdict`]: the verdict, clean ones by obligations only
 //!
 //! Each engine replies to every need ([`Engine`]) and takes the cell and its options apart field by field to do so: a new need, key,
@@ -10,6 +11,7 @@
 
 pub mod assumption;
 pub mod need;
+pub mod readings;
 pub mod verdict;
 
 use std::fmt::Write as _;

@@ -7,7 +7,7 @@ use super::format::{AcceptTable, Acceptable, CellFile, ControlledBy};
 use crate::cell::CellError;
 use crate::cell::error::Source;
 use crate::cell::workcell::{Clamping, Control, Robot, Sensor, Zone};
-use crate::obligations::{Acceptance, Assumption};
+use crate::obligations::{Acceptance, Assumption, readings as named};
 
 /// Longest time in which something is accepted to show, s.
 const MOST_S: f64 = 60.0;
@@ -30,7 +30,7 @@ impl Checker<'_> {
     }
 
     fn acceptance(&self, table: &Spanned<AcceptTable>, subjects: &Subjects<'_>) -> Result<Acceptance, Box<CellError>> {
-        let AcceptTable { what, robot, sensor, at_most, within_s, fmu: _, by, because } = table.get_ref();
+        let AcceptTable { what, robot, sensor, at_most, within_s, readings, fmu: _, by, because } = table.get_ref();
         let refused =
             |message: String, help: &str| Err(self.source.error(table.span(), "here", message, Some(help.to_owned())));
         if by.trim().is_empty() || because.trim().is_empty() {
@@ -44,13 +44,15 @@ impl Checker<'_> {
             Acceptable::SensorSeesAlike => &["sensor"],
             Acceptable::Presses => &["at_most"],
             Acceptable::MemoryShows | Acceptable::NearlyAlike => &["within_s"],
-            Acceptable::PeopleAlike | Acceptable::ReadingsAlike | Acceptable::TravelAfterContact => &[],
+            Acceptable::ReadingsAlike => &["readings"],
+            Acceptable::PeopleAlike | Acceptable::TravelAfterContact => &[],
         };
         let keys = [
             ("robot", robot.is_some()),
             ("sensor", sensor.is_some()),
             ("at_most", at_most.is_some()),
             ("within_s", within_s.is_some()),
+            ("readings", readings.is_some()),
         ];
         for (key, there) in keys {
             match (wanted.contains(&key), there) {
@@ -70,8 +72,9 @@ impl Checker<'_> {
             );
         }
         let names = (robot.clone().unwrap_or_default(), sensor.clone().unwrap_or_default());
-        let (assumption, matches) =
-            assumption(*what, names, (at_most.unwrap_or_default(), within_s.unwrap_or_default()), subjects);
+        let numbers = (at_most.unwrap_or_default(), within_s.unwrap_or_default());
+        let readings = readings.clone().unwrap_or_default();
+        let (assumption, matches) = assumption(*what, names, (numbers, readings), subjects);
         if let Some(why_not) = matches {
             return refused(
                 format!("`{}` matches nothing in this cell: {why_not}", assumption.name()),
@@ -86,7 +89,7 @@ impl Checker<'_> {
 fn assumption(
     what: Acceptable,
     (robot, sensor): (String, String),
-    (at_most, within_s): (u32, f64),
+    ((at_most, within_s), readings): ((u32, f64), Vec<String>),
     subjects: &Subjects<'_>,
 ) -> (Assumption, Option<String>) {
     let Subjects { robots, sensors, controls, clamping, has_pose } = subjects;
@@ -129,8 +132,14 @@ fn assumption(
             (assumption, why_not)
         }
         Acceptable::ReadingsAlike => {
-            let why_not = (sensors.len() < 2).then(|| "there are no two sensors".to_owned());
-            (Assumption::ReadingsAlike, why_not)
+            let names: Vec<&str> = sensors.iter().map(|sensor| sensor.name.as_str()).collect();
+            let other = readings.iter().find(|one| !named::is_of(one, &names));
+            let why_not = if readings.is_empty() {
+                Some("it names no readings".to_owned())
+            } else {
+                other.map(|one| format!("`{one}` is not of its sensors"))
+            };
+            (Assumption::ReadingsAlike { readings }, why_not)
         }
         Acceptable::TravelAfterContact => {
             let tried = clamping.is_some_and(|clamping| clamping.signal.is_some());

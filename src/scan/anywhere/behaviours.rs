@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use super::{Looking, SEED, Tell, Told};
 use crate::host::{Hosted, PlantError, Policy};
+use crate::obligations::readings::like;
 use crate::obligations::{Assumption, Point};
 use crate::report::terminal::grouped;
 use crate::scan::footing::Footing;
@@ -159,7 +160,7 @@ impl Looking<'_> {
             let told = |all: &[Readings]| all.iter().map(number).collect();
             let all = zones.readings.clone();
             let Some(zones) = by_sides(&told) else { return Ok(Err(Refused::Stopped)) };
-            let fewer = Some(self.in_words(&all, &alike));
+            let fewer = Some(self.are_alike(&all, &alike));
             let found = self.few((there, part), (&zones, fewer, &mut of_zones(&zones, &all)), tell)?;
             // Where walks show that not all are answered alike after all, they are told apart.
             if !matches!(
@@ -181,31 +182,30 @@ impl Looking<'_> {
         Ok(alike.filter(|alike| alike.iter().enumerate().any(|(own, first)| own != *first)))
     }
 
-    /// Which readings are answered alike.
-    fn in_words(&self, all: &[Readings], alike: &[usize]) -> String {
+    /// Which readings are answered alike, and what was tried of it.
+    fn are_alike(&self, all: &[Readings], alike: &[usize]) -> (Assumption, String) {
         let sensors = &self.prepared.cell.sensors;
         let named = |readings: &Readings| {
             let names = sensors.iter().zip(readings).filter(|(_, reports)| **reports);
-            let names: Vec<&str> = names.map(|(sensor, _)| sensor.name.as_str()).collect();
-            if names.is_empty() { "none".to_owned() } else { names.join(" with ") }
+            names.map(|(sensor, _)| sensor.name.as_str()).collect::<Vec<_>>()
         };
         let others = alike.iter().enumerate().filter(|(own, first)| own != *first);
-        let others: Vec<String> =
-            others.map(|(own, first)| format!("{} like {}", named(&all[own]), named(&all[*first]))).collect();
-        format!(
+        let others: Vec<String> = others.map(|(own, first)| like(&named(&all[own]), &named(&all[*first]))).collect();
+        let tried = format!(
             "of {} that may come together {} are told apart ({}), from {STATES} states it did the same for {:.0} s, and in all walks",
             all.len(),
             all.len() - others.len(),
             others.join(", "),
             AHEAD_S[0]
-        )
+        );
+        (Assumption::ReadingsAlike { readings: others }, tried)
     }
 
     /// The behaviours in these zones; what was tried out of readings that are answered alike, where some are.
     fn few(
         &mut self,
         (there, part): (&Prepared, &Part),
-        (zones, alike, machine): (&Zones, Option<String>, &mut HeldReadings<'_, Hosted>),
+        (zones, alike, machine): (&Zones, Option<(Assumption, String)>, &mut HeldReadings<'_, Hosted>),
         tell: &mut Tell<'_>,
     ) -> Outcome<Few> {
         let (cell, binding) = (&there.cell, &there.binding);
@@ -229,7 +229,6 @@ impl Looking<'_> {
         let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
         let motion = instants.motion().clone();
         let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
-        let alike = alike.map(|tried| (Assumption::ReadingsAlike, tried));
         let tried: Vec<(Assumption, String)> = [(stands.assumption, stands.tried)].into_iter().chain(alike).collect();
         let is_accepted = tried.iter().all(|(assumption, _)| self.accepts(|one| one.covers(assumption)));
         let tried = tried.iter().map(|(assumption, tried)| Point::tried(assumption, tried, accepted, &fmu)).collect();

@@ -22,8 +22,8 @@ pub enum Acceptable {
     /// Robots that are and move nearly alike, now and as long as trials showed, `within_s` at most, while what the sensors report stays the
     /// same, go on nearly alike: the same for FMUs that hardly ever come back to just the same.
     NearlyAlike,
-    /// The FMU answers different reports of its sensors alike at any time, where it did so in trials: a scan from anywhere then tells fewer
-    /// of them apart.
+    /// The FMU answers these `readings` of its sensors alike at any time, as it did in trials: a scan from anywhere then tells fewer of them
+    /// apart.
     ReadingsAlike,
     /// Robots go on after a contact as far as they did when that was tried out.
     TravelAfterContact,
@@ -47,6 +47,9 @@ pub struct AcceptTable {
     /// How soon, s, of `memory_shows` and `nearly_alike`.
     #[serde(default)]
     pub within_s: Option<f64>,
+    /// Which reports of sensors are answered like which, of `readings_alike`: `door like mat`.
+    #[serde(default)]
+    pub readings: Option<Vec<String>>,
     /// The FMU that it was tried out with: its SHA-256, as the scan prints it.
     #[schemars(with = "String")]
     pub fmu: Spanned<String>,
