@@ -1,5 +1,6 @@
 //! Walks to harm after a stop that restarts by itself. Mostly it is enough to go there and stay: the robot comes. Else the sensors have to
-//! report what led to it, so walks are drawn at random, and those are run on which the FMU is told most nearly that.
+//! report what led to it, so walks are drawn at random, and those are run on which the FMU is told most nearly that. What takes several
+//! entries mostly does not depend on how long each of them lasts: walks that come and go some times before they stay are run as well.
 
 use super::behaviours::Few;
 use super::seek::{Drawn, Place, Seek};
@@ -10,10 +11,13 @@ use crate::human::{Action, Posture, Walk};
 use crate::search::Rng;
 use crate::sim::anywhere::Harm;
 
-/// Walks that are drawn, at most, and that are run: those to wait at the end of, and those that follow a history.
+/// Walks that are drawn, at most, and that are run: those to wait at the end of, those that follow a history, and those that come and go.
 const MOST_DRAWN: usize = 20_000;
 const MOST_WAITING: usize = 24;
 const MOST_RUN: usize = 60;
+const MOST_COMING: usize = 120;
+/// What is reported changes so often at least where somebody comes and goes.
+const LEAST_CHANGES: usize = 3;
 /// Those that are no more than so many steps off are run.
 const MOST_OFF: usize = 30;
 /// Somebody waits for so many actions at most.
@@ -22,6 +26,9 @@ const WAITS: usize = 60;
 const MOST_WAYS: usize = 4;
 const MOST_FORWARD: usize = 12;
 const MOST_STOPS: usize = 6;
+/// How often somebody comes and goes on a walk, and most actions straight on, or of standing still, each time.
+const MOST_TIMES: usize = 8;
+const MOST_BETWEEN: usize = 2;
 const TURNS: [Drawn; 4] = [(Walk::Left45, 1), (Walk::Right45, -1), (Walk::Left90, 2), (Walk::Right90, -2)];
 
 /// Twice one of these leads back.
@@ -45,16 +52,22 @@ impl Guided<'_> {
         let mut rng = Rng::new(seed);
         let mut waiting: Vec<(Harm, WalkIn)> = Vec::new();
         let mut following: Vec<(usize, Harm, WalkIn)> = Vec::new();
-        for _ in 0..if harms.is_empty() { 0 } else { MOST_DRAWN } {
+        let mut coming: Vec<(Harm, WalkIn)> = Vec::new();
+        for number in 0..if harms.is_empty() { 0 } else { MOST_DRAWN } {
             if self.seek.prepared.stop().is_due() {
                 break;
             }
             let harm = harms[rng.below(harms.len())];
-            let Some((way, places)) = self.seek.ending(&harm, &actions(&mut rng), &mut rng) else { continue };
-            if waiting.len() < MOST_WAITING {
+            let comes_and_goes = number % 2 == 1;
+            let drawn = if comes_and_goes { comings(&mut rng) } else { actions(&mut rng) };
+            let Some((way, places)) = self.seek.ending(&harm, &drawn, &mut rng) else { continue };
+            let Some(walked) = self.reported(&places) else { continue };
+            if comes_and_goes && coming.len() < MOST_COMING && walked.len() > LEAST_CHANGES {
+                coming.push((harm, self.and_waits(&harm, way.clone(), &mut rng)));
+            } else if waiting.len() < MOST_WAITING {
                 waiting.push((harm, self.and_waits(&harm, way.clone(), &mut rng)));
             }
-            following.extend(self.off(&harm, &places).map(|(off, lead_in)| (off, harm, WalkIn { lead_in, ..way })));
+            following.extend(self.off(&harm, &walked).map(|(off, lead_in)| (off, harm, WalkIn { lead_in, ..way })));
         }
         following.sort_by_key(|(off, ..)| *off);
         let following = following.into_iter().take(MOST_RUN).map(|(_, harm, way)| (harm, way));
@@ -64,7 +77,7 @@ impl Guided<'_> {
             way.actions.truncate(finding.step.div_ceil(self.seek.prepared.cell.steps_per_action).max(1));
             Some((harm, way, finding))
         };
-        waiting.into_iter().chain(following).find_map(shown)
+        waiting.into_iter().chain(following).chain(coming).find_map(shown)
     }
 
     /// The same, begun at some moment, and then they stay.
@@ -74,23 +87,27 @@ impl Guided<'_> {
         way
     }
 
-    /// By how many steps what is reported on a walk is off from what leads to a harm, and when it has to begin for that.
-    fn off(&self, harm: &Harm, places: &[Place]) -> Option<(usize, usize)> {
-        let Seek { search, history, .. } = self.seek;
-        let reports =
-            |(xy_m, heading_rad): &Place| self.few.told(&search.reports(*xy_m, *heading_rad, Posture::Upright));
-        // Nothing is sampled any more where the harm is.
+    /// What is reported on a walk, until the harm: nothing is sampled any more there.
+    fn reported(&self, places: &[Place]) -> Option<Reported> {
+        let reports = |(xy_m, heading_rad): &Place| {
+            self.few.told(&self.seek.search.reports(*xy_m, *heading_rad, Posture::Upright))
+        };
         let walked: Option<Vec<usize>> = places[..places.len() - 1].iter().map(reports).collect();
-        let walked = merged(walked?.into_iter().map(|told| (told, 1)));
+        Some(merged(walked?.into_iter().map(|told| (told, 1))))
+    }
+
+    /// By how many steps what is reported on a walk is off from what leads to a harm, and when it has to begin for that.
+    fn off(&self, harm: &Harm, walked: &Reported) -> Option<(usize, usize)> {
+        let history = self.seek.history;
         let last = walked.last().map_or(0, |(_, steps)| *steps);
         let told = self.few.history(history.seen[harm.instant].came?, self.way, last.saturating_sub(1));
         let told = merged(told.into_iter());
-        if told.len() != walked.len() || told.iter().zip(&walked).any(|((told, _), (walked, _))| told != walked) {
+        if told.len() != walked.len() || told.iter().zip(walked).any(|((told, _), (walked, _))| told != walked) {
             return None;
         }
-        let off = told.iter().zip(&walked).skip(1).map(|((_, told), (_, walked))| told.abs_diff(*walked)).sum();
+        let off = told.iter().zip(walked).skip(1).map(|((_, told), (_, walked))| told.abs_diff(*walked)).sum();
         let steps: usize = told.iter().map(|(_, steps)| steps).sum();
-        let lead_in = steps.checked_sub(places.len() - 1)?;
+        let lead_in = steps.checked_sub(walked.iter().map(|(_, steps)| steps).sum())?;
         (off <= MOST_OFF).then_some((off, lead_in))
     }
 }
@@ -111,6 +128,30 @@ fn actions(rng: &mut Rng) -> Vec<Drawn> {
     if all.is_empty() {
         all.push((Walk::Stop, 0));
     }
+    all
+}
+
+/// Zigzags or rounds, which come to some place and leave it several times where that is at its edge, and straight on after that.
+fn comings(rng: &mut Rng) -> Vec<Drawn> {
+    let mut all = vec![(Walk::Forward, 0); rng.below(MOST_BETWEEN + 1)];
+    let (one, is_round) = (rng.below(TURNS.len()), rng.below(3) == 0);
+    // In a round all turns are to one side, and twice as many.
+    let turns: &[usize] = if is_round { &[one; 4] } else { &[one, one ^ 1] };
+    for time in 0..=rng.below(MOST_TIMES) {
+        for (number, turn) in turns.iter().enumerate() {
+            all.push(TURNS[*turn]);
+            if !is_round || number % 2 == 1 {
+                all.extend(vec![(Walk::Forward, 0); rng.below(MOST_BETWEEN + 1)]);
+            }
+            if time > 0 && rng.below(turns.len() * 2) == 0 {
+                all.extend(vec![(Walk::Stop, 0); rng.below(MOST_BETWEEN + 1)]);
+            }
+        }
+    }
+    if rng.below(2) == 0 {
+        all.push(TURNS[rng.below(TURNS.len())]);
+    }
+    all.extend(vec![(Walk::Forward, 0); rng.below(MOST_FORWARD / 2)]);
     all
 }
 
