@@ -258,8 +258,9 @@ impl Anywhere {
         let presses = self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
         let says = match self.verdict {
             Verdict::HazardsFound => format!(
-                "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {until} of the start. \
+                "Somebody who comes from where no sensor sees them can be hit harder than allowed, within {:.1} s of the start. \
                  {}",
+                self.until_hit_s(),
                 counted(report)
             ),
             Verdict::NoneFound(_) if self.any_time => "Nobody is hit harder than allowed, at any time, who comes from where no sensor sees them, wherever they walk or \
@@ -284,6 +285,13 @@ impl Anywhere {
         let covers =
             format!("{complete}About {people}, {moments} A statement about the model, not about the real cell.");
         Headline { says, covers }
+    }
+
+    /// Until when somebody is hit for sure, s after the start: those who come again and again may be later than what was looked at.
+    #[must_use]
+    pub fn until_hit_s(&self) -> f64 {
+        let hits = self.hazards.iter().filter(|hazard| hazard.confirmed).filter_map(|hazard| hazard.time_s);
+        self.until_s.max(hits.min_by(f64::total_cmp).unwrap_or(self.until_s))
     }
 
     /// For people. `report` is the record of the same scan.

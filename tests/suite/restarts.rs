@@ -2,6 +2,7 @@
 //! Whoever passes is hit, and where the states run out before that is seen, nothing clean is said. Latched in the FMU or by the host, the
 //! same cells hold.
 
+use std::cmp::Ordering;
 use std::ops::ControlFlow;
 
 use crate::common::{test_fmus, write};
@@ -111,6 +112,10 @@ fn where_histories_are_too_many_behaviours_stand_for_them() {
         let coming_back = |with_mat: bool| coming_back(WATCHES[0], with_mat.then_some(variable), to_the_same);
         let passed = look(&dir, &coming_back(false), 600);
         assert_eq!(passed.verdict, Verdict::HazardsFound, "{fmu}: {:?}", passed.reasons);
+        // They wait for longer than was looked at: what is said of when holds for one that was confirmed.
+        let hits = passed.hazards.iter().filter(|hazard| hazard.confirmed).filter_map(|hazard| hazard.time_s);
+        let first = hits.min_by(f64::total_cmp).unwrap();
+        assert_eq!(passed.until_hit_s().total_cmp(&first.max(UNTIL_S)), Ordering::Equal, "{first}");
         let held = look(&dir, &coming_back(true), 600);
         let open: Vec<_> = held.obligations.open().collect();
         assert!(held.hazards.is_empty() && open.iter().all(|one| one.need == Need::Changes), "{fmu}: {open:?}");

@@ -166,3 +166,35 @@ fn merged(told: impl Iterator<Item = (usize, usize)>) -> Reported {
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_4, TAU};
+
+    use super::*;
+
+    /// Of walks that come and go a good part enters a half of the floor three times and more where that is somewhere on their way; of the
+    /// others hardly any does.
+    #[test]
+    fn who_comes_and_goes_enters_several_times() {
+        let mut rng = Rng::new(1);
+        let mut several =
+            |draw: fn(&mut Rng) -> Vec<Drawn>| (0..2_000).filter(|_| entries(&draw(&mut rng), TAU / 7.0) >= 3).count();
+        let (coming, others) = (several(comings), several(actions));
+        assert!(coming > 400 && others < 40, "{coming} {others}");
+    }
+
+    /// How often a walk comes to what is more to the right than its middle.
+    fn entries(walk: &[Drawn], mut heading: f64) -> usize {
+        let (mut x, mut all) = (0.0, vec![0.0]);
+        for (walk, turn) in walk {
+            heading += f64::from(*turn) * FRAC_PI_4;
+            x += if *walk == Walk::Stop { 0.0 } else { libm::cos(heading) };
+            all.push(x);
+        }
+        let mut ordered = all.clone();
+        ordered.sort_by(f64::total_cmp);
+        let edge = ordered[all.len() / 2];
+        all.windows(2).filter(|two| two[0] < edge && two[1] >= edge).count()
+    }
+}
