@@ -18,6 +18,7 @@ mod pressing;
 mod record;
 mod seek;
 mod show;
+mod soon;
 mod trials;
 mod walk_in;
 
@@ -458,6 +459,7 @@ impl<'a> Looking<'a> {
         if end == End::Stopped || limit.is_none() {
             return Ok((end, limit, None));
         }
+        self.soon(search, first, &machine.instants().histories());
         let few = match self.behaviours((there, footing), (search, part, first), person, tell)? {
             Ok(few) => match &few.only_hazards {
                 Some(not_all) => {

@@ -29,6 +29,7 @@ mod readings;
 pub mod reduced;
 mod shoulders;
 pub mod told;
+mod tries;
 pub mod widths;
 mod within;
 pub mod zones;

@@ -55,10 +55,14 @@ pub fn folder(fmu: &str) -> TempDir {
 }
 
 pub fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
+    look_with(dir, text, most_states, StateChoice::Auto)
+}
+
+fn look_with(dir: &TempDir, text: &str, most_states: usize, state: StateChoice) -> Anywhere {
     let path = write(dir.path(), "cell.toml", text);
     let ledger = Ledger::default();
     let until = Until::Seconds(UNTIL_S);
-    let effort = Effort { until, workers: 2, most_states, presses: 1, state: StateChoice::Auto, ledger: &ledger };
+    let effort = Effort { until, workers: 2, most_states, presses: 1, state, ledger: &ledger };
     anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 
@@ -74,6 +78,9 @@ fn nobody_is_certified_who_passes_what_restarts_by_itself() {
         let few = found("nobody", 600);
         let changes = few.obligations.open().any(|one| one.need == Need::Changes);
         assert!(!few.verdict.is_clean() && changes, "{fmu} {watches}: {:?}", few.verdict);
+        // Nor is anything known of behaviours where states are not saved: walks that are tried before show that they are hit.
+        let tried = look_with(&dir, &cell(watches, "nobody"), 600, StateChoice::Replay);
+        assert_eq!(tried.verdict, Verdict::HazardsFound, "{fmu} {watches}: {:?}", tried.reasons);
         for latched_by in ["host", "PLC"] {
             let clean = found(latched_by, 300_000);
             assert!(clean.verdict.is_clean() && !clean.any_time, "{fmu} {watches} {latched_by}: {:?}", clean.reasons);

@@ -1,6 +1,7 @@
-//! Walks to harm after a stop that restarts by itself. Mostly it is enough to go there and stay: the robot comes. Else the sensors have to
-//! report what led to it, so walks are drawn at random, and those are run on which the FMU is told most nearly that. What takes several
+//! Walks to harm after a stop that restarts by itself. Mostly it is enough to go there and stay: the robot comes. What takes several
 //! entries mostly does not depend on how long each of them lasts: walks that come and go some times before they stay are run as well.
+//! Else the sensors have to report what led to it: where that is known of behaviours, of walks drawn at random those are run on which the
+//! FMU is told most nearly that.
 
 use super::behaviours::Few;
 use super::seek::{Drawn, Place, Seek};
@@ -10,6 +11,7 @@ use crate::hazard::Finding;
 use crate::human::{Action, Posture, Walk};
 use crate::search::Rng;
 use crate::sim::anywhere::Harm;
+use crate::sim::anywhere::zones::Readings;
 
 /// Walks that are drawn, at most, and that are run: those to wait at the end of, those that follow a history, and those that come and go.
 const MOST_DRAWN: usize = 20_000;
@@ -35,15 +37,24 @@ const TURNS: [Drawn; 4] = [(Walk::Left45, 1), (Walk::Right45, -1), (Walk::Left90
 const BACK: [Drawn; 2] = [TURNS[2], TURNS[3]];
 
 /// What the FMU is told, by number, and for how many steps each.
-type Reported = Vec<(usize, usize)>;
+type Held = Vec<(usize, usize)>;
 
 /// Draws walks to harms on one way.
 pub(super) struct Guided<'a> {
     pub seek: Seek<'a>,
-    pub few: &'a Few,
-    pub way: usize,
+    /// Behaviours, and of which way they are, where that is known.
+    pub few: Option<(&'a Few, usize)>,
     /// So many steps after the start of the FMU they begin at most.
     pub until: usize,
+}
+
+/// A walk to a harm, and what is reported on it until then, step by step.
+struct Walked {
+    harm: Harm,
+    way: WalkIn,
+    reported: Vec<Readings>,
+    /// Whether it was drawn to come and go.
+    comes: bool,
 }
 
 impl Guided<'_> {
@@ -53,31 +64,66 @@ impl Guided<'_> {
         let mut waiting: Vec<(Harm, WalkIn)> = Vec::new();
         let mut following: Vec<(usize, Harm, WalkIn)> = Vec::new();
         let mut coming: Vec<(Harm, WalkIn)> = Vec::new();
-        for number in 0..if harms.is_empty() { 0 } else { MOST_DRAWN } {
+        for number in 0..MOST_DRAWN {
             if self.seek.prepared.stop().is_due() {
                 break;
             }
-            let harm = harms[rng.below(harms.len())];
-            let comes_and_goes = number % 2 == 1;
-            let drawn = if comes_and_goes { comings(&mut rng) } else { actions(&mut rng) };
-            let Some((way, places)) = self.seek.ending(&harm, &drawn, &mut rng) else { continue };
-            let Some(walked) = self.reported(&places) else { continue };
-            if comes_and_goes && coming.len() < MOST_COMING && walked.len() > LEAST_CHANGES {
+            let Some(Walked { harm, way, reported, comes }) = self.drawn(harms, number, &mut rng) else { continue };
+            if comes && coming.len() < MOST_COMING {
                 coming.push((harm, self.and_waits(&harm, way.clone(), &mut rng)));
             } else if waiting.len() < MOST_WAITING {
                 waiting.push((harm, self.and_waits(&harm, way.clone(), &mut rng)));
             }
-            following.extend(self.off(&harm, &walked).map(|(off, lead_in)| (off, harm, WalkIn { lead_in, ..way })));
+            let off = self.few.and_then(|few| self.off(&harm, &reported, few));
+            following.extend(off.map(|(off, lead_in)| (off, harm, WalkIn { lead_in, ..way })));
         }
         following.sort_by_key(|(off, ..)| *off);
         let following = following.into_iter().take(MOST_RUN).map(|(_, harm, way)| (harm, way));
-        let shown = |(harm, mut way): (Harm, WalkIn)| {
-            let finding = shown_by(self.seek.prepared, &way, None)?;
-            // What they did until then.
-            way.actions.truncate(finding.step.div_ceil(self.seek.prepared.cell.steps_per_action).max(1));
-            Some((harm, way, finding))
-        };
-        waiting.into_iter().chain(following).chain(coming).find_map(shown)
+        waiting.into_iter().chain(following).chain(coming).find_map(|(harm, way)| self.shown(harm, way))
+    }
+
+    /// Runs walks that wait at their ends, or come and go before, as long as `goes_on`: tells of those that show harm. The same seed draws the same.
+    pub fn each(
+        &self,
+        harms: &[Harm],
+        seed: u64,
+        goes_on: &dyn Fn() -> bool,
+        tell: &mut dyn FnMut(&Harm, &WalkIn, &Finding),
+    ) {
+        let mut rng = Rng::new(seed);
+        let mut left = [MOST_WAITING, MOST_COMING];
+        for number in 0..MOST_DRAWN {
+            if left == [0, 0] || !goes_on() {
+                break;
+            }
+            let Some(walked) = self.drawn(harms, number, &mut rng) else { continue };
+            let left = &mut left[usize::from(walked.comes)];
+            if *left > 0 {
+                *left -= 1;
+                let way = self.and_waits(&walked.harm, walked.way, &mut rng);
+                if let Some((harm, way, finding)) = self.shown(walked.harm, way) {
+                    tell(&harm, &way, &finding);
+                }
+            }
+        }
+    }
+
+    /// A walk to one of some harms, if there is room for it.
+    fn drawn(&self, harms: &[Harm], number: usize, rng: &mut Rng) -> Option<Walked> {
+        let harm = if harms.is_empty() { return None } else { harms[rng.below(harms.len())] };
+        let comes = number % 2 == 1;
+        let drawn = if comes { comings(rng) } else { actions(rng) };
+        let (way, places) = self.seek.ending(&harm, &drawn, rng)?;
+        let reported = self.reported(&places);
+        let comes = comes && changes(&reported) > LEAST_CHANGES;
+        Some(Walked { harm, way, reported, comes })
+    }
+
+    /// A walk that shows harm, up to then.
+    fn shown(&self, harm: Harm, mut way: WalkIn) -> Option<(Harm, WalkIn, Finding)> {
+        let finding = shown_by(self.seek.prepared, &way, None)?;
+        way.actions.truncate(finding.step.div_ceil(self.seek.prepared.cell.steps_per_action).max(1));
+        Some((harm, way, finding))
     }
 
     /// The same, begun at some moment, and then they stay.
@@ -87,29 +133,33 @@ impl Guided<'_> {
         way
     }
 
-    /// What is reported on a walk, until the harm: nothing is sampled any more there.
-    fn reported(&self, places: &[Place]) -> Option<Reported> {
-        let reports = |(xy_m, heading_rad): &Place| {
-            self.few.told(&self.seek.search.reports(*xy_m, *heading_rad, Posture::Upright))
-        };
-        let walked: Option<Vec<usize>> = places[..places.len() - 1].iter().map(reports).collect();
-        Some(merged(walked?.into_iter().map(|told| (told, 1))))
+    /// What is reported on a walk, step by step, until the harm: nothing is sampled any more there.
+    fn reported(&self, places: &[Place]) -> Vec<Readings> {
+        let reports = |(xy_m, heading_rad): &Place| self.seek.search.reports(*xy_m, *heading_rad, Posture::Upright);
+        places[..places.len() - 1].iter().map(reports).collect()
     }
 
     /// By how many steps what is reported on a walk is off from what leads to a harm, and when it has to begin for that.
-    fn off(&self, harm: &Harm, walked: &Reported) -> Option<(usize, usize)> {
+    fn off(&self, harm: &Harm, reported: &[Readings], (few, way): (&Few, usize)) -> Option<(usize, usize)> {
         let history = self.seek.history;
+        let walked: Option<Vec<usize>> = reported.iter().map(|readings| few.told(readings)).collect();
+        let walked = merged(walked?.into_iter().map(|told| (told, 1)));
         let last = walked.last().map_or(0, |(_, steps)| *steps);
-        let told = self.few.history(history.seen[harm.instant].came?, self.way, last.saturating_sub(1));
+        let told = few.history(history.seen[harm.instant].came?, way, last.saturating_sub(1));
         let told = merged(told.into_iter());
-        if told.len() != walked.len() || told.iter().zip(walked).any(|((told, _), (walked, _))| told != walked) {
+        if told.len() != walked.len() || told.iter().zip(&walked).any(|((told, _), (walked, _))| told != walked) {
             return None;
         }
-        let off = told.iter().zip(walked).skip(1).map(|((_, told), (_, walked))| told.abs_diff(*walked)).sum();
+        let off = told.iter().zip(&walked).skip(1).map(|((_, told), (_, walked))| told.abs_diff(*walked)).sum();
         let steps: usize = told.iter().map(|(_, steps)| steps).sum();
         let lead_in = steps.checked_sub(walked.iter().map(|(_, steps)| steps).sum())?;
         (off <= MOST_OFF).then_some((off, lead_in))
     }
+}
+
+/// How often what is reported changes, with what is reported first.
+fn changes(reported: &[Readings]) -> usize {
+    1 + reported.windows(2).filter(|two| two[0] != two[1]).count()
 }
 
 /// Straight ways with turns or stops between them.
@@ -156,8 +206,8 @@ fn comings(rng: &mut Rng) -> Vec<Drawn> {
 }
 
 /// The same one after the other as one.
-fn merged(told: impl Iterator<Item = (usize, usize)>) -> Reported {
-    let mut all = Reported::new();
+fn merged(told: impl Iterator<Item = (usize, usize)>) -> Held {
+    let mut all = Held::new();
     for (told, steps) in told {
         match all.last_mut() {
             Some((known, known_steps)) if *known == told => *known_steps += steps,

@@ -47,7 +47,7 @@ impl Looking<'_> {
             let shown = match few {
                 Some((few, way)) => {
                     let seek = Seek { prepared, search, first, history, any_time: true };
-                    Guided { seek, few, way, until: self.steps() }.walk(&alike, 1)
+                    Guided { seek, few: Some((few, way)), until: self.steps() }.walk(&alike, 1)
                 }
                 None => shown(prepared, search, first, (history, way), &alike),
             };
@@ -63,20 +63,25 @@ impl Looking<'_> {
                 self.rest.shown.add(finding, &way, &self.links);
             }
             let place = self.place(&harm, &way, finding.as_ref(), &as_told, alike.len());
-            // What is told of a contact may be another region or link that is hit as soon and harder.
-            let same = |known: &&mut Place| {
-                known.confirmed
-                    && (known.body_region, &known.robot_link, known.walks_in)
-                        == (place.body_region, &place.robot_link, place.walks_in)
-            };
-            match self.found.hazards.iter_mut().find(same) {
-                Some(known) if place.ratio <= known.ratio || !place.confirmed => known.met_again(&place),
-                Some(known) => {
-                    let before = std::mem::replace(known, place);
-                    known.met_again(&before);
-                }
-                None => self.found.hazards.push(place),
+            self.tell_of(place);
+        }
+    }
+
+    /// A place is told of, or was before.
+    pub(super) fn tell_of(&mut self, place: Place) {
+        // What is told of a contact may be another region or link that is hit as soon and harder.
+        let same = |known: &&mut Place| {
+            known.confirmed
+                && (known.body_region, &known.robot_link, known.walks_in)
+                    == (place.body_region, &place.robot_link, place.walks_in)
+        };
+        match self.found.hazards.iter_mut().find(same) {
+            Some(known) if place.ratio <= known.ratio || !place.confirmed => known.met_again(&place),
+            Some(known) => {
+                let before = std::mem::replace(known, place);
+                known.met_again(&before);
             }
+            None => self.found.hazards.push(place),
         }
     }
 
@@ -103,7 +108,7 @@ impl Looking<'_> {
         found
     }
 
-    fn place(
+    pub(super) fn place(
         &self,
         harm: &Harm,
         way: &WalkIn,
