@@ -56,7 +56,7 @@ impl Seek<'_> {
         let mut rng = Rng::new(seed);
         let mut run = 0;
         for _ in 0..MOST_DRAWN {
-            if run == most || harms.is_empty() {
+            if run == most || harms.is_empty() || self.prepared.stop().is_due() {
                 break;
             }
             let harm = harms[rng.below(harms.len())];
