@@ -3,7 +3,7 @@
 //! Plain multiply and add in f64, no iteration, no trigonometry: the same bits on every machine. Knows the shapes and
 //! nothing else.
 
-use super::{Capsule, Vec3};
+use super::Vec3;
 use crate::stop::worked;
 
 /// The nearest pair of surface points of two shapes.
@@ -15,14 +15,6 @@ pub struct Closest {
     pub on_first: Vec3,
     /// The point on the surface of the second shape.
     pub on_second: Vec3,
-}
-
-impl Closest {
-    /// The same pair seen from the other shape.
-    #[must_use]
-    pub fn flipped(self) -> Self {
-        Self { distance: self.distance, on_first: self.on_second, on_second: self.on_first }
-    }
 }
 
 /// Parameter in `[0, 1]` of the point of the segment `a + t (b - a)` nearest to `point`; 0 for a segment of no length.
@@ -88,20 +80,6 @@ pub fn segment_segment(p: Vec3, q: Vec3, a: Vec3, b: Vec3) -> Closest {
     let (s, t) = segment_segment_parameters(p, q, a, b);
     let (on_first, on_second) = (p + (q - p) * s, a + (b - a) * t);
     Closest { distance: (on_first - on_second).length(), on_first, on_second }
-}
-
-/// Signed distance of two capsules: the distance of their cores less both radii.
-#[must_use]
-pub fn capsule_capsule(first: &Capsule, second: &Capsule) -> Closest {
-    let core = segment_segment(first.a, first.b, second.a, second.b);
-    let normal = (core.on_second - core.on_first)
-        .try_normalize()
-        .unwrap_or_else(|| perpendicular_to(first.b - first.a, second.b - second.a));
-    Closest {
-        distance: core.distance - first.radius - second.radius,
-        on_first: core.on_first + normal * first.radius,
-        on_second: core.on_second - normal * second.radius,
-    }
 }
 
 /// A unit vector perpendicular to both arguments as far as they allow it: the direction in which crossing cores part.

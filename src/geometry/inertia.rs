@@ -134,7 +134,7 @@ pub struct Masses {
 
 impl Masses {
     /// Of joints that each move by themselves.
-    #[must_use]
+    #[cfg(test)]
     pub fn free(bodies: Vec<Inertia>) -> Self {
         let drives = (0..bodies.len()).map(|coordinate| Some(Drive { coordinate, factor: 1.0 })).collect();
         Self { bodies, drives }

@@ -186,7 +186,7 @@ impl Surface {
     }
 
     /// Least and greatest coordinates.
-    #[must_use]
+    #[cfg(test)]
     pub const fn extent(&self) -> (Vec3, Vec3) {
         (self.low, self.high)
     }

@@ -321,15 +321,6 @@ impl Contact {
         }
     }
 
-    /// The limit of that force, N.
-    #[must_use]
-    pub fn deciding_limit_n(&self) -> f64 {
-        match (self.class, self.clamp) {
-            (Some(Class::Clamping), Some(clamp)) => clamp.limit_n,
-            _ => self.limit_n,
-        }
-    }
-
     /// What is broken worst, over its limit: for the transient force `F_coll / F_max`, of the force that decides.
     #[must_use]
     pub const fn ratio(&self) -> f64 {

@@ -49,7 +49,7 @@ impl Strike {
     }
 
     /// For a robot of which nothing else is known, by the paper's criterion or with the speed of approach.
-    #[must_use]
+    #[cfg(test)]
     pub fn of_robot(moving_mass_kg: f64, payload_kg: f64, criterion: Criterion) -> Self {
         Self::new(moving_mass_kg, payload_kg, Criteria::default().with_speed(criterion), LinkContact::default())
     }

@@ -215,13 +215,13 @@ impl Body {
     }
 
     /// Stature, m.
-    #[must_use]
+    #[cfg(test)]
     pub const fn stature_m(&self) -> f64 {
         self.stature_m
     }
 
     /// Stature over that of the median man, by which every measure is scaled.
-    #[must_use]
+    #[cfg(test)]
     pub const fn scale(&self) -> f64 {
         self.scale
     }

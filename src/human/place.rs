@@ -75,14 +75,8 @@ impl Place {
     /// The start itself, all doors closed.
     pub const START: Self = Self { steps: [0; 4], heading: 0, open: Presses::NONE, arrangement: Arrangement::NONE };
 
-    /// Net sub-steps along 0, 45, 90 and 135 degrees from the start heading.
-    #[must_use]
-    pub const fn steps(&self) -> [i32; 4] {
-        self.steps
-    }
-
     /// Heading to the left of the start heading, in eighths of a full turn: 0..8.
-    #[must_use]
+    #[cfg(test)]
     pub const fn heading_eighths(&self) -> u8 {
         self.heading
     }

@@ -33,7 +33,7 @@ impl BendFraction {
     };
 
     /// `sixteenths` / 16 of the bend, if that is no more than all of it.
-    #[must_use]
+    #[cfg(test)]
     pub const fn new(sixteenths: u8) -> Option<Self> {
         if sixteenths <= Self::FULL.0 { Some(Self(sixteenths)) } else { None }
     }

@@ -41,14 +41,6 @@ pub struct Spent {
     pub growth: Option<Growth>,
 }
 
-impl Spent {
-    /// Different hazards after the whole budget, if the run went on so long.
-    #[must_use]
-    pub fn hazards(&self) -> Option<usize> {
-        self.growth.as_ref().and_then(|growth| growth.groups.last().copied())
-    }
-}
-
 /// What it took to find every hazard of the complete list: means over the seeds that did, which are the lucky ones if not
 /// all did.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

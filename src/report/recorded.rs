@@ -15,8 +15,6 @@ use crate::obligations::Obligations;
 /// A scan that was written to a file.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Recorded {
-    /// Format of the file.
-    pub schema_version: u32,
     /// Name and version of the tool.
     pub tool: String,
     /// Overall outcome.

@@ -32,12 +32,6 @@ impl CycleShare {
         Some(((self.until_s - self.from_s.max(repeats_from_s)) / cycle_s).clamp(0.0, 1.0))
     }
 
-    /// Whether all of the cycle was met.
-    #[must_use]
-    pub fn is_whole(&self) -> bool {
-        self.part().is_some_and(|part| part >= 1.0)
-    }
-
     /// How much was met, for people: it stands behind "from the start in the cell file," in a sentence.
     #[must_use]
     pub fn words(&self) -> String {
@@ -131,7 +125,6 @@ mod tests {
             assert_eq!(share.words(), words);
             let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
             assert!(share.part().zip(part).map_or(share.part() == part, |(a, b)| near(a, b)), "{words}");
-            assert_eq!(share.is_whole(), part == Some(1.0), "{words}");
         }
         // Less than all is never called all, nor more than it is.
         assert!(share(Some((6.8, 3.0)), 3.0, 9.79).words().contains(" 99 % "));

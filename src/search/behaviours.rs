@@ -223,12 +223,6 @@ impl Behaviours {
         self.shows.len()
     }
 
-    /// Whether there is none.
-    #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.shows.is_empty()
-    }
-
     /// What one shows.
     #[must_use]
     pub fn shown(&self, number: Number) -> Shown {
@@ -266,7 +260,7 @@ impl Behaviours {
     }
 
     /// Readings that lead to one from the start, in as few steps as any.
-    #[must_use]
+    #[cfg(test)]
     pub fn way_to(&self, mut number: Number) -> Vec<usize> {
         let mut way = Vec::new();
         while self.depth[number as usize] > 0 {

@@ -187,12 +187,10 @@ impl Prefixes {
     }
 }
 
-/// An unsafe state and the sequences that meet it first with this action.
+/// An unsafe state and the sequences that meet it first with one action.
 pub struct Met<'a, U> {
     /// The unsafe state.
     pub unsafe_state: U,
-    /// The last action.
-    pub action: usize,
     /// The sequences before it.
     pub prefixes: &'a Prefixes,
     /// Number of full-length sequences that begin so.
@@ -522,7 +520,7 @@ impl<E: Expansion> Search<'_, '_, E> {
                     }
                     let sequences = &prefixes.count * &left;
                     self.account.hazardous += &sequences;
-                    let _ = (self.tell)(Told::Met(Met { unsafe_state: met, action, prefixes, sequences }));
+                    let _ = (self.tell)(Told::Met(Met { unsafe_state: met, prefixes, sequences }));
                 }
             }
         }

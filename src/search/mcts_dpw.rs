@@ -126,18 +126,6 @@ impl<S: Clone> MctsDpw<S> {
         Self { profile, parameters, nodes: Vec::new() }
     }
 
-    /// Number of states in the tree.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.nodes.len()
-    }
-
-    /// Whether nothing was searched yet.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
-    }
-
     /// The tree policy at `node`: an existing edge, or a drawn action (which may or may not have an edge yet).
     fn choose(&self, node: &Node<S>, actions: usize, rng: &mut Rng) -> usize {
         let p = &self.parameters;

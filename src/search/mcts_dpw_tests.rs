@@ -72,7 +72,7 @@ fn the_first_iteration_only_inserts_the_root() {
     let mut lock = Lock::new(&[0, 0, 0], 3);
     let mut mcts = MctsDpw::new(Profile::Paper);
     mcts.iterate(&mut lock, &mut Rng::new(1)).unwrap();
-    assert_eq!(mcts.len(), 1);
+    assert_eq!(mcts.nodes.len(), 1);
     assert!(mcts.nodes[0].edges.is_empty());
     mcts.iterate(&mut lock, &mut Rng::new(2)).unwrap();
     assert_eq!(mcts.nodes[0].visits, 1);

@@ -124,21 +124,9 @@ impl Coverage {
         self.episodes_not_evaluated > 0 || self.arm_runs_not_evaluated > 0
     }
 
-    /// Why a run without hazards would say nothing of any robot, if that is so. Of single ones see [`Self::never_met`].
-    #[must_use]
-    pub fn vacuous(&self) -> Option<String> {
-        (self.contact_checks == 0).then(|| "no action could be evaluated".to_owned())
-    }
-
     /// What comparing person and robots cost, beside so many steps of the FMU, see [`cost`].
     pub(super) const fn cost(&self, steps: u64) -> u64 {
         cost(steps, self.contact_checks, self.arm_boxes)
-    }
-
-    /// Numbers of the sensors that never reported anybody. That alone does not make a result empty: where somebody was near a robot that
-    /// moved, what they met was looked at without these sensors' help.
-    pub fn silent_sensors(&self) -> impl Iterator<Item = usize> {
-        self.sensor_actions.iter().enumerate().filter(|(_, actions)| **actions == 0).map(|(sensor, _)| sensor)
     }
 }
 

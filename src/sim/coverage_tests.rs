@@ -104,13 +104,3 @@ fn a_guard_and_a_prevented_start_are_answers_and_the_rest_is_not() {
         assert!(never.words("R1").contains(words), "{}", never.words("R1"));
     }
 }
-
-#[test]
-fn a_sensor_that_is_never_needed_does_not_make_a_result_empty() {
-    let mut coverage = seen(&[met()]);
-    coverage.sensor_actions = vec![0, 4, 0];
-    assert_eq!(coverage.silent_sensors().collect::<Vec<_>>(), [0, 2]);
-    assert_eq!((coverage.vacuous(), coverage.never_met(0)), (None, None));
-    coverage.contact_checks = 0;
-    assert!(coverage.vacuous().is_some());
-}

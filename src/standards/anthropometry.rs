@@ -113,6 +113,7 @@ pub const fn measures(sex: Sex, percentile: Percentile) -> Measures {
 }
 
 /// Every sex and percentile once.
+#[cfg(test)]
 pub const ALL: [(Sex, Percentile); 6] = [
     (Sex::Female, Percentile::P5),
     (Sex::Female, Percentile::P50),

@@ -113,20 +113,20 @@ pub const fn reduced_mass(m_h_kg: f64, m_r_kg: f64) -> f64 {
 }
 
 /// Energy that a spring of `spring_n_m` takes until it answers with `force_n`, J (A.1).
-#[must_use]
+#[cfg(test)]
 pub const fn spring_energy_j(force_n: f64, spring_n_m: f64) -> f64 {
     force_n * force_n / (2.0 * spring_n_m)
 }
 
 /// Energy that is transferred when bodies of reduced mass `mu_kg` meet at `v_m_s`, J (A.2).
-#[must_use]
+#[cfg(test)]
 pub const fn transferred_energy_j(mu_kg: f64, v_m_s: f64) -> f64 {
     0.5 * mu_kg * v_m_s * v_m_s
 }
 
 /// Peak force on the free region when a robot of effective mass `m_r_kg` meets it at `v_m_s` >= 0, N: (A.1) to (A.4)
 /// solved for the force, `v * sqrt(mu * k)`.
-#[must_use]
+#[cfg(test)]
 pub fn collision_force_n(region: BodyRegion, m_r_kg: f64, v_m_s: f64) -> f64 {
     v_m_s * impedance(region, m_r_kg)
 }
@@ -140,7 +140,7 @@ pub fn safe_speed_m_s(region: BodyRegion, m_r_kg: f64) -> f64 {
 /// Largest speed at which the pressure on the contact area `area_m2` (the smaller of the robot's and the body's) stays
 /// within `pressure_pa`, m/s (A.6). The spring constants are calibrated for about 1 cm2: a larger area is not on the
 /// safe side.
-#[must_use]
+#[cfg(test)]
 pub fn pressure_safe_speed_m_s(region: BodyRegion, m_r_kg: f64, pressure_pa: f64, area_m2: f64) -> f64 {
     pressure_pa * area_m2 / impedance(region, m_r_kg)
 }

@@ -39,8 +39,6 @@ pub struct Told {
     people: Vec<Vec<Stance>>,
     /// Of each cell of the floor and arc of headings the kinds that are possible, as bits.
     possible: Vec<u32>,
-    /// How often the FMU was asked.
-    pub asked: u64,
 }
 
 /// Asks an FMU.
@@ -54,7 +52,6 @@ pub struct Asking<'a, P: Plant> {
     root: Option<P::Checkpoint>,
     before: Vec<f64>,
     kinds: Vec<Vec<bool>>,
-    asked: u64,
     /// Steps that were taken.
     taken: u64,
 }
@@ -73,7 +70,7 @@ impl<'a, P: Plant> Asking<'a, P> {
     ) -> Result<Self, PlantError> {
         plant.restart()?;
         let root = if saves { Some(plant.save()?) } else { None };
-        Ok(Self { plant, cell, binding, steps, root, before: Vec::new(), kinds: Vec::new(), asked: 0, taken: 0 })
+        Ok(Self { plant, cell, binding, steps, root, before: Vec::new(), kinds: Vec::new(), taken: 0 })
     }
 
     /// From now on people come after so many steps from the start, in which somebody was there.
@@ -117,7 +114,6 @@ impl<'a, P: Plant> Asking<'a, P> {
     /// # Errors
     /// When the FMU fails.
     pub fn reports(&mut self, at: Stance) -> Result<Vec<Vec<bool>>, PlantError> {
-        self.asked += 1;
         match &self.root {
             Some(root) if self.plant.holds(root) => self.plant.restore(root)?,
             _ => self.begin()?,
@@ -207,7 +203,7 @@ impl Told {
             Ok(kind)
         };
         let Some(possible) = possible(floor, &mut kind, tell)? else { return Ok(None) };
-        Ok(Some(Self { kinds: asking.kinds.clone(), people, possible, asked: asking.asked }))
+        Ok(Some(Self { kinds: asking.kinds.clone(), people, possible }))
     }
 
     /// Some of the people that were asked about, of each kind about as many, and what is reported of them.

@@ -76,7 +76,7 @@ impl Motion {
     }
 
     /// Whether some told speed is not that of the motion.
-    #[must_use]
+    #[cfg(test)]
     pub fn disagrees(&self) -> bool {
         self.seen.iter().any(|seen| seen.worst.is_some())
     }
