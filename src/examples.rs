@@ -21,7 +21,7 @@ pub struct Example {
 include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 
 /// Descriptions of public robots: name and content. Their sources and licences are in them.
-pub const ROBOTS: [(&str, &[u8]); 2] = [
+pub(crate) const ROBOTS: [(&str, &[u8]); 2] = [
     ("ur10e.urdf", include_bytes!("../scenarios/robots/ur10e.urdf")),
     ("lbr_iiwa14_r820.urdf", include_bytes!("../scenarios/robots/lbr_iiwa14_r820.urdf")),
 ];
@@ -59,7 +59,7 @@ impl Example {
 ///
 /// # Errors
 /// Whatever the file system says, with the path.
-pub fn export_robots(dir: &Path) -> io::Result<Vec<PathBuf>> {
+pub(crate) fn export_robots(dir: &Path) -> io::Result<Vec<PathBuf>> {
     let folder = dir.join("robots");
     std::fs::create_dir_all(&folder).map_err(|error| naming(&folder, &error))?;
     let write = |(name, content): &(&str, &[u8])| {

@@ -68,7 +68,7 @@ compile_error!(
     "fmi-hazard runs on Linux only: FMUs are kept apart with means of its kernel (futex, memfd, Landlock, seccomp)"
 );
 
-pub mod campaign;
+pub(crate) mod campaign;
 pub mod cell;
 pub mod cli;
 pub mod examples;

@@ -19,7 +19,7 @@ const MOST: usize = 10_000;
 /// A campaign file.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Description {
+pub(crate) struct Description {
     /// Version of the format: 1.
     pub schema: u32,
     /// What results are called.
@@ -55,7 +55,7 @@ struct Sweep {
 
 /// A sweep with its values in their order.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// Its name in `over` and in tables.
     pub name: String,
     /// What its values are in.
@@ -67,7 +67,7 @@ pub struct Axis {
 /// A body.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct BodyOf {
+pub(crate) struct BodyOf {
     /// As in a cell file.
     pub sex: String,
     /// As in a cell file.
@@ -77,7 +77,7 @@ pub struct BodyOf {
 /// How scans search.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub struct Search {
+pub(crate) struct Search {
     /// One scan for each: `exhaustive`, `auto`, or a strategy.
     pub strategies: Vec<String>,
     /// One scan for each; the cell's, else 1, if there is none.
@@ -120,7 +120,7 @@ impl Description {
     ///
     /// # Errors
     /// When it cannot be read, or says something that cannot be.
-    pub fn read(path: &Path) -> Result<(Self, String), CampaignError> {
+    pub(crate) fn read(path: &Path) -> Result<(Self, String), CampaignError> {
         let wrong = |what: String, help: &str| CampaignError::Description {
             path: path.to_owned(),
             what,
@@ -174,7 +174,7 @@ impl Description {
 
     /// The sweeps with their values.
     #[must_use]
-    pub fn axes(&self) -> Vec<Axis> {
+    pub(crate) fn axes(&self) -> Vec<Axis> {
         self.sweeps.iter().filter_map(|sweep| sweep.axis().ok()).collect()
     }
 }

@@ -10,7 +10,7 @@ use crate::scan::{PrepareError, ScanError};
 /// Why a campaign, or a task of it, cannot go on.
 #[derive(Debug, Error, miette::Diagnostic)]
 #[non_exhaustive]
-pub enum CampaignError {
+pub(crate) enum CampaignError {
     /// The campaign file says something that cannot be.
     #[error("your campaign file {} is wrong: {what}", path.display())]
     Description {
@@ -93,7 +93,7 @@ pub enum CampaignError {
 impl CampaignError {
     /// Whether it is the FMU's fault, while it ran.
     #[must_use]
-    pub fn while_running(&self) -> bool {
+    pub(crate) fn while_running(&self) -> bool {
         match self {
             Self::Prepare(error) => error.while_running(),
             Self::Scan(_) => true,

@@ -13,7 +13,7 @@ use crate::cell::find::OpenedCell;
 use crate::report::model::{Begin, FileSubject};
 
 /// Name of the plan in the folder of the campaign.
-pub const MANIFEST: &str = "manifest.json";
+pub(crate) const MANIFEST: &str = "manifest.json";
 
 /// Version of the format.
 pub(super) const SCHEMA: u32 = 1;
@@ -23,7 +23,7 @@ const LETTERS: usize = 16;
 
 /// A plan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Manifest {
+pub(crate) struct Manifest {
     /// Version of the format.
     pub schema_version: u32,
     /// Name and version of the program that planned it, which is that whose results count.
@@ -44,7 +44,7 @@ pub struct Manifest {
 
 /// A cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CellEntry {
+pub(crate) struct CellEntry {
     /// Its name.
     pub name: String,
     /// The one of the campaign file that it comes from.
@@ -67,7 +67,7 @@ pub struct CellEntry {
 
 /// A scan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ScanEntry {
+pub(crate) struct ScanEntry {
     /// A hash of all that its result depends on.
     pub id: String,
     /// Number of the cell, from 0.
@@ -85,7 +85,7 @@ pub struct ScanEntry {
 
 /// A piece of work that is done in one go: a scan, or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Task {
+pub(crate) struct Task {
     /// Number of the scan, from 0.
     pub scan: usize,
     /// Which part of how many, from 1; nothing for all of it.
@@ -110,7 +110,7 @@ impl fmt::Display for Part {
 impl CellEntry {
     /// What of a cell results depend on.
     #[must_use]
-    pub fn new(path: &Path, of: &str, at: Values, body: Option<String>, opened: &OpenedCell) -> Self {
+    pub(crate) fn new(path: &Path, of: &str, at: Values, body: Option<String>, opened: &OpenedCell) -> Self {
         let OpenedCell { cell, fmus, wiring, .. } = opened;
         let file =
             |path: &Path, sha256: &str| FileSubject { path: path.display().to_string(), sha256: sha256.to_owned() };
@@ -131,7 +131,7 @@ impl CellEntry {
     ///
     /// # Errors
     /// When it is not.
-    pub fn same_as(&self, opened: &OpenedCell) -> Result<(), CampaignError> {
+    pub(crate) fn same_as(&self, opened: &OpenedCell) -> Result<(), CampaignError> {
         let now = Self::new(&self.path, &self.of, self.at.clone(), self.body.clone(), opened);
         if now == *self {
             return Ok(());
@@ -144,7 +144,7 @@ impl CellEntry {
 impl ScanEntry {
     /// The scan of a cell from one of its beginnings.
     #[must_use]
-    pub fn new(tool: &str, search: &Search, cells: &[CellEntry], of: Self) -> Self {
+    pub(crate) fn new(tool: &str, search: &Search, cells: &[CellEntry], of: Self) -> Self {
         let cell = &cells[of.cell];
         // How it is divided, and which other strategies and seeds there are, changes nothing in it.
         let own = Search { strategies: Vec::new(), seeds: Vec::new(), parts: 1, ..search.clone() };
@@ -163,7 +163,7 @@ impl Manifest {
     ///
     /// # Errors
     /// When there is none, or one of another version.
-    pub fn read(folder: &Path) -> Result<Self, CampaignError> {
+    pub(crate) fn read(folder: &Path) -> Result<Self, CampaignError> {
         let none = |what: String| CampaignError::NoPlan { folder: folder.to_owned(), what };
         let path = folder.join(MANIFEST);
         let text = std::fs::read_to_string(&path).map_err(|e| none(format!("cannot read {}: {e}", path.display())))?;
@@ -181,13 +181,13 @@ impl Manifest {
 
     /// Everything that is to be done, in order. Parts of one search are neighbours.
     #[must_use]
-    pub fn tasks(&self) -> Vec<Task> {
+    pub(crate) fn tasks(&self) -> Vec<Task> {
         (0..self.scans.len()).flat_map(|scan| self.tasks_of(scan)).collect()
     }
 
     /// The same of one scan.
     #[must_use]
-    pub fn tasks_of(&self, scan: usize) -> Vec<Task> {
+    pub(crate) fn tasks_of(&self, scan: usize) -> Vec<Task> {
         match self.search.parts {
             0 | 1 => vec![Task { scan, part: None }],
             of => (1..=of).map(|number| Task { scan, part: Some(Part { number, of }) }).collect(),
@@ -196,7 +196,7 @@ impl Manifest {
 
     /// The name of a task; of the result of all parts, as that of the whole scan.
     #[must_use]
-    pub fn name(&self, task: Task) -> String {
+    pub(crate) fn name(&self, task: Task) -> String {
         let id = &self.scans[task.scan].id;
         task.part.map_or_else(|| id.clone(), |part| format!("{id}.{part}"))
     }
@@ -205,14 +205,14 @@ impl Manifest {
     ///
     /// # Errors
     /// When there is none.
-    pub fn task(&self, name: &str) -> Result<Task, CampaignError> {
+    pub(crate) fn task(&self, name: &str) -> Result<Task, CampaignError> {
         let found = self.tasks().into_iter().find(|task| self.name(*task) == name);
         found.ok_or_else(|| CampaignError::NoTask { name: name.to_owned() })
     }
 
     /// A scan in words.
     #[must_use]
-    pub fn words(&self, scan: usize) -> String {
+    pub(crate) fn words(&self, scan: usize) -> String {
         let entry = &self.scans[scan];
         let seed = entry.seed.map_or_else(String::new, |seed| format!(", seed {seed}"));
         format!("{}, {}, {}{seed}", self.cells[entry.cell].name, entry.begins.words(), entry.strategy)

@@ -18,7 +18,7 @@ use crate::stop::Stop;
 
 /// How it went, which is no result.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Merged {
+pub(crate) struct Merged {
     /// Tasks that had no result and were worked out here.
     pub worked_out: usize,
     /// Questions of divided searches whose answers were there, and those that nobody had answered.
@@ -32,7 +32,7 @@ pub struct Merged {
 ///
 /// # Errors
 /// When something is missing, cannot be worked out, or cannot be written.
-pub fn merge(
+pub(crate) fn merge(
     folder: &Path,
     manifest: &Manifest,
     hosting: &Hosting,

@@ -15,17 +15,17 @@
 //! It knows nothing of what hands its tasks to machines: a shard is a number out of so many, a task has a name, and files are in one
 //! folder. Any queue can work with that.
 
-pub mod description;
-pub mod error;
-pub mod manifest;
-pub mod merge;
-pub mod part;
-pub mod plan;
-pub mod run;
-pub mod sealed;
-pub mod status;
-pub mod values;
-pub mod variants;
+pub(crate) mod description;
+pub(crate) mod error;
+pub(crate) mod manifest;
+pub(crate) mod merge;
+pub(crate) mod part;
+pub(crate) mod plan;
+pub(crate) mod run;
+pub(crate) mod sealed;
+pub(crate) mod status;
+pub(crate) mod values;
+pub(crate) mod variants;
 
-pub use error::CampaignError;
-pub use manifest::Manifest;
+pub(crate) use error::CampaignError;
+pub(crate) use manifest::Manifest;

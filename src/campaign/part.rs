@@ -25,7 +25,7 @@ use crate::stop::Stop;
 const AUTO_WORK: u64 = 600;
 
 /// Does tasks, one after the other. A cell is prepared once for those that follow each other.
-pub struct Runner<'a> {
+pub(crate) struct Runner<'a> {
     folder: &'a Path,
     manifest: &'a Manifest,
     hosting: &'a Hosting,
@@ -36,14 +36,14 @@ pub struct Runner<'a> {
 
 /// Where the result of a scan, from 0, is when all are put together, in the folder of the campaign.
 #[must_use]
-pub fn folder_of(scan: usize) -> PathBuf {
+pub(crate) fn folder_of(scan: usize) -> PathBuf {
     Path::new("scans").join(format!("{:04}", scan + 1))
 }
 
 impl<'a> Runner<'a> {
     /// For the tasks of this plan; `workers` threads search, which changes no result.
     #[must_use]
-    pub const fn new(
+    pub(crate) const fn new(
         folder: &'a Path,
         manifest: &'a Manifest,
         hosting: &'a Hosting,
@@ -57,7 +57,7 @@ impl<'a> Runner<'a> {
     ///
     /// # Errors
     /// When the cell cannot be simulated, or is not the one that was planned.
-    pub fn result(
+    pub(crate) fn result(
         &mut self,
         task: Task,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,

@@ -17,7 +17,7 @@ const MOST_SCANS: usize = 1_000_000;
 ///
 /// # Errors
 /// When the campaign file or a cell is wrong, or nothing can be written.
-pub fn plan(path: &Path, folder: &Path) -> Result<Manifest, CampaignError> {
+pub(crate) fn plan(path: &Path, folder: &Path) -> Result<Manifest, CampaignError> {
     let (description, text) = Description::read(path)?;
     std::fs::create_dir_all(folder).map_err(CampaignError::machine("make the folder", folder))?;
     let tool = tool();

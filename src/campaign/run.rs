@@ -13,7 +13,7 @@ use crate::stop::Stop;
 
 /// Which tasks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Which {
+pub(crate) enum Which {
     /// All of them.
     All,
     /// Those of a shard, from 1, of so many: every so manyth task, so that neighbours go to different shards.
@@ -36,7 +36,7 @@ pub enum Told<'a> {
 
 /// What became of the tasks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Ran {
+pub(crate) struct Ran {
     /// Done now.
     pub done: usize,
     /// Done before.
@@ -52,7 +52,7 @@ impl Which {
     ///
     /// # Errors
     /// When there is no task of a name.
-    pub fn tasks(&self, manifest: &Manifest) -> Result<Vec<Task>, CampaignError> {
+    pub(crate) fn tasks(&self, manifest: &Manifest) -> Result<Vec<Task>, CampaignError> {
         match self {
             Self::All => Ok(manifest.tasks()),
             Self::Shard(number, of) => {
@@ -68,7 +68,7 @@ impl Which {
 ///
 /// # Errors
 /// When a result cannot be written. What goes wrong in one task is told and hinders no other.
-pub fn run(
+pub(crate) fn run(
     folder: &Path,
     manifest: &Manifest,
     tasks: &[Task],

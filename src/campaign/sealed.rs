@@ -10,7 +10,7 @@ use super::CampaignError;
 use super::manifest::hash;
 
 /// Where results of tasks are, in the folder of the campaign.
-pub const TASKS: &str = "tasks";
+pub(crate) const TASKS: &str = "tasks";
 
 /// The first line of a result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ struct Seal {
 
 /// What there is of a task.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kept {
+pub(crate) enum Kept {
     /// Its result, and how long it took, s.
     Whole(Vec<u8>, f64),
     /// Something that is not its result.
@@ -36,7 +36,7 @@ pub enum Kept {
 
 /// Where the result of a task is.
 #[must_use]
-pub fn path(folder: &Path, task: &str) -> PathBuf {
+pub(crate) fn path(folder: &Path, task: &str) -> PathBuf {
     folder.join(TASKS).join(task)
 }
 
@@ -44,7 +44,7 @@ pub fn path(folder: &Path, task: &str) -> PathBuf {
 ///
 /// # Errors
 /// When it cannot be written.
-pub fn keep(folder: &Path, task: &str, bytes: &[u8], seconds: f64) -> Result<(), CampaignError> {
+pub(crate) fn keep(folder: &Path, task: &str, bytes: &[u8], seconds: f64) -> Result<(), CampaignError> {
     let seal = Seal { task: task.to_owned(), sha256: hash(bytes), seconds: (seconds * 1000.0).round() / 1000.0 };
     let mut all = serde_json::to_vec(&seal).map_err(|e| CampaignError::Ours(e.to_string()))?;
     all.push(b'\n');
@@ -54,7 +54,7 @@ pub fn keep(folder: &Path, task: &str, bytes: &[u8], seconds: f64) -> Result<(),
 
 /// What there is of a task.
 #[must_use]
-pub fn kept(folder: &Path, task: &str) -> Kept {
+pub(crate) fn kept(folder: &Path, task: &str) -> Kept {
     let Ok(mut bytes) = std::fs::read(path(folder, task)) else { return Kept::Missing };
     let Some(end) = bytes.iter().position(|&byte| byte == b'\n') else { return Kept::Damaged };
     let body = bytes.split_off(end + 1);
@@ -68,7 +68,7 @@ pub fn kept(folder: &Path, task: &str) -> Kept {
 ///
 /// # Errors
 /// When that cannot be done.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), CampaignError> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), CampaignError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     std::fs::create_dir_all(folder).map_err(CampaignError::machine("make the folder", folder))?;
     let written = tempfile::Builder::new().prefix(".writing-").tempfile_in(folder).and_then(|mut file| {

@@ -23,7 +23,7 @@ pub struct Status {
 
 /// Looks at every task.
 #[must_use]
-pub fn status(folder: &Path, manifest: &Manifest) -> Status {
+pub(crate) fn status(folder: &Path, manifest: &Manifest) -> Status {
     let mut status = Status::default();
     let mut names = BTreeSet::new();
     for task in manifest.tasks() {

@@ -10,7 +10,7 @@ const ROUND: f64 = 1e9;
 
 /// Without what binary fractions leave over.
 #[must_use]
-pub fn rounded(value: f64) -> f64 {
+pub(crate) fn rounded(value: f64) -> f64 {
     let rounded = (value * ROUND).round() / ROUND;
     // No minus in front of a zero.
     if rounded == 0.0 { 0.0 } else { rounded }
@@ -18,7 +18,7 @@ pub fn rounded(value: f64) -> f64 {
 
 /// `steps` values from `from` to `to`, both included.
 #[must_use]
-pub fn steps(from: f64, to: f64, steps: u32) -> Vec<f64> {
+pub(crate) fn steps(from: f64, to: f64, steps: u32) -> Vec<f64> {
     let last = f64::from(steps.max(2) - 1);
     (0..steps).map(|step| rounded(from + (to - from) * f64::from(step) / last)).collect()
 }
@@ -27,7 +27,7 @@ pub fn steps(from: f64, to: f64, steps: u32) -> Vec<f64> {
 ///
 /// # Errors
 /// What is wrong with it, for people.
-pub fn evaluate(text: &str, values: &Values) -> Result<f64, String> {
+pub(crate) fn evaluate(text: &str, values: &Values) -> Result<f64, String> {
     let mut reader = Reader { rest: text, values, depth: 0 };
     let value = reader.sum()?;
     reader.skip();
@@ -119,7 +119,7 @@ impl Reader<'_> {
 
 /// A value as it stands in names and tables.
 #[must_use]
-pub fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     format!("{}", rounded(value))
 }
 

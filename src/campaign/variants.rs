@@ -12,7 +12,7 @@ use crate::cell::file::files::named_from;
 use crate::cell::find::{OpenedCell, open};
 
 /// A cell of a campaign: what is scanned.
-pub struct Variant {
+pub(crate) struct Variant {
     /// The cell file, seen from the folder of the campaign.
     pub path: PathBuf,
     /// What is written there; nothing if it is one of the user's own.
@@ -30,7 +30,7 @@ pub struct Variant {
 ///
 /// # Errors
 /// When a cell cannot be opened, or `over` cannot be worked out.
-pub fn variants(description: &Description, path: &Path, folder: &Path) -> Result<Vec<Variant>, CampaignError> {
+pub(crate) fn variants(description: &Description, path: &Path, folder: &Path) -> Result<Vec<Variant>, CampaignError> {
     let beside = path.parent().unwrap_or(Path::new(""));
     let wrong =
         |what: String, help: &str| CampaignError::Description { path: path.to_owned(), what, help: help.to_owned() };

@@ -4,7 +4,7 @@
 //! `lookup` finds variables and converts their units, `robot` binds what moves a robot, `system` the connections between FMUs;
 //! `reading` is what is left of all that in a scan. [`alone`] is for FMUs without a cell.
 
-pub mod alone;
+pub(crate) mod alone;
 mod lookup;
 mod reading;
 mod robot;
@@ -85,7 +85,7 @@ pub enum SensorBinding {
 impl SensorBinding {
     /// Index of the input that it drives, if it drives one.
     #[must_use]
-    pub const fn input(&self) -> Option<usize> {
+    pub(crate) const fn input(&self) -> Option<usize> {
         match self {
             Self::Input(input) | Self::Both { input, .. } => Some(*input),
             Self::Output(_) => None,
@@ -94,13 +94,13 @@ impl SensorBinding {
 
     /// Whether the FMU evaluates it, wholly or in part.
     #[must_use]
-    pub const fn is_evaluated(&self) -> bool {
+    pub(crate) const fn is_evaluated(&self) -> bool {
         !matches!(self, Self::Input(_))
     }
 
     /// Whether the FMU itself reports somebody in a row of its outputs; `signal` is the sensor's own.
     #[must_use]
-    pub fn reports(&self, row: &[f64], signal: Signal) -> bool {
+    pub(crate) fn reports(&self, row: &[f64], signal: Signal) -> bool {
         match self {
             Self::Input(_) => false,
             Self::Output(reader) => signal.detects(reader.read(row)),
@@ -310,7 +310,7 @@ impl Binding {
     /// The column of an input that a sensor drives or that is held, and the value that it has while the sensor reports somebody, or
     /// that it is not held at: what `name` in the cell file means, a sensor or an FMU input.
     #[must_use]
-    pub fn command(&self, cell: &Workcell, name: &str) -> Option<(usize, f64)> {
+    pub(crate) fn command(&self, cell: &Workcell, name: &str) -> Option<(usize, f64)> {
         if let Some(sensor) = cell.sensors.iter().position(|sensor| sensor.name == name) {
             let column = self.sensors[sensor].input()?;
             return Some((column, cell.sensors[sensor].signal.value(true)));
@@ -350,7 +350,7 @@ impl Binding {
     /// Steps from the FMU's own start on after which every output follows from a step of the FMUs: the first, and as many
     /// more as connections hold values back.
     #[must_use]
-    pub fn settled_steps(&self) -> usize {
+    pub(crate) fn settled_steps(&self) -> usize {
         1 + self.connections.iter().map(|connection| connection.delay_steps).sum::<usize>()
     }
 
@@ -358,7 +358,7 @@ impl Binding {
     /// the robot: outputs after initialisation are often all 0. A speed that is worked out over such a jump is no speed.
     /// The first one after it stands in for it: it is as near in time as any that is known.
     #[must_use]
-    pub fn first_rows<'a>(
+    pub(crate) fn first_rows<'a>(
         &self,
         outputs: &'a [f64],
         before: Option<&[f64]>,
@@ -391,7 +391,7 @@ impl Binding {
 
     /// Of each output, whether it tells where robots are or how fast.
     #[must_use]
-    pub fn moves(&self) -> Vec<bool> {
+    pub(crate) fn moves(&self) -> Vec<bool> {
         let mut read = vec![false; self.outputs.len()];
         let mut take = |reader: &Reader| reader.outputs().for_each(|column| read[column] = true);
         for RobotBinding { motion, .. } in &self.robots {
@@ -414,7 +414,7 @@ impl Binding {
 
     /// Of each output, whether anything but programme phases is read from it: these name hazards, and harm nobody.
     #[must_use]
-    pub fn matters(&self) -> Vec<bool> {
+    pub(crate) fn matters(&self) -> Vec<bool> {
         let mut read = self.moves();
         let mut take = |reader: &Reader| reader.outputs().for_each(|column| read[column] = true);
         for RobotBinding { motion: _, payload, phase: _ } in &self.robots {

@@ -18,7 +18,7 @@ use crate::fmi::Causality;
 use crate::geometry::kinematics::Motion;
 
 /// Marks what has to be filled in.
-pub const TODO: &str = "# TODO";
+pub(crate) const TODO: &str = "# TODO";
 
 /// A guess with more confidence than this is not marked.
 const SURE: f64 = 0.95;

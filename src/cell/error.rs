@@ -35,7 +35,7 @@ pub struct CellError {
 impl CellError {
     /// This problem and `others` as one, in the order of the file, each once.
     #[must_use]
-    pub fn and(self, others: impl IntoIterator<Item = Self>) -> Box<Self> {
+    pub(crate) fn and(self, others: impl IntoIterator<Item = Self>) -> Box<Self> {
         let mut all: Vec<Self> = Vec::new();
         for mut other in std::iter::once(self).chain(others) {
             all.append(&mut other.others);
@@ -120,7 +120,7 @@ pub struct Source {
 
 /// A file that a cell file extends, by itself or by way of others.
 #[derive(Clone, Debug)]
-pub struct Base {
+pub(crate) struct Base {
     /// What it is called in messages.
     pub name: String,
     /// Its text.
@@ -132,7 +132,7 @@ pub struct Base {
 impl Base {
     /// SHA-256 of its text, lower-case hex.
     #[must_use]
-    pub fn sha256(&self) -> String {
+    pub(crate) fn sha256(&self) -> String {
         sha256(self.text.as_bytes())
     }
 }
@@ -152,7 +152,7 @@ impl Source {
 
     /// Another text in its place, which extends nothing.
     #[must_use]
-    pub fn with_text(&self, text: &str) -> Self {
+    pub(crate) fn with_text(&self, text: &str) -> Self {
         Self { text: text.to_owned(), bases: Vec::new(), ..self.clone() }
     }
 
@@ -165,7 +165,7 @@ impl Source {
 
     /// The files that it extends, the next first.
     #[must_use]
-    pub fn bases(&self) -> &[Base] {
+    pub(crate) fn bases(&self) -> &[Base] {
         &self.bases
     }
 
@@ -193,37 +193,37 @@ impl Source {
 
     /// The file of those that it extends that a place is in.
     #[must_use]
-    pub fn base_at(&self, offset: usize) -> Option<&Base> {
+    pub(crate) fn base_at(&self, offset: usize) -> Option<&Base> {
         self.part(offset).0.checked_sub(1).and_then(|number| self.bases.get(number))
     }
 
     /// The folder that its files are relative to.
     #[must_use]
-    pub fn folder(&self) -> &Path {
+    pub(crate) fn folder(&self) -> &Path {
         &self.folder
     }
 
     /// What it is called in messages.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
     /// The text.
     #[must_use]
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
     /// SHA-256 of the text, lower-case hex.
     #[must_use]
-    pub fn sha256(&self) -> String {
+    pub(crate) fn sha256(&self) -> String {
         sha256(self.text.as_bytes())
     }
 
     /// Line of a place in its file, from 1.
     #[must_use]
-    pub fn line(&self, offset: usize) -> usize {
+    pub(crate) fn line(&self, offset: usize) -> usize {
         let start = self.part(offset).1;
         let text = self.base_at(offset).map_or(&self.text, |base| &base.text);
         text.get(..offset - start).map_or(0, |before| before.matches('\n').count()) + 1
@@ -231,7 +231,7 @@ impl Source {
 
     /// Where the header `[name]` stands, or the first line if it does not.
     #[must_use]
-    pub fn table(&self, name: &str) -> Range<usize> {
+    pub(crate) fn table(&self, name: &str) -> Range<usize> {
         let header = format!("[{name}]");
         let found = self.parts().find_map(|(start, text)| Some(start + text.find(&header)?));
         found.map_or(0..0, |at| at..at + header.len())
@@ -239,7 +239,7 @@ impl Source {
 
     /// An error at `span` (a byte range; empty at 0 means the file as a whole and shows its first line).
     #[must_use]
-    pub fn error(
+    pub(crate) fn error(
         &self,
         span: Range<usize>,
         label: &str,
@@ -341,7 +341,7 @@ pub(super) fn display_name(path: &Path) -> String {
 
 /// The nearest of `candidates` to `word`, if near enough to be a slip.
 #[must_use]
-pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let score = |c: &str| strsim::jaro_winkler(&word.to_lowercase(), &c.to_lowercase());
     candidates
         .into_iter()

@@ -10,22 +10,22 @@
 //! - [`described`]: robots from a URDF
 //! - [`files`]: what a cell file names, read once and hashed
 
-pub mod accepted;
+pub(crate) mod accepted;
 mod checker;
 mod controls;
 mod criteria;
-pub mod described;
-pub mod extended;
-pub mod files;
+pub(crate) mod described;
+pub(crate) mod extended;
+pub(crate) mod files;
 mod following;
 pub mod format;
 mod inertias;
-pub mod layers;
+pub(crate) mod layers;
 mod limits;
 mod obstacles;
 mod people;
 mod plausible;
-pub mod reading;
+pub(crate) mod reading;
 mod robots;
 mod sensors;
 mod starts;

@@ -9,7 +9,7 @@ use crate::human::Arrangement;
 
 /// An output while it is in a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Band {
+pub(crate) struct Band {
     /// Number of the output among those that are followed.
     pub reading: usize,
     /// The least value in it.
@@ -26,7 +26,7 @@ impl Band {
 
 /// A straight way that an obstacle goes with an output, taken in steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moves {
+pub(crate) struct Moves {
     /// Number of the output among those that are followed.
     pub reading: usize,
     /// Which way, of length 1.
@@ -56,7 +56,7 @@ impl Moves {
 
 /// What follows.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Follower {
+pub(crate) enum Follower {
     /// An obstacle: when it is there, and where.
     Obstacle {
         /// It is not there when the output is not in this range; always, without one.
@@ -103,7 +103,7 @@ pub struct Following {
 impl Following {
     /// Obstacles, then sensors and controls; nothing if they have too many states together.
     #[must_use]
-    pub fn new(all: Vec<Follower>) -> Option<Self> {
+    pub(crate) fn new(all: Vec<Follower>) -> Option<Self> {
         let mut stride = 1_usize;
         let mut placed = Vec::with_capacity(all.len());
         for follower in all {
@@ -116,33 +116,33 @@ impl Following {
 
     /// Whether nothing does.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.all.is_empty()
     }
 
     /// In how many ways the obstacles may stand.
     #[must_use]
-    pub fn of_obstacles(&self) -> usize {
+    pub(crate) fn of_obstacles(&self) -> usize {
         let obstacles = self.all.iter().filter(|(follower, _)| matches!(follower, Follower::Obstacle { .. }));
         obstacles.map(|(follower, _)| follower.states()).product()
     }
 
     /// The arrangement with this number among those of the obstacles: every sensor counts.
     #[must_use]
-    pub fn standing(&self, arrangement: Arrangement) -> usize {
+    pub(crate) fn standing(&self, arrangement: Arrangement) -> usize {
         usize::from(arrangement.number()) % self.of_obstacles()
     }
 
     /// The arrangement by what the outputs read, each by its number.
     #[must_use]
-    pub fn arrangement(&self, read: impl Fn(usize) -> f64) -> Arrangement {
+    pub(crate) fn arrangement(&self, read: impl Fn(usize) -> f64) -> Arrangement {
         let number = self.all.iter().map(|(follower, stride)| usize::from(follower.state(&read)) * stride).sum();
         Self::numbered(number)
     }
 
     /// That with a number.
     #[must_use]
-    pub fn numbered(number: usize) -> Arrangement {
+    pub(crate) fn numbered(number: usize) -> Arrangement {
         Arrangement::new(u16::try_from(number).unwrap_or_default())
     }
 
@@ -153,7 +153,7 @@ impl Following {
 
     /// How far an obstacle is from where the cell file says it is, m; nothing if it is not there.
     #[must_use]
-    pub fn offset(&self, number: usize, arrangement: Arrangement) -> Option<Vec3> {
+    pub(crate) fn offset(&self, number: usize, arrangement: Arrangement) -> Option<Vec3> {
         let position = self.state(number, arrangement).checked_sub(1)?;
         match &self.all.get(number)?.0 {
             Follower::Obstacle { moves: Some(moves), .. } => Some(moves.offset(position)),
@@ -163,7 +163,7 @@ impl Following {
 
     /// The same arrangement without an obstacle.
     #[must_use]
-    pub fn without(&self, number: usize, arrangement: Arrangement) -> Arrangement {
+    pub(crate) fn without(&self, number: usize, arrangement: Arrangement) -> Arrangement {
         let state = usize::from(self.state(number, arrangement));
         let stride = self.all.get(number).map_or(0, |(_, stride)| *stride);
         Self::numbered(usize::from(arrangement.number()) - state * stride)
@@ -176,19 +176,19 @@ impl Following {
 
     /// Whether there are times at which a sensor does not count.
     #[must_use]
-    pub fn has_sensor(&self, sensor: usize) -> bool {
+    pub(crate) fn has_sensor(&self, sensor: usize) -> bool {
         self.of_sensor(sensor).is_some()
     }
 
     /// Whether a sensor counts.
     #[must_use]
-    pub fn counts(&self, sensor: usize, arrangement: Arrangement) -> bool {
+    pub(crate) fn counts(&self, sensor: usize, arrangement: Arrangement) -> bool {
         self.of_sensor(sensor).is_none_or(|number| self.state(number, arrangement) == 0)
     }
 
     /// Whether a control can be worked.
     #[must_use]
-    pub fn lets_work(&self, control: usize, arrangement: Arrangement) -> bool {
+    pub(crate) fn lets_work(&self, control: usize, arrangement: Arrangement) -> bool {
         let number =
             self.all.iter().position(|(follower, _)| matches!(follower, Follower::Control(of, _) if *of == control));
         number.is_none_or(|number| self.state(number, arrangement) == 0)

@@ -9,6 +9,6 @@
 pub(super) mod gltf;
 pub(super) mod mesh;
 pub(super) mod packages;
-pub mod ssp;
+pub(crate) mod ssp;
 pub(super) mod urdf;
 mod xml;

@@ -50,7 +50,7 @@ enum Turn {
 
 /// Something to turn, and how far.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Knob {
+pub(crate) struct Knob {
     turn: Turn,
     /// Name of the sensor, box or robot, as people know it.
     name: String,
@@ -80,7 +80,7 @@ const LONGEST: u32 = 100;
 
 /// Who could be hit by what: which way is away.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Encounter {
+pub(crate) struct Encounter {
     /// Where the person stands, floor plan, m.
     pub person_m: [f64; 2],
     /// The robot that hits.
@@ -89,7 +89,7 @@ pub struct Encounter {
 
 /// What can be turned in a cell, and what its file keeps from being turned.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Knobs {
+pub(crate) struct Knobs {
     /// What can, the more usual first.
     pub turned: Vec<Knob>,
     /// What cannot, with the reason.
@@ -114,7 +114,7 @@ impl Knobs {
 
     /// Everything in a cell that can be turned against `encounter`. `text` is its file.
     #[must_use]
-    pub fn of(cell: &Workcell, text: &Table, units: &[BoundUnit<'_>], encounter: &Encounter) -> Self {
+    pub(crate) fn of(cell: &Workcell, text: &Table, units: &[BoundUnit<'_>], encounter: &Encounter) -> Self {
         let mut knobs = Self::default();
         let explain = &cell.file().explain;
         let parameters = parameters(text, units);
@@ -322,31 +322,31 @@ fn with_unit(value: f64, unit: &str) -> String {
 impl Knob {
     /// What the cell file allows, if the steps end there.
     #[must_use]
-    pub fn end(&self) -> Option<&str> {
+    pub(crate) fn end(&self) -> Option<&str> {
         self.room.end.as_deref()
     }
 
     /// Whether it is a parameter of an FMU that may be about a safeguard: no speed.
     #[must_use]
-    pub const fn may_set_a_safeguard(&self) -> bool {
+    pub(crate) const fn may_set_a_safeguard(&self) -> bool {
         matches!(self.turn, Turn::Length { .. } | Turn::Time { .. } | Turn::Flip { .. })
     }
 
     /// Whether it is a time.
     #[must_use]
-    pub const fn is_time(&self) -> bool {
+    pub(crate) const fn is_time(&self) -> bool {
         matches!(self.turn, Turn::Time { .. })
     }
 
     /// How much slower it makes something: the part of its speed that is left after so many steps.
     #[must_use]
-    pub fn speed_left(&self, steps: u32) -> Option<f64> {
+    pub(crate) fn speed_left(&self, steps: u32) -> Option<f64> {
         matches!(self.turn, Turn::Slower { .. }).then(|| 1.0 - self.amount(steps))
     }
 
     /// How much farther away so many steps move a robot, m; nothing for other knobs.
     #[must_use]
-    pub fn farther_m(&self, steps: u32) -> f64 {
+    pub(crate) fn farther_m(&self, steps: u32) -> f64 {
         if matches!(self.turn, Turn::FartherRobot { .. }) { self.amount(steps) } else { 0.0 }
     }
 
@@ -357,7 +357,7 @@ impl Knob {
 
     /// The cell file with this turned by so many steps; nothing if the file is not as expected.
     #[must_use]
-    pub fn turned(&self, text: &Table, steps: u32) -> Option<Table> {
+    pub(crate) fn turned(&self, text: &Table, steps: u32) -> Option<Table> {
         let amount = self.amount(steps);
         let mut text = text.clone();
         match &self.turn {
@@ -427,7 +427,7 @@ impl Knob {
 
     /// What turning it by so many steps means, in words.
     #[must_use]
-    pub fn words(&self, steps: u32) -> String {
+    pub(crate) fn words(&self, steps: u32) -> String {
         let (name, amount) = (&self.name, self.amount(steps));
         match &self.turn {
             Turn::Slower { unit, .. } | Turn::Length { unit, .. } | Turn::Time { unit, .. } => {

@@ -17,10 +17,10 @@ pub mod draft;
 pub mod error;
 pub mod file;
 pub mod find;
-pub mod following;
-pub mod foreign;
+pub(crate) mod following;
+pub(crate) mod foreign;
 mod hash;
-pub mod knob;
+pub(crate) mod knob;
 pub mod looks;
 pub mod workcell;
 
@@ -30,7 +30,7 @@ pub(crate) use hash::sha256;
 pub use workcell::{Control, Sensor, Workcell, Zone};
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
-pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
+pub(crate) const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
 
 /// The JSON Schema of the cell file (draft 2020-12), for editors.
 #[must_use]

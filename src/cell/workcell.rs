@@ -158,7 +158,7 @@ impl Beginning {
     /// Time from the FMU's own start until the person begins, s.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
-    pub fn begins_s(&self, step_s: f64) -> f64 {
+    pub(crate) fn begins_s(&self, step_s: f64) -> f64 {
         self.lead_in_steps as f64 * step_s
     }
 }
@@ -321,7 +321,7 @@ impl Signal {
 
     /// Whether a value says that somebody is detected. Of a number, all but the one that says that nobody is.
     #[must_use]
-    pub fn detects(self, value: f64) -> bool {
+    pub(crate) fn detects(self, value: f64) -> bool {
         match self {
             Self::Boolean { active } => (value != 0.0) == active,
             Self::Number { clear, .. } => value.partial_cmp(&clear) != Some(std::cmp::Ordering::Equal),
@@ -330,7 +330,7 @@ impl Signal {
 
     /// The keys of a cell file in which it is the other way round.
     #[must_use]
-    pub fn turned(self) -> String {
+    pub(crate) fn turned(self) -> String {
         match self {
             Self::Boolean { active } => format!("active = {}", !active),
             Self::Number { clear, detected } => {
@@ -420,7 +420,7 @@ pub enum Zone {
 impl Zone {
     /// The plane that arms do not pass unseen, and for a two-hand control, where its operator stands.
     #[must_use]
-    pub fn plane(&self) -> Option<(&Cuboid, Option<&[[f64; 2]]>)> {
+    pub(crate) fn plane(&self) -> Option<(&Cuboid, Option<&[[f64; 2]]>)> {
         match self {
             Self::Curtain(plane) | Self::Door(plane) => Some((plane, None)),
             Self::TwoHand { post, plane } => Some((plane, Some(post))),
@@ -432,20 +432,20 @@ impl Zone {
 impl Workcell {
     /// Controls that open and close doors.
     #[must_use]
-    pub fn doors(&self) -> Presses {
+    pub(crate) fn doors(&self) -> Presses {
         let doors = self.controls.iter().enumerate().filter(|(_, control)| control.door);
         doors.fold(Presses::NONE, |doors, (number, _)| doors.and(Presses::one(number)))
     }
 
     /// What the people are called, where there are two.
     #[must_use]
-    pub fn names(&self) -> Option<&[String; 2]> {
+    pub(crate) fn names(&self) -> Option<&[String; 2]> {
         self.second.as_ref().map(|second| &second.names)
     }
 
     /// Who is called so; nobody, where there is no such name, and the only person, where there is one.
     #[must_use]
-    pub fn who(&self, name: Option<&str>) -> Option<Who> {
+    pub(crate) fn who(&self, name: Option<&str>) -> Option<Who> {
         match &self.second {
             None => Some(Who::First),
             Some(second) => Who::ALL.into_iter().find(|who| name == Some(second.names[*who as usize].as_str())),
@@ -462,19 +462,19 @@ impl Workcell {
 
     /// How far what the person holds reaches beyond the finger tips, m, if they hold something.
     #[must_use]
-    pub fn holds_m(&self) -> Option<f64> {
+    pub(crate) fn holds_m(&self) -> Option<f64> {
         Some(self.held_m).filter(|held_m| *held_m > 0.0)
     }
 
     /// The person's arm, with what it holds.
     #[must_use]
-    pub fn arm(&self) -> ArmModel {
+    pub(crate) fn arm(&self) -> ArmModel {
         ArmModel::holding(self.held_m)
     }
 
     /// Where an obstacle is while things stand so that follow the FMU; nothing if it is not there.
     #[must_use]
-    pub fn amid(&self, obstacle: &Obstacle, arrangement: Arrangement) -> Option<Cuboid> {
+    pub(crate) fn amid(&self, obstacle: &Obstacle, arrangement: Arrangement) -> Option<Cuboid> {
         let Obstacle { cuboid, follows, .. } = obstacle;
         let Some(number) = follows else { return Some(*cuboid) };
         let offset = self.following.offset(*number, arrangement)?;
@@ -484,7 +484,7 @@ impl Workcell {
     /// What is in the way while some doors are open and things stand so that follow the FMU, in the order of the obstacles: each keeps
     /// its number.
     #[must_use]
-    pub fn standing(&self, open: Presses, arrangement: Arrangement) -> Vec<Cuboid> {
+    pub(crate) fn standing(&self, open: Presses, arrangement: Arrangement) -> Vec<Cuboid> {
         let below = |cuboid: &Cuboid| Cuboid { centre: cuboid.centre - Vec3::Z * OUT_OF_THE_WAY_M, ..*cuboid };
         let is_open = |obstacle: &Obstacle| obstacle.opened_by.is_some_and(|control| open.has(control));
         let where_it_is = |obstacle: &Obstacle| match self.amid(obstacle, arrangement) {
@@ -497,21 +497,21 @@ impl Workcell {
     /// Communication steps after which arms are anywhere, where they take their time.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred steps at most")]
-    pub fn raising_steps(&self) -> Option<usize> {
+    pub(crate) fn raising_steps(&self) -> Option<usize> {
         let farthest_m = self.arm().farthest_from_hanging_m();
         self.arm_speed_m_s.map(|speed| (farthest_m / (speed * self.step_s)).ceil() as usize)
     }
 
     /// Whether nothing but the transient force counts as unsafe.
     #[must_use]
-    pub fn judges_by_force_alone(&self) -> bool {
+    pub(crate) fn judges_by_force_alone(&self) -> bool {
         let force = Criteria::default().with_speed(self.criteria.speed());
         self.criteria == force && self.separation.is_none()
     }
 
     /// A floor that ends where people may not be, and that they enter where they come from; nothing, where there is no time for it.
     #[must_use]
-    pub fn bounded(&self, floor: Floor, stop: &Stop) -> Option<Floor> {
+    pub(crate) fn bounded(&self, floor: Floor, stop: &Stop) -> Option<Floor> {
         let floor = match &self.floor {
             Some(polygon) => floor.bounded_by(polygon, stop)?,
             None => floor,
@@ -524,7 +524,7 @@ impl Workcell {
 
     /// Links whose pressure is not known, where that counts: their names, each once.
     #[must_use]
-    pub fn links_of_unknown_pressure(&self) -> Vec<&str> {
+    pub(crate) fn links_of_unknown_pressure(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         let unknown = self.links.iter().filter(|link| self.criteria.pressure && link.contact.surface.is_none());
         for link in unknown {
@@ -543,19 +543,19 @@ impl Workcell {
 
     /// Communication steps from the FMU's own start until the person begins.
     #[must_use]
-    pub fn lead_in_steps(&self) -> usize {
+    pub(crate) fn lead_in_steps(&self) -> usize {
         self.beginnings[self.beginning].lead_in_steps
     }
 
     /// Time from the FMU's own start until the person begins, s.
     #[must_use]
-    pub fn begins_s(&self) -> f64 {
+    pub(crate) fn begins_s(&self) -> f64 {
         self.beginnings[self.beginning].begins_s(self.step_s)
     }
 
     /// The same with another of its beginnings, which there must be.
     #[must_use]
-    pub fn beginning_at(mut self, number: usize) -> Self {
+    pub(crate) fn beginning_at(mut self, number: usize) -> Self {
         self.beginning = number;
         self.start = self.beginnings[number].start;
         self

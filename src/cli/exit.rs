@@ -8,51 +8,51 @@ use crate::cell::error::OpenError;
 use crate::scan::{PrepareError, ScanError};
 
 /// No hazard, with nothing open that this needs; or the command did what it was asked.
-pub const NO_HAZARD: u8 = 0;
+pub(crate) const NO_HAZARD: u8 = 0;
 /// At least one hazard was found.
-pub const HAZARDS: u8 = 1;
+pub(crate) const HAZARDS: u8 = 1;
 /// The command line, the cell file or the FMU file cannot be used.
-pub const UNUSABLE: u8 = 2;
+pub(crate) const UNUSABLE: u8 = 2;
 /// The FMU failed while running.
-pub const FMU_FAILED: u8 = 3;
+pub(crate) const FMU_FAILED: u8 = 3;
 /// Nothing was found, and it is not shown that there is nothing.
-pub const INCONCLUSIVE: u8 = 4;
+pub(crate) const INCONCLUSIVE: u8 = 4;
 /// Stopped by the user.
-pub const INTERRUPTED: u8 = 130;
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// The same for `--help`.
 pub(super) const HELP: &str = "Exit codes: 0 no hazard, with nothing open that this needs; 1 hazards found; 2 usage, cell file or FMU file error; \
 3 the FMU failed while running; 4 nothing found, and not shown that there is nothing (the result says why); 130 interrupted";
 
 /// A failure with its exit code.
-pub struct Failure {
+pub(crate) struct Failure {
     code: u8,
     report: miette::Report,
 }
 
 impl Failure {
     /// A failure of the given class.
-    pub fn new(code: u8, error: impl Diagnostic + Send + Sync + 'static) -> Self {
+    pub(crate) fn new(code: u8, error: impl Diagnostic + Send + Sync + 'static) -> Self {
         Self { code, report: error.into() }
     }
 
     /// Something is wrong with what the user gave.
-    pub fn unusable(message: impl std::fmt::Display) -> Self {
+    pub(crate) fn unusable(message: impl std::fmt::Display) -> Self {
         Self { code: UNUSABLE, report: miette::miette!("{message}") }
     }
 
     /// The FMU failed while it ran.
-    pub fn running(message: impl std::fmt::Display) -> Self {
+    pub(crate) fn running(message: impl std::fmt::Display) -> Self {
         Self { code: FMU_FAILED, report: miette::miette!("{message}") }
     }
 
     /// The same, with what to do about it.
-    pub fn running_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+    pub(crate) fn running_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
         Self { code: FMU_FAILED, report: miette::miette!(help = help.to_string(), "{message}") }
     }
 
     /// Something is wrong with what the user gave, with what to do about it.
-    pub fn unusable_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+    pub(crate) fn unusable_with_help(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
         Self { code: UNUSABLE, report: miette::miette!(help = help.to_string(), "{message}") }
     }
 

@@ -1,5 +1,7 @@
 //! The command line: one file a subcommand, thin. Results go to stdout, everything else to stderr.
 
+#![allow(rustdoc::invalid_html_tags, reason = "what is documented of arguments is their help, which is no HTML")]
+
 mod anywhere;
 mod beginnings;
 mod bench;
@@ -14,7 +16,7 @@ mod distance;
 mod earlier;
 mod events;
 mod examples;
-pub mod exit;
+pub(crate) mod exit;
 mod explain;
 mod help;
 mod hosting;

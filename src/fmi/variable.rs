@@ -218,12 +218,6 @@ impl Handle {
             discrete: variable.variability != Variability::Continuous,
         }
     }
-
-    /// A scalar variable that may change at any time.
-    #[must_use]
-    pub const fn scalar(value_reference: u32, scalar: Scalar) -> Self {
-        Self { value_reference, scalar, offset: 0, count: 1, discrete: false }
-    }
 }
 
 impl Variable {

@@ -40,11 +40,11 @@ const LARGEST: usize = 12;
 
 /// Filling a body takes too many cells, or boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooMany;
+pub(crate) struct TooMany;
 
 /// Parts that have no corner in common, in the order of their first triangles.
 #[must_use]
-pub fn parts(all: &Triangles) -> Vec<Triangles> {
+pub(crate) fn parts(all: &Triangles) -> Vec<Triangles> {
     fn root(of: &mut [u32], mut corner: u32) -> u32 {
         while of[corner as usize] != corner {
             of[corner as usize] = of[of[corner as usize] as usize];
@@ -99,7 +99,7 @@ fn extent(body: &Triangles, body_from_axes: Rotation) -> (Vec3, Vec3) {
 
 /// The box that a body is, if it is one: closed, with every triangle in one of the box's faces; or flat, a rectangle.
 #[must_use]
-pub fn as_box(body: &Triangles) -> Option<Cuboid> {
+pub(crate) fn as_box(body: &Triangles) -> Option<Cuboid> {
     let closed = body.closed().is_ok();
     frames(body).into_iter().find_map(|frame| {
         let (low, high) = extent(body, frame);
@@ -198,7 +198,7 @@ impl Grid {
 ///
 /// # Errors
 /// When that takes more cells than can be looked at, or more than `most` boxes.
-pub fn inside(surface: &Surface, resolution: f64, most: usize) -> Result<(Vec<Cuboid>, f64), TooMany> {
+pub(crate) fn inside(surface: &Surface, resolution: f64, most: usize) -> Result<(Vec<Cuboid>, f64), TooMany> {
     let body = surface.triangles();
     let volume = |frame: &Rotation| {
         let (low, high) = extent(body, *frame);

@@ -8,7 +8,7 @@ use super::Vec3;
 ///
 /// # Errors
 /// When the file cannot be written.
-pub fn serialize<S: Serializer>(point: &Vec3, to: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn serialize<S: Serializer>(point: &Vec3, to: S) -> Result<S::Ok, S::Error> {
     point.to_array().serialize(to)
 }
 
@@ -16,6 +16,6 @@ pub fn serialize<S: Serializer>(point: &Vec3, to: S) -> Result<S::Ok, S::Error> 
 ///
 /// # Errors
 /// When there are no three numbers.
-pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec3, D::Error> {
+pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec3, D::Error> {
     <[f64; 3]>::deserialize(from).map(Vec3::from_array)
 }

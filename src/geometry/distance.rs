@@ -19,7 +19,7 @@ pub struct Closest {
 
 /// Parameter in `[0, 1]` of the point of the segment `a + t (b - a)` nearest to `point`; 0 for a segment of no length.
 #[must_use]
-pub fn point_segment_parameter(point: Vec3, a: Vec3, b: Vec3) -> f64 {
+pub(crate) fn point_segment_parameter(point: Vec3, a: Vec3, b: Vec3) -> f64 {
     worked(1);
     let along = b - a;
     let length_squared = along.dot(along);
@@ -39,7 +39,7 @@ pub fn point_segment(point: Vec3, a: Vec3, b: Vec3) -> Closest {
 /// side, and the best of the four is taken. Nearly parallel segments compare both, because the feet are then badly
 /// conditioned.
 #[must_use]
-pub fn segment_segment_parameters(p: Vec3, q: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
+pub(crate) fn segment_segment_parameters(p: Vec3, q: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
     worked(1);
     let (u, v, w) = (q - p, b - a, p - a);
     let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));

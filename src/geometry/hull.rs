@@ -30,7 +30,7 @@ pub struct Hull {
 impl Hull {
     /// The convex hull of points in the link's own frame, not yet moved; `None` when they do not span a volume.
     #[must_use]
-    pub fn from_points(points: &[Vec3]) -> Option<Self> {
+    pub(crate) fn from_points(points: &[Vec3]) -> Option<Self> {
         Polyhedron::around(points).map(|shape| Self::new(Arc::new(shape)))
     }
 
@@ -40,7 +40,7 @@ impl Hull {
     }
 
     /// The slabs that it is cut into, where they stand: they hold it, and a millimetre more at most; none of a hull of few corners.
-    pub fn slabs(&self) -> impl Iterator<Item = Self> {
+    pub(crate) fn slabs(&self) -> impl Iterator<Item = Self> {
         let slab = |shape: &Arc<Polyhedron>| Self {
             shape: Arc::clone(shape),
             slabs: Slabs::default(),
@@ -54,37 +54,37 @@ impl Hull {
 
     /// Whether it has so many corners that it is cut into slabs, or is one of them.
     #[must_use]
-    pub const fn is_cut(&self) -> bool {
+    pub(crate) const fn is_cut(&self) -> bool {
         self.is_cut
     }
 
     /// How far it reaches along a direction, from the origin, m: nothing of it is beyond.
     #[must_use]
-    pub fn reach_along(&self, direction: Vec3) -> f64 {
+    pub(crate) fn reach_along(&self, direction: Vec3) -> f64 {
         let along = self.shape.reach(self.pose.rotation.inverse() * direction);
         along + direction.dot(self.pose.translation) + self.margin_m
     }
 
     /// The corner that is outermost along a direction, without what it is grown by.
     #[must_use]
-    pub fn outermost(&self, direction: Vec3) -> Vec3 {
+    pub(crate) fn outermost(&self, direction: Vec3) -> Vec3 {
         self.pose * self.shape.support(self.pose.rotation.inverse() * direction)
     }
 
     /// Its corners, without what it is grown by.
-    pub fn corners(&self) -> impl Iterator<Item = Vec3> {
+    pub(crate) fn corners(&self) -> impl Iterator<Item = Vec3> {
         self.shape.corners().iter().map(|corner| self.pose * *corner)
     }
 
     /// What it is grown by, m.
     #[must_use]
-    pub const fn margin_m(&self) -> f64 {
+    pub(crate) const fn margin_m(&self) -> f64 {
         self.margin_m
     }
 
     /// The polyhedron in its own frame.
     #[must_use]
-    pub fn shape(&self) -> &ConvexPolyhedron {
+    pub(crate) fn shape(&self) -> &ConvexPolyhedron {
         self.shape.convex()
     }
 
@@ -164,7 +164,7 @@ impl Hull {
 
     /// What of the segment between `a` and `b` is inside, of one that meets the hull: its ends.
     #[must_use]
-    pub fn inside(&self, a: Vec3, b: Vec3) -> [Vec3; 2] {
+    pub(crate) fn inside(&self, a: Vec3, b: Vec3) -> [Vec3; 2] {
         let [from, to] = [a, b].map(|end| self.pose.inverse_transform_point(end));
         let [enters, leaves] = self.shape.inside(from, to, self.margin_m);
         [enters, leaves].map(|part| a + (b - a) * part)

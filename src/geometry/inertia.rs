@@ -40,7 +40,7 @@ pub struct Inertia {
 
 impl Inertia {
     /// Nothing.
-    pub const NONE: Self = Self { mass_kg: 0.0, centre: Vec3::ZERO, tensor: Matrix3::ZERO };
+    pub(crate) const NONE: Self = Self { mass_kg: 0.0, centre: Vec3::ZERO, tensor: Matrix3::ZERO };
 
     /// All mass in one point.
     #[must_use]
@@ -50,14 +50,14 @@ impl Inertia {
 
     /// With the moments xx, yy, zz and products xy, xz, yz about the centre of mass: the entries of the tensor.
     #[must_use]
-    pub const fn new(mass_kg: f64, centre: Vec3, [xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Self {
+    pub(crate) const fn new(mass_kg: f64, centre: Vec3, [xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Self {
         let tensor = Matrix3::from_cols(Vec3::new(xx, xy, xz), Vec3::new(xy, yy, yz), Vec3::new(xz, yz, zz));
         Self { mass_kg, centre, tensor }
     }
 
     /// The same seen from another frame.
     #[must_use]
-    pub fn placed(&self, other_from_this: Pose) -> Self {
+    pub(crate) fn placed(&self, other_from_this: Pose) -> Self {
         let turned = Matrix3::from_quat(other_from_this.rotation);
         Self {
             mass_kg: self.mass_kg,
@@ -68,7 +68,7 @@ impl Inertia {
 
     /// Both as one body.
     #[must_use]
-    pub fn with(&self, other: &Self) -> Self {
+    pub(crate) fn with(&self, other: &Self) -> Self {
         let mass_kg = self.mass_kg + other.mass_kg;
         if mass_kg <= 0.0 {
             return Self::NONE;
@@ -86,14 +86,14 @@ impl Inertia {
 
     /// Whether turning it takes energy about every axis, or none.
     #[must_use]
-    pub fn is_semidefinite(&self) -> bool {
+    pub(crate) fn is_semidefinite(&self) -> bool {
         is_semidefinite(&self.tensor, ROUNDED * trace(&self.tensor))
     }
 
     /// Whether any spread of mass has this tensor: no principal moment is greater than both others together. That is so where
     /// the second moments of mass, `tr(I)/2 - I`, are no less than zero in any direction.
     #[must_use]
-    pub fn is_of_a_body(&self) -> bool {
+    pub(crate) fn is_of_a_body(&self) -> bool {
         let sum = trace(&self.tensor);
         let spread = Matrix3::from_diagonal(Vec3::splat(0.5 * sum)) - self.tensor;
         is_semidefinite(&spread, ROUNDED * sum)
@@ -135,7 +135,7 @@ pub struct Masses {
 impl Masses {
     /// Of joints that each move by themselves.
     #[cfg(test)]
-    pub fn free(bodies: Vec<Inertia>) -> Self {
+    pub(crate) fn free(bodies: Vec<Inertia>) -> Self {
         let drives = (0..bodies.len()).map(|coordinate| Some(Drive { coordinate, factor: 1.0 })).collect();
         Self { bodies, drives }
     }

@@ -15,7 +15,7 @@ const NARROW_M: f64 = 0.05;
 
 /// Walls with those made one that are a box together: panels of a fence.
 #[must_use]
-pub fn merged(walls: &[Cuboid]) -> Vec<Cuboid> {
+pub(crate) fn merged(walls: &[Cuboid]) -> Vec<Cuboid> {
     let mut all = walls.to_vec();
     loop {
         let mut pairs = (1..all.len()).flat_map(|n| (0..n).map(move |m| (m, n)));
@@ -33,7 +33,7 @@ pub fn merged(walls: &[Cuboid]) -> Vec<Cuboid> {
 
 /// Boxes that lie in the union of two walls which adjoin, and in neither.
 #[must_use]
-pub fn joined(walls: &[Cuboid]) -> Vec<Cuboid> {
+pub(crate) fn joined(walls: &[Cuboid]) -> Vec<Cuboid> {
     let pairs = (1..walls.len()).flat_map(|n| (0..n).map(move |m| (n, m)));
     pairs.filter_map(|(n, m)| joined_two(&walls[n], &walls[m])).collect()
 }
@@ -44,7 +44,7 @@ fn volume(o: &Cuboid) -> f64 {
 
 /// The box in the union of two walls that goes on where one of them ends, if they adjoin in a plane.
 #[must_use]
-pub fn joined_two(a: &Cuboid, b: &Cuboid) -> Option<Cuboid> {
+pub(crate) fn joined_two(a: &Cuboid, b: &Cuboid) -> Option<Cuboid> {
     let from_a = |v: Vec3| [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| (a.rotation * axis).dot(v));
     // How far the second goes along each axis of the first.
     let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| from_a(b.rotation * axis));

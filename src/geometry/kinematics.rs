@@ -56,13 +56,13 @@ impl Twist {
 
     /// The same seen by somebody who moves at `velocity`, m/s.
     #[must_use]
-    pub fn seen_from(&self, velocity: Vec3) -> Self {
+    pub(crate) fn seen_from(&self, velocity: Vec3) -> Self {
         Self { angular: self.angular, linear_at_origin: self.linear_at_origin - velocity }
     }
 
     /// No body's point among these is faster, m/s: `|v + w x d| <= |v| + v/|v| (w x d) + |w x d|^2 / (2 |v|)`.
     #[must_use]
-    pub fn speed_bound(&self, points: &Neighbourhood<'_>) -> f64 {
+    pub(crate) fn speed_bound(&self, points: &Neighbourhood<'_>) -> f64 {
         let velocity = self.velocity_at(points.centre);
         let (speed, across) = (velocity.length(), self.angular.length() * points.radius);
         let (Some(unit), Some(along)) = (velocity.try_normalize(), points.along) else { return speed + across };
@@ -86,7 +86,7 @@ pub struct Neighbourhood<'a> {
 impl Neighbourhood<'_> {
     /// A ball.
     #[must_use]
-    pub const fn ball(centre: Vec3, radius: f64) -> Self {
+    pub(crate) const fn ball(centre: Vec3, radius: f64) -> Self {
         Self { centre, radius, along: None }
     }
 }
@@ -127,7 +127,7 @@ impl PlacedTree<'_> {
     /// carries it, else zero (Siciliano et al., *Robotics*, 3.1.3, taken at the world origin so that one Jacobian serves
     /// every point of the link).
     #[must_use]
-    pub fn jacobian(&self, link: usize) -> Matrix6xX<f64> {
+    pub(crate) fn jacobian(&self, link: usize) -> Matrix6xX<f64> {
         let mut jacobian = Matrix6xX::zeros(self.axes.len());
         let mut next = Some(link);
         while let Some(i) = next {
@@ -146,7 +146,7 @@ impl PlacedTree<'_> {
     /// farther from where it is here, m, while no joint's position differs by more than `by`, rad or m. A lever changes by no more than
     /// that itself: with levers `l` it is `sum(l by) / (1 - sum(by))`, sums over joints that turn; infinite where they turn by a radian.
     #[must_use]
-    pub fn moves_m(&self, link: usize, (a, b): (Vec3, Vec3), radius_m: f64, by: &[f64]) -> f64 {
+    pub(crate) fn moves_m(&self, link: usize, (a, b): (Vec3, Vec3), radius_m: f64, by: &[f64]) -> f64 {
         let (mut moves_m, mut turned, mut next) = (0.0, 0.0, Some(link));
         while let Some(i) = next {
             match self.joints[i].motion {

@@ -29,19 +29,19 @@ const FEW: usize = 200;
 impl Mesh {
     /// A surface placed by `world_from_local`.
     #[must_use]
-    pub const fn new(surface: Arc<Surface>, world_from_local: Pose) -> Self {
+    pub(crate) const fn new(surface: Arc<Surface>, world_from_local: Pose) -> Self {
         Self { surface, pose: world_from_local, margin_m: 0.0 }
     }
 
     /// The surface in its own frame.
     #[must_use]
-    pub fn surface(&self) -> &Surface {
+    pub(crate) fn surface(&self) -> &Surface {
         &self.surface
     }
 
     /// `world_from_local` of the surface.
     #[must_use]
-    pub const fn pose(&self) -> Pose {
+    pub(crate) const fn pose(&self) -> Pose {
         self.pose
     }
 

@@ -10,26 +10,26 @@
 //! - [`kinematics`]: where links are, and how fast; [`inertia`]: how heavy, for whoever is hit by a point of them
 //! - [`sampled`]: the surface of a link as points
 
-pub mod boxes;
+pub(crate) mod boxes;
 mod coarse;
-pub mod coordinates;
+pub(crate) mod coordinates;
 pub mod distance;
 mod facing;
-pub mod hull;
-pub mod inertia;
-pub mod joined;
+pub(crate) mod hull;
+pub(crate) mod inertia;
+pub(crate) mod joined;
 pub mod kinematics;
-pub mod mesh;
-pub mod polygon;
+pub(crate) mod mesh;
+pub(crate) mod polygon;
 mod polyhedron;
-pub mod sampled;
+pub(crate) mod sampled;
 pub mod segment_cuboid;
-pub mod shape;
+pub(crate) mod shape;
 mod slabs;
 mod slices;
-pub mod solid;
-pub mod surface;
-pub mod triangle;
+pub(crate) mod solid;
+pub(crate) mod surface;
+pub(crate) mod triangle;
 
 #[cfg(test)]
 #[path = "../../tests/suite/common/meshes.rs"]
@@ -39,11 +39,11 @@ pub(crate) mod test_meshes;
 pub use distance::Closest;
 pub use hull::Hull;
 pub use inertia::{Inertia, Masses};
-pub use mesh::Mesh;
+pub(crate) use mesh::Mesh;
 pub use parry3d_f64::math::{Matrix as Matrix3, Pose, Rotation, Vector as Vec3};
 pub use shape::{Capsule, Cuboid};
 pub use solid::Solid;
-pub use surface::Surface;
+pub(crate) use surface::Surface;
 
 /// Rotation by `angle` radians about the unit vector `axis` (right-hand rule), with `libm` trigonometry so that the
 /// bits do not depend on the machine.
@@ -55,6 +55,6 @@ pub fn rotation_about(axis: Vec3, angle: f64) -> Rotation {
 
 /// Rotation for roll, pitch, yaw in radians about the fixed x, y and z axes (the URDF convention).
 #[must_use]
-pub fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
+pub(crate) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
     rotation_about(Vec3::Z, yaw) * rotation_about(Vec3::Y, pitch) * rotation_about(Vec3::X, roll)
 }

@@ -5,7 +5,7 @@ use super::distance::{point_segment, segment_segment};
 
 /// Whether a point is inside, by the even-odd rule; points exactly on a left or lower edge are.
 #[must_use]
-pub fn contains(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+pub(crate) fn contains(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let mut inside = false;
     for ([x1, y1], [x2, y2]) in edges(polygon) {
         if (y1 > y) != (y2 > y) && x < (x2 - x1) * (y - y1) / (y2 - y1) + x1 {
@@ -17,7 +17,7 @@ pub fn contains(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 /// Distance of a point to the nearest edge, m.
 #[must_use]
-pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+pub(crate) fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     let flat = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
     let to = |(a, b): ([f64; 2], [f64; 2])| point_segment(flat([x, y]), flat(a), flat(b)).distance;
     edges(polygon).map(to).fold(f64::INFINITY, f64::min)
@@ -26,7 +26,7 @@ pub fn distance_to_edge(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
 /// How far two polygons are apart, or a polygon and points with edges between them, m; 0 where they meet. It takes as long as there are pairs
 /// of edges.
 #[must_use]
-pub fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
+pub(crate) fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
     let holds =
         |polygon: &[[f64; 2]], corners: &[[f64; 2]]| corners.first().is_some_and(|first| contains(polygon, *first));
     if holds(one, other) || holds(other, one) {
@@ -41,7 +41,7 @@ pub fn apart(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
 /// The numbers of two edges that cross; nothing of a polygon that does not cross itself. Edges that only touch or lie on one another do not
 /// cross: a slit to a hole is two of them. It takes as long as there are pairs of edges.
 #[must_use]
-pub fn crossing(polygon: &[[f64; 2]]) -> Option<(usize, usize)> {
+pub(crate) fn crossing(polygon: &[[f64; 2]]) -> Option<(usize, usize)> {
     let side = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2], [x, y]: [f64; 2]| (bx - ax) * (y - ay) - (by - ay) * (x - ax);
     let all: Vec<_> = edges(polygon).collect();
     let cross = |(one, other): &(usize, usize)| {
@@ -53,7 +53,7 @@ pub fn crossing(polygon: &[[f64; 2]]) -> Option<(usize, usize)> {
 
 /// The convex hull of points, anticlockwise (Andrew's monotone chain).
 #[must_use]
-pub fn convex_outline(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub(crate) fn convex_outline(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     points.dedup();
     if points.len() < 3 {
@@ -80,7 +80,7 @@ pub fn convex_outline(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 /// The polygon with every edge moved outwards by `by` m, corners kept sharp. Meant for shapes wider than they are notched:
 /// a notch narrower than twice `by` is turned inside out.
 #[must_use]
-pub fn widened(polygon: &[[f64; 2]], by: f64) -> Vec<[f64; 2]> {
+pub(crate) fn widened(polygon: &[[f64; 2]], by: f64) -> Vec<[f64; 2]> {
     let count = polygon.len();
     let doubled_area: f64 = edges(polygon).map(|([x1, y1], [x2, y2])| x1 * y2 - x2 * y1).sum();
     let outwards = if doubled_area >= 0.0 { 1.0 } else { -1.0 };

@@ -10,7 +10,7 @@ use super::{Capsule, Solid, Vec3};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePoint {
+pub(crate) struct SurfacePoint {
     /// Where it is, world, m.
     pub at: Vec3,
     /// Unit vector outwards.
@@ -23,7 +23,7 @@ pub(super) type Once = OnceLock<(f64, Arc<[SurfacePoint]>)>;
 /// Points of the surface; no point of it is farther than `within_m` from the nearest of them. Of what is grown they are on
 /// what it was before.
 #[must_use]
-pub fn surface_points(solid: &Solid, within_m: f64) -> Vec<SurfacePoint> {
+pub(crate) fn surface_points(solid: &Solid, within_m: f64) -> Vec<SurfacePoint> {
     let (once, pose) = match solid {
         Solid::Capsule(capsule) => {
             let mut points = Vec::new();

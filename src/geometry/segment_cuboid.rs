@@ -10,7 +10,7 @@ use super::{Capsule, Closest, Cuboid, Vec3};
 use crate::stop::worked;
 
 /// How deep inside the box a line has to be before it counts as passing through, metres: a line along a face is free.
-pub const HIT_DEPTH_M: f64 = 1e-9;
+pub(crate) const HIT_DEPTH_M: f64 = 1e-9;
 
 /// Nearest point of the box to a point, both in the frame of the box.
 fn clamp_to_box(point: Vec3, half: Vec3) -> Vec3 {
@@ -43,7 +43,7 @@ fn point_box_local(point: Vec3, half: Vec3) -> (f64, Vec3) {
 /// A lower bound on the distance from a segment to a box, quickly: the widest gap between the two along an axis of the
 /// box, negative where they overlap along all three.
 #[must_use]
-pub fn segment_cuboid_apart(a: Vec3, b: Vec3, cuboid: &Cuboid) -> f64 {
+pub(crate) fn segment_cuboid_apart(a: Vec3, b: Vec3, cuboid: &Cuboid) -> f64 {
     worked(1);
     let box_from_world = cuboid.rotation.inverse();
     let (a, b) = (box_from_world * (a - cuboid.centre), box_from_world * (b - cuboid.centre));
@@ -153,7 +153,7 @@ fn to_world(cuboid: &Cuboid, point: Vec3) -> Vec3 {
 
 /// Signed distance from a point to the surface of a box, negative inside; `on_first` is the point itself.
 #[must_use]
-pub fn point_cuboid(point: Vec3, cuboid: &Cuboid) -> Closest {
+pub(crate) fn point_cuboid(point: Vec3, cuboid: &Cuboid) -> Closest {
     let (distance, surface) = point_box_local(to_local(cuboid, point), cuboid.half);
     Closest { distance, on_first: point, on_second: to_world(cuboid, surface) }
 }
@@ -184,7 +184,7 @@ pub fn segment_cuboid(a: Vec3, b: Vec3, cuboid: &Cuboid) -> Closest {
 /// Signed distance of a capsule and a box. While the core stays outside it is the core's distance less the radius, and
 /// the points are the nearest pair; with the core inside, the depth of the core plus the radius.
 #[must_use]
-pub fn capsule_cuboid(capsule: &Capsule, cuboid: &Cuboid) -> Closest {
+pub(crate) fn capsule_cuboid(capsule: &Capsule, cuboid: &Cuboid) -> Closest {
     let core = segment_cuboid(capsule.a, capsule.b, cuboid);
     let outward = (core.on_first - core.on_second).try_normalize().unwrap_or(Vec3::Z);
     // With the core outside, the capsule's nearest point lies towards the box; inside, its deepest lies away from the face.

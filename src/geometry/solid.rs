@@ -26,7 +26,7 @@ impl Solid {
     /// penetration depth, for a mesh the depth of the deepest of some points of the segment. Changes by no more than the
     /// segment's points are moved.
     #[must_use]
-    pub fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
+    pub(crate) fn segment_distance(&self, a: Vec3, b: Vec3) -> Closest {
         match self {
             Self::Capsule(link) => {
                 let core = segment_segment(a, b, link.a, link.b);
@@ -39,7 +39,7 @@ impl Solid {
 
     /// The same where they are apart; how deep a segment that meets a hull is in it is not told: it only touches.
     #[must_use]
-    pub fn segment_gap(&self, a: Vec3, b: Vec3) -> Closest {
+    pub(crate) fn segment_gap(&self, a: Vec3, b: Vec3) -> Closest {
         match self {
             Self::Hull(hull) => hull.segment_gap(a, b),
             Self::Capsule(_) | Self::Mesh(_) => self.segment_distance(a, b),
@@ -48,7 +48,7 @@ impl Solid {
 
     /// Whether the segment between `a` and `b` is no farther than `far_m` from the link, m.
     #[must_use]
-    pub fn is_within(&self, far_m: f64, a: Vec3, b: Vec3) -> bool {
+    pub(crate) fn is_within(&self, far_m: f64, a: Vec3, b: Vec3) -> bool {
         match self {
             Self::Hull(hull) if hull.is_cut() => {
                 hull.at_least(a, b) <= far_m && hull.within(a, b, far_m).is_ok_and(|near| near.distance <= far_m)
@@ -60,7 +60,7 @@ impl Solid {
     /// The signed distance from the segment between `a` and `b` is at least this, m: soon told for all shapes, and for a
     /// capsule the distance itself.
     #[must_use]
-    pub fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
+    pub(crate) fn at_least(&self, a: Vec3, b: Vec3) -> f64 {
         match self {
             Self::Capsule(_) => self.segment_distance(a, b).distance,
             Self::Hull(hull) => hull.at_least(a, b),
@@ -70,7 +70,7 @@ impl Solid {
 
     /// Whether a point is inside, or on the surface.
     #[must_use]
-    pub fn holds(&self, point: Vec3) -> bool {
+    pub(crate) fn holds(&self, point: Vec3) -> bool {
         match self {
             Self::Hull(hull) => hull.holds(point),
             Self::Capsule(_) | Self::Mesh(_) => self.point_distance(point).distance <= 0.0,
@@ -93,7 +93,7 @@ impl Solid {
     /// The unit vector from the link to the nearest point of a segment or point, or from inside on outwards: the gradient
     /// of the signed distance where they are nearest. None where they touch, and for a segment that enters a hull or mesh.
     #[must_use]
-    pub fn outward(&self, near: &Closest) -> Option<Vec3> {
+    pub(crate) fn outward(&self, near: &Closest) -> Option<Vec3> {
         let towards = near.on_first - near.on_second;
         match self {
             Self::Hull(_) | Self::Mesh(_) if near.distance <= 0.0 => None,
@@ -114,7 +114,7 @@ impl Solid {
 
     /// The corners of a box along the axes around the link.
     #[must_use]
-    pub fn bounds(&self) -> (Vec3, Vec3) {
+    pub(crate) fn bounds(&self) -> (Vec3, Vec3) {
         match self {
             Self::Capsule(link) => {
                 let around = Vec3::splat(link.radius);
@@ -143,7 +143,7 @@ impl Solid {
 
     /// The link with everything that is no farther than `by_m` from it.
     #[must_use]
-    pub fn grown(&self, by_m: f64) -> Self {
+    pub(crate) fn grown(&self, by_m: f64) -> Self {
         match self {
             Self::Capsule(link) => Self::Capsule(Capsule { radius: link.radius + by_m, ..*link }),
             Self::Hull(hull) => Self::Hull(hull.grown(by_m)),
@@ -153,7 +153,7 @@ impl Solid {
 
     /// Whether some of the link may be no farther than `reach_m` from a point, m: of others than capsules, some of what is around them.
     #[must_use]
-    pub fn is_nearer_than(&self, reach_m: f64, point: Vec3) -> bool {
+    pub(crate) fn is_nearer_than(&self, reach_m: f64, point: Vec3) -> bool {
         match self {
             Self::Capsule(link) => point_segment(point, link.a, link.b).distance <= reach_m + link.radius,
             solid @ (Self::Hull(_) | Self::Mesh(_)) => {
@@ -165,7 +165,7 @@ impl Solid {
 
     /// No point of the link is farther from where it is in another placement of the same shape, m.
     #[must_use]
-    pub fn moved_from(&self, other: &Self) -> f64 {
+    pub(crate) fn moved_from(&self, other: &Self) -> f64 {
         let ((to, radius), (from, _)) = (self.bounding_sphere(), other.bounding_sphere());
         let turned = |to: Pose, from: Pose| {
             let angle = (to.rotation * from.rotation.inverse()).to_axis_angle().1;
@@ -182,20 +182,20 @@ impl Solid {
     /// Whether the line between any two of its points stays inside: then the signed distance is convex, and the nearest
     /// point moves no farther than what it is near to.
     #[must_use]
-    pub const fn is_convex(&self) -> bool {
+    pub(crate) const fn is_convex(&self) -> bool {
         !matches!(self, Self::Mesh(_))
     }
 
     /// Whether it is a capsule.
     #[must_use]
-    pub const fn is_capsule(&self) -> bool {
+    pub(crate) const fn is_capsule(&self) -> bool {
         matches!(self, Self::Capsule(_))
     }
 
     /// A ball that holds the nearest point for every point within `movement` of `point`, whose nearest point now is
     /// `near`; of points inside, themselves.
     #[must_use]
-    pub fn nearest_within(&self, point: Vec3, near: &Closest, movement: f64) -> (Vec3, f64) {
+    pub(crate) fn nearest_within(&self, point: Vec3, near: &Closest, movement: f64) -> (Vec3, f64) {
         match self {
             Self::Mesh(mesh) => mesh.nearest_within(point, near, movement),
             _ if near.distance > 0.0 => (near.on_second, movement),

@@ -25,7 +25,7 @@ pub struct Triangles {
 
 /// Why triangles are no closed surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Flaw {
+pub(crate) enum Flaw {
     /// So many edges have a triangle on one side only.
     Open(usize),
     /// At so many edges neighbours are turned in opposite ways.
@@ -41,7 +41,7 @@ impl Triangles {
     /// Triangles by indices into `points`: equal points become one; what has no three different corners, or names a point
     /// that is not there, is left out.
     #[must_use]
-    pub fn merged(points: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn merged(points: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let mut known: BTreeMap<[u64; 3], u32> = BTreeMap::new();
         let mut merged = Self::default();
         for triangle in triangles {
@@ -63,19 +63,19 @@ impl Triangles {
 
     /// The same with every point moved by `place`.
     #[must_use]
-    pub fn mapped(&self, place: impl Fn(Vec3) -> Vec3) -> Self {
+    pub(crate) fn mapped(&self, place: impl Fn(Vec3) -> Vec3) -> Self {
         Self { points: self.points.iter().map(|point| place(*point)).collect(), triangles: self.triangles.clone() }
     }
 
     /// The corners of a triangle.
     #[must_use]
-    pub fn corners(&self, triangle: usize) -> Corners {
+    pub(crate) fn corners(&self, triangle: usize) -> Corners {
         self.triangles[triangle].map(|corner| self.points[corner as usize])
     }
 
     /// The volume inside, m³; negative for a surface that is inside out, without meaning for one that is open.
     #[must_use]
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         let Some(origin) = self.points.first() else { return 0.0 };
         let of = |triangle: usize| {
             let [a, b, c] = self.corners(triangle).map(|corner| corner - *origin);
@@ -85,7 +85,7 @@ impl Triangles {
     }
 
     /// Adds other triangles.
-    pub fn add(&mut self, other: &Self) {
+    pub(crate) fn add(&mut self, other: &Self) {
         let before = u32::try_from(self.points.len()).unwrap_or(u32::MAX);
         let points = [self.points.as_slice(), &other.points].concat();
         let more = other.triangles.iter().map(|triangle| triangle.map(|corner| corner.saturating_add(before)));
@@ -95,7 +95,7 @@ impl Triangles {
 
     /// With the other side out.
     #[must_use]
-    pub fn turned(mut self) -> Self {
+    pub(crate) fn turned(mut self) -> Self {
         for triangle in &mut self.triangles {
             triangle.swap(1, 2);
         }
@@ -106,7 +106,7 @@ impl Triangles {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn closed(&self) -> Result<(), Flaw> {
+    pub(crate) fn closed(&self) -> Result<(), Flaw> {
         // Triangles that run along each edge upwards and downwards.
         let mut edges: BTreeMap<[u32; 2], [usize; 2]> = BTreeMap::new();
         for &[a, b, c] in &self.triangles {
@@ -128,7 +128,7 @@ impl Triangles {
 
 /// A closed surface in its own frame, m.
 #[derive(Clone, Debug)]
-pub struct Surface {
+pub(crate) struct Surface {
     triangles: Triangles,
     /// The corners, in a frame in which the rays go along z.
     along_rays: Vec<Vec3>,
@@ -153,7 +153,7 @@ impl Surface {
     ///
     /// # Errors
     /// When they are not closed.
-    pub fn new(triangles: Triangles) -> Result<Self, Flaw> {
+    pub(crate) fn new(triangles: Triangles) -> Result<Self, Flaw> {
         triangles.closed()?;
         let triangles = if triangles.volume() < 0.0 { triangles.turned() } else { triangles };
         let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
@@ -175,19 +175,19 @@ impl Surface {
 
     /// The triangles, turned outwards.
     #[must_use]
-    pub const fn triangles(&self) -> &Triangles {
+    pub(crate) const fn triangles(&self) -> &Triangles {
         &self.triangles
     }
 
     /// Centre and radius of a sphere around it.
     #[must_use]
-    pub const fn sphere(&self) -> (Vec3, f64) {
+    pub(crate) const fn sphere(&self) -> (Vec3, f64) {
         (self.centre, self.radius)
     }
 
     /// Least and greatest coordinates.
     #[cfg(test)]
-    pub const fn extent(&self) -> (Vec3, Vec3) {
+    pub(crate) const fn extent(&self) -> (Vec3, Vec3) {
         (self.low, self.high)
     }
 
@@ -197,7 +197,7 @@ impl Surface {
 
     /// Whether a point is inside.
     #[must_use]
-    pub fn holds(&self, point: Vec3) -> bool {
+    pub(crate) fn holds(&self, point: Vec3) -> bool {
         if point.cmplt(self.low).any() || point.cmpgt(self.high).any() {
             return false;
         }
@@ -248,7 +248,7 @@ impl Surface {
 
     /// The point of the surface that is nearest to a point.
     #[must_use]
-    pub fn nearest(&self, point: Vec3) -> Vec3 {
+    pub(crate) fn nearest(&self, point: Vec3) -> Vec3 {
         let leaf = |leaf: u32, _: f64| {
             let on = nearest_to_point(point, &self.corners(leaf));
             Some(((on - point).length(), on))
@@ -259,7 +259,7 @@ impl Surface {
 
     /// Distance of a segment from the surface, m, with the nearest points of the one and of the other; zero where they meet.
     #[must_use]
-    pub fn nearest_to_segment(&self, a: Vec3, b: Vec3) -> (f64, Vec3, Vec3) {
+    pub(crate) fn nearest_to_segment(&self, a: Vec3, b: Vec3) -> (f64, Vec3, Vec3) {
         let node = |node: &BvhNode, best: f64| {
             let around = node.aabb();
             // Quickly, and exactly only where that may tell more.
@@ -281,7 +281,7 @@ impl Surface {
     /// A ball around the nearest points of all triangles that are within `distance` of a point; none for more than `most`
     /// triangles.
     #[must_use]
-    pub fn near_points(&self, point: Vec3, distance: f64, most: usize) -> Option<(Vec3, f64)> {
+    pub(crate) fn near_points(&self, point: Vec3, distance: f64, most: usize) -> Option<(Vec3, f64)> {
         let mut near = Vec::new();
         for leaf in self.tree.leaves(|node: &BvhNode| outside(&node.aabb(), point) <= distance).take(most + 1) {
             near.push(nearest_to_point(point, &self.corners(leaf)));

@@ -4,11 +4,11 @@ use super::Vec3;
 use super::distance::{point_segment, segment_segment};
 
 /// The corners of a triangle, m.
-pub type Corners = [Vec3; 3];
+pub(crate) type Corners = [Vec3; 3];
 
 /// The normal, as long as twice the area; zero where there is none.
 #[must_use]
-pub fn normal(&[a, b, c]: &Corners) -> Vec3 {
+pub(crate) fn normal(&[a, b, c]: &Corners) -> Vec3 {
     (b - a).cross(c - a)
 }
 
@@ -22,7 +22,7 @@ fn above(point: Vec3, corners: &Corners, normal: Vec3) -> bool {
 
 /// The point of a triangle that is nearest to `point`.
 #[must_use]
-pub fn nearest_to_point(point: Vec3, corners: &Corners) -> Vec3 {
+pub(crate) fn nearest_to_point(point: Vec3, corners: &Corners) -> Vec3 {
     let normal = normal(corners);
     let square = normal.length_squared();
     if square > 0.0 && above(point, corners, normal) {
@@ -37,7 +37,7 @@ pub fn nearest_to_point(point: Vec3, corners: &Corners) -> Vec3 {
 
 /// Distance of a segment from a triangle, m, with the nearest points of the one and of the other; zero where they meet.
 #[must_use]
-pub fn nearest_to_segment(a: Vec3, b: Vec3, corners: &Corners) -> (f64, Vec3, Vec3) {
+pub(crate) fn nearest_to_segment(a: Vec3, b: Vec3, corners: &Corners) -> (f64, Vec3, Vec3) {
     let normal = normal(corners);
     let [from, to] = [a, b].map(|end| (end - corners[0]).dot(normal));
     if from * to <= 0.0 && from != to {

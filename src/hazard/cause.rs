@@ -14,10 +14,10 @@ use crate::standards::BodyRegion;
 
 /// Hazards belong together if neither where people stand nor where they are hit is farther apart than this, m. Before a fence
 /// with two openings people may stand anywhere, but arms are hit behind the one or the other.
-pub const TOGETHER_M: f64 = 1.0;
+pub(crate) const TOGETHER_M: f64 = 1.0;
 
 /// A robot that stops has stopped after so long, as a rule, s.
-pub const LONG_S: f64 = 0.5;
+pub(crate) const LONG_S: f64 = 0.5;
 
 /// Places of one cause among several of the same kind are told apart by the square of this edge that the middle of their
 /// contacts is nearest to, m.
@@ -38,7 +38,7 @@ pub enum Part {
 impl Part {
     /// In words.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::Body => "body",
             Self::Arm => "arm",
@@ -47,7 +47,7 @@ impl Part {
 
     /// That of a region.
     #[must_use]
-    pub const fn of(region: BodyRegion) -> Self {
+    pub(crate) const fn of(region: BodyRegion) -> Self {
         match region {
             BodyRegion::UpperArm | BodyRegion::LowerArm | BodyRegion::Hand => Self::Arm,
             _ => Self::Body,
@@ -57,7 +57,7 @@ impl Part {
 
 /// What tells causes apart but for the place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Kind {
+pub(crate) struct Kind {
     /// Name of the robot.
     pub robot: String,
     /// What is hit.
@@ -75,7 +75,7 @@ pub struct Kind {
 
 /// A hazard as causes see it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Member {
+pub(crate) struct Member {
     /// What tells it apart.
     pub kind: Kind,
     /// Where the person stands at the contact, floor plan, m.
@@ -86,7 +86,7 @@ pub struct Member {
 
 /// Hazards that belong together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cause {
+pub(crate) struct Cause {
     /// Stable id, for instance `C-7f3a21`.
     pub id: String,
     /// What they have in common.
@@ -97,7 +97,7 @@ pub struct Cause {
 
 /// The causes of hazards, in the order of their first members.
 #[must_use]
-pub fn causes(all: &[Member]) -> Vec<Cause> {
+pub(crate) fn causes(all: &[Member]) -> Vec<Cause> {
     let mut of_kind: BTreeMap<&Kind, Vec<usize>> = BTreeMap::new();
     for (number, member) in all.iter().enumerate() {
         of_kind.entry(&member.kind).or_default().push(number);
@@ -125,7 +125,7 @@ pub fn causes(all: &[Member]) -> Vec<Cause> {
 
 /// How far apart they are, m: where the persons stand, or where they are hit, whichever is farther.
 #[must_use]
-pub fn apart(a: &Member, b: &Member) -> f64 {
+pub(crate) fn apart(a: &Member, b: &Member) -> f64 {
     let between = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
     between(a.person_m, b.person_m).max(between(a.contact_m, b.contact_m))
 }

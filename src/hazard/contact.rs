@@ -11,7 +11,7 @@ use crate::standards::iso_ts_15066::{Recoil, quasi_static_limit_n, transient_lim
 use crate::standards::{BodyArea, BodyRegion};
 
 /// Robot points slower than this count as standing still, m/s.
-pub const STANDSTILL_M_S: f64 = 1e-3;
+pub(crate) const STANDSTILL_M_S: f64 = 1e-3;
 
 /// A contact between a body region and a robot link at one instant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -97,7 +97,7 @@ pub enum Against {
 
 /// Where a part is clamped, before forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clamped {
+pub(crate) struct Clamped {
     /// Point on the robot's surface, world, m.
     pub at: Vec3,
     /// Unit vector towards what does not give way.
@@ -136,7 +136,7 @@ pub struct Apart {
 
 /// Where and how fast a contact is, before forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touch {
+pub(crate) struct Touch {
     /// Body region.
     pub region: BodyRegion,
     /// The area of it for which there is a pressure limit, where the point tells.
@@ -158,13 +158,13 @@ pub struct Touch {
 impl Contact {
     /// Forces, pressures and limits for a touch of somebody who can give way.
     #[must_use]
-    pub fn new(touch: &Touch, strike: &Strike) -> Self {
+    pub(crate) fn new(touch: &Touch, strike: &Strike) -> Self {
         Self::judged(touch, None, strike)
     }
 
     /// The same; and of a part that cannot give way, if it is clamped.
     #[must_use]
-    pub fn judged(touch: &Touch, clamped: Option<&Clamped>, strike: &Strike) -> Self {
+    pub(crate) fn judged(touch: &Touch, clamped: Option<&Clamped>, strike: &Strike) -> Self {
         let (region, speed) = (touch.region, touch.robot_velocity.length());
         let relative = touch.robot_velocity - touch.human_velocity;
         // The normal points from the robot to the body; surface points swap sides when the shapes overlap.
@@ -245,14 +245,14 @@ impl Contact {
 
     /// Direction from the robot to the body where that is hit, if there is one; none of an arm, whose pose is one of many.
     #[must_use]
-    pub fn normal(&self) -> Option<Vec3> {
+    pub(crate) fn normal(&self) -> Option<Vec3> {
         let across = (self.on_body - self.on_robot) * if self.distance_m < 0.0 { -1.0 } else { 1.0 };
         across.try_normalize().filter(|_| Part::of(self.region) == Part::Body)
     }
 
     /// All criteria that it breaks, the worst first.
     #[must_use]
-    pub fn breaks(&self) -> Vec<Class> {
+    pub(crate) fn breaks(&self) -> Vec<Class> {
         if self.apart.is_some() {
             // Nobody is touched, so forces are only what they would be.
             return vec![Class::Separation];
@@ -281,20 +281,20 @@ impl Contact {
 
     /// The same as a breach of another criterion: the force stays for information.
     #[must_use]
-    pub fn breaking(self, class: Option<Class>) -> Self {
+    pub(crate) fn breaking(self, class: Option<Class>) -> Self {
         Self { class, ..self }
     }
 
     /// The same as a clamping, whatever else it breaks; of no class where it is none.
     #[must_use]
-    pub fn as_clamping(self) -> Self {
+    pub(crate) fn as_clamping(self) -> Self {
         let class = (self.clamping_ratio > 1.0).then_some(Class::Clamping);
         Self { class, ratio: self.clamping_ratio, ..self }
     }
 
     /// The same as of a robot that is too near.
     #[must_use]
-    pub fn too_near(self, apart: Apart) -> Self {
+    pub(crate) fn too_near(self, apart: Apart) -> Self {
         /// What is nearer than this counts as so near, m.
         const LEAST_M: f64 = 0.001;
         /// Ratios are not told beyond this.
@@ -314,7 +314,7 @@ impl Contact {
 
     /// The force that decides, N: on a part that is clamped where that is what counts most, else the transient one.
     #[must_use]
-    pub fn deciding_force_n(&self) -> f64 {
+    pub(crate) fn deciding_force_n(&self) -> f64 {
         match (self.class, self.clamp) {
             (Some(Class::Clamping), Some(clamp)) => clamp.force_n,
             _ => self.transient_force_n(),
@@ -329,7 +329,7 @@ impl Contact {
 
     /// Speed of the robot point at which the transient force would equal the limit, m/s.
     #[must_use]
-    pub const fn safe_speed_m_s(&self) -> f64 {
+    pub(crate) const fn safe_speed_m_s(&self) -> f64 {
         self.safe_speed_m_s
     }
 

@@ -10,17 +10,17 @@
 //! ```
 
 /// Distance beyond which a robot counts as far away, m.
-pub const NEAR_M: f64 = 1.5;
+pub(crate) const NEAR_M: f64 = 1.5;
 
 /// Danger level of a far or separated robot.
-pub const FAR_LEVEL: f64 = 0.01;
+pub(crate) const FAR_LEVEL: f64 = 0.01;
 
 /// Reward of an unsafe state, `R_E`: the paper asks for a non-negative constant; the other rewards are at most zero.
-pub const UNSAFE_REWARD: f64 = 0.0;
+pub(crate) const UNSAFE_REWARD: f64 = 0.0;
 
 /// How near the end state of an episode came to harm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Proximity {
+pub(crate) enum Proximity {
     /// (a) Contact with this force ratio.
     Contact {
         /// `F_coll / F_max`.
@@ -40,7 +40,7 @@ pub enum Proximity {
 impl Proximity {
     /// Danger level `c_D`, never below [`FAR_LEVEL`] (a resting robot must not divide by zero).
     #[must_use]
-    pub fn danger_level(self) -> f64 {
+    pub(crate) fn danger_level(self) -> f64 {
         match self {
             Self::Contact { ratio } => ratio.max(FAR_LEVEL),
             Self::Near { distance_m, ratio } if distance_m <= NEAR_M => {
@@ -52,7 +52,7 @@ impl Proximity {
 
     /// Reward of an episode that ends here without an unsafe state.
     #[must_use]
-    pub fn reward(self) -> f64 {
+    pub(crate) fn reward(self) -> f64 {
         -1.0 / self.danger_level()
     }
 }

@@ -40,7 +40,7 @@ pub struct Finding {
 impl Finding {
     /// Whether both are the same kind of hazard to an engineer: what [`Identity`](super::Identity) tells apart.
     #[must_use]
-    pub fn is_like(&self, other: &Self) -> bool {
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
         let of = |f: &Self| (f.class, f.contact.region, f.contact.link, f.phase, place_cell(f.person), f.who);
         of(self) == of(other) && self.sensors == other.sensors
     }
@@ -48,7 +48,7 @@ impl Finding {
     /// Whether it is told rather than another one of the same action, with neither of which sequences end: a contact before a
     /// distance, then the worse one, then this.
     #[must_use]
-    pub fn outweighs(&self, other: &Self) -> bool {
+    pub(crate) fn outweighs(&self, other: &Self) -> bool {
         let touches = |finding: &Self| finding.class == Class::MovingContact;
         match (touches(self), touches(other)) {
             (true, false) => true,

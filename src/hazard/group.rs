@@ -16,11 +16,11 @@ use crate::human::{Action, Who};
 use crate::standards::BodyRegion;
 
 /// Edge of a place cell, m.
-pub const PLACE_CELL_M: f64 = 0.25;
+pub(crate) const PLACE_CELL_M: f64 = 0.25;
 
 /// The square of floor that a place is on.
 #[must_use]
-pub fn place_cell(person: Vec3) -> (i64, i64) {
+pub(crate) fn place_cell(person: Vec3) -> (i64, i64) {
     #[expect(clippy::cast_possible_truncation, reason = "metres on a shop floor, divided by 0.25")]
     let square = |v: f64| (v / PLACE_CELL_M).floor() as i64;
     (square(person.x), square(person.y))
@@ -88,7 +88,7 @@ pub struct Group {
 
 /// Order of sequences: fewer actions, then less effort, then the order of actions.
 #[must_use]
-pub fn calmness(actions: &[Action]) -> (usize, u32, Vec<Action>) {
+pub(crate) fn calmness(actions: &[Action]) -> (usize, u32, Vec<Action>) {
     (actions.len(), actions.iter().map(|a| a.effort()).sum(), actions.to_vec())
 }
 
@@ -105,7 +105,7 @@ impl Groups {
     }
 
     /// The same for a finding that stands for so many sequences of full length.
-    pub fn add_counted(
+    pub(crate) fn add_counted(
         &mut self,
         finding: Finding,
         sequences: Option<BigUint>,
@@ -153,7 +153,7 @@ impl Groups {
 
     /// Adds these hazards to those of another search of the same cell, whose figures hold where both met a hazard.
     /// Returns the ids that the other one did not meet.
-    pub fn added_to(self, other: &mut Self) -> Vec<String> {
+    pub(crate) fn added_to(self, other: &mut Self) -> Vec<String> {
         let mut added = Vec::new();
         for (identity, group) in self.groups {
             match other.groups.get_mut(&identity) {
@@ -169,35 +169,35 @@ impl Groups {
 
     /// The hazard with this id.
     #[must_use]
-    pub fn get(&self, id: &str) -> Option<&Group> {
+    pub(crate) fn get(&self, id: &str) -> Option<&Group> {
         self.groups.values().find(|group| group.id == id)
     }
 
     /// Every hazard, to replace its shortest sequence.
-    pub fn iter_mut(&mut self) -> impl Iterator<Item = (&Identity, &mut Group)> {
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (&Identity, &mut Group)> {
         self.groups.iter_mut()
     }
 
     /// Whether there is such a hazard.
     #[must_use]
-    pub fn has(&self, identity: &Identity) -> bool {
+    pub(crate) fn has(&self, identity: &Identity) -> bool {
         self.groups.contains_key(identity)
     }
 
     /// What tells the hazards apart.
-    pub fn identities(&self) -> impl Iterator<Item = &Identity> {
+    pub(crate) fn identities(&self) -> impl Iterator<Item = &Identity> {
         self.groups.keys()
     }
 
     /// Number of hazards.
     #[must_use]
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.groups.len()
     }
 
     /// Whether there is none.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }
 }

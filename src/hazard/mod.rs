@@ -8,13 +8,13 @@
 //! - [`group`]: findings of the same kind, under a stable id
 //! - [`strike`]: how hard a robot strikes at one instant
 
-pub mod cause;
-pub mod contact;
-pub mod criterion;
-pub mod danger;
-pub mod finding;
-pub mod group;
-pub mod strike;
+pub(crate) mod cause;
+pub(crate) mod contact;
+pub(crate) mod criterion;
+pub(crate) mod danger;
+pub(crate) mod finding;
+pub(crate) mod group;
+pub(crate) mod strike;
 
 pub use contact::Contact;
 pub use criterion::{Class, Criteria, Criterion};

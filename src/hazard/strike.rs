@@ -30,7 +30,7 @@ pub struct Strike {
 impl Strike {
     /// For a robot of `moving_mass_kg` that carries `payload_kg`, and a link that touches like this.
     #[must_use]
-    pub fn new(moving_mass_kg: f64, payload_kg: f64, criteria: Criteria, contact: LinkContact) -> Self {
+    pub(crate) fn new(moving_mass_kg: f64, payload_kg: f64, criteria: Criteria, contact: LinkContact) -> Self {
         let effective_mass_kg = robot_effective_mass(moving_mass_kg, payload_kg);
         let padding_n_m = contact.padding_n_m;
         let per_speed = |recoil, limit: fn(BodyRegion) -> f64| {
@@ -50,14 +50,14 @@ impl Strike {
 
     /// For a robot of which nothing else is known, by the paper's criterion or with the speed of approach.
     #[cfg(test)]
-    pub fn of_robot(moving_mass_kg: f64, payload_kg: f64, criterion: Criterion) -> Self {
+    pub(crate) fn of_robot(moving_mass_kg: f64, payload_kg: f64, criterion: Criterion) -> Self {
         Self::new(moving_mass_kg, payload_kg, Criteria::default().with_speed(criterion), LinkContact::default())
     }
 
     /// `F_coll / F_max` for a contact of `region` with a robot point moving at `speed_m_s`, of somebody who can give way; linear in
     /// the speed, and whatever counts.
     #[must_use]
-    pub fn force_ratio(&self, region: BodyRegion, speed_m_s: f64) -> f64 {
+    pub(crate) fn force_ratio(&self, region: BodyRegion, speed_m_s: f64) -> f64 {
         self.free[region as usize] * speed_m_s
     }
 
@@ -75,7 +75,7 @@ impl Strike {
 
     /// The same of a part that is clamped, where the gap closes at `closing_m_s`.
     #[must_use]
-    pub fn clamped_ratio(&self, region: BodyRegion, closing_m_s: f64) -> f64 {
+    pub(crate) fn clamped_ratio(&self, region: BodyRegion, closing_m_s: f64) -> f64 {
         let force = self.clamped[region as usize] * closing_m_s;
         if self.surface.is_none() {
             return force;
@@ -86,13 +86,13 @@ impl Strike {
 
     /// Force on a region at a speed, N.
     #[must_use]
-    pub fn force_n(&self, region: BodyRegion, recoil: Recoil, speed_m_s: f64) -> f64 {
+    pub(crate) fn force_n(&self, region: BodyRegion, recoil: Recoil, speed_m_s: f64) -> f64 {
         speed_m_s * padded_impedance_n_s_m(region, recoil, self.effective_mass_kg, self.padding_n_m)
     }
 
     /// Pressure and its limit for a force, N/cm2, where that is known and counts; of an area of the region, or of all of it.
     #[must_use]
-    pub fn pressed(
+    pub(crate) fn pressed(
         &self,
         region: BodyRegion,
         area: Option<BodyArea>,
@@ -111,7 +111,7 @@ impl Strike {
     /// The speed that decides when a robot point at velocity `robot` meets an arm of a person who walks at `human`, m/s. How an
     /// arm itself moves is open, so its approach has any direction.
     #[must_use]
-    pub fn deciding_speed(&self, robot: Vec3, human: Vec3) -> f64 {
+    pub(crate) fn deciding_speed(&self, robot: Vec3, human: Vec3) -> f64 {
         match self.criteria.speed() {
             Criterion::Absolute => robot.length(),
             Criterion::Approach if robot.length() <= STANDSTILL_M_S => 0.0,
@@ -122,7 +122,7 @@ impl Strike {
     /// An upper bound on the speed that decides where no robot point is faster than `robot_m_s`, nor faster than `relative`
     /// gives, m/s, seen by the person.
     #[must_use]
-    pub fn deciding_speed_bound(&self, robot_m_s: f64, relative: impl FnOnce() -> f64) -> f64 {
+    pub(crate) fn deciding_speed_bound(&self, robot_m_s: f64, relative: impl FnOnce() -> f64) -> f64 {
         match self.criteria.speed() {
             Criterion::Absolute => robot_m_s,
             Criterion::Approach if robot_m_s <= STANDSTILL_M_S => 0.0,
@@ -133,13 +133,13 @@ impl Strike {
     /// Whether any contact with a robot point no faster than this could be unsafe: [`Contact::class`](super::Contact::class) asks
     /// both.
     #[must_use]
-    pub fn may_harm(&self, speed_m_s: f64) -> bool {
+    pub(crate) fn may_harm(&self, speed_m_s: f64) -> bool {
         speed_m_s > STANDSTILL_M_S || self.free.iter().any(|ratio| ratio * speed_m_s > 1.0)
     }
 
     /// Whether a contact of `region` with a robot point no faster than this could be unsafe, for somebody who stands.
     #[must_use]
-    pub fn may_harm_region(&self, region: BodyRegion, speed_m_s: f64) -> bool {
+    pub(crate) fn may_harm_region(&self, region: BodyRegion, speed_m_s: f64) -> bool {
         self.ratio(region, speed_m_s) > 1.0 || (region.permits_no_contact() && speed_m_s > STANDSTILL_M_S)
     }
 }

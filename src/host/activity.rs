@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A kind of call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Call {
+pub(crate) enum Call {
     /// Nothing of the FMU runs.
     None,
     /// The binary is loaded.
@@ -49,11 +49,11 @@ const CALLS: [(Call, &str); 12] = [
 
 /// The call that is under way, and in which step: one word that others may read at any time.
 #[derive(Clone, Copy)]
-pub struct Activity(&'static AtomicU64);
+pub(crate) struct Activity(&'static AtomicU64);
 
 /// What was read from an [`Activity`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Doing {
+pub(crate) struct Doing {
     /// The call.
     pub call: Call,
     /// Communication steps made before.
@@ -73,7 +73,7 @@ impl Activity {
 
     /// One that nobody reads.
     #[must_use]
-    pub fn unseen() -> Self {
+    pub(crate) fn unseen() -> Self {
         static WORD: AtomicU64 = AtomicU64::new(0);
         Self(&WORD)
     }

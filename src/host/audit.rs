@@ -17,7 +17,7 @@ const ROUNDS: u64 = 4;
 
 /// How much is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Scope {
+pub(crate) struct Scope {
     /// Transitions that were stepped since there were so many nodes.
     pub since: usize,
     /// Most runs.
@@ -30,7 +30,7 @@ pub struct Scope {
 
 /// What came out.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Audit {
+pub(crate) struct Audit {
     /// Transitions of the FMU that there are to compare.
     pub transitions: u64,
     /// Compared with a plain run, before the first difference.
@@ -47,7 +47,7 @@ pub struct Audit {
 
 /// A history that the FMU goes through differently from what is known of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// What this shows to be wrong.
     pub unlike: Unlike,
     /// In which action, from 1; 0 for the start.
@@ -181,7 +181,11 @@ impl<'a, Q: Plant> Tree<'a, Q> {
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub fn plain<P: Plant>(plant: &mut P, steps: usize, inputs: &[f64]) -> Result<Result<Vec<f64>, String>, PlantError> {
+pub(crate) fn plain<P: Plant>(
+    plant: &mut P,
+    steps: usize,
+    inputs: &[f64],
+) -> Result<Result<Vec<f64>, String>, PlantError> {
     let mut tries = 1;
     loop {
         let run = plant.restart().and_then(|mut rows| {
@@ -201,7 +205,7 @@ pub fn plain<P: Plant>(plant: &mut P, steps: usize, inputs: &[f64]) -> Result<Re
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub fn repeated<P: Plant>(
+pub(crate) fn repeated<P: Plant>(
     plant: &mut P,
     (steps, inputs): &(usize, Vec<f64>),
 ) -> Result<Option<Option<u64>>, PlantError> {
@@ -215,7 +219,7 @@ pub fn repeated<P: Plant>(
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub fn audit<P: Plant, Q: Plant>(
+pub(crate) fn audit<P: Plant, Q: Plant>(
     plant: &mut P,
     recall: &Recall<Q>,
     scope: Scope,

@@ -25,7 +25,7 @@ pub enum Checkpoint {
 impl Hosted {
     /// Worker processes that had to be replaced so far.
     #[must_use]
-    pub const fn replaced(&self) -> u64 {
+    pub(crate) const fn replaced(&self) -> u64 {
         match self {
             Self::Here(_) => 0,
             Self::Apart(plant) => plant.replaced(),
@@ -37,7 +37,7 @@ impl Hosted {
 impl Recall<Hosted> {
     /// With the workers that had to be replaced.
     #[must_use]
-    pub const fn effort_of_workers(&self) -> Effort {
+    pub(crate) const fn effort_of_workers(&self) -> Effort {
         Effort { workers_replaced: self.plant().replaced(), ..self.effort() }
     }
 }

@@ -36,7 +36,7 @@ pub(super) const NO_NUMBER: f64 = f64::MAX;
 pub(super) const REFUSED: f64 = f64::MIN;
 
 /// A running FMU in this process.
-pub struct InProcess {
+pub(crate) struct InProcess {
     slave: Slave,
     setup: Setup,
     inputs: Plan,
@@ -65,7 +65,7 @@ impl Checkpoint {
 impl InProcess {
     /// A plant for `slave`; nothing is instantiated yet.
     #[must_use]
-    pub fn new(slave: Slave, setup: Setup) -> Self {
+    pub(crate) fn new(slave: Slave, setup: Setup) -> Self {
         let (inputs, outputs) = (plan(&slave, &setup.inputs), plan(&slave, &setup.outputs));
         let watched = plan(&slave, &setup.watched);
         let (activity, stop) = (Activity::unseen(), Stop::default());
@@ -89,7 +89,7 @@ impl InProcess {
 
     /// The FMU behind this plant.
     #[must_use]
-    pub const fn slave(&self) -> &Slave {
+    pub(crate) const fn slave(&self) -> &Slave {
         &self.slave
     }
 

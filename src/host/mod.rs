@@ -11,17 +11,17 @@
 //! - [`audit`]: what was stepped from states, run once more from the start
 //! - [`selftest`]: what an FMU's promises about its state are worth
 
-pub mod activity;
-pub mod audit;
-pub mod hosted;
-pub mod in_process;
+pub(crate) mod activity;
+pub(crate) mod audit;
+pub(crate) mod hosted;
+pub(crate) mod in_process;
 pub mod isolation;
-pub mod plant;
+pub(crate) mod plant;
 pub mod port;
-pub mod recall;
+pub(crate) mod recall;
 mod rounding;
 pub mod selftest;
-pub mod system;
+pub(crate) mod system;
 
 pub use hosted::Hosted;
 pub use plant::{Arrived, Begins, Leg, Plant, PlantError, Reads, Taken, Then, Unlike, for_all_steps};

@@ -157,7 +157,7 @@ pub enum Reads {
 impl Reads {
     /// How many rows of outputs so many steps have.
     #[must_use]
-    pub const fn rows(self, steps: usize) -> usize {
+    pub(crate) const fn rows(self, steps: usize) -> usize {
         match self {
             Self::Each => steps,
             Self::Last if steps == 0 => 0,
@@ -211,7 +211,7 @@ pub enum Then {
 }
 
 /// Outputs after each step, row-major, and what was taken of the state after the last.
-pub type Stepped<C> = (Vec<f64>, Result<Taken<C>, PlantError>);
+pub(crate) type Stepped<C> = (Vec<f64>, Result<Taken<C>, PlantError>);
 
 /// What was taken of a state right after it was reached.
 #[derive(Debug)]
@@ -346,7 +346,7 @@ pub enum Unlike {
 impl PlantError {
     /// A failure of one call; the plant can be restarted.
     #[must_use]
-    pub fn of(message: impl Into<String>) -> Self {
+    pub(crate) fn of(message: impl Into<String>) -> Self {
         Self { message: message.into(), ..Self::default() }
     }
 
@@ -362,31 +362,31 @@ impl PlantError {
 
     /// Whether the FMU could not even begin: nothing was tried.
     #[must_use]
-    pub const fn tried_nothing(&self) -> bool {
+    pub(crate) const fn tried_nothing(&self) -> bool {
         self.stopped || self.not_started || self.not_loaded || (self.fatal && self.time_s.is_none())
     }
 
     /// Work was ended, see [`Stop`].
     #[must_use]
-    pub fn stopped() -> Self {
+    pub(crate) fn stopped() -> Self {
         Self { stopped: true, lost: true, fatal: true, ..Self::of("stopped") }
     }
 
     /// The same at a simulation time.
     #[must_use]
-    pub fn at(self, time_s: f64) -> Self {
+    pub(crate) fn at(self, time_s: f64) -> Self {
         Self { time_s: Some(time_s), ..self }
     }
 
     /// The same, which shows that something is not as it was.
     #[must_use]
-    pub fn unlike(self, what: Unlike) -> Self {
+    pub(crate) fn unlike(self, what: Unlike) -> Self {
         Self { unlike: Some(what), ..self }
     }
 
     /// The same, and nothing can go on.
     #[must_use]
-    pub fn fatal(self) -> Self {
+    pub(crate) fn fatal(self) -> Self {
         Self { fatal: true, ..self }
     }
 }

@@ -102,7 +102,7 @@ pub struct Effort {
 impl Effort {
     /// Both together.
     #[must_use]
-    pub const fn and(self, other: Self) -> Self {
+    pub(crate) const fn and(self, other: Self) -> Self {
         Self {
             steps: self.steps + other.steps,
             restarts: self.restarts + other.restarts,
@@ -236,49 +236,49 @@ impl<P: Plant> Recall<P> {
 
     /// The state before the transition into `node`; the root's is the root.
     #[must_use]
-    pub fn parent(&self, node: NodeId) -> NodeId {
+    pub(crate) fn parent(&self, node: NodeId) -> NodeId {
         self.nodes[node.0].parent
     }
 
     /// Inputs of the transition into `node`, row-major.
     #[must_use]
-    pub fn inputs(&self, node: NodeId) -> Vec<f64> {
+    pub(crate) fn inputs(&self, node: NodeId) -> Vec<f64> {
         values_of(&self.nodes[node.0].edge).1
     }
 
     /// Actions between the start and `node`.
     #[must_use]
-    pub fn depth(&self, node: NodeId) -> usize {
+    pub(crate) fn depth(&self, node: NodeId) -> usize {
         self.nodes[node.0].depth
     }
 
     /// A number for the outputs of the transition into `node`: those of equal number are equal to the last bit.
     #[must_use]
-    pub fn trace(&self, node: NodeId) -> u32 {
+    pub(crate) fn trace(&self, node: NodeId) -> u32 {
         self.nodes[node.0].trace
     }
 
     /// The first node known to be in the same state as `node`.
     #[must_use]
-    pub fn same(&self, node: NodeId) -> NodeId {
+    pub(crate) fn same(&self, node: NodeId) -> NodeId {
         self.nodes[node.0].same
     }
 
     /// Steps and inputs of the transition into `node`, row-major.
     #[must_use]
-    pub fn transition(&self, node: NodeId) -> (usize, Vec<f64>) {
+    pub(crate) fn transition(&self, node: NodeId) -> (usize, Vec<f64>) {
         values_of(&self.nodes[node.0].edge)
     }
 
     /// All nodes, the start first, each after its parent.
-    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<P> {
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = NodeId> + use<P> {
         (0..self.nodes.len()).map(NodeId)
     }
 
     /// The outputs after each step of the transition into `node`, in short, if the FMU was really stepped for it: else they
     /// were taken from a node in the same state.
     #[must_use]
-    pub fn digest(&self, node: NodeId) -> Option<u64> {
+    pub(crate) fn digest(&self, node: NodeId) -> Option<u64> {
         self.nodes[node.0].digest
     }
 
@@ -289,7 +289,7 @@ impl<P: Plant> Recall<P> {
 
     /// A number that tells what the FMU gave so far, in all transitions that were stepped, from anything else.
     #[must_use]
-    pub const fn trail(&self) -> u64 {
+    pub(crate) const fn trail(&self) -> u64 {
         self.trail
     }
 
@@ -318,13 +318,13 @@ impl<P: Plant> Recall<P> {
 
     /// Memory held for states and their traces, bytes, about.
     #[must_use]
-    pub const fn bytes(&self) -> usize {
+    pub(crate) const fn bytes(&self) -> usize {
         self.bytes
     }
 
     /// Forgets saved states, traces and transitions of nodes of less than `depth`, except the start. They can still be
     /// stepped on, by replay.
-    pub fn release_before(&mut self, depth: usize) {
+    pub(crate) fn release_before(&mut self, depth: usize) {
         for node in self.nodes.iter_mut().skip(1).filter(|n| n.depth < depth) {
             self.checkpoints -= usize::from(node.checkpoint.take().is_some());
             node.children = BTreeMap::new();
@@ -345,19 +345,19 @@ impl<P: Plant> Recall<P> {
     /// Communication steps of all different transitions so far, however often they were repeated to come back to a
     /// state: the same on every rung of the ladder.
     #[must_use]
-    pub const fn steps(&self) -> u64 {
+    pub(crate) const fn steps(&self) -> u64 {
         self.steps
     }
 
     /// What the FMU really did so far.
     #[must_use]
-    pub const fn effort(&self) -> Effort {
+    pub(crate) const fn effort(&self) -> Effort {
         Effort { steps: self.steps_made, restarts: self.restarts, restores: self.restores, workers_replaced: 0 }
     }
 
     /// The plant, to ask it something.
     #[must_use]
-    pub const fn plant(&self) -> &P {
+    pub(crate) const fn plant(&self) -> &P {
         &self.plant
     }
 
@@ -370,7 +370,7 @@ impl<P: Plant> Recall<P> {
     /// Where `steps` communication steps from `node` with `inputs` (row-major) lead, if they were taken before; nothing
     /// is simulated.
     #[must_use]
-    pub fn known(&self, node: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
+    pub(crate) fn known(&self, node: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
         self.nodes[node.0].children.get(&edge_of(steps, inputs)).and_then(|child| child.as_ref().ok()).copied()
     }
 

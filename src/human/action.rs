@@ -12,7 +12,7 @@ use thiserror::Error;
 use super::{Presses, Who};
 
 /// Duration of one action, s.
-pub const ACTION_S: f64 = 0.2;
+pub(crate) const ACTION_S: f64 = 0.2;
 
 /// What the legs do during one action. A turn changes the heading at once, then the way leads straight ahead.
 ///
@@ -41,12 +41,12 @@ impl Walk {
     /// Those that everybody does, in the order of the action index.
     pub const USUAL: [Self; 6] = [Self::Stop, Self::Forward, Self::Left45, Self::Left90, Self::Right45, Self::Right90];
     /// Every walk once.
-    pub const ALL: [Self; 8] =
+    pub(crate) const ALL: [Self; 8] =
         [Self::Stop, Self::Forward, Self::Left45, Self::Left90, Self::Right45, Self::Right90, Self::Back, Self::Run];
 
     /// The name used in texts.
     #[must_use]
-    pub const fn id(self) -> &'static str {
+    pub(crate) const fn id(self) -> &'static str {
         match self {
             Self::Stop => "stop",
             Self::Forward => "forward",
@@ -61,7 +61,7 @@ impl Walk {
 
     /// Turn to the left at the start of the action, in eighths of a full turn.
     #[must_use]
-    pub const fn turn_eighths(self) -> i8 {
+    pub(crate) const fn turn_eighths(self) -> i8 {
         match self {
             Self::Stop | Self::Forward | Self::Back | Self::Run => 0,
             Self::Left45 => 1,
@@ -103,9 +103,9 @@ impl Posture {
     pub const USUAL: [Self; 6] =
         [Self::Upright, Self::Forward, Self::Left, Self::Right, Self::ForwardLeft, Self::ForwardRight];
     /// The others, from the highest to the lowest.
-    pub const LOW: [Self; 3] = [Self::Kneeling, Self::Crouching, Self::Crawling];
+    pub(crate) const LOW: [Self; 3] = [Self::Kneeling, Self::Crouching, Self::Crawling];
     /// Every posture once; `ALL[p as usize] == p`.
-    pub const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::Upright,
         Self::Forward,
         Self::Left,
@@ -119,13 +119,13 @@ impl Posture {
 
     /// Whether the legs are bent too.
     #[must_use]
-    pub const fn is_low(self) -> bool {
+    pub(crate) const fn is_low(self) -> bool {
         matches!(self, Self::Kneeling | Self::Crouching | Self::Crawling)
     }
 
     /// For people.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::Upright => "upright",
             Self::Forward => "bent forward",
@@ -141,7 +141,7 @@ impl Posture {
 
     /// The name used in texts.
     #[must_use]
-    pub const fn id(self) -> &'static str {
+    pub(crate) const fn id(self) -> &'static str {
         match self {
             Self::Upright => "upright",
             Self::Forward => "bend-forward",
@@ -157,7 +157,7 @@ impl Posture {
 
     /// Share of the forward angle: 0 or 1. Low postures have angles of their own.
     #[must_use]
-    pub const fn forward_share(self) -> f64 {
+    pub(crate) const fn forward_share(self) -> f64 {
         match self {
             Self::Forward | Self::ForwardLeft | Self::ForwardRight => 1.0,
             _ => 0.0,
@@ -166,7 +166,7 @@ impl Posture {
 
     /// Share of the lateral angle, to the left positive: -1, 0 or 1.
     #[must_use]
-    pub const fn left_share(self) -> f64 {
+    pub(crate) const fn left_share(self) -> f64 {
         match self {
             Self::Left | Self::ForwardLeft => 1.0,
             Self::Right | Self::ForwardRight => -1.0,
@@ -228,7 +228,7 @@ impl Action {
 
     /// The same in another posture.
     #[must_use]
-    pub const fn in_posture(self, posture: Posture) -> Self {
+    pub(crate) const fn in_posture(self, posture: Posture) -> Self {
         Self { posture, ..self }
     }
 
@@ -251,7 +251,7 @@ impl Action {
 
     /// The same but for what one of the people does.
     #[must_use]
-    pub const fn with(self, who: Who, does: Self) -> Self {
+    pub(crate) const fn with(self, who: Who, does: Self) -> Self {
         match who {
             Who::First => Self { walk: does.walk, posture: does.posture, ..self },
             Who::Second => self.beside(does),
@@ -260,7 +260,7 @@ impl Action {
 
     /// Whether it says what a second person does.
     #[must_use]
-    pub const fn is_of_two(self) -> bool {
+    pub(crate) const fn is_of_two(self) -> bool {
         self.second.is_some()
     }
 
@@ -296,7 +296,7 @@ impl Action {
 
     /// What the legs do.
     #[must_use]
-    pub const fn walk(self) -> Walk {
+    pub(crate) const fn walk(self) -> Walk {
         self.walk
     }
 

@@ -10,7 +10,7 @@ use crate::standards::iso_13857::{FOREARM_M, HAND_RADIUS_M, UPPER_ARM_M};
 
 /// Joint angles in radians: abduction, flexion, rotation of the upper arm (inwards positive), elbow flexion (0 is
 /// straight).
-pub type Config = [f64; 4];
+pub(crate) type Config = [f64; 4];
 
 /// Lengths and radii of an arm, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ pub fn rotation_range(abduction: f64, flexion: f64) -> (f64, f64) {
 
 /// The configuration within the limits that is nearest joint by joint.
 #[must_use]
-pub fn clamped([abduction, flexion, rotation, elbow]: Config) -> Config {
+pub(crate) fn clamped([abduction, flexion, rotation, elbow]: Config) -> Config {
     let abduction = abduction.clamp(ABDUCTION.0, ABDUCTION.1);
     let (low, high) = flexion_range(abduction);
     let flexion = flexion.clamp(low, high);
@@ -81,26 +81,26 @@ pub fn clamped([abduction, flexion, rotation, elbow]: Config) -> Config {
 impl ArmModel {
     /// The arm of somebody who holds a thing that reaches so far beyond the finger tips, m, in whatever direction the hand turns it.
     #[must_use]
-    pub fn holding(held_m: f64) -> Self {
+    pub(crate) fn holding(held_m: f64) -> Self {
         Self { hand_radius_m: HAND_RADIUS_M + held_m, ..Self::default() }
     }
 
     /// How far what the hand holds reaches beyond the finger tips, m; 0 for nothing.
     #[must_use]
-    pub fn held_m(&self) -> f64 {
+    pub(crate) fn held_m(&self) -> f64 {
         self.hand_radius_m - HAND_RADIUS_M
     }
 
     /// How deep a contact of the hand, and of what it holds, may be and still be missed where one of the arm may be missed that is no
     /// deeper than `tolerance_m`, m: how long a thing is, and how it is held, is known to a tenth.
     #[must_use]
-    pub fn hand_tolerance_m(&self, tolerance_m: f64) -> f64 {
+    pub(crate) fn hand_tolerance_m(&self, tolerance_m: f64) -> f64 {
         tolerance_m + HELD_TOLERANCE * self.held_m()
     }
 
     /// How far beyond the finger tips of a hand with this wrist a point is, m; nothing for a point that fingers get to.
     #[must_use]
-    pub fn beyond_fingers_m(wrist: Vec3, point: Vec3) -> Option<f64> {
+    pub(crate) fn beyond_fingers_m(wrist: Vec3, point: Vec3) -> Option<f64> {
         let beyond_m = (point - wrist).length() - HAND_RADIUS_M;
         (beyond_m > ROUNDING_M).then_some(beyond_m)
     }
@@ -113,13 +113,13 @@ impl ArmModel {
 
     /// No wrist is farther from where it hangs, m.
     #[must_use]
-    pub fn farthest_from_hanging_m(&self) -> f64 {
+    pub(crate) fn farthest_from_hanging_m(&self) -> f64 {
         2.0 * (self.upper_arm_m + self.forearm_m)
     }
 
     /// Elbow and wrist of a left arm in the shoulder frame, from sine and cosine of each joint angle.
     #[must_use]
-    pub fn at(&self, [abduction, flexion, rotation, elbow]: &[(f64, f64); 4]) -> [Vec3; 2] {
+    pub(crate) fn at(&self, [abduction, flexion, rotation, elbow]: &[(f64, f64); 4]) -> [Vec3; 2] {
         let sideways = |forwards: f64, side: f64, up: f64| {
             Vec3::new(forwards, side * abduction.1 - up * abduction.0, side * abduction.0 + up * abduction.1)
         };

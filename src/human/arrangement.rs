@@ -6,14 +6,14 @@ pub struct Arrangement(u16);
 
 impl Arrangement {
     /// So many can be told apart.
-    pub const MOST: usize = 1 << 16;
+    pub(crate) const MOST: usize = 1 << 16;
 
     /// Nothing of it is in the way, and every sensor counts.
-    pub const NONE: Self = Self(0);
+    pub(crate) const NONE: Self = Self(0);
 
     /// That with a number.
     #[must_use]
-    pub const fn new(number: u16) -> Self {
+    pub(crate) const fn new(number: u16) -> Self {
         Self(number)
     }
 
@@ -25,7 +25,7 @@ impl Arrangement {
 
     /// Whether it is [`Self::NONE`].
     #[must_use]
-    pub const fn is_none(self) -> bool {
+    pub(crate) const fn is_none(self) -> bool {
         self.0 == 0
     }
 }

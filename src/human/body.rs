@@ -127,7 +127,7 @@ impl Default for Anthropometry {
 
 /// A body that cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum BodyError {
+pub(crate) enum BodyError {
     /// A bend that no trunk makes, or no number.
     #[error("the human's `{parameter}` is {degrees}: give an angle from 0 to 90 degrees")]
     BendOutOfRange {
@@ -168,7 +168,7 @@ impl Body {
     ///
     /// # Errors
     /// When a bend angle is outside 0 to 90 degrees, or a radius outside 0.02 to 0.4 m.
-    pub fn new(parameters: &Anthropometry) -> Result<Self, BodyError> {
+    pub(crate) fn new(parameters: &Anthropometry) -> Result<Self, BodyError> {
         let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *parameters;
         for (parameter, degrees) in [("bend_forward_deg", bend_forward_deg), ("bend_lateral_deg", bend_lateral_deg)] {
             if !(0.0..=90.0).contains(&degrees) {
@@ -210,19 +210,19 @@ impl Body {
 
     /// What it was made from.
     #[must_use]
-    pub const fn measures(&self) -> &Anthropometry {
+    pub(crate) const fn measures(&self) -> &Anthropometry {
         &self.measures
     }
 
     /// Stature, m.
     #[cfg(test)]
-    pub const fn stature_m(&self) -> f64 {
+    pub(crate) const fn stature_m(&self) -> f64 {
         self.stature_m
     }
 
     /// Stature over that of the median man, by which every measure is scaled.
     #[cfg(test)]
-    pub const fn scale(&self) -> f64 {
+    pub(crate) const fn scale(&self) -> f64 {
         self.scale
     }
 
@@ -230,7 +230,7 @@ impl Body {
     /// the top of the head. It is the same for every heading, and for every posture of who stands, so whether a walk is blocked
     /// does not depend on them; in low postures it is as high as the body is then. `position` on the floor, world frame.
     #[must_use]
-    pub fn blocking_capsule(&self, position: Vec3, posture: Posture) -> Capsule {
+    pub(crate) fn blocking_capsule(&self, position: Vec3, posture: Posture) -> Capsule {
         let radius = self.scale * BLOCKING_RADIUS;
         Capsule {
             a: position + Vec3::new(0.0, 0.0, BLOCKING_FROM + radius),
@@ -262,7 +262,13 @@ impl Body {
     /// What touches the floor, `position` on it, world frame: the feet of who stands or crouches, and knees and hands of who
     /// kneels or crawls.
     #[must_use]
-    pub fn on_floor(&self, position: Vec3, heading_rad: f64, posture: Posture, fraction: BendFraction) -> OnFloor {
+    pub(crate) fn on_floor(
+        &self,
+        position: Vec3,
+        heading_rad: f64,
+        posture: Posture,
+        fraction: BendFraction,
+    ) -> OnFloor {
         match self.legs_in(posture, fraction) {
             Some(legs) => legs.on_floor(&world_from_feet(position, heading_rad), posture, fraction),
             None => OnFloor { feet: self.feet(position, heading_rad), besides: None },
@@ -271,7 +277,7 @@ impl Body {
 
     /// How long the legs are along the heading, as far as they are lower than this in a low posture, m.
     #[must_use]
-    pub fn legs_below_m(&self, posture: Posture, height_m: f64) -> f64 {
+    pub(crate) fn legs_below_m(&self, posture: Posture, height_m: f64) -> f64 {
         let placed = self.placed(Vec3::ZERO, 0.0, posture, BendFraction::FULL);
         let legs = placed.parts().iter().filter(|(part, _)| !part.is_trunk()).map(|(_, capsule)| capsule);
         let below = legs.filter(|c| c.a.z.min(c.b.z) - c.radius < height_m);
@@ -283,7 +289,7 @@ impl Body {
     /// Radius of a sphere around the point 1 m above the feet that holds the body and every arm `arm_reach_m` long, in
     /// every posture of who stands and in those low ones.
     #[must_use]
-    pub fn reach_from_one_metre(&self, arm_reach_m: f64, low: &[Posture]) -> f64 {
+    pub(crate) fn reach_from_one_metre(&self, arm_reach_m: f64, low: &[Posture]) -> f64 {
         let (hip, reach) = self.reach_from_hip(arm_reach_m);
         let trunk = (hip - 1.0).abs() + self.trunk_radius().max(reach);
         let standing = trunk.max(self.farthest(Vec3::Z, |part| !part.is_trunk()));

@@ -106,13 +106,13 @@ impl Field {
 
     /// A lower bound for a cell, m; infinite where no way leads.
     #[must_use]
-    pub fn at(&self, cell: usize) -> f64 {
+    pub(crate) fn at(&self, cell: usize) -> f64 {
         self.least_m[cell]
     }
 
     /// The bounds of all cells, m.
     #[must_use]
-    pub fn all(&self) -> &[f64] {
+    pub(crate) fn all(&self) -> &[f64] {
         &self.least_m
     }
 

@@ -33,7 +33,7 @@ pub struct Floor {
 }
 
 /// What holds of each of so many cells; nothing, where there is no time for it.
-pub fn of_cells<T>(cells: usize, stop: &Stop, of: impl Fn(usize) -> T) -> Option<Vec<T>> {
+pub(crate) fn of_cells<T>(cells: usize, stop: &Stop, of: impl Fn(usize) -> T) -> Option<Vec<T>> {
     let is_over = |cell: usize| cell.is_multiple_of(BETWEEN_LOOKS) && stop.is_due();
     (0..cells).map(|cell| (!is_over(cell)).then(|| of(cell))).collect()
 }
@@ -88,7 +88,7 @@ impl Floor {
 
     /// The same, but there is no floor outside of a polygon: not in the rectangle, and not beyond it.
     #[must_use]
-    pub fn bounded_by(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
+    pub(crate) fn bounded_by(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
         let may_be_in = self.may_be_in(polygon, stop)?;
         self.open.iter_mut().zip(may_be_in).for_each(|(open, may)| *open &= may);
         self.bounded = true;
@@ -97,7 +97,7 @@ impl Floor {
 
     /// The same, but people come from within a polygon.
     #[must_use]
-    pub fn entered_in(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
+    pub(crate) fn entered_in(mut self, polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
         self.entry = Some(self.may_be_in(polygon, stop)?);
         Some(self)
     }
@@ -131,25 +131,25 @@ impl Floor {
 
     /// How many cells along x and along y.
     #[must_use]
-    pub const fn size(&self) -> [usize; 2] {
+    pub(crate) const fn size(&self) -> [usize; 2] {
         [self.columns, self.rows]
     }
 
     /// The place so many cells along x and along y from the rectangle's low corner, m.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-    pub fn corner(&self, (column, row): (usize, usize)) -> [f64; 2] {
+    pub(crate) fn corner(&self, (column, row): (usize, usize)) -> [f64; 2] {
         [self.low_m[0] + column as f64 * self.cell_m, self.low_m[1] + row as f64 * self.cell_m]
     }
 
     /// The rectangle, its low corner and its high one, m.
     #[must_use]
-    pub fn bounds(&self) -> ([f64; 2], [f64; 2]) {
+    pub(crate) fn bounds(&self) -> ([f64; 2], [f64; 2]) {
         (self.low_m, self.corner((self.columns, self.rows)))
     }
 
     /// The cells beside which the rectangle ends; none if there is nothing beyond.
-    pub fn edge(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn edge(&self) -> impl Iterator<Item = usize> + '_ {
         let (columns, rows) = (self.columns, self.rows);
         let on_edge = move |cell: &usize| {
             let (column, row) = (cell % columns, cell / columns);
@@ -160,14 +160,14 @@ impl Floor {
 
     /// Edge of a cell, m.
     #[must_use]
-    pub const fn cell_m(&self) -> f64 {
+    pub(crate) const fn cell_m(&self) -> f64 {
         self.cell_m
     }
 
     /// Leaves open only what is joined by open cells that `may_pass` to where people come from, else to the edge of the rectangle, if
     /// the floor has no boundary, or to a cell where somebody `starts`; cells that meet in a corner are joined.
     #[must_use]
-    pub fn joined_to_the_outside(
+    pub(crate) fn joined_to_the_outside(
         mut self,
         starts: &[[f64; 2]],
         may_pass: impl Fn(usize) -> bool,
@@ -197,7 +197,7 @@ impl Floor {
 
     /// Some cells, and all that are joined to them by others that `may_pass` holds.
     #[must_use]
-    pub fn spread(&self, from: &[bool], may_pass: &[bool]) -> Vec<bool> {
+    pub(crate) fn spread(&self, from: &[bool], may_pass: &[bool]) -> Vec<bool> {
         let mut joined = from.to_vec();
         let mut next: Vec<usize> = (0..self.cells()).filter(|cell| from[*cell]).collect();
         while let Some(cell) = next.pop() {
@@ -212,7 +212,7 @@ impl Floor {
     }
 
     /// The cells that meet a cell in an edge or a corner, and itself.
-    pub fn around(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
+    pub(crate) fn around(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
         let (columns, rows) = (self.columns, self.rows);
         let (column, row) = (cell % columns, cell / columns);
         let across = column.saturating_sub(1)..(column + 2).min(columns);
@@ -223,7 +223,7 @@ impl Floor {
     /// Whether all is known of the square of half edge `half_m` around `xy_m`: it is in the rectangle, or there is nothing beyond.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-    pub fn holds(&self, xy_m: [f64; 2], half_m: f64) -> bool {
+    pub(crate) fn holds(&self, xy_m: [f64; 2], half_m: f64) -> bool {
         let high = |axis: usize, count: usize| self.low_m[axis] + count as f64 * self.cell_m;
         self.bounded
             || (0..2).all(|axis| xy_m[axis] - half_m >= self.low_m[axis] - ROUNDING_M)
@@ -252,7 +252,7 @@ impl Floor {
 
     /// The cells of which some point is no farther than `far_m` from one of some others, at least.
     #[must_use]
-    pub fn grown(&self, cells: &[bool], far_m: f64) -> Vec<bool> {
+    pub(crate) fn grown(&self, cells: &[bool], far_m: f64) -> Vec<bool> {
         let mut grown = vec![false; self.cells()];
         let far = far_m + SQRT_2 * self.cell_m;
         for cell in (0..self.cells()).filter(|cell| cells[*cell]) {
@@ -273,7 +273,7 @@ impl Floor {
     /// What is beyond the rectangle, as far as this, as rectangles like those of [`Self::rectangles`]: none if there is no floor.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-    pub fn beyond(&self, far_m: f64) -> Vec<[f64; 4]> {
+    pub(crate) fn beyond(&self, far_m: f64) -> Vec<[f64; 4]> {
         let [left, low] = self.low_m;
         let (right, high) = (left + self.columns as f64 * self.cell_m, low + self.rows as f64 * self.cell_m);
         let (from, to) = (left - far_m, right + far_m);
@@ -290,7 +290,7 @@ impl Floor {
     /// one above the other.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "some thousand cells to a side")]
-    pub fn rectangles(&self, cells: &[bool]) -> Vec<[f64; 4]> {
+    pub(crate) fn rectangles(&self, cells: &[bool]) -> Vec<[f64; 4]> {
         // Columns from and to, rows from and to.
         let mut done: Vec<[usize; 4]> = Vec::new();
         let mut growing: Vec<[usize; 4]> = Vec::new();
@@ -322,7 +322,7 @@ impl Floor {
     /// Whether some cell within the square of half edge `half_m` around `xy_m` is open; so is what is outside the rectangle, unless
     /// the floor has a boundary.
     #[must_use]
-    pub fn any_open(&self, xy_m: [f64; 2], half_m: f64) -> bool {
+    pub(crate) fn any_open(&self, xy_m: [f64; 2], half_m: f64) -> bool {
         !self.holds(xy_m, half_m) || self.within(xy_m, half_m).any(|cell| self.open[cell])
     }
 }

@@ -11,7 +11,7 @@ use super::PoseBox;
 use crate::stop::Stop;
 
 /// Edge of a square, m.
-pub const SQUARE_M: f64 = 0.005;
+pub(crate) const SQUARE_M: f64 = 0.005;
 /// Squares to a side of a block, a power of two.
 const SIDE: usize = 32;
 /// Squares of a block.
@@ -19,7 +19,7 @@ const SQUARES: usize = SIDE * SIDE;
 /// Squares that people get to from one look at the clock to the next.
 const BETWEEN_LOOKS: usize = 1024;
 /// Headings for all of which something holds.
-pub const ALL_HEADINGS: u8 = 0xff;
+pub(crate) const ALL_HEADINGS: u8 = 0xff;
 /// Columns and rows by heading, the first along the columns, each further to the left.
 const AHEAD: [(isize, isize); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
 
@@ -45,7 +45,7 @@ enum Block {
 
 /// See the top of this file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Inwards {
+pub(crate) struct Inwards {
     /// By how much the squares are turned from +x towards +y, rad, with its sine and cosine.
     turned_rad: f64,
     turned: (f64, f64),
@@ -57,7 +57,7 @@ pub struct Inwards {
 }
 
 /// Whether something holds of all places of some squares together, or of none; else it is asked of each.
-pub type Of<'a> = &'a dyn Fn(&PoseBox) -> Option<bool>;
+pub(crate) type Of<'a> = &'a dyn Fn(&PoseBox) -> Option<bool>;
 
 /// A square by its column and row among all.
 type At = (isize, isize);
@@ -68,7 +68,7 @@ impl Inwards {
     /// some headings they are clear: the first looks where the squares are turned to. Where there is no time for it people get to fewer.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand blocks to a side")]
-    pub fn new(
+    pub(crate) fn new(
         (low_m, high_m): ([f64; 2], [f64; 2]),
         turned_rad: f64,
         decide: &dyn Fn(&PoseBox, u8) -> Decided,
@@ -131,13 +131,13 @@ impl Inwards {
     }
 
     /// The headings that a square is looked at for, by number, rad.
-    pub fn headings(turned_rad: f64) -> impl Iterator<Item = (u8, f64)> {
+    pub(crate) fn headings(turned_rad: f64) -> impl Iterator<Item = (u8, f64)> {
         (0..8).map(move |number| (number, turned_rad + f64::from(number) * FRAC_PI_4))
     }
 
     /// The turns that tell two of these floors apart: from 0 to an eighth of a turn.
     #[must_use]
-    pub fn turn_of(heading_rad: f64) -> f64 {
+    pub(crate) fn turn_of(heading_rad: f64) -> f64 {
         // What rounding leaves of a whole turn is none.
         let turn = (heading_rad + 1e-9).rem_euclid(FRAC_PI_4) - 1e-9;
         debug_assert!(turn < 2.0 * FRAC_PI_8);
@@ -225,7 +225,7 @@ impl Inwards {
 
     /// People come from wherever `comes` holds of all of a square, and from squares with some places, and get to all that is joined to
     /// those; to fewer, where there is no time for it.
-    pub fn join(&mut self, comes: Of<'_>, places: &[[f64; 2]], stop: &Stop) {
+    pub(crate) fn join(&mut self, comes: Of<'_>, places: &[[f64; 2]], stop: &Stop) {
         let mut next = Vec::new();
         let from = [self.where_all(comes), places.iter().map(|at| self.square(*at)).collect()].concat();
         from.into_iter().for_each(|at| self.reach(at, &mut next));
@@ -256,7 +256,7 @@ impl Inwards {
 
     /// Whether people get to all of the square that a place is in.
     #[must_use]
-    pub fn is_reached(&self, xy_m: [f64; 2]) -> bool {
+    pub(crate) fn is_reached(&self, xy_m: [f64; 2]) -> bool {
         self.state(self.square(xy_m)).1
     }
 
@@ -264,7 +264,7 @@ impl Inwards {
     /// only those that people get to, if `reached`.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "some squares")]
-    pub fn near(&self, xy_m: [f64; 2], far_m: f64, reached: bool) -> Vec<[f64; 2]> {
+    pub(crate) fn near(&self, xy_m: [f64; 2], far_m: f64, reached: bool) -> Vec<[f64; 2]> {
         let far = (far_m / SQUARE_M).ceil() as isize;
         let (column, row) = self.square(xy_m);
         let all = (row - far..=row + far).flat_map(|row| (column - far..=column + far).map(move |c| (c, row)));
@@ -281,7 +281,7 @@ impl Inwards {
 
     /// Whether people get to some square of all of which something holds.
     #[must_use]
-    pub fn reaches(&self, is: Of<'_>) -> bool {
+    pub(crate) fn reaches(&self, is: Of<'_>) -> bool {
         self.where_all(is).into_iter().any(|at| self.state(at).1)
     }
 }

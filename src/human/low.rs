@@ -48,7 +48,7 @@ impl Bent {
 
 /// What touches the floor, world frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OnFloor {
+pub(crate) struct OnFloor {
     /// Left and right foot; of who kneels or crawls, the knees.
     pub feet: [Vec3; 2],
     /// Of who kneels, the toes; of who crawls, toes and hands.
@@ -57,7 +57,7 @@ pub struct OnFloor {
 
 /// Where pelvis and legs are in one low posture, in the frame of the feet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Legs {
+pub(crate) struct Legs {
     ankle: Vec3,
     knee: Vec3,
     hip: Vec3,

@@ -8,35 +8,35 @@
 //! Knows obstacles as boxes, and nothing of robots, sensors or FMUs. World frame: z up, floor at z = 0. Frames of the
 //! body: x forward, y left, z up. Metres and radians inside.
 
-pub mod action;
+pub(crate) mod action;
 pub mod arm;
-pub mod arrangement;
-pub mod body;
-pub mod field;
-pub mod floor;
-pub mod inwards;
-pub mod low;
+pub(crate) mod arrangement;
+pub(crate) mod body;
+pub(crate) mod field;
+pub(crate) mod floor;
+pub(crate) mod inwards;
+pub(crate) mod low;
 mod obstacles;
-pub mod part;
-pub mod place;
-pub mod placed;
-pub mod pose_box;
+pub(crate) mod part;
+pub(crate) mod place;
+pub(crate) mod placed;
+pub(crate) mod pose_box;
 pub mod posture;
-pub mod presses;
+pub(crate) mod presses;
 pub mod reach;
-pub mod repertoire;
+pub(crate) mod repertoire;
 pub mod shoulder;
-pub mod walk;
-pub mod who;
+pub(crate) mod walk;
+pub(crate) mod who;
 
 pub use action::{Action, Posture, Walk};
-pub use arrangement::Arrangement;
+pub(crate) use arrangement::Arrangement;
 pub use body::{Anthropometry, Body, Radii};
 pub use field::Field;
 pub use floor::{Floor, has_room_throughout, is_without_room};
-pub use inwards::Inwards;
+pub(crate) use inwards::Inwards;
 pub(crate) use obstacles::capsule_hits;
-pub use obstacles::is_kept_from;
+pub(crate) use obstacles::is_kept_from;
 pub use part::{BodyPart, Side};
 pub use place::{Place, Start};
 pub use placed::PlacedBody;

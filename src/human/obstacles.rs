@@ -30,7 +30,7 @@ pub(crate) fn capsule_hits(capsule: &Capsule, obstacle: &Cuboid) -> bool {
 /// Whether a wall keeps all of a part of the body from a solid: the solid is beyond its middle plane, the part's core before it, and
 /// what of the part would stick out beyond is within the wall's edges. There the wall is in its way, not the solid.
 #[must_use]
-pub fn is_kept_from(part: &Capsule, solid: &Solid, wall: &Cuboid) -> bool {
+pub(crate) fn is_kept_from(part: &Capsule, solid: &Solid, wall: &Cuboid) -> bool {
     let wall_from_world = wall.rotation.inverse();
     let [a, b] = [part.a, part.b].map(|end| (wall_from_world * (end - wall.centre)).to_array());
     let half = wall.half.to_array();

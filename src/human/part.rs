@@ -20,7 +20,7 @@ impl Side {
 
     /// +1 to the left, -1 to the right: the sign along the body's y axis.
     #[must_use]
-    pub const fn sign(self) -> f64 {
+    pub(crate) const fn sign(self) -> f64 {
         match self {
             Self::Left => 1.0,
             Self::Right => -1.0,
@@ -56,7 +56,7 @@ pub enum BodyPart {
 
 impl BodyPart {
     /// Every part once, from the head down; the order of [`PlacedBody::parts`](super::PlacedBody::parts).
-    pub const ALL: [Self; 10] = [
+    pub(crate) const ALL: [Self; 10] = [
         Self::Head,
         Self::Neck,
         Self::UpperChest,
@@ -71,7 +71,7 @@ impl BodyPart {
 
     /// Its name, as in files.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Head => "head",
             Self::Neck => "neck",
@@ -88,7 +88,7 @@ impl BodyPart {
 
     /// The regions that a point on its surface may belong to.
     #[must_use]
-    pub const fn regions(self) -> &'static [BodyRegion] {
+    pub(crate) const fn regions(self) -> &'static [BodyRegion] {
         match self {
             Self::Head => &[BodyRegion::Face, BodyRegion::SkullForehead],
             Self::Neck => &[BodyRegion::NeckFront, BodyRegion::Neck],
@@ -103,7 +103,7 @@ impl BodyPart {
 
     /// Whether the part moves with the trunk when it bends.
     #[must_use]
-    pub const fn is_trunk(self) -> bool {
+    pub(crate) const fn is_trunk(self) -> bool {
         matches!(self, Self::Head | Self::Neck | Self::UpperChest | Self::LowerChest | Self::Abdomen)
     }
 }

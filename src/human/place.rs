@@ -77,7 +77,7 @@ impl Place {
 
     /// Heading to the left of the start heading, in eighths of a full turn: 0..8.
     #[cfg(test)]
-    pub const fn heading_eighths(&self) -> u8 {
+    pub(crate) const fn heading_eighths(&self) -> u8 {
         self.heading
     }
 
@@ -95,19 +95,19 @@ impl Place {
 
     /// How things stand that follow the FMU.
     #[must_use]
-    pub const fn arrangement(&self) -> Arrangement {
+    pub(crate) const fn arrangement(&self) -> Arrangement {
         self.arrangement
     }
 
     /// The same spot while they stand otherwise.
     #[must_use]
-    pub const fn amid(self, arrangement: Arrangement) -> Self {
+    pub(crate) const fn amid(self, arrangement: Arrangement) -> Self {
         Self { arrangement, ..self }
     }
 
     /// The same spot after a turn to the left by `eighths` of a full turn.
     #[must_use]
-    pub const fn turned(self, eighths: i8) -> Self {
+    pub(crate) const fn turned(self, eighths: i8) -> Self {
         // 256 is a multiple of 8, so the wrapped byte has the right remainder for negative turns too.
         let turn = eighths.cast_unsigned();
         Self { heading: self.heading.wrapping_add(turn) % 8, ..self }
@@ -115,7 +115,7 @@ impl Place {
 
     /// The place one sub-step ahead.
     #[must_use]
-    pub const fn stepped(mut self) -> Self {
+    pub(crate) const fn stepped(mut self) -> Self {
         let axis = (self.heading % 4) as usize;
         self.steps[axis] += if self.heading < 4 { 1 } else { -1 };
         self
@@ -123,13 +123,13 @@ impl Place {
 
     /// The place one sub-step behind: the way back from [`Self::stepped`].
     #[must_use]
-    pub const fn stepped_back(self) -> Self {
+    pub(crate) const fn stepped_back(self) -> Self {
         self.turned(4).stepped().turned(4)
     }
 
     /// How many sub-steps along its heading lead here from `before`, a place with the same heading; backwards less than none.
     #[must_use]
-    pub const fn ahead_of(&self, before: &Self) -> i32 {
+    pub(crate) const fn ahead_of(&self, before: &Self) -> i32 {
         let axis = (self.heading % 4) as usize;
         let steps = self.steps[axis] - before.steps[axis];
         if self.heading < 4 { steps } else { -steps }
@@ -138,7 +138,7 @@ impl Place {
     /// Position on the floor in the world frame (z = 0), for sub-steps of `sub_step_len_m`. Equal places give equal
     /// bits.
     #[must_use]
-    pub fn position(&self, start: &Start, sub_step_len_m: f64) -> Vec3 {
+    pub(crate) fn position(&self, start: &Start, sub_step_len_m: f64) -> Vec3 {
         let [ahead, ahead_left, left, back_left] = self.steps;
         let forward = (f64::from(ahead) + f64::from(ahead_left - back_left) * FRAC_1_SQRT_2) * sub_step_len_m;
         let sideways = (f64::from(left) + f64::from(ahead_left + back_left) * FRAC_1_SQRT_2) * sub_step_len_m;
@@ -151,7 +151,7 @@ impl Place {
 
     /// Heading in the world frame, rad, anticlockwise from +x.
     #[must_use]
-    pub fn heading_rad(&self, start: &Start) -> f64 {
+    pub(crate) fn heading_rad(&self, start: &Start) -> f64 {
         start.heading_rad + f64::from(self.heading) * FRAC_PI_4
     }
 }

@@ -39,7 +39,7 @@ impl PlacedBody {
 
     /// The capsule of one part, world frame.
     #[must_use]
-    pub const fn capsule(&self, part: BodyPart) -> &Capsule {
+    pub(crate) const fn capsule(&self, part: BodyPart) -> &Capsule {
         &self.parts[part as usize].1
     }
 
@@ -58,7 +58,7 @@ impl PlacedBody {
 
     /// The middle of the trunk at shoulder height, world: where the bones begin that carry the arms.
     #[must_use]
-    pub fn middle_of_shoulders(&self) -> Vec3 {
+    pub(crate) fn middle_of_shoulders(&self) -> Vec3 {
         self.shoulder_line(Side::Left).a
     }
 
@@ -73,7 +73,7 @@ impl PlacedBody {
     /// the head, the lower half of the front is the face; the front half of the neck is that of the larynx; on the trunk, the front is chest above the xiphoid process and
     /// abdomen below, the rear and the shoulder caps are back and shoulders.
     #[must_use]
-    pub fn region_of(&self, part: BodyPart, contact_point: Vec3) -> BodyRegion {
+    pub(crate) fn region_of(&self, part: BodyPart, contact_point: Vec3) -> BodyRegion {
         let on_trunk = self.world_from_trunk.inverse_transform_point(contact_point) / self.scale;
         match part {
             BodyPart::Head => {
@@ -101,7 +101,7 @@ impl PlacedBody {
     /// The body area of ISO/TS 15066, Table A.2, at a point on the surface of `part` (world frame), where the point tells those of
     /// its region apart.
     #[must_use]
-    pub fn area_of(&self, part: BodyPart, contact_point: Vec3) -> Option<BodyArea> {
+    pub(crate) fn area_of(&self, part: BodyPart, contact_point: Vec3) -> Option<BodyArea> {
         /// Half of the breastbone's width, and some, m.
         const STERNUM_M: f64 = 0.05;
         /// A point this far in front or behind is no longer at the side, m.

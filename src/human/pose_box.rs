@@ -32,32 +32,32 @@ impl PoseBox {
 
     /// The middle of the places, on the floor, m.
     #[must_use]
-    pub fn position(&self) -> Vec3 {
+    pub(crate) fn position(&self) -> Vec3 {
         Vec3::new(self.xy_m[0], self.xy_m[1], 0.0)
     }
 
     /// How far a place can be from the middle, m.
     #[must_use]
-    pub fn place_moves_m(&self) -> f64 {
+    pub(crate) fn place_moves_m(&self) -> f64 {
         SQRT_2 * self.half_m
     }
 
     /// How far a point of the body can be from where it is in the middle of the box, m, if it is no farther than `lever_m` from
     /// the axis between the feet.
     #[must_use]
-    pub fn moves_m(&self, lever_m: f64) -> f64 {
+    pub(crate) fn moves_m(&self, lever_m: f64) -> f64 {
         self.place_moves_m() + 2.0 * lever_m * libm::sin(0.5 * self.half_rad.min(PI))
     }
 
     /// Middle and radius of a ball, m, that holds whatever is no farther than `far_m` from the point `height_m` above the feet of
     /// anybody in the box.
     #[must_use]
-    pub fn around(&self, height_m: f64, far_m: f64) -> (Vec3, f64) {
+    pub(crate) fn around(&self, height_m: f64, far_m: f64) -> (Vec3, f64) {
         (self.position() + Vec3::Z * height_m, far_m + self.place_moves_m())
     }
 
     /// Boxes whose union it is, of equal arcs.
-    pub fn arcs(&self, count: u32) -> impl Iterator<Item = Self> + use<> {
+    pub(crate) fn arcs(&self, count: u32) -> impl Iterator<Item = Self> + use<> {
         let whole = Self { half_rad: self.half_rad.min(PI), ..*self };
         let half_rad = whole.half_rad / f64::from(count.max(1));
         let first_rad = whole.heading_rad - whole.half_rad;
@@ -71,7 +71,7 @@ impl PoseBox {
     /// Parts whose union it is: quarters of the square, or halves of the arc, whichever moves a point more that is `lever_m`
     /// from the axis.
     #[must_use]
-    pub fn parts(&self, lever_m: f64) -> Vec<Self> {
+    pub(crate) fn parts(&self, lever_m: f64) -> Vec<Self> {
         if 2.0 * self.place_moves_m() >= self.moves_m(lever_m) {
             self.quarters().to_vec()
         } else {
@@ -81,7 +81,7 @@ impl PoseBox {
 
     /// The quarters of the square.
     #[must_use]
-    pub fn quarters(&self) -> [Self; 4] {
+    pub(crate) fn quarters(&self) -> [Self; 4] {
         let half_m = 0.5 * self.half_m;
         let [x, y] = self.xy_m;
         let part = |(i, j): (f64, f64)| Self { xy_m: [x + i * half_m, y + j * half_m], half_m, ..*self };
@@ -90,7 +90,7 @@ impl PoseBox {
 
     /// The halves of the arc.
     #[must_use]
-    pub fn halves(&self) -> [Self; 2] {
+    pub(crate) fn halves(&self) -> [Self; 2] {
         let half_rad = 0.5 * self.half_rad.min(PI);
         let part =
             |side: f64| Self { heading_rad: (self.heading_rad + side * half_rad).rem_euclid(TAU), half_rad, ..*self };

@@ -16,13 +16,13 @@ pub struct BendFraction(u8);
 
 impl BendFraction {
     /// Number of fractions, upright and full included.
-    pub const STEPS: usize = 17;
+    pub(crate) const STEPS: usize = 17;
     /// No bend at all.
-    pub const UPRIGHT: Self = Self(0);
+    pub(crate) const UPRIGHT: Self = Self(0);
     /// The bend that the posture asks for.
-    pub const FULL: Self = Self(16);
+    pub(crate) const FULL: Self = Self(16);
     /// Every fraction once, from upright to full.
-    pub const ALL: [Self; Self::STEPS] = {
+    pub(crate) const ALL: [Self; Self::STEPS] = {
         let mut all = [Self::UPRIGHT; Self::STEPS];
         let mut sixteenths = 1;
         while sixteenths <= Self::FULL.0 {
@@ -34,19 +34,19 @@ impl BendFraction {
 
     /// `sixteenths` / 16 of the bend, if that is no more than all of it.
     #[cfg(test)]
-    pub const fn new(sixteenths: u8) -> Option<Self> {
+    pub(crate) const fn new(sixteenths: u8) -> Option<Self> {
         if sixteenths <= Self::FULL.0 { Some(Self(sixteenths)) } else { None }
     }
 
     /// Whole sixteenths, 0..=16.
     #[must_use]
-    pub const fn sixteenths(self) -> u8 {
+    pub(crate) const fn sixteenths(self) -> u8 {
         self.0
     }
 
     /// The fraction as a number from 0 to 1.
     #[must_use]
-    pub fn share(self) -> f64 {
+    pub(crate) fn share(self) -> f64 {
         f64::from(self.0) / 16.0
     }
 }
@@ -135,7 +135,7 @@ pub fn cut_back(body: &Body, position: Vec3, heading_rad: f64, posture: Posture,
 
 /// The least and the largest share of the bend that [`cut_back`] may give anywhere in a box of places and headings.
 #[must_use]
-pub fn may_be_cut_back(
+pub(crate) fn may_be_cut_back(
     body: &Body,
     at: &PoseBox,
     posture: Posture,

@@ -8,7 +8,7 @@ pub struct Presses(u8);
 
 impl Presses {
     /// Most controls of a cell: each doubles the number of actions.
-    pub const MOST: usize = 6;
+    pub(crate) const MOST: usize = 6;
 
     /// None.
     pub const NONE: Self = Self(0);
@@ -33,7 +33,7 @@ impl Presses {
 
     /// Those that are in one of the two only.
     #[must_use]
-    pub const fn either(self, other: Self) -> Self {
+    pub(crate) const fn either(self, other: Self) -> Self {
         Self(self.0 ^ other.0)
     }
 
@@ -57,18 +57,18 @@ impl Presses {
 
     /// How many there are.
     #[must_use]
-    pub const fn count(self) -> u32 {
+    pub(crate) const fn count(self) -> u32 {
         self.0.count_ones()
     }
 
     /// Their numbers, in order.
-    pub fn numbers(self) -> impl Iterator<Item = usize> {
+    pub(crate) fn numbers(self) -> impl Iterator<Item = usize> {
         (0..Self::MOST).filter(move |control| self.has(*control))
     }
 
     /// Number of the set among [`Presses::all`].
     #[must_use]
-    pub const fn index(self) -> usize {
+    pub(crate) const fn index(self) -> usize {
         self.0 as usize
     }
 

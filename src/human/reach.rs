@@ -17,7 +17,7 @@
 //! the nearest point of a mesh can be is told by its triangles.
 
 mod barrier;
-pub mod cells;
+pub(crate) mod cells;
 mod joint_box;
 mod movement;
 mod obstructed;
@@ -53,7 +53,7 @@ pub enum ArmSegment {
 }
 
 /// Length of forearm next to the elbow joint that counts as elbow, m.
-pub const ELBOW_ZONE_M: f64 = 0.06;
+pub(crate) const ELBOW_ZONE_M: f64 = 0.06;
 
 /// How bad a contact is. Higher is worse; zero or less is never reported.
 pub trait ContactScore {

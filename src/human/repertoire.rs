@@ -25,11 +25,11 @@ pub enum Ability {
 
 impl Ability {
     /// Every one once.
-    pub const ALL: [Self; 5] = [Self::Kneel, Self::Crouch, Self::Crawl, Self::StepBack, Self::Run];
+    pub(crate) const ALL: [Self; 5] = [Self::Kneel, Self::Crouch, Self::Crawl, Self::StepBack, Self::Run];
 
     /// For people: what somebody does who does it.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::Kneel => "kneeling",
             Self::Crouch => "crouching",
@@ -75,12 +75,12 @@ pub struct Repertoire {
 
 impl Repertoire {
     /// Times the walking speed that somebody runs at most.
-    pub const FASTEST: u8 = 4;
+    pub(crate) const FASTEST: u8 = 4;
 
     /// What everybody does in a cell with so many controls, and these abilities; who runs does so at `strides` times the walking
     /// speed.
     #[must_use]
-    pub fn new(abilities: &[Ability], strides: u8, controls: usize) -> Self {
+    pub(crate) fn new(abilities: &[Ability], strides: u8, controls: usize) -> Self {
         let abilities: Vec<Ability> = Ability::ALL.into_iter().filter(|ability| abilities.contains(ability)).collect();
         let walks = Walk::USUAL.into_iter().chain(abilities.iter().filter_map(|ability| ability.walk())).collect();
         let low = abilities.iter().filter_map(|ability| ability.posture());
@@ -96,13 +96,13 @@ impl Repertoire {
 
     /// The same while a second person does any of what `second` does without its controls.
     #[must_use]
-    pub fn beside(self, second: Self) -> Self {
+    pub(crate) fn beside(self, second: Self) -> Self {
         Self { second: Some(Box::new(Self { controls: 0, ..second })), ..self }
     }
 
     /// What one of the people does; of nobody, where there is no second one.
     #[must_use]
-    pub fn of(&self, who: Who) -> Option<&Self> {
+    pub(crate) fn of(&self, who: Who) -> Option<&Self> {
         match who {
             Who::First => Some(self),
             Who::Second => self.second.as_deref(),
@@ -122,13 +122,13 @@ impl Repertoire {
 
     /// The indices of what either of the people does in the action with an index.
     #[must_use]
-    pub fn apart(&self, index: usize) -> (usize, usize) {
+    pub(crate) fn apart(&self, index: usize) -> (usize, usize) {
         (index / self.of_second(), index % self.of_second())
     }
 
     /// Number of actions without a control.
     #[must_use]
-    pub const fn moves(&self) -> usize {
+    pub(crate) const fn moves(&self) -> usize {
         self.walks.len() * self.postures.len()
     }
 
@@ -137,7 +137,7 @@ impl Repertoire {
     /// # Panics
     /// For an index that the cell does not have: another action in its place would be looked at twice, and its own never.
     #[must_use]
-    pub fn action(&self, index: usize) -> Action {
+    pub(crate) fn action(&self, index: usize) -> Action {
         let (own, seconds) = self.apart(index);
         let presses = Presses::from_index(own / self.moves());
         assert!(index < self.count() && presses.is_some(), "there is no action {index}");
@@ -169,38 +169,38 @@ impl Repertoire {
 
     /// Ways to walk.
     #[must_use]
-    pub fn walks(&self) -> &[Walk] {
+    pub(crate) fn walks(&self) -> &[Walk] {
         &self.walks
     }
 
     /// Postures.
     #[must_use]
-    pub fn postures(&self) -> &[Posture] {
+    pub(crate) fn postures(&self) -> &[Posture] {
         &self.postures
     }
 
     /// Those in which the legs are bent too, from the highest to the lowest.
     #[must_use]
-    pub fn low(&self) -> &[Posture] {
+    pub(crate) fn low(&self) -> &[Posture] {
         &self.postures[Posture::USUAL.len()..]
     }
 
     /// What there is beyond what everybody does.
     #[must_use]
-    pub fn abilities(&self) -> &[Ability] {
+    pub(crate) fn abilities(&self) -> &[Ability] {
         &self.abilities
     }
 
     /// How fast who runs does so, m/s, if anybody does.
     #[must_use]
-    pub fn run_m_s(&self) -> Option<f64> {
+    pub(crate) fn run_m_s(&self) -> Option<f64> {
         let rounded = |speed: f64| (speed * 10.0).round() / 10.0;
         self.walks.contains(&Walk::Run).then(|| rounded(f64::from(self.strides) * WALKING_SPEED_M_S))
     }
 
     /// How many times farther than somebody who walks anybody of this repertoire gets.
     #[must_use]
-    pub fn strides(&self) -> u8 {
+    pub(crate) fn strides(&self) -> u8 {
         if self.walks.contains(&Walk::Run) { self.strides } else { 1 }
     }
 }

@@ -21,7 +21,7 @@ pub fn is_available(placed: &PlacedBody, side: Side, obstacles: &[Cuboid]) -> bo
 /// Whether the arm is certainly not available in any pose in which neither end of the line is farther than `moves_m` from
 /// where it is in this one.
 #[must_use]
-pub fn is_certainly_unavailable(placed: &PlacedBody, side: Side, obstacles: &[Cuboid], moves_m: f64) -> bool {
+pub(crate) fn is_certainly_unavailable(placed: &PlacedBody, side: Side, obstacles: &[Cuboid], moves_m: f64) -> bool {
     let line = placed.shoulder_line(side);
     obstacles.iter().any(|obstacle| certainly_crosses(obstacle, [line.a, line.b], moves_m))
 }

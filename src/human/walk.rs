@@ -6,7 +6,7 @@ use crate::geometry::{Cuboid, Vec3};
 
 /// Walks one body in one cell.
 #[derive(Clone, Copy, Debug)]
-pub struct Walker<'a> {
+pub(crate) struct Walker<'a> {
     /// Who walks.
     pub body: &'a Body,
     /// Where the places are counted from.
@@ -44,7 +44,7 @@ impl Walker<'_> {
     /// Whether the body is clear of every obstacle at this place in a posture, or merely touches. To be asked of the start,
     /// before anything else: who starts inside an obstacle can never walk.
     #[must_use]
-    pub fn is_free(&self, place: Place, posture: Posture) -> bool {
+    pub(crate) fn is_free(&self, place: Place, posture: Posture) -> bool {
         let capsule = self.body.blocking_capsule(place.position(self.start, self.sub_step_len_m), posture);
         !self.obstacles.iter().any(|obstacle| capsule_hits(&capsule, obstacle))
     }
@@ -93,7 +93,7 @@ impl Walker<'_> {
     /// Walks one action of `sub_steps` sub-steps, as fast in every posture. The human stops at the last free place before an obstacle and
     /// stays there until the action ends; it does not slide along. It may still turn.
     #[must_use]
-    pub fn walk(&self, from: Place, action: Action, sub_steps: usize) -> WalkTrace {
+    pub(crate) fn walk(&self, from: Place, action: Action, sub_steps: usize) -> WalkTrace {
         let mut place = from.turned(action.walk().turn_eighths());
         let mut stopped = false;
         let mut trace = WalkTrace { start: place, places: vec![place; sub_steps], blocked: vec![false; sub_steps] };
@@ -106,7 +106,7 @@ impl Walker<'_> {
 
     /// One sub-step of an action, the turn already made: where it leads. Whoever was `stopped` stays.
     #[must_use]
-    pub fn step(&self, mut place: Place, action: Action, stopped: &mut bool) -> Place {
+    pub(crate) fn step(&self, mut place: Place, action: Action, stopped: &mut bool) -> Place {
         let walk = action.walk();
         let at_once = match walk {
             Walk::Stop => 0,

@@ -58,7 +58,7 @@ pub struct Acceptance {
 impl Assumption {
     /// As in the cell file, behind `what`.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    pub(crate) const fn name(&self) -> &'static str {
         match self {
             Self::RobotIgnoresSensor { .. } => "robot_ignores_sensor",
             Self::PeopleAlike => "people_alike",
@@ -73,7 +73,7 @@ impl Assumption {
 
     /// In half a sentence.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         match self {
             Self::RobotIgnoresSensor { robot, sensor } => format!("{robot} does not heed {sensor}"),
             Self::PeopleAlike => {
@@ -102,7 +102,7 @@ impl Assumption {
 
     /// Whether accepting this accepts `other`: the same, or more presses, or more time, than were asked for.
     #[must_use]
-    pub fn covers(&self, other: &Self) -> bool {
+    pub(crate) fn covers(&self, other: &Self) -> bool {
         match (self, other) {
             // Whoever says that there is one press at most is answered by a search with two.
             (Self::Presses { at_most: mine }, Self::Presses { at_most: its }) => mine <= its,
@@ -119,7 +119,7 @@ impl Assumption {
 
     /// The lines that accept it for an FMU, for the cell file.
     #[must_use]
-    pub fn lines(&self, fmu: &str) -> String {
+    pub(crate) fn lines(&self, fmu: &str) -> String {
         let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
         let mut lines = format!("[[accept]]\nwhat = {}\n", quoted(self.name()));
         match self {

@@ -9,17 +9,17 @@
 //! Each engine replies to every need ([`Engine`]) and takes the cell and its options apart field by field to do so: a new need, key,
 //! sensor kind or option does not compile before both engines say what they do with it.
 
-pub mod assumption;
-pub mod need;
-pub mod readings;
-pub mod verdict;
+pub(crate) mod assumption;
+pub(crate) mod need;
+pub(crate) mod readings;
+pub(crate) mod verdict;
 
 use std::fmt::Write as _;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::assumption::{Acceptance, Assumption};
+pub(crate) use self::assumption::{Acceptance, Assumption};
 pub use self::need::Need;
 pub use self::verdict::{Clean, Verdict};
 
@@ -71,7 +71,7 @@ pub enum Standing {
 
 /// What an engine says of one robot, sensor or control, or of all.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub(crate) struct Point {
     /// Of which.
     pub about: Option<String>,
     /// What is known.
@@ -81,32 +81,32 @@ pub struct Point {
 impl Point {
     /// It is so.
     #[must_use]
-    pub fn shown(figure: impl Into<String>) -> Self {
+    pub(crate) fn shown(figure: impl Into<String>) -> Self {
         Self { about: None, standing: Standing::Shown { figure: figure.into() } }
     }
 
     /// It is not known.
     #[must_use]
-    pub fn open(why: impl Into<String>) -> Self {
+    pub(crate) fn open(why: impl Into<String>) -> Self {
         Self { about: None, standing: Standing::Open { why: why.into(), what_to_do: None, accept: None } }
     }
 
     /// It is not known, and this is to be done about it, a sentence without its full stop.
     #[must_use]
-    pub fn open_until(why: impl Into<String>, what_to_do: impl Into<String>) -> Self {
+    pub(crate) fn open_until(why: impl Into<String>, what_to_do: impl Into<String>) -> Self {
         let standing = Standing::Open { why: why.into(), what_to_do: Some(what_to_do.into()), accept: None };
         Self { about: None, standing }
     }
 
     /// Of this one.
     #[must_use]
-    pub fn of(self, about: impl Into<String>) -> Self {
+    pub(crate) fn of(self, about: impl Into<String>) -> Self {
         Self { about: Some(about.into()), ..self }
     }
 
     /// Why it is open, if it is.
     #[must_use]
-    pub fn why(&self) -> Option<&str> {
+    pub(crate) fn why(&self) -> Option<&str> {
         match &self.standing {
             Standing::Open { why, .. } => Some(why),
             Standing::Shown { .. } | Standing::Assumed { .. } => None,
@@ -115,7 +115,7 @@ impl Point {
 
     /// Tried out so far: assumed if one of these accepts it.
     #[must_use]
-    pub fn tried(assumption: &Assumption, tried: impl Into<String>, accepted: &[Acceptance], fmu: &str) -> Self {
+    pub(crate) fn tried(assumption: &Assumption, tried: impl Into<String>, accepted: &[Acceptance], fmu: &str) -> Self {
         let tried = tried.into();
         let standing = match accepted.iter().find(|one| one.assumption.covers(assumption)) {
             Some(Acceptance { by, because, .. }) => {
@@ -133,9 +133,9 @@ impl Point {
 
 /// What an engine replies to a need.
 #[derive(Clone, Debug)]
-pub enum Reply {
+pub(crate) enum Reply {
     /// The question has nothing of the kind, and why.
-    NotAsked(&'static str),
+    NotAsked(#[expect(dead_code, reason = "told to who reads the engine")] &'static str),
     /// What is known. Nothing at all is not an answer, and counts as open.
     Points(Vec<Point>),
 }
@@ -143,13 +143,13 @@ pub enum Reply {
 impl Reply {
     /// It is so if nothing is against it.
     #[must_use]
-    pub fn unless(against: Vec<Point>, figure: impl Into<String>) -> Self {
+    pub(crate) fn unless(against: Vec<Point>, figure: impl Into<String>) -> Self {
         Self::Points(if against.is_empty() { vec![Point::shown(figure)] } else { against })
     }
 }
 
 /// A way to search. It replies to every need, by one `match` without a wildcard.
-pub trait Engine {
+pub(crate) trait Engine {
     /// What is known of this.
     fn reply(&self, need: Need) -> Reply;
 }
@@ -164,7 +164,7 @@ pub struct Obligations {
 impl Obligations {
     /// By asking an engine for every need there is.
     #[must_use]
-    pub fn of(engine: &impl Engine) -> Self {
+    pub(crate) fn of(engine: &impl Engine) -> Self {
         let points = |need: Need| match engine.reply(need) {
             Reply::NotAsked(_) => Vec::new(),
             Reply::Points(points) if points.is_empty() => vec![Point::open("nothing is known of it")],
@@ -180,7 +180,7 @@ impl Obligations {
 
     /// As if everything were shown, for tests of what is written of results.
     #[cfg(test)]
-    pub fn all_shown() -> Self {
+    pub(crate) fn all_shown() -> Self {
         struct Everything;
         impl Engine for Everything {
             fn reply(&self, _: Need) -> Reply {
@@ -209,7 +209,7 @@ impl Obligations {
 
     /// That a clean word may be said: nothing is open. Of no obligations at all nothing clean is said.
     #[must_use]
-    pub fn clean(&self) -> Option<Clean> {
+    pub(crate) fn clean(&self) -> Option<Clean> {
         (!self.all.is_empty() && self.open().next().is_none()).then(Clean::earned)
     }
 
@@ -226,7 +226,7 @@ impl Obligations {
 
     /// Why nothing clean is said, in half a sentence: the first that is open, and how many more.
     #[must_use]
-    pub fn first_reason(&self) -> Option<String> {
+    pub(crate) fn first_reason(&self) -> Option<String> {
         let mut open = self.open().filter_map(Obligation::why);
         let mut words = open.next()?.to_owned();
         match open.count() {
@@ -243,13 +243,13 @@ impl Obligations {
 impl Obligation {
     /// Whether it is open.
     #[must_use]
-    pub const fn is_open(&self) -> bool {
+    pub(crate) const fn is_open(&self) -> bool {
         matches!(self.standing, Standing::Open { .. })
     }
 
     /// Why it is open, if it is.
     #[must_use]
-    pub fn why(&self) -> Option<&str> {
+    pub(crate) fn why(&self) -> Option<&str> {
         match &self.standing {
             Standing::Open { why, .. } => Some(why),
             Standing::Shown { .. } | Standing::Assumed { .. } => None,
@@ -258,7 +258,7 @@ impl Obligation {
 
     /// In words: what is needed, and what is known of it.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let of = self.about.as_ref().map_or_else(String::new, |about| format!(" ({about})"));
         let known = match &self.standing {
             Standing::Shown { figure } => figure.clone(),

@@ -63,7 +63,7 @@ pub enum Need {
 
 impl Need {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 26] = [
+    pub(crate) const ALL: [Self; 26] = [
         Self::Searched,
         Self::Finished,
         Self::ArmSearches,
@@ -94,7 +94,7 @@ impl Need {
 
     /// As the head of a line.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::Searched => "Everything was looked at",
             Self::Finished => "The FMU finished every step",

@@ -193,7 +193,7 @@ impl Met {
 impl Checked {
     /// Whether every sequence was looked at, from each of the cell's beginnings that it is about.
     #[must_use]
-    pub fn is_complete(&self) -> bool {
+    pub(crate) fn is_complete(&self) -> bool {
         !self.complete.is_empty() && self.complete.iter().all(|complete| complete.reasons.is_empty())
     }
 
@@ -205,20 +205,20 @@ impl Checked {
 
     /// The same, with how long everybody from anywhere was looked for, s after the start of the FMU.
     #[must_use]
-    pub fn enough_until_s(&self) -> Option<f64> {
+    pub(crate) fn enough_until_s(&self) -> Option<f64> {
         let from_anywhere = self.everywhere.as_ref().filter(|from_anywhere| from_anywhere.reasons.is_empty())?;
         self.is_complete().then_some(from_anywhere.until_s)
     }
 
     /// Which of two says more.
     #[must_use]
-    pub fn rank(&self) -> u8 {
+    pub(crate) fn rank(&self) -> u8 {
         u8::from(self.is_complete()) + u8::from(self.is_enough())
     }
 
     /// What was looked at, in words.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let mut words: Vec<String> = Vec::new();
         if self.complete.is_empty() {
             words.push("no search of every sequence".to_owned());
@@ -272,7 +272,7 @@ impl Checked {
 impl Remedy {
     /// One line as soon as it is known; nothing if it is no advice.
     #[must_use]
-    pub fn told(&self) -> Option<String> {
+    pub(crate) fn told(&self) -> Option<String> {
         match &self.outcome {
             Outcome::Sufficient(checked) if checked.is_enough() => Some(format!("{}: no hazard is left", self.change)),
             Outcome::Sufficient(_) => {

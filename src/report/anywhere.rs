@@ -17,7 +17,7 @@ use crate::obligations::Obligations;
 use crate::standards::BodyRegion;
 
 /// Name of this way to search, where that of a strategy stands.
-pub const ANYWHERE: &str = "anywhere";
+pub(crate) const ANYWHERE: &str = "anywhere";
 
 /// What came out.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -199,7 +199,7 @@ pub struct Ground {
 impl Ground {
     /// Whether nothing is known of it.
     #[must_use]
-    pub const fn is_empty(&self) -> bool {
+    pub(crate) const fn is_empty(&self) -> bool {
         self.unseen_m.is_empty() && self.watched_m.is_empty()
     }
 }
@@ -253,7 +253,7 @@ impl Anywhere {
 
     /// What was found, and of what that is said. `report` is the record of the same scan.
     #[must_use]
-    pub fn headline(&self, report: &ScanReport) -> Headline {
+    pub(crate) fn headline(&self, report: &ScanReport) -> Headline {
         let until = format!("{:.1} s", self.until_s);
         let presses = self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
         let says = match self.verdict {
@@ -296,7 +296,7 @@ impl Anywhere {
 
     /// For people. `report` is the record of the same scan.
     #[must_use]
-    pub fn render(&self, report: &ScanReport, view: View) -> String {
+    pub(crate) fn render(&self, report: &ScanReport, view: View) -> String {
         let mut text = String::new();
         let width = view.width;
         let Headline { says, covers } = &report.headline;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 /// Name of the file.
-pub const FILE: &str = "assessments.json";
+pub(crate) const FILE: &str = "assessments.json";
 
 /// Format of the file that is read.
 const FORMAT: u32 = 1;
@@ -21,7 +21,7 @@ struct File {
 /// One cause or hazard assessed, fields as in ISO 12100 (5.5, 5.6, 6); empty where nobody wrote anything.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Assessment {
+pub(crate) struct Assessment {
     /// Who does what there: the task (ISO 12100, 5.3).
     #[serde(skip_serializing_if = "String::is_empty")]
     pub task: String,
@@ -44,12 +44,12 @@ pub struct Assessment {
 }
 
 /// Assessments by the id of a cause, which then hold for all its hazards, or of a hazard.
-pub type Assessments = BTreeMap<String, Assessment>;
+pub(crate) type Assessments = BTreeMap<String, Assessment>;
 
 /// Why the file cannot be used.
 #[derive(Debug, thiserror::Error)]
 #[error("{} cannot be used: {cause}", path.display())]
-pub struct AssessmentError {
+pub(crate) struct AssessmentError {
     path: PathBuf,
     cause: String,
 }
@@ -58,7 +58,7 @@ pub struct AssessmentError {
 ///
 /// # Errors
 /// When there is a file that cannot be read or is something else: then decisions would silently be ignored.
-pub fn beside(path: &Path) -> Result<Assessments, AssessmentError> {
+pub(crate) fn beside(path: &Path) -> Result<Assessments, AssessmentError> {
     let path = path.with_file_name(FILE);
     let failed = |cause: String| AssessmentError { path: path.clone(), cause };
     let text = match std::fs::read_to_string(&path) {

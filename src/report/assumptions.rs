@@ -5,7 +5,7 @@ use serde_json::Value;
 
 /// In sentences, for the settings of a scan as they stand in `scan.json`.
 #[must_use]
-pub fn assumptions(settings: &Value) -> Vec<String> {
+pub(crate) fn assumptions(settings: &Value) -> Vec<String> {
     let also: Vec<&str> = settings["also"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     let holds = !settings["held_m"].is_null();
     vec![

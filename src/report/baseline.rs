@@ -11,7 +11,7 @@ use super::recorded::{Recorded, RecordedSubject};
 
 /// Known hazards by id, and their causes.
 #[derive(Clone, Debug, Default)]
-pub struct Baseline {
+pub(crate) struct Baseline {
     known: BTreeMap<String, Hazard>,
     hazards: Vec<Hazard>,
     causes: Vec<Cause>,
@@ -22,7 +22,7 @@ pub struct Baseline {
 
 /// How a hazard stands to a baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Standing {
+pub(crate) enum Standing {
     /// It is not in it.
     New,
     /// It is, but was less hard.
@@ -37,7 +37,7 @@ pub enum Standing {
 impl Baseline {
     /// The hazards of an earlier scan.
     #[must_use]
-    pub fn of(scan: Recorded) -> Self {
+    pub(crate) fn of(scan: Recorded) -> Self {
         let known = scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect();
         let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
         Self {
@@ -52,7 +52,7 @@ impl Baseline {
 
     /// How a hazard stands to it.
     #[must_use]
-    pub fn standing(&self, hazard: &Hazard) -> Standing {
+    pub(crate) fn standing(&self, hazard: &Hazard) -> Standing {
         match self.known.get(&hazard.id) {
             None => Standing::New,
             Some(known) if Change::of_ratio(known.ratio, hazard.ratio) == Change::Worse => {
@@ -63,13 +63,13 @@ impl Baseline {
     }
 
     /// What it knows and the scan did not find.
-    pub fn gone<'a>(&'a self, report: &'a ScanReport) -> impl Iterator<Item = &'a Hazard> {
+    pub(crate) fn gone<'a>(&'a self, report: &'a ScanReport) -> impl Iterator<Item = &'a Hazard> {
         self.known.values().filter(|known| report.hazards.iter().all(|hazard| hazard.id != known.id))
     }
 
     /// Causes that it knows, of which the scan found no hazard at all.
     #[must_use]
-    pub fn gone_causes(&self, report: &ScanReport) -> Vec<Grouped<'_>> {
+    pub(crate) fn gone_causes(&self, report: &ScanReport) -> Vec<Grouped<'_>> {
         let found: BTreeSet<&str> = report.hazards.iter().map(|hazard| hazard.id.as_str()).collect();
         let causes: BTreeSet<&str> = report.causes.iter().map(|cause| cause.id.as_str()).collect();
         let gone = |cause: &Grouped<'_>| {
@@ -80,7 +80,7 @@ impl Baseline {
 
     /// Why the scan may not have told this hazard though it is still there, if it is complete; nothing if it would have.
     #[must_use]
-    pub fn narrower(&self, report: &ScanReport, hazard: &Hazard) -> Option<Narrower> {
+    pub(crate) fn narrower(&self, report: &ScanReport, hazard: &Hazard) -> Option<Narrower> {
         let ScanReport { subject, settings, standard_edition, .. } = report;
         let mut mine = Looks::from(settings);
         let (Some(mut its), Some(edition)) = (self.looks.clone(), &self.edition) else {
@@ -97,7 +97,7 @@ impl Baseline {
     }
 
     /// Hazards of a scan that are new or became worse.
-    pub fn failing<'a>(&'a self, report: &'a ScanReport) -> impl Iterator<Item = &'a Hazard> {
+    pub(crate) fn failing<'a>(&'a self, report: &'a ScanReport) -> impl Iterator<Item = &'a Hazard> {
         report.hazards.iter().filter(|hazard| self.standing(hazard) != Standing::Known)
     }
 }

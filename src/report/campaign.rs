@@ -9,12 +9,12 @@ use crate::search::statistics::{Interval, Runs, ratio_interval};
 use crate::sim::Coverage;
 
 /// Columns of [`Campaign::csv`].
-pub const CSV_HEADER: &str = "cell,strategy,seeds,budget,t,t_low,t_high,sigma,misses,par2,km_median,rate,\
+pub(crate) const CSV_HEADER: &str = "cell,strategy,seeds,budget,t,t_low,t_high,sigma,misses,par2,km_median,rate,\
                               ratio,ratio_low,ratio_high,paper_t,paper_sigma,paper_misses_of_10\n";
 
 /// One strategy's runs.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub(crate) struct Row {
     /// Strategy name.
     pub strategy: String,
     /// Iteration of the first hazard for each seed, in the order of the seeds; `None` is a miss.
@@ -47,7 +47,7 @@ pub struct Row {
 
 /// The table.
 #[derive(Clone, Debug, Serialize)]
-pub struct Campaign {
+pub(crate) struct Campaign {
     /// Cell name.
     pub cell: String,
     /// Budget in iterations.
@@ -67,7 +67,7 @@ const fn pair(i: Interval) -> [f64; 2] {
 impl Campaign {
     /// Statistics of `runs` (strategy, first hits, what was seen); the last strategy is the reference.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         cell: &str,
         seeds: [u64; 2],
         iterations: u32,
@@ -104,7 +104,7 @@ impl Campaign {
 
     /// Rows as comma-separated values, one a strategy; [`CSV_HEADER`] names the columns.
     #[must_use]
-    pub fn csv(&self) -> String {
+    pub(crate) fn csv(&self) -> String {
         let optional = |v: Option<String>| v.unwrap_or_default();
         let row = |r: &Row| {
             let paper = paper::of(&self.cell).and_then(|p| match r.strategy.as_str() {
@@ -139,7 +139,7 @@ impl Campaign {
 
     /// A table for a terminal.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let mut out = String::new();
         let sweep =
             if self.posture_sweep { "posture sweep on" } else { "posture sweep off, iterations as in the paper" };
@@ -198,7 +198,7 @@ impl Campaign {
 
 /// The paper's table beside ours, for several cells.
 #[must_use]
-pub fn beside_the_paper(campaigns: &[Campaign], markdown: bool) -> String {
+pub(crate) fn beside_the_paper(campaigns: &[Campaign], markdown: bool) -> String {
     let header = [
         "scenario",
         "strategy",

@@ -80,7 +80,7 @@ pub struct Line {
 impl Line {
     /// What is hit, in words.
     #[must_use]
-    pub const fn words(&self) -> &'static str {
+    pub(crate) const fn words(&self) -> &'static str {
         if self.held { HELD_WORDS } else { self.body_region.words() }
     }
 }
@@ -115,7 +115,7 @@ pub struct Change {
 
 /// What is known of the worst hazard of a cause besides its record: from its sequence once more, and from the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Circumstances {
+pub(crate) struct Circumstances {
     /// Whether the link had become slower since the first sensor reported the person.
     pub slowed: bool,
     /// How far the person stands outside of the zones of sensors that report nobody, m, by name.
@@ -137,7 +137,7 @@ impl Cause {
     /// # Panics
     /// Never: a cause has a member.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         id: String,
         (robot, part): (String, Part),
         hazards: &[&Hazard],
@@ -190,7 +190,7 @@ impl Cause {
 
     /// Force and limit of the worst hazard, in words.
     #[must_use]
-    pub fn force_words(&self) -> String {
+    pub(crate) fn force_words(&self) -> String {
         let figures = (self.force_n, self.limit_n, self.ratio, self.speed_m_s.unwrap_or_default());
         measure_words(self.class, self.judged.as_ref(), figures)
     }
@@ -198,7 +198,7 @@ impl Cause {
 
 /// A cause with its hazards, of a scan of any version.
 #[derive(Clone, Debug)]
-pub struct Grouped<'a> {
+pub(crate) struct Grouped<'a> {
     /// Its id.
     pub id: &'a str,
     /// What hits what, in few words.
@@ -212,14 +212,14 @@ pub struct Grouped<'a> {
 impl Grouped<'_> {
     /// As a title: the id, and what hits what.
     #[must_use]
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         format!("{} {}", self.id, self.what)
     }
 }
 
 /// The hazards of a scan by cause. Those of older versions, which knew no causes, are one each.
 #[must_use]
-pub fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a>> {
+pub(crate) fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a>> {
     let by_id: BTreeMap<&str, &Hazard> = hazards.iter().map(|hazard| (hazard.id.as_str(), hazard)).collect();
     let mut all: Vec<Grouped<'_>> = causes
         .iter()
@@ -349,7 +349,7 @@ fn joined(names: &[&str]) -> String {
 impl Change {
     /// The change, and what is left then.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         if let Some(until_s) = self.enough_until_s {
             let change = &self.change;
             return format!(
@@ -382,7 +382,7 @@ impl Change {
 impl CauseAdvice {
     /// From what came of the changes that were tried, of which some may be missing if the search `was_stopped`.
     #[must_use]
-    pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
+    pub(crate) fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
         changes.sort_by_key(|change| (!change.removes_all, change.enough_until_s.is_none(), !change.complete));
         let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
@@ -404,13 +404,13 @@ impl CauseAdvice {
 
     /// For people: one line a change.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         self.changes.iter().map(|change| wrapped(&change.words(), "   ")).collect()
     }
 
     /// For a cause that is gone with a worse one.
     #[must_use]
-    pub fn as_for_a_worse_one(changes: Vec<Change>) -> Self {
+    pub(crate) fn as_for_a_worse_one(changes: Vec<Change>) -> Self {
         Self { changes, note: format!("The same changes as for a worse cause. {NO_PROOF}") }
     }
 }

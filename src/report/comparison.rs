@@ -16,7 +16,7 @@ const CSV_HEADER: &str = "cell,strategy,seeds,budget,iterations,iterations_low,i
 
 /// Columns of [`Comparison::csv`] for a budget; those about a complete list stay empty if there is none.
 #[must_use]
-pub fn csv_header(budget: u32) -> String {
+pub(crate) fn csv_header(budget: u32) -> String {
     let mut header = CSV_HEADER.to_owned();
     for i in checkpoints(budget) {
         for what in ["hazards", "recall", "weighted_recall"] {
@@ -44,7 +44,7 @@ pub struct Spent {
 /// What it took to find every hazard of the complete list: means over the seeds that did, which are the lucky ones if not
 /// all did.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct AllFound {
+pub(crate) struct AllFound {
     /// Seeds that found all.
     pub seeds: usize,
     /// Seeds that went to the end of the budget.
@@ -82,7 +82,7 @@ impl AllFound {
 
 /// A mean with its 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Estimate {
+pub(crate) struct Estimate {
     /// Mean.
     pub mean: f64,
     /// Lower end.
@@ -108,7 +108,7 @@ impl Estimate {
 
 /// One strategy.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub(crate) struct Row {
     /// Strategy.
     pub strategy: String,
     /// Iterations to the first hazard; a miss counts as the budget.
@@ -139,7 +139,7 @@ pub struct Row {
 
 /// One cell.
 #[derive(Clone, Debug, Serialize)]
-pub struct Comparison {
+pub(crate) struct Comparison {
     /// Cell name.
     pub cell: String,
     /// First seed.
@@ -172,7 +172,7 @@ impl Comparison {
     /// number of seeds to count for the first hazard, budget, posture sweep. `all_hazards`: how many the cell has, where
     /// that is known.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         cell: &str,
         settings: (u64, usize, u32, bool),
         runs: &[(String, Vec<Spent>)],
@@ -231,7 +231,7 @@ impl Comparison {
 
     /// Rows as comma-separated values; [`csv_header`] names the columns.
     #[must_use]
-    pub fn csv(&self) -> String {
+    pub(crate) fn csv(&self) -> String {
         let mut out = String::new();
         for r in &self.rows {
             let _ = write!(out, "{},{},{},{}", self.cell, r.strategy, self.seeds, self.budget);
@@ -289,7 +289,7 @@ fn unknown((strategy, runs): &(String, Vec<Spent>)) -> Option<String> {
 /// How many different hazards were found after so many iterations, or which part of all, and that part by weight; for a
 /// terminal or as Markdown. Nothing if no run went to the end of its budget.
 #[must_use]
-pub fn growth_table(comparisons: &[Comparison], markdown: bool) -> String {
+pub(crate) fn growth_table(comparisons: &[Comparison], markdown: bool) -> String {
     let Some(first) = comparisons.first().filter(|c| c.rows.iter().any(|r| !r.hazards_at.is_empty())) else {
         return String::new();
     };
@@ -323,7 +323,7 @@ pub fn growth_table(comparisons: &[Comparison], markdown: bool) -> String {
 
 /// A table of several cells, for a terminal or as Markdown.
 #[must_use]
-pub fn table(comparisons: &[Comparison], markdown: bool) -> String {
+pub(crate) fn table(comparisons: &[Comparison], markdown: bool) -> String {
     let reference = comparisons.first().map_or("", |c| c.reference.as_str());
     let ratio = format!("actions over {reference}");
     let interval = "95 % interval";

@@ -67,7 +67,7 @@ impl ClampingRecord {
     /// Whether robots are stated to go on less far than they were stated to, or seen to. Where the FMU shows it, the machine is what
     /// it is.
     #[must_use]
-    pub fn is_looser_than(&self, earlier: &Self) -> bool {
+    pub(crate) fn is_looser_than(&self, earlier: &Self) -> bool {
         let Self { contact_signal, travel_after_contact_m } = self;
         contact_signal.is_none() && *travel_after_contact_m < earlier.travel_after_contact_m
     }
@@ -77,7 +77,7 @@ impl SeparationTerms {
     /// The key of the cell file that makes the distance smaller than `earlier` had it, or perhaps smaller. A stop that the FMU shows
     /// is what it is.
     #[must_use]
-    pub fn looser_than(&self, earlier: &Self) -> Option<&'static str> {
+    pub(crate) fn looser_than(&self, earlier: &Self) -> Option<&'static str> {
         let Self { stop, stated, intrusion_m, person_uncertainty_m, robot_uncertainty_m, approach_m_s } = self;
         let shorter = match (stop, &earlier.stop) {
             (Some(_), _) => None,
@@ -109,7 +109,7 @@ impl StatedStop {
 impl CriteriaRecord {
     /// In words, for people.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let mut all = Vec::new();
         match self.transient_force {
             Some(Criterion::Absolute) => all.push("transient force".to_owned()),
@@ -143,7 +143,7 @@ impl CriteriaRecord {
 
 /// Whether a hazard of this class is one by what counts as unsafe; without a record the transient force does, and nothing else.
 #[must_use]
-pub fn judges(criteria: Option<&CriteriaRecord>, class: Class) -> bool {
+pub(crate) fn judges(criteria: Option<&CriteriaRecord>, class: Class) -> bool {
     let Some(criteria) = criteria else { return class.beside_force().is_none() };
     match class {
         Class::Force | Class::HeadContact => criteria.transient_force.is_some(),
@@ -157,7 +157,11 @@ pub fn judges(criteria: Option<&CriteriaRecord>, class: Class) -> bool {
 /// Whether a scan that accounted for every sequence, and found hazards of these classes, would have told every hazard of a class. Of
 /// those with which sequences do not end, a worse one of the same action stands for others.
 #[must_use]
-pub fn tells_all(criteria: Option<&CriteriaRecord>, class: Class, mut found: impl Iterator<Item = Class>) -> bool {
+pub(crate) fn tells_all(
+    criteria: Option<&CriteriaRecord>,
+    class: Class,
+    mut found: impl Iterator<Item = Class>,
+) -> bool {
     judges(criteria, class) && (class.ends() || !found.any(|other| !other.ends()))
 }
 

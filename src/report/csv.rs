@@ -105,7 +105,7 @@ const fn consequence(class: Class) -> &'static str {
 ///
 /// # Errors
 /// Never: it is written to memory.
-pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
+pub(crate) fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
     let cause_of: BTreeMap<&str, &str> =
         report.causes.iter().flat_map(|c| c.hazards.iter().map(|id| (id.as_str(), c.id.as_str()))).collect();
     let more: &[&str] = if report.settings.criteria.is_some() { &CRITERION_COLUMNS } else { &[] };
@@ -160,7 +160,7 @@ pub fn hazards(report: &ScanReport, assessments: &Assessments) -> Result<String,
 ///
 /// # Errors
 /// Never: it is written to memory.
-pub fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
+pub(crate) fn causes(report: &ScanReport, assessments: &Assessments) -> Result<String, ::csv::Error> {
     let more: &[&str] = if report.settings.criteria.is_some() { &CRITERION_COLUMNS } else { &[] };
     let header: Vec<&str> = [&["id", "cell"], &KIND_COLUMNS[..], &CAUSE_COLUMNS, &PERSON_COLUMNS, more].concat();
     let row = |cause: &Cause| {

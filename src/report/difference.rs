@@ -37,7 +37,7 @@ pub enum Change {
 impl Change {
     /// Of a force ratio.
     #[must_use]
-    pub fn of_ratio(before: f64, after: f64) -> Self {
+    pub(crate) fn of_ratio(before: f64, after: f64) -> Self {
         if after > before * (1.0 + SAME) {
             Self::Worse
         } else if after < before * (1.0 - SAME) {
@@ -49,7 +49,7 @@ impl Change {
 
     /// As printed.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::New => "NEW",
             Self::Worse => "WORSE",
@@ -64,7 +64,7 @@ impl Change {
 /// A hazard in both scans or in one of them.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "HazardChange")]
-pub struct Row {
+pub(crate) struct Row {
     /// What became of it.
     pub change: Change,
     /// Its id.
@@ -101,7 +101,7 @@ impl Row {
 /// A cause in both scans or in one of them.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "CauseChange")]
-pub struct CauseRow {
+pub(crate) struct CauseRow {
     /// What became of it: it is fixed when all its hazards are.
     pub change: Change,
     /// Its id.
@@ -117,7 +117,7 @@ pub struct CauseRow {
 /// Two scans side by side.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "Comparison")]
-pub struct Difference {
+pub(crate) struct Difference {
     /// The causes: new ones first.
     pub causes: Vec<CauseRow>,
     /// The hazards: new ones first, then by id.
@@ -133,7 +133,7 @@ pub struct Difference {
 impl Difference {
     /// What is different in `after`. `texts` are the two cell files, if they are still as scanned.
     #[must_use]
-    pub fn between(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Self {
+    pub(crate) fn between(before: &Recorded, after: &Recorded, texts: [Option<&str>; 2]) -> Self {
         let by_id = |scan: &'_ Recorded| -> BTreeMap<String, Hazard> {
             scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect()
         };
@@ -173,26 +173,26 @@ impl Difference {
 
     /// How many hazards changed so.
     #[must_use]
-    pub fn count(&self, change: Change) -> usize {
+    pub(crate) fn count(&self, change: Change) -> usize {
         self.counts.get(&change).copied().unwrap_or(0)
     }
 
     /// Whether something is there that was not, or is worse than it was.
     #[must_use]
-    pub fn is_worse(&self) -> bool {
+    pub(crate) fn is_worse(&self) -> bool {
         self.count(Change::New) + self.count(Change::Worse) > 0
     }
 
     /// Whether the later scan shows that nothing is new or worse, and what it calls gone: it is complete, and would have told all that it
     /// did not find again.
     #[must_use]
-    pub fn is_shown(&self) -> bool {
+    pub(crate) fn is_shown(&self) -> bool {
         self.complete[1] && self.count(Change::NotFoundAgain) == 0
     }
 
     /// For people; with every hazard if that is wanted.
     #[must_use]
-    pub fn render(&self, every: bool) -> String {
+    pub(crate) fn render(&self, every: bool) -> String {
         let mut out = String::new();
         for CauseRow { change, id, sentence, before, after } in &self.causes {
             let ways = match (before, after) {

@@ -15,7 +15,7 @@ use crate::standards::provenance::Table;
 
 /// All safeguards of a cell.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Distances {
+pub(crate) struct Distances {
     /// Name of the cell.
     pub cell: String,
     /// Edition of ISO 13855.
@@ -35,7 +35,7 @@ pub struct Distances {
 /// Whether a safeguard stands far enough away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Placed {
+pub(crate) enum Placed {
     /// At least as far as S on every way that is known, and nothing is not known.
     FarEnough,
     /// S, or whether it applies, is not known, and the least that it can be is kept.
@@ -46,7 +46,7 @@ pub enum Placed {
 
 /// A safeguard.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Safeguard {
+pub(crate) struct Safeguard {
     /// Name of the sensor.
     pub sensor: String,
     /// What it is, in words.
@@ -74,7 +74,7 @@ pub struct Safeguard {
 
 /// What a sensor does that begins to report at some moment.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Stopped {
+pub(crate) struct Stopped {
     /// When it begins to report, s after the beginning of the run.
     pub at_s: f64,
     /// Time until the robots stand still, s, if it stops them.
@@ -83,7 +83,7 @@ pub struct Stopped {
 
 /// A way past a safeguard to the robots.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Way {
+pub(crate) struct Way {
     /// How somebody comes: through it, over it, into it and so on.
     pub how: String,
     /// Clause of the standard.
@@ -109,20 +109,20 @@ pub struct Way {
 /// A length that is asked for, in whole mm.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "some metres")]
-pub fn asked_mm(m: f64) -> i64 {
+pub(crate) fn asked_mm(m: f64) -> i64 {
     (m * 1000.0 - 1e-6).ceil() as i64
 }
 
 /// A length that there is, in whole mm.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "some metres")]
-pub fn there_mm(m: f64) -> i64 {
+pub(crate) fn there_mm(m: f64) -> i64 {
     (m * 1000.0 + 1e-6).floor() as i64
 }
 
 /// `S = K T + C = ...` with the numbers.
 #[must_use]
-pub fn formula(edition: Edition, required: &Required) -> String {
+pub(crate) fn formula(edition: Edition, required: &Required) -> String {
     let Separation { k_m_s, t_s, c_m, z_m, at_least_m } = required.separation;
     let mm = |m: f64| number((m * 1e6).round() / 1e3);
     let (sum_m, s_mm) = (k_m_s * t_s + c_m, asked_mm(required.separation.s_m()));
@@ -139,13 +139,13 @@ pub fn formula(edition: Edition, required: &Required) -> String {
 impl Distances {
     /// The worst of all.
     #[must_use]
-    pub fn placed(&self) -> Placed {
+    pub(crate) fn placed(&self) -> Placed {
         self.safeguards.iter().map(|one| one.placed).max().unwrap_or(Placed::NotKnown)
     }
 
     /// For people.
     #[must_use]
-    pub fn render(&self, path: &str) -> String {
+    pub(crate) fn render(&self, path: &str) -> String {
         let mut text = String::new();
         for safeguard in &self.safeguards {
             safeguard.write(&mut text);

@@ -21,7 +21,7 @@ use crate::standards::tables::tables;
 
 /// Everything that is told about a hazard.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Explanation {
+pub(crate) struct Explanation {
     /// The hazard.
     pub hazard: Hazard,
     /// Where the person starts, floor plan, m, and looks, degrees from +x towards +y.
@@ -45,7 +45,7 @@ pub struct Explanation {
 
 /// What a sensor reports on the way.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Reports {
+pub(crate) struct Reports {
     /// Its name.
     pub name: String,
     /// Times at which it begins and ends to report the person, s; it begins with "clear".
@@ -54,7 +54,7 @@ pub struct Reports {
 
 /// A person outside a zone.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Outside {
+pub(crate) struct Outside {
     /// The sensor.
     pub name: String,
     /// From the middle between the feet to the zone's edge, m.
@@ -78,7 +78,7 @@ const BEHIND: [&str; 3] = ["iso_ts_15066_force_limits", "iso_ts_15066_springs_an
 impl Explanation {
     /// For people: what came of changes.
     #[must_use]
-    pub fn render_changes(&self) -> String {
+    pub(crate) fn render_changes(&self) -> String {
         let told = self.look_at_controls() + &advice::render(&self.remedies);
         if self.hazard.begins.is_none() || self.remedies.is_empty() {
             return told;
@@ -110,7 +110,7 @@ impl Explanation {
 
     /// For people: all but the changes.
     #[must_use]
-    pub fn render_hazard(&self) -> String {
+    pub(crate) fn render_hazard(&self) -> String {
         let hazard = &self.hazard;
         let mut out = format!(
             "{}  {} <- {}  {:.2}x{}\n\n What happens\n",

@@ -12,7 +12,7 @@ use crate::obligations::verdict::Ended;
 use crate::sim::Coverage;
 
 /// A hand is hit by so many times its limit, which is 100 N here.
-pub fn hazard(id: &str, ratio: f64) -> Hazard {
+pub(crate) fn hazard(id: &str, ratio: f64) -> Hazard {
     let force_n = 100.0 * ratio;
     let told = json!({
         "id": id,
@@ -47,7 +47,7 @@ pub fn hazard(id: &str, ratio: f64) -> Hazard {
 }
 
 /// What hazards of these ids have in common.
-pub fn cause(id: &str, hazards: &[&str]) -> Cause {
+pub(crate) fn cause(id: &str, hazards: &[&str]) -> Cause {
     let told = json!({
         "id": id,
         "sentence": "No sensor reports the person.",
@@ -68,7 +68,7 @@ pub fn cause(id: &str, hazards: &[&str]) -> Cause {
 }
 
 /// A cell without FMUs.
-pub fn subject() -> Subject {
+pub(crate) fn subject() -> Subject {
     Subject {
         cell: "made up".to_owned(),
         cell_found: "cell.toml".to_owned(),
@@ -83,7 +83,7 @@ pub fn subject() -> Subject {
 }
 
 /// A scan that found these.
-pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
+pub(crate) fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
     ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: "fmi-hazard".to_owned(),

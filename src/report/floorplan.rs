@@ -150,7 +150,7 @@ fn colour(ratio: f64) -> &'static str {
 
 /// The picture.
 #[must_use]
-pub fn render(whole: &Whole<'_>, plan: &Plan) -> String {
+pub(crate) fn render(whole: &Whole<'_>, plan: &Plan) -> String {
     let view = View::new(whole, plan);
     let (legend, below) = legend(whole, plan, LEFT + view.width() + 36.0);
     let width = (LEFT + view.width() + 36.0 + LEGEND).ceil();

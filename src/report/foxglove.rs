@@ -8,7 +8,7 @@ use crate::geometry::{Hull, Rotation, Vec3};
 
 /// Entities to add, or to replace where the id is known.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
-pub struct SceneUpdate {
+pub(crate) struct SceneUpdate {
     /// Entities to remove: none ever.
     pub deletions: Vec<Deletion>,
     /// Entities to add or replace.
@@ -17,7 +17,7 @@ pub struct SceneUpdate {
 
 /// An entity to remove.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Deletion {
+pub(crate) struct Deletion {
     timestamp: Time,
     #[serde(rename = "type")]
     kind: u8,
@@ -26,7 +26,7 @@ pub struct Deletion {
 
 /// Time since the start.
 #[derive(Clone, Copy, Debug, Default, Serialize, JsonSchema)]
-pub struct Time {
+pub(crate) struct Time {
     sec: u32,
     nsec: u32,
 }
@@ -34,7 +34,7 @@ pub struct Time {
 impl Time {
     /// From nanoseconds.
     #[must_use]
-    pub fn new(nanoseconds: u64) -> Self {
+    pub(crate) fn new(nanoseconds: u64) -> Self {
         let part = |value: u64| u32::try_from(value).unwrap_or(u32::MAX);
         Self { sec: part(nanoseconds / 1_000_000_000), nsec: part(nanoseconds % 1_000_000_000) }
     }
@@ -42,7 +42,7 @@ impl Time {
 
 /// Shapes that belong together.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
-pub struct Entity {
+pub(crate) struct Entity {
     timestamp: Time,
     frame_id: &'static str,
     id: String,
@@ -93,7 +93,7 @@ struct Pose {
 
 /// Red, green, blue and opacity, 0 to 1.
 #[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
-pub struct Color {
+pub(crate) struct Color {
     r: f64,
     g: f64,
     b: f64,
@@ -142,14 +142,14 @@ struct Triangles {
 impl Color {
     /// An opaque colour from its hexadecimal digits.
     #[must_use]
-    pub fn hex(rgb: u32) -> Self {
+    pub(crate) fn hex(rgb: u32) -> Self {
         let part = |shift: u32| f64::from((rgb >> shift) & 0xff) / 255.0;
         Self { r: part(16), g: part(8), b: part(0), a: 1.0 }
     }
 
     /// The same, to be looked through.
     #[must_use]
-    pub const fn faint(self) -> Self {
+    pub(crate) const fn faint(self) -> Self {
         Self { a: 0.35, ..self }
     }
 }
@@ -157,23 +157,23 @@ impl Color {
 impl Entity {
     /// Without shapes, shown from `nanoseconds` on.
     #[must_use]
-    pub fn new(id: String, nanoseconds: u64) -> Self {
+    pub(crate) fn new(id: String, nanoseconds: u64) -> Self {
         Self { timestamp: Time::new(nanoseconds), frame_id: "world", id, ..Self::default() }
     }
 
     /// A box of edges `size`.
-    pub fn cuboid(&mut self, centre: Vec3, rotation: Rotation, size: Vec3, color: Color) {
+    pub(crate) fn cuboid(&mut self, centre: Vec3, rotation: Rotation, size: Vec3, color: Color) {
         self.cubes.push(Shape { pose: pose(centre, rotation), size: xyz(size), color });
     }
 
     /// A ball.
-    pub fn ball(&mut self, centre: Vec3, radius: f64, color: Color) {
+    pub(crate) fn ball(&mut self, centre: Vec3, radius: f64, color: Color) {
         let size = xyz(Vec3::splat(2.0 * radius));
         self.spheres.push(Shape { pose: pose(centre, Rotation::IDENTITY), size, color });
     }
 
     /// A capsule: a cylinder along z, turned, and a ball at each end.
-    pub fn capsule(&mut self, a: Vec3, b: Vec3, radius: f64, color: Color) {
+    pub(crate) fn capsule(&mut self, a: Vec3, b: Vec3, radius: f64, color: Color) {
         self.ball(a, radius, color);
         if let Some(along) = (b - a).try_normalize() {
             self.ball(b, radius, color);
@@ -184,14 +184,14 @@ impl Entity {
     }
 
     /// A convex hull of points in its own frame; nothing if they are flat.
-    pub fn hull(&mut self, points: &[Vec3], translation: Vec3, rotation: Rotation, color: Color) {
+    pub(crate) fn hull(&mut self, points: &[Vec3], translation: Vec3, rotation: Rotation, color: Color) {
         let Some(hull) = Hull::from_points(points) else { return };
         let (points, triangles) = hull.shape().to_trimesh();
         self.mesh(&points, &triangles, translation, rotation, color);
     }
 
     /// Triangles between points in their own frame.
-    pub fn mesh(
+    pub(crate) fn mesh(
         &mut self,
         points: &[Vec3],
         triangles: &[[u32; 3]],
@@ -209,7 +209,7 @@ impl Entity {
     }
 
     /// A closed line.
-    pub fn outline(&mut self, points: impl Iterator<Item = Vec3>, color: Color) {
+    pub(crate) fn outline(&mut self, points: impl Iterator<Item = Vec3>, color: Color) {
         self.lines.push(Line {
             kind: 1,
             pose: pose(Vec3::ZERO, Rotation::IDENTITY),

@@ -5,18 +5,18 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 /// The complete list of a cell's hazards: for each id the share of all hazardous sequences that begin with it.
-pub type Truth = BTreeMap<String, f64>;
+pub(crate) type Truth = BTreeMap<String, f64>;
 
 /// Iterations after which is counted: 10 and its doubles, and the budget.
 #[must_use]
-pub fn checkpoints(budget: u32) -> Vec<u32> {
+pub(crate) fn checkpoints(budget: u32) -> Vec<u32> {
     let doubles = std::iter::successors(Some(10_u32), |i| i.checked_mul(2)).take_while(|i| *i < budget);
     doubles.chain([budget]).collect()
 }
 
 /// What it took to find every hazard of the complete list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Cost {
+pub(crate) struct Cost {
     /// Iterations.
     pub iterations: u32,
     /// Actions taken in the simulation.
@@ -27,7 +27,7 @@ pub struct Cost {
 
 /// One run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Growth {
+pub(crate) struct Growth {
     /// Different hazards at each checkpoint.
     pub groups: Vec<usize>,
     /// Part of the complete list that was found, at each checkpoint; empty if the list is not known.
@@ -48,7 +48,7 @@ pub struct Growth {
 
 impl Growth {
     /// Takes in a hazard that was not met before.
-    pub fn met(&mut self, id: String, truth: Option<&Truth>) {
+    pub(crate) fn met(&mut self, id: String, truth: Option<&Truth>) {
         self.found += 1;
         match truth.map(|truth| truth.get(&id)) {
             None => {}
@@ -61,7 +61,7 @@ impl Growth {
     }
 
     /// The end of an iteration: `now` is what was spent so far.
-    pub fn after(&mut self, now: Cost, checkpoints: &[u32], truth: Option<&Truth>) {
+    pub(crate) fn after(&mut self, now: Cost, checkpoints: &[u32], truth: Option<&Truth>) {
         if self.all.is_none() && truth.is_some_and(|truth| self.listed == truth.len()) {
             self.all = Some(now);
         }

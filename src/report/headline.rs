@@ -19,7 +19,7 @@ pub struct Headline {
 
 /// Of a search from a start.
 #[must_use]
-pub fn from_start(report: &ScanReport) -> Headline {
+pub(crate) fn from_start(report: &ScanReport) -> Headline {
     let complete = report.obligations.clean().is_some();
     let asked = asked_from_start(report);
     let within = looked_at(report);
@@ -47,14 +47,14 @@ pub fn from_start(report: &ScanReport) -> Headline {
 
 /// Why nothing clean is said, as a sentence: nothing was `found`, or what was is not `confirmed`.
 #[must_use]
-pub fn not_shown(what: &str, obligations: &Obligations) -> String {
+pub(crate) fn not_shown(what: &str, obligations: &Obligations) -> String {
     let why = obligations.first_reason().unwrap_or_else(|| "nothing is known of what it rests on".to_owned());
     format!("Nothing was {what}; not shown because {why}.")
 }
 
 /// How many causes and hazards there are, and how many are confirmed.
 #[must_use]
-pub fn counted(report: &ScanReport) -> String {
+pub(crate) fn counted(report: &ScanReport) -> String {
     let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
     let n = report.hazards.len();
     let confirmed = report.hazards.iter().filter(|h| h.confirmed == Some(true)).count();

@@ -13,7 +13,7 @@ use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, Variabl
 
 /// What an FMU is.
 #[derive(Clone, Debug, Serialize)]
-pub struct Inspection {
+pub(crate) struct Inspection {
     /// The file.
     pub path: String,
     /// SHA-256 of it.
@@ -46,7 +46,7 @@ pub struct Inspection {
 
 /// A variable.
 #[derive(Clone, Debug, Serialize)]
-pub struct Shown {
+pub(crate) struct Shown {
     /// Its name.
     pub name: String,
     /// Input, output and so on.
@@ -61,7 +61,7 @@ pub struct Shown {
 
 /// Which variables to show.
 #[derive(Clone, Debug, Default)]
-pub struct Filter {
+pub(crate) struct Filter {
     /// Local variables and parameters too.
     pub all: bool,
     /// Local variables too: a cell may bind them like outputs.
@@ -88,7 +88,7 @@ impl Filter {
 impl Inspection {
     /// Of an FMU that was opened.
     #[must_use]
-    pub fn new(fmu: &Fmu, filter: &Filter) -> Self {
+    pub(crate) fn new(fmu: &Fmu, filter: &Filter) -> Self {
         let d = fmu.description();
         let own_cell = fmu.file(&format!("{EXTRA_FOLDER}/cell.toml")).is_some();
         let roles = guess(d);
@@ -114,7 +114,7 @@ impl Inspection {
 
     /// For people.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let mut text = String::new();
         let _ = writeln!(text, "{}  FMI {}  \"{}\"", self.path, self.fmi_version, printable(&self.model_name));
         let tool = self.generation_tool.as_deref().unwrap_or("unknown");
@@ -183,7 +183,7 @@ impl Inspection {
 
 /// What a system of FMUs is.
 #[derive(Clone, Debug, Serialize)]
-pub struct SystemInspection {
+pub(crate) struct SystemInspection {
     /// The file.
     pub path: String,
     /// SHA-256 of it.
@@ -209,7 +209,7 @@ pub struct SystemInspection {
 impl SystemInspection {
     /// What `system`, read from `path`, is.
     #[must_use]
-    pub fn new(path: &Path, system: &System, components: Vec<(String, Inspection)>) -> Self {
+    pub(crate) fn new(path: &Path, system: &System, components: Vec<(String, Inspection)>) -> Self {
         let structure = &system.structure;
         let shown =
             |(component, variable): &(usize, String)| format!("{}:{variable}", structure.components[*component].name);
@@ -236,7 +236,7 @@ impl SystemInspection {
 
     /// For people.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let mut text = String::new();
         let _ = writeln!(
             text,

@@ -22,7 +22,7 @@ pub enum ContactKind {
 impl ContactKind {
     /// As in files.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Transient => "transient",
             Self::QuasiStatic => "quasi_static",
@@ -34,7 +34,7 @@ impl ContactKind {
 impl LimitKind {
     /// As in files.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Force => "force",
             Self::Pressure => "pressure",
@@ -129,7 +129,7 @@ pub struct Separation {
 impl Judged {
     /// That of a contact; nothing where only the transient force counts.
     #[must_use]
-    pub fn of(contact: &Contact, class: Class, links: &[String]) -> Option<Self> {
+    pub(crate) fn of(contact: &Contact, class: Class, links: &[String]) -> Option<Self> {
         let beside = contact.clamp.is_some() || contact.pressure.is_some() || contact.apart.is_some();
         if !beside && class.beside_force().is_none() {
             return None;
@@ -182,7 +182,7 @@ impl Judged {
     }
 
     /// The same with the names of obstacles.
-    pub fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
+    pub(crate) fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
         if let Some(Clamping { against, obstacle: Some(number), .. }) = &mut self.clamping {
             *against = name(*number);
         }
@@ -191,7 +191,7 @@ impl Judged {
 
 /// What is broken, and by how much, in few words: "270 N, 2.00x the limit of 135 N".
 #[must_use]
-pub fn measure_words(
+pub(crate) fn measure_words(
     class: Class,
     judged: Option<&Judged>,
     (force_n, limit_n, ratio, speed_m_s): (f64, f64, f64, f64),
@@ -221,7 +221,11 @@ pub fn measure_words(
 
 /// The same for a narrow column: measure and limit.
 #[must_use]
-pub fn measure_cell(class: Class, judged: Option<&Judged>, (force_n, limit_n, speed_m_s): (f64, f64, f64)) -> String {
+pub(crate) fn measure_cell(
+    class: Class,
+    judged: Option<&Judged>,
+    (force_n, limit_n, speed_m_s): (f64, f64, f64),
+) -> String {
     let by_pressure = judged.is_some_and(|judged| judged.limit == LimitKind::Pressure);
     match (class, judged.and_then(|j| j.pressure), judged.and_then(|j| j.separation)) {
         (Class::Clamping | Class::Pressure, Some(p), _) if by_pressure => {
@@ -241,7 +245,7 @@ pub fn measure_cell(class: Class, judged: Option<&Judged>, (force_n, limit_n, sp
 
 impl Hazard {
     /// Gives what holds a part of the body its name, where it is an obstacle.
-    pub fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
+    pub(crate) fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
         if let Some(judged) = &mut self.judged {
             judged.name_obstacles(name);
         }
@@ -249,19 +253,19 @@ impl Hazard {
 
     /// What holds the part of the body, if that is what counts.
     #[must_use]
-    pub fn clamping(&self) -> Option<&Clamping> {
+    pub(crate) fn clamping(&self) -> Option<&Clamping> {
         self.judged.as_ref().filter(|_| self.class == Class::Clamping)?.clamping.as_ref()
     }
 
     /// The limit of the force that decides, N.
     #[must_use]
-    pub fn deciding_limit_n(&self) -> f64 {
+    pub(crate) fn deciding_limit_n(&self) -> f64 {
         self.clamping().map_or(self.limit_n, |clamping| clamping.limit_n)
     }
 
     /// The speed below which it would be none, in few words.
     #[must_use]
-    pub fn safe_words(&self) -> String {
+    pub(crate) fn safe_words(&self) -> String {
         let below = match self.class {
             Class::Force | Class::HeadContact if self.body_region.permits_no_contact() => None,
             Class::Force => Some(self.safe_below_m_s),
@@ -278,7 +282,7 @@ impl Hazard {
 
     /// What is broken, and by how much, in few words.
     #[must_use]
-    pub fn measure_words(&self) -> String {
+    pub(crate) fn measure_words(&self) -> String {
         let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
         measure_words(self.class, self.judged.as_ref(), figures)
     }

@@ -14,7 +14,7 @@ use super::recorded::is_complete;
 ///
 /// # Errors
 /// When it cannot be written as XML.
-pub fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String, quick_junit::SerializeError> {
+pub(crate) fn render(report: &ScanReport, baseline: Option<&Baseline>) -> Result<String, quick_junit::SerializeError> {
     let cell = xml(&report.subject.title());
     let mut cases = Vec::new();
     for cause in grouped(&report.causes, &report.hazards) {

@@ -25,7 +25,7 @@ use crate::human::Ability;
 
 /// The settings that decide what is told.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct Looks {
+pub(crate) struct Looks {
     /// Which speed makes the force that decides.
     #[serde(default)]
     pub speed_criterion: Criterion,
@@ -124,13 +124,13 @@ impl From<&Settings> for Looks {
 impl Looks {
     /// Of the settings in a `scan.json`; none if they do not say.
     #[must_use]
-    pub fn of(settings: &serde_json::Map<String, serde_json::Value>) -> Option<Self> {
+    pub(crate) fn of(settings: &serde_json::Map<String, serde_json::Value>) -> Option<Self> {
         serde_json::from_value(serde_json::Value::Object(settings.clone())).ok()
     }
 
     /// Takes what it does not say of where the person begins, and of the body, from what another says of the same cell file. Which of
     /// several beginnings it was, both would say.
-    pub fn or_of(&mut self, other: &Self) {
+    pub(crate) fn or_of(&mut self, other: &Self) {
         if self.until_s.is_none() {
             self.begins = self.begins.or(other.begins);
         }
@@ -148,7 +148,7 @@ impl Looks {
     /// Why a hazard of `earlier`, run here again from where it began then with the body that the person had then, may not be told
     /// though it is there; nothing if it would be told.
     #[must_use]
-    pub fn judges_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
+    pub(crate) fn judges_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
         let Self {
             speed_criterion: _,
             criteria: _,
@@ -181,7 +181,12 @@ impl Looks {
     /// Why a scan that accounted for everything, and found hazards of these classes, may not have told this hazard of an earlier
     /// scan though it is still there; nothing if it would have.
     #[must_use]
-    pub fn narrower(&self, earlier: &Self, hazard: &Hazard, found: impl Iterator<Item = Class>) -> Option<Narrower> {
+    pub(crate) fn narrower(
+        &self,
+        earlier: &Self,
+        hazard: &Hazard,
+        found: impl Iterator<Item = Class>,
+    ) -> Option<Narrower> {
         let when = |narrower: bool, what: Narrower| narrower.then_some(what);
         self.begins_otherwise(earlier)
             .or_else(|| when(!self.is_as_long(earlier, hazard), Narrower::Horizon))
@@ -271,7 +276,7 @@ impl Looks {
 
     /// Whether arms are as fast here, or anywhere at once.
     #[must_use]
-    pub fn reaches_as_fast_as(&self, earlier: &Self) -> bool {
+    pub(crate) fn reaches_as_fast_as(&self, earlier: &Self) -> bool {
         self.arm_speed_m_s.is_none_or(|mine| earlier.arm_speed_m_s.is_some_and(|its| mine >= its))
     }
 

@@ -26,7 +26,7 @@ const CLEAR: u32 = 0x5b_a3_5b;
 const DETECTED: u32 = 0xf2_c0_2e;
 
 /// What a recording is made of.
-pub struct Recording<'a> {
+pub(crate) struct Recording<'a> {
     /// The hazard.
     pub hazard: &'a Hazard,
     /// What was scanned.
@@ -43,7 +43,7 @@ pub struct Recording<'a> {
 ///
 /// # Errors
 /// When `to` cannot be written.
-pub fn write(recording: &Recording<'_>, to: impl Write + Seek) -> McapResult<()> {
+pub(crate) fn write(recording: &Recording<'_>, to: impl Write + Seek) -> McapResult<()> {
     let library = concat!("fmi-hazard ", env!("CARGO_PKG_VERSION"));
     let options = WriteOptions::new().compression(None).library(library);
     let mut file = Topics { writer: Writer::with_options(to, options)?, sequence: 0 };

@@ -26,14 +26,14 @@ use crate::standards::BodyRegion;
 use crate::standards::provenance::Table;
 
 /// Version of the format of `scan.json`; grows when a reader of the old one would misread the new one.
-pub const SCHEMA_VERSION: u32 = 3;
+pub(crate) const SCHEMA_VERSION: u32 = 3;
 
 /// The edition of the standard behind the limits, as printed.
-pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
+pub(crate) const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
 
 /// The JSON Schema of `scan.json` (draft 2020-12). Within one [`SCHEMA_VERSION`] properties may be added.
 #[must_use]
-pub fn json_schema() -> serde_json::Value {
+pub(crate) fn json_schema() -> serde_json::Value {
     let settings = schemars::generate::SchemaSettings::draft2020_12().for_serialize();
     settings.into_generator().into_root_schema_for::<ScanReport>().to_value()
 }
@@ -117,7 +117,7 @@ pub struct Subject {
 impl Subject {
     /// What acceptances in a cell file are bound to: the SHA-256 of its FMU, of several of them that of all of theirs.
     #[must_use]
-    pub fn fmu_digest(&self) -> String {
+    pub(crate) fn fmu_digest(&self) -> String {
         match &self.fmus[..] {
             [only] => only.sha256.clone(),
             all => {
@@ -129,7 +129,7 @@ impl Subject {
 
     /// Name of the cell, and which of its beginnings it is if there are several.
     #[must_use]
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         match &self.beginning {
             Some(beginning) if beginning.of > 1 => {
                 format!("{}, beginning {} of {}", self.cell, beginning.number, beginning.of)
@@ -157,20 +157,20 @@ pub struct BeginningSubject {
 impl BeginningSubject {
     /// Whether it is the same start at the same time, whatever its number.
     #[must_use]
-    pub fn same(&self, other: &Self) -> bool {
+    pub(crate) fn same(&self, other: &Self) -> bool {
         self.begin().bits() == other.begin().bits()
     }
 
     /// The same without its number.
     #[must_use]
-    pub const fn begin(&self) -> Begin {
+    pub(crate) const fn begin(&self) -> Begin {
         let Self { number: _, of: _, xy_m, heading_deg, begins_s } = *self;
         Begin { xy_m, heading_deg, begins_s }
     }
 
     /// For people.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         self.begin().words()
     }
 }
@@ -189,14 +189,14 @@ pub struct Begin {
 impl Begin {
     /// For comparisons: to the last bit.
     #[must_use]
-    pub fn bits(&self) -> [u64; 4] {
+    pub(crate) fn bits(&self) -> [u64; 4] {
         let Self { xy_m: [x, y], heading_deg, begins_s } = *self;
         [x, y, heading_deg, begins_s].map(f64::to_bits)
     }
 
     /// For people.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let [x, y] = self.xy_m;
         let heading = self.heading_deg;
         format!(
@@ -440,7 +440,7 @@ pub struct FirstContact {
 impl FirstContact {
     /// That of a finding.
     #[must_use]
-    pub fn of(first: &Finding, link_names: &[String], people: Option<&[String; 2]>) -> Self {
+    pub(crate) fn of(first: &Finding, link_names: &[String], people: Option<&[String; 2]>) -> Self {
         Self {
             time_s: first.time_s,
             class: first.class,
@@ -453,7 +453,7 @@ impl FirstContact {
 
     /// "after the tool hit the chest at 0.62 s".
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let [done, _] = self.class.done();
         let whose = self.person.as_ref().map_or_else(String::new, |person| format!(" of {person}"));
         let (region, time_s) = (self.body_region.words(), self.time_s);
@@ -539,7 +539,7 @@ pub struct Certificate {
 
 impl Certificate {
     /// Once it is known what it rests on.
-    pub fn close(&mut self, obligations: &Obligations) {
+    pub(crate) fn close(&mut self, obligations: &Obligations) {
         self.reasons = obligations.reasons();
         self.complete = obligations.clean().is_some();
         if !self.complete {
@@ -615,12 +615,12 @@ pub struct Unlisted {
 
 impl Residual {
     /// What figures are about.
-    pub const HOLDS_FOR: &'static str = "uniformly random sequences of these actions, horizon and start in this model; \
+    pub(crate) const HOLDS_FOR: &'static str = "uniformly random sequences of these actions, horizon and start in this model; \
                                          not how likely a person is hurt";
 
     /// The record of figures; `listed`: whether any hazard was found.
     #[must_use]
-    pub fn new(f: &Figures, listed: bool) -> Self {
+    pub(crate) fn new(f: &Figures, listed: bool) -> Self {
         let unlisted = Unlisted {
             checked: f.checked,
             met_others: f.unlisted,
@@ -669,12 +669,17 @@ pub struct SensorState {
 }
 
 /// What is hit where it is not the hand itself.
-pub const HELD_WORDS: &str = "thing in the hand";
+pub(crate) const HELD_WORDS: &str = "thing in the hand";
 
 impl Hazard {
     /// The record of a group; names by index.
     #[must_use]
-    pub fn new(group: &Group, link_names: &[String], sensor_names: &[String], people: Option<&[String; 2]>) -> Self {
+    pub(crate) fn new(
+        group: &Group,
+        link_names: &[String],
+        sensor_names: &[String],
+        people: Option<&[String; 2]>,
+    ) -> Self {
         let f = &group.worst;
         let c = &f.contact;
         let arm = f.arm.map(|a| Arm {
@@ -745,7 +750,7 @@ impl Hazard {
 
     /// The force that decides, N: the one that `ratio` is of, where that is a force.
     #[must_use]
-    pub fn deciding_force_n(&self) -> f64 {
+    pub(crate) fn deciding_force_n(&self) -> f64 {
         if let Some(clamping) = self.clamping() {
             return clamping.force_n;
         }
@@ -758,7 +763,7 @@ impl Hazard {
 
     /// Whether that is the force with the speed of approach.
     #[must_use]
-    pub fn is_by_approach(&self) -> bool {
+    pub(crate) fn is_by_approach(&self) -> bool {
         self.deciding_force_n().to_bits() != self.force_n.to_bits()
     }
 
@@ -796,13 +801,13 @@ impl Hazard {
 
     /// What is hit: a region of the body, or what the hand holds.
     #[must_use]
-    pub fn struck_words(&self) -> &'static str {
+    pub(crate) fn struck_words(&self) -> &'static str {
         if self.arm.as_ref().is_some_and(|arm| arm.held_m.is_some()) { HELD_WORDS } else { self.body_region.words() }
     }
 
     /// The same with what it means.
     #[must_use]
-    pub fn sentence(&self) -> String {
+    pub(crate) fn sentence(&self) -> String {
         let described = self.described();
         match self.class {
             Class::Force => format!(

@@ -8,7 +8,7 @@ use crate::cell::file::files::{named_from, plain};
 
 /// `path` as a file in `folder` names it, so that it is found from there: without going through links if that is enough.
 #[must_use]
-pub fn seen_from(path: &Path, folder: &Path) -> String {
+pub(crate) fn seen_from(path: &Path, folder: &Path) -> String {
     let plainly = named_from(path, folder);
     if folder.join(&plainly).exists() || !path.exists() {
         return plainly;
@@ -21,7 +21,7 @@ pub fn seen_from(path: &Path, folder: &Path) -> String {
 
 /// The same report for a file in `folder`.
 #[must_use]
-pub fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
+pub(crate) fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
     let from = |path: &str| seen_from(Path::new(path), folder);
     let subject = &report.subject;
     // A cell file inside an archive stands behind the archive's path.
@@ -41,7 +41,7 @@ pub fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
 /// What a result in `folder` names with `path`. Results of earlier versions name it as it was given, from the folder in which
 /// the scan was started.
 #[must_use]
-pub fn found(path: &Path, folder: &Path) -> PathBuf {
+pub(crate) fn found(path: &Path, folder: &Path) -> PathBuf {
     let beside = plain(&folder.join(path));
     // Where `..` goes through a link, the system knows better.
     let ways = [beside.clone(), folder.join(path), path.to_owned()];

@@ -39,7 +39,7 @@ struct Data<'a, S> {
 
 /// The cell.
 #[derive(Clone, Debug, Serialize)]
-pub struct Scenery {
+pub(crate) struct Scenery {
     /// Its name.
     pub name: String,
     /// Time between two frames, s.
@@ -67,7 +67,7 @@ pub struct Scenery {
 
 /// A box.
 #[derive(Clone, Debug, Serialize)]
-pub struct Obstacle {
+pub(crate) struct Obstacle {
     /// Its name.
     pub name: String,
     /// Its middle.
@@ -86,7 +86,7 @@ pub struct Obstacle {
 
 /// Where a sensor sees, or where a control is.
 #[derive(Clone, Debug, Serialize)]
-pub struct ZoneOutline {
+pub(crate) struct ZoneOutline {
     /// The name of the sensor or of the control.
     pub name: String,
     /// `mat`, `field`, `curtain`, `door`, `post` or `button`.
@@ -100,7 +100,7 @@ pub struct ZoneOutline {
 /// A robot link.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "shape", rename_all = "snake_case")]
-pub enum LinkShape {
+pub(crate) enum LinkShape {
     /// Its end points are in the replays.
     Capsule {
         /// Link name.
@@ -134,7 +134,7 @@ pub enum LinkShape {
 
 /// What a link looks like: more than its shape, which is what is hit.
 #[derive(Clone, Debug, Serialize)]
-pub struct LinkLook {
+pub(crate) struct LinkLook {
     /// Number of the link, whose shape it turns with.
     pub link: usize,
     /// Corners in the frame of that shape.
@@ -145,7 +145,7 @@ pub struct LinkLook {
 
 /// A part of the body, a capsule.
 #[derive(Clone, Debug, Serialize)]
-pub struct PartShape {
+pub(crate) struct PartShape {
     /// Its name.
     pub region: String,
     /// Its radius.
@@ -154,7 +154,7 @@ pub struct PartShape {
 
 /// How thick the arms are.
 #[derive(Clone, Debug, Serialize)]
-pub struct ArmShape {
+pub(crate) struct ArmShape {
     /// Radius of the upper arm.
     pub upper_arm_radius_m: f64,
     /// Radius of the forearm.
@@ -174,7 +174,7 @@ fn is_zero(length_m: &f64) -> bool {
 
 /// Where a robot stands.
 #[derive(Clone, Debug, Serialize)]
-pub struct RobotBase {
+pub(crate) struct RobotBase {
     /// Its name.
     pub name: String,
     /// Its base, where the cell file says it.
@@ -185,7 +185,7 @@ pub struct RobotBase {
 
 /// Where the person begins.
 #[derive(Clone, Debug, Serialize)]
-pub struct StartPlace {
+pub(crate) struct StartPlace {
     /// On the floor plan.
     pub xy_m: [f64; 2],
     /// From +x towards +y, degrees.
@@ -202,7 +202,7 @@ pub struct Floats(pub Vec<f64>);
 impl Floats {
     /// Whether there is none.
     #[must_use]
-    pub const fn is_empty(&self) -> bool {
+    pub(crate) const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
@@ -317,7 +317,7 @@ fn packed_list<T: Serialize, S: Serializer>(list: &[T], to: S) -> Result<S::Ok, 
 ///
 /// # Errors
 /// When the data cannot be written as JSON, or not be packed.
-pub fn render(
+pub(crate) fn render(
     scan: &impl Serialize,
     title: &str,
     reproduce: &str,

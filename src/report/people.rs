@@ -42,7 +42,7 @@ impl From<&Body> for BodyRecord {
 impl BodyRecord {
     /// The body itself; none if there is no such body.
     #[must_use]
-    pub fn body(&self) -> Option<Body> {
+    pub(crate) fn body(&self) -> Option<Body> {
         let sex = match self.sex {
             Sex::Woman => Surveyed::Female,
             Sex::Man => Surveyed::Male,
@@ -79,7 +79,7 @@ pub struct SecondRecord {
 impl SecondRecord {
     /// Whether they are and do the same, from the same place, whatever they are called.
     #[must_use]
-    pub fn does_the_same_as(&self, other: &Self) -> bool {
+    pub(crate) fn does_the_same_as(&self, other: &Self) -> bool {
         let Self { names: _, xy_m, heading_deg, also, run_m_s, held_m, body } = self;
         let figures = |xy_m: [f64; 2], heading_deg: f64| [xy_m[0], xy_m[1], heading_deg].map(f64::to_bits);
         figures(*xy_m, *heading_deg) == figures(other.xy_m, other.heading_deg)
@@ -88,7 +88,7 @@ impl SecondRecord {
 
     /// That of a cell, if it has one.
     #[must_use]
-    pub fn of(cell: &Workcell) -> Option<Self> {
+    pub(crate) fn of(cell: &Workcell) -> Option<Self> {
         let second = cell.second.as_ref()?;
         Some(Self {
             names: second.names.clone(),

@@ -18,7 +18,7 @@ pub struct CellFile {
 
 /// The log.
 #[must_use]
-pub fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>) -> Value {
+pub(crate) fn render(report: &ScanReport, file: &CellFile, baseline: Option<&Baseline>) -> Value {
     let mut others: Vec<Class> = report.hazards.iter().map(|hazard| hazard.class).collect();
     others.retain(|class| class.beside_force().is_some());
     others.sort_unstable();

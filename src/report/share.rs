@@ -27,14 +27,14 @@ impl CycleShare {
     /// Which part of the cycle was met, from 0 to 1; nothing if the cycle is not known. What robots do before they repeat themselves is no
     /// part of it.
     #[must_use]
-    pub fn part(&self) -> Option<f64> {
+    pub(crate) fn part(&self) -> Option<f64> {
         let (cycle_s, repeats_from_s) = (self.cycle_s?, self.repeats_from_s?);
         Some(((self.until_s - self.from_s.max(repeats_from_s)) / cycle_s).clamp(0.0, 1.0))
     }
 
     /// How much was met, for people: it stands behind "from the start in the cell file," in a sentence.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let length = seconds(self.until_s - self.from_s);
         let begins = match self.from_s > 0.0 {
             true => format!("from {} after the FMU's start", seconds(self.from_s)),

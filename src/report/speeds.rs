@@ -84,7 +84,7 @@ impl Speeds {
 
     /// Why nothing can be certified with these speeds.
     #[must_use]
-    pub fn refusal(&self) -> Option<String> {
+    pub(crate) fn refusal(&self) -> Option<String> {
         let first = self.records.first()?;
         let more = match self.records.len() {
             1 => String::new(),
@@ -110,7 +110,7 @@ impl SpeedRecord {
 
     /// Where the cell file names the speed: a range of its bytes.
     #[must_use]
-    pub fn named_at(&self, cell: &Workcell) -> Option<std::ops::Range<usize>> {
+    pub(crate) fn named_at(&self, cell: &Workcell) -> Option<std::ops::Range<usize>> {
         let (robot, part) = self.place?;
         let robot = cell.file().robots.get(robot)?.get_ref();
         match part {
@@ -122,7 +122,7 @@ impl SpeedRecord {
 
     /// What is wrong, without advice.
     #[must_use]
-    pub fn message(&self) -> String {
+    pub(crate) fn message(&self) -> String {
         let unit = self.unit;
         format!(
             "the speed of {} is not that of its motion: at {:.2} s it moves at {:.3} {unit}, and {} says {:.3} {unit}; the \
@@ -143,7 +143,7 @@ impl SpeedRecord {
 
     /// What it means and what to do.
     #[must_use]
-    pub fn advice(&self) -> String {
+    pub(crate) fn advice(&self) -> String {
         let meaning = if self.slower_than_it_is {
             "The robot is faster than it says, so forces come out too low"
         } else {
@@ -160,7 +160,7 @@ impl SpeedRecord {
 
     /// Both.
     #[must_use]
-    pub fn sentence(&self) -> String {
+    pub(crate) fn sentence(&self) -> String {
         format!("{}. {}", self.message(), self.advice())
     }
 }

@@ -12,7 +12,7 @@ const SCHEMA: u32 = 1;
 
 /// A campaign's result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Survey {
+pub(crate) struct Survey {
     /// Version of the format.
     pub schema_version: u32,
     /// Name and version of this tool.
@@ -33,7 +33,7 @@ pub struct Survey {
 
 /// One scan.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub(crate) struct Row {
     /// Its number, from 1.
     pub number: usize,
     /// Its cell.
@@ -100,7 +100,7 @@ pub enum State {
 
 /// A hazard, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Worst {
+pub(crate) struct Worst {
     /// Its id.
     pub id: String,
     /// Force that decides over limit.
@@ -113,7 +113,7 @@ pub struct Worst {
 
 /// A hazard on the floor and in the cycle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spot {
+pub(crate) struct Spot {
     /// Its id.
     pub id: String,
     /// Where the person stands, m.
@@ -126,7 +126,7 @@ pub struct Spot {
 
 /// What searching cost, in units that are the same on every machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Cost {
+pub(crate) struct Cost {
     /// Communication steps of the FMU that differ.
     pub fmu_steps: u64,
     /// Comparisons of a person with the robots.
@@ -137,7 +137,7 @@ pub struct Cost {
 
 /// One cell.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct CellRow {
+pub(crate) struct CellRow {
     /// Its name.
     pub cell: String,
     /// The one of the campaign file that it comes from.
@@ -162,7 +162,7 @@ pub struct CellRow {
 
 /// From which value of a sweep on, or up to which, no hazard was found and every sequence was looked at.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Margin {
+pub(crate) struct Margin {
     /// The sweep.
     pub sweep: String,
     /// What its values are in.
@@ -218,7 +218,7 @@ impl Outcome {
     ///
     /// # Errors
     /// When it is none.
-    pub fn read(bytes: &[u8]) -> Result<Self, serde_json::Error> {
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, serde_json::Error> {
         let scan: Scanned = serde_json::from_slice(bytes)?;
         let complete = scan.certificate.as_ref().is_some_and(|c| c.complete);
         let state = match (scan.hazards.is_empty(), scan.verdict.as_str()) {
@@ -268,7 +268,7 @@ impl State {
 
     /// For people.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::None => "no hazard, complete",
             Self::Open => "no hazard, not complete",
@@ -280,7 +280,7 @@ impl State {
 impl Survey {
     /// The result of these scans.
     #[must_use]
-    pub fn new(campaign: &str, tool: &str, sweeps: &[(String, String)], scans: Vec<Row>) -> Self {
+    pub(crate) fn new(campaign: &str, tool: &str, sweeps: &[(String, String)], scans: Vec<Row>) -> Self {
         let mut cost = Cost::default();
         for row in &scans {
             cost.fmu_steps += row.outcome.cost.fmu_steps;
@@ -302,7 +302,7 @@ impl Survey {
 
     /// What all scans say together.
     #[must_use]
-    pub fn state(&self) -> State {
+    pub(crate) fn state(&self) -> State {
         self.cells.iter().map(|cell| cell.state).max().unwrap_or(State::Open)
     }
 
@@ -310,7 +310,7 @@ impl Survey {
     ///
     /// # Errors
     /// Never, in practice.
-    pub fn csv(&self) -> Result<String, String> {
+    pub(crate) fn csv(&self) -> Result<String, String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let fixed = ["scan", "cell", "body", "x_m", "y_m", "heading_deg", "begins_s", "strategy", "seed", "state"];
         let rest = [
@@ -381,7 +381,7 @@ impl Survey {
 
     /// For a terminal: a row for each cell, and what follows.
     #[must_use]
-    pub fn render(&self) -> String {
+    pub(crate) fn render(&self) -> String {
         let header = ["cell", "scans", "with hazards", "hazards", "worst", "says"];
         let row = |cell: &CellRow| {
             vec![
@@ -451,7 +451,7 @@ impl Margin {
 
     /// What follows, for people.
     #[must_use]
-    pub fn sentence(&self) -> String {
+    pub(crate) fn sentence(&self) -> String {
         let value = |value: f64| match self.unit.as_str() {
             "" => format!("{value}"),
             unit => format!("{value} {unit}"),
@@ -504,7 +504,7 @@ pub(super) mod tests {
     use super::*;
 
     /// A scan of the cell `c` at value `at` of the sweep `w`, from beginning `beginning`.
-    pub fn scanned(at: f64, beginning: usize, state: State, ratio: f64) -> Row {
+    pub(crate) fn scanned(at: f64, beginning: usize, state: State, ratio: f64) -> Row {
         let hazards = usize::from(state == State::Hazards);
         let begins = Begin { xy_m: [0.5, -1.0], heading_deg: 90.0, begins_s: 0.2 * beginning as f64 };
         let spot = Spot { id: format!("H-{beginning}"), xy_m: [0.1 * beginning as f64, -0.5], time_s: 1.0, ratio };
@@ -535,7 +535,7 @@ pub(super) mod tests {
     }
 
     /// The survey of these states at 0.1, 0.2, ... m.
-    pub fn survey(states: &[State]) -> Survey {
+    pub(crate) fn survey(states: &[State]) -> Survey {
         let at = |n: usize| (n + 1) as f64 / 10.0;
         let rows = states.iter().enumerate().map(|(n, state)| scanned(at(n), 1, *state, 2.0 - at(n)));
         Survey::new("width", "t", &[("w".to_owned(), "m".to_owned())], rows.collect())

@@ -16,7 +16,7 @@ svg{max-width:100%;height:auto}figcaption{color:#566273}";
 
 /// The page.
 #[must_use]
-pub fn render(survey: &Survey, pictures: &[Picture]) -> String {
+pub(crate) fn render(survey: &Survey, pictures: &[Picture]) -> String {
     let name = escaped(&survey.campaign);
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{name}: campaign</title>\

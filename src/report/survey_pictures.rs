@@ -6,11 +6,11 @@ use svg::node::element::{Circle, Group, Line, Path, Rectangle, Text, Title};
 use super::survey::{CellRow, Row, State, Survey, line_of};
 
 /// All pictures there may be, by their file names.
-pub const NAMES: [&str; 3] = ["sweep.svg", "cycle.svg", "floor.svg"];
+pub(crate) const NAMES: [&str; 3] = ["sweep.svg", "cycle.svg", "floor.svg"];
 
 /// A picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// Its file name.
     pub name: &'static str,
     /// What it shows, in a line.
@@ -127,7 +127,7 @@ fn frame(mut group: Group, (x, y): (&Axis, &Axis), across: &str, up: &str) -> Gr
 
 /// All pictures of which there is something to see.
 #[must_use]
-pub fn all(survey: &Survey) -> Vec<Picture> {
+pub(crate) fn all(survey: &Survey) -> Vec<Picture> {
     [sweep(survey), cycle(survey), floor(survey)].into_iter().flatten().collect()
 }
 

@@ -15,7 +15,7 @@ use crate::sim::coverage::RobotCoverage;
 
 /// How the result is shown.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub(crate) struct View {
     /// Columns of the terminal.
     pub width: usize,
     /// Also every hazard, and what the search covered.
@@ -39,7 +39,7 @@ const CAUSES: usize = 8;
 
 /// What was found, what that is worth, and what is behind it if that is wanted.
 #[must_use]
-pub fn render(report: &ScanReport, view: View) -> String {
+pub(crate) fn render(report: &ScanReport, view: View) -> String {
     let mut out = String::new();
     if view.verbose {
         hazard_table(report, view, &mut out);
@@ -84,7 +84,7 @@ pub fn render(report: &ScanReport, view: View) -> String {
 
 /// The causes, a card each, with empty lines around them.
 #[must_use]
-pub fn cards(report: &ScanReport, view: View) -> String {
+pub(crate) fn cards(report: &ScanReport, view: View) -> String {
     let mut out = String::new();
     for cause in report.causes.iter().take(CAUSES) {
         out.push('\n');
@@ -273,7 +273,7 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
 
 /// A number with its thousands set apart.
 #[must_use]
-pub fn grouped(digits: &str) -> String {
+pub(crate) fn grouped(digits: &str) -> String {
     let first = (digits.len() + 2) % 3 + 1;
     let (head, tail) = digits.split_at(first.min(digits.len()));
     let groups = tail.as_bytes().chunks(3).map(|c| String::from_utf8_lossy(c).into_owned());

@@ -13,11 +13,11 @@ const NAMED: usize = 20;
 const MARGIN: f64 = 0.35;
 
 /// A point on the floor plan, m.
-pub type Point = [f64; 2];
+pub(crate) type Point = [f64; 2];
 
 /// What is drawn, all in metres on the floor plan.
 #[derive(Clone, Debug, Default)]
-pub struct Scene {
+pub(crate) struct Scene {
     /// Line at the top.
     pub title: String,
     /// Obstacle outlines with names and the height of their top, m.
@@ -99,7 +99,7 @@ impl View {
 
 /// Draws the scene.
 #[must_use]
-pub fn render(scene: &Scene) -> String {
+pub(crate) fn render(scene: &Scene) -> String {
     let everything = || {
         let obstacles = scene.obstacles.iter().flat_map(|(_, p, _)| p.iter().copied());
         let zones = scene.zones.iter().flat_map(|(_, p)| p.iter().copied());

@@ -4,7 +4,7 @@ use super::model::Hazard;
 
 /// Inputs and outputs of the only FMU over a sequence.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Trace {
+pub(crate) struct Trace {
     /// Communication step, s.
     pub step_s: f64,
     /// Names of the inputs.
@@ -24,7 +24,7 @@ impl Trace {
     ///
     /// # Errors
     /// Never: it is written to memory.
-    pub fn input_table(&self) -> Result<String, ::csv::Error> {
+    pub(crate) fn input_table(&self) -> Result<String, ::csv::Error> {
         let ends = self.given.last().cloned();
         let before = self.before.iter().map(|(given, _)| given);
         self.table(&self.inputs, before.chain(&self.given).cloned().chain(ends), 0)
@@ -34,7 +34,7 @@ impl Trace {
     ///
     /// # Errors
     /// Never: it is written to memory.
-    pub fn output_table(&self) -> Result<String, ::csv::Error> {
+    pub(crate) fn output_table(&self) -> Result<String, ::csv::Error> {
         let before = self.before.iter().map(|(_, answered)| answered);
         self.table(&self.outputs, before.chain(&self.answered).cloned(), 1)
     }
@@ -58,13 +58,13 @@ impl Trace {
 
 /// Name of the file with the inputs.
 #[must_use]
-pub fn input_file(hazard: &Hazard) -> String {
+pub(crate) fn input_file(hazard: &Hazard) -> String {
     format!("{}.inputs.csv", hazard.id)
 }
 
 /// Name of the file with the outputs.
 #[must_use]
-pub fn output_file(hazard: &Hazard) -> String {
+pub(crate) fn output_file(hazard: &Hazard) -> String {
     format!("{}.outputs.csv", hazard.id)
 }
 

@@ -14,7 +14,7 @@ use super::paragraph::wrapped;
 
 /// A known hazard, tried again.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Verified {
+pub(crate) struct Verified {
     /// As it was recorded.
     pub hazard: Hazard,
     /// What became of it.
@@ -24,7 +24,7 @@ pub struct Verified {
 /// The same for programs.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "VerifiedHazard")]
-pub struct Row {
+pub(crate) struct Row {
     /// Id of the hazard.
     pub id: String,
     /// Id of its cause, if the scan knows causes.
@@ -82,7 +82,7 @@ pub enum Outcome {
 impl Outcome {
     /// How it stands.
     #[must_use]
-    pub const fn standing(&self) -> Standing {
+    pub(crate) const fn standing(&self) -> Standing {
         match self {
             Self::Fixed => Standing::Fixed,
             Self::NoRoom | Self::Seen { .. } | Self::Still { .. } => Standing::NotShown,
@@ -94,7 +94,7 @@ impl Outcome {
 
     /// In words.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         match self {
             Self::Fixed => "its sequences end without an unsafe contact".to_owned(),
             Self::NoRoom => "somebody has no room any more where it begins".to_owned(),
@@ -111,7 +111,7 @@ impl Outcome {
 
 /// How a known hazard stands, the worst first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Standing {
+pub(crate) enum Standing {
     /// It is there.
     StillThere,
     /// The FMU failed.
@@ -127,7 +127,7 @@ pub enum Standing {
 impl Standing {
     /// As printed.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::StillThere => "STILL THERE",
             Self::NotRun => "NOT RUN",
@@ -140,20 +140,20 @@ impl Standing {
 
 /// How all of them stand together: as the worst does; nothing if none was known.
 #[must_use]
-pub fn together(verified: &[Verified]) -> Option<Standing> {
+pub(crate) fn together(verified: &[Verified]) -> Option<Standing> {
     verified.iter().map(|one| one.outcome.standing()).min()
 }
 
 impl Verified {
     /// Whether its sequences lead to nothing any more.
     #[must_use]
-    pub fn is_fixed(&self) -> bool {
+    pub(crate) fn is_fixed(&self) -> bool {
         self.outcome.standing() == Standing::Fixed
     }
 
     /// In words.
     #[must_use]
-    pub fn line(&self) -> String {
+    pub(crate) fn line(&self) -> String {
         let Hazard { id, ratio: was, .. } = &self.hazard;
         let was = match self.outcome.standing() {
             Standing::Fixed | Standing::StillThere => format!("{was:.2}x -> "),
@@ -166,7 +166,7 @@ impl Verified {
 
 /// For programs: a row a hazard.
 #[must_use]
-pub fn rows(causes: &[Cause], verified: &[Verified]) -> Vec<Row> {
+pub(crate) fn rows(causes: &[Cause], verified: &[Verified]) -> Vec<Row> {
     let row = |one: &Verified| {
         let Hazard { id, ratio, .. } = &one.hazard;
         let cause = causes.iter().find(|cause| cause.hazards.contains(id)).map(|cause| cause.id.clone());
@@ -192,7 +192,7 @@ fn by_cause<'a>(causes: &'a [Cause], verified: &'a [Verified]) -> Vec<(Option<&'
 
 /// For people: a line a cause, and one for each of its hazards that is not fixed.
 #[must_use]
-pub fn render(causes: &[Cause], verified: &[Verified]) -> String {
+pub(crate) fn render(causes: &[Cause], verified: &[Verified]) -> String {
     if verified.is_empty() {
         return format!(" {NONE_KNOWN}. Scan the changed cell.\n");
     }
@@ -257,7 +257,11 @@ fn of_cause(cause: &Cause, members: &[&Verified]) -> String {
 ///
 /// # Errors
 /// When it cannot be written as XML.
-pub fn as_junit(cell: &str, causes: &[Cause], verified: &[Verified]) -> Result<String, quick_junit::SerializeError> {
+pub(crate) fn as_junit(
+    cell: &str,
+    causes: &[Cause],
+    verified: &[Verified],
+) -> Result<String, quick_junit::SerializeError> {
     let cell = xml(cell);
     if verified.is_empty() {
         let mut status = TestCaseStatus::skipped();

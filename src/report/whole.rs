@@ -8,7 +8,7 @@ use super::anywhere::{Anywhere, Cell, Ground, Place, changes_words, presses_word
 
 /// What a picture of the floor shows.
 #[derive(Clone, Debug, Serialize)]
-pub struct Whole<'a> {
+pub(crate) struct Whole<'a> {
     /// What it says, in a few sentences.
     pub said: String,
     /// How long after the start of the FMU is looked at, s.
@@ -78,7 +78,7 @@ impl<'a> From<&'a Anywhere> for Whole<'a> {
 impl Whole<'_> {
     /// So many squares as an area.
     #[must_use]
-    pub fn area(&self, squares: usize) -> String {
+    pub(crate) fn area(&self, squares: usize) -> String {
         #[expect(clippy::cast_precision_loss, reason = "some thousand squares")]
         let area = squares as f64 * self.cell_m * self.cell_m;
         if area < 0.095 { format!("{area:.2} m²") } else { format!("{area:.1} m²") }

@@ -51,7 +51,7 @@ impl From<&Control> for ControlRecord {
 impl Working {
     /// What is done: "the person presses reset", "a colleague opens door".
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let who = match self.control.by {
             ControlledBy::Person if self.by_either => "one of the people",
             ControlledBy::Person => "the person",
@@ -70,7 +70,7 @@ impl Working {
 
     /// What is worked in a sequence, in order, of which this is worked in each action; by either of two people, or by the only one.
     #[must_use]
-    pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control], by_either: bool) -> Vec<Self> {
+    pub(crate) fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control], by_either: bool) -> Vec<Self> {
         let (mut all, mut open) = (Vec::new(), Presses::NONE);
         for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]
@@ -92,7 +92,7 @@ impl Working {
 /// What was worked, once each control: "the person presses reset at 0.60 s, a colleague switches mode at 0.80 s and 1.20 s";
 /// nothing if nothing was.
 #[must_use]
-pub fn worked_words(worked: &[Working]) -> String {
+pub(crate) fn worked_words(worked: &[Working]) -> String {
     let mut told: Vec<(&Working, Vec<String>)> = Vec::new();
     for working in worked {
         let time = format!("{:.2} s", working.at_s);

@@ -12,7 +12,7 @@ use crate::sim::{Coverage, Simulation};
 
 /// What to run.
 #[derive(Clone, Debug)]
-pub struct CampaignOptions {
+pub(crate) struct CampaignOptions {
     /// Strategies; the last is the reference of the ratios.
     pub strategies: Vec<StrategyName>,
     /// First seed.
@@ -33,7 +33,7 @@ pub struct CampaignOptions {
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn run(
+pub(crate) fn run(
     prepared: &Prepared,
     options: &CampaignOptions,
     tell: &(dyn Fn(usize) + Sync),

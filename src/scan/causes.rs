@@ -27,7 +27,7 @@ const ALONG_M: f64 = 0.005;
 
 /// A hazard as causes see it. Of a link that the cell does not have, the robot is not known.
 #[must_use]
-pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
+pub(crate) fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     let cell = &prepared.cell;
     let link = cell.links.iter().find(|link| link.name == hazard.robot_link);
     let reporting = hazard.sensors.iter().filter(|s| s.person_detected).map(|s| s.name.clone()).collect();
@@ -60,7 +60,12 @@ pub fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
 /// The causes of hazards, which are given worst first. The sequence of the worst of each is run once more, as plainly as
 /// `rung` asks; where that cannot be done, less is said about it.
 #[must_use]
-pub fn causes(prepared: &Prepared, rung: Rung, hazards: &[Hazard], certificate: Option<&Certificate>) -> Vec<Cause> {
+pub(crate) fn causes(
+    prepared: &Prepared,
+    rung: Rung,
+    hazards: &[Hazard],
+    certificate: Option<&Certificate>,
+) -> Vec<Cause> {
     let members: Vec<Member> = hazards.iter().map(|hazard| member(prepared, hazard)).collect();
     if members.is_empty() {
         return Vec::new();

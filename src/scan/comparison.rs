@@ -24,7 +24,7 @@ use crate::sim::journal::Journal;
 
 /// What to run.
 #[derive(Clone, Debug)]
-pub struct ComparisonOptions {
+pub(crate) struct ComparisonOptions {
     /// Strategies.
     pub strategies: Vec<StrategyName>,
     /// The one that the others are measured by, if it is among them.
@@ -49,7 +49,7 @@ pub struct ComparisonOptions {
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn run(
+pub(crate) fn run(
     prepared: &Prepared,
     options: &ComparisonOptions,
     tell: &(dyn Fn(usize) + Sync),

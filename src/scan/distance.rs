@@ -29,7 +29,7 @@ const GAP_M: f64 = 0.03;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked {
+pub(crate) struct Asked {
     /// By which edition.
     pub edition: Edition,
     /// Resolution of light curtains and fields of which the cell file says none, m.
@@ -42,7 +42,7 @@ pub struct Asked {
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn distances(prepared: &Prepared, asked: &Asked) -> Result<Distances, PlantError> {
+pub(crate) fn distances(prepared: &Prepared, asked: &Asked) -> Result<Distances, PlantError> {
     let cell = &prepared.cell;
     let found = probe_for(prepared, asked.run_s.unwrap_or_else(|| run_s(prepared)))?;
     let measured = Measured { prepared, asked, swept: Swept::new(prepared, &found.rows), found: &found };

@@ -12,7 +12,7 @@ use crate::sim::simulation::Watched;
 
 /// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.
 #[must_use]
-pub fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Option<Explanation> {
+pub(crate) fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Option<Explanation> {
     let cell = &prepared.cell;
     let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
     let robot = &cell.robots[link.robot];

@@ -29,7 +29,7 @@ const FLOOR_M: f64 = 0.02;
 
 /// What stands still.
 #[must_use]
-pub fn scenery(prepared: &Prepared) -> Scenery {
+pub(crate) fn scenery(prepared: &Prepared) -> Scenery {
     let cell = &prepared.cell;
     let upright = cell.body.placed(Vec3::ZERO, 0.0, Posture::Upright, BendFraction::UPRIGHT);
     Scenery {
@@ -284,7 +284,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
 ///
 /// # Errors
 /// When the FMU fails before the person begins.
-pub fn trace(prepared: &Prepared, watched: &Watched) -> Result<Option<Trace>, PlantError> {
+pub(crate) fn trace(prepared: &Prepared, watched: &Watched) -> Result<Option<Trace>, PlantError> {
     if prepared.fmus.len() > 1 {
         return Ok(None);
     }

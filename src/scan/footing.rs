@@ -49,17 +49,17 @@ pub(super) enum Shown {
 
 impl Doubt {
     /// That of an audit.
-    pub fn of_audit(difference: Difference) -> Self {
+    pub(crate) fn of_audit(difference: Difference) -> Self {
         Self { unlike: difference.unlike, shown: Shown::Audit(difference) }
     }
 
     /// That of a failure of the search, if it is one.
-    pub fn of_search(error: &PlantError) -> Option<Self> {
+    pub(crate) fn of_search(error: &PlantError) -> Option<Self> {
         Some(Self { unlike: error.unlike?, shown: Shown::Search(error.clone()) })
     }
 
     /// How it showed itself, in words.
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         match &self.shown {
             Shown::Audit(Difference { action: 0, .. }) => {
                 "run again from the start, the FMU gave other outputs at its start".to_owned()
@@ -76,14 +76,14 @@ impl Doubt {
 
 impl Footing {
     /// As the user asked.
-    pub fn asked(prepared: &Prepared, choice: StateChoice, merge: Merge) -> Self {
+    pub(crate) fn asked(prepared: &Prepared, choice: StateChoice, merge: Merge) -> Self {
         let merge = if prepared.tells_states_by_bytes() { merge } else { Merge::History };
         let processes = prepared.has_processes() && prepared.self_test.deterministic != Agreement::Exact;
         Self { states: States::Asked(choice), merge, processes }
     }
 
     /// The way in which states are brought back.
-    pub fn rung(&self, prepared: &Prepared) -> Rung {
+    pub(crate) fn rung(&self, prepared: &Prepared) -> Rung {
         match self.states {
             States::By(rung) => rung,
             States::Asked(StateChoice::Auto) => prepared.rung,
@@ -95,7 +95,7 @@ impl Footing {
     }
 
     /// The FMUs, not yet started, to search with.
-    pub fn plant(&self, prepared: &Prepared) -> Hosted {
+    pub(crate) fn plant(&self, prepared: &Prepared) -> Hosted {
         match self.states {
             States::Asked(choice) => prepared.plant(choice),
             States::By(rung) => prepared.plant_by(rung),
@@ -103,7 +103,7 @@ impl Footing {
     }
 
     /// How states are brought back.
-    pub fn policy(&self, prepared: &Prepared) -> Policy {
+    pub(crate) fn policy(&self, prepared: &Prepared) -> Policy {
         match self.states {
             States::Asked(choice) => prepared.policy(choice),
             States::By(rung) => prepared.policy_by(rung),
@@ -111,22 +111,22 @@ impl Footing {
     }
 
     /// The FMUs, not yet started, for plain runs: from a fresh instance or in a fresh process each, without any restore.
-    pub fn plain(&self, prepared: &Prepared) -> Hosted {
+    pub(crate) fn plain(&self, prepared: &Prepared) -> Hosted {
         prepared.plant_by(if self.processes { Rung::Processes } else { Rung::Instances })
     }
 
     /// What a fresh start of a plain run costs, in communication steps, about.
-    pub const fn instance(&self) -> u64 {
+    pub(crate) const fn instance(&self) -> u64 {
         if self.processes { 3000 } else { 60 }
     }
 
     /// Communication steps that an audit may take at least: about a second, or as many processes as start in some.
-    pub const fn least_audit(&self) -> u64 {
+    pub(crate) const fn least_audit(&self) -> u64 {
         if self.processes { 1_000_000 } else { 150_000 }
     }
 
     /// The next rung, if there is one; none of those that were left is come back to.
-    pub fn lower(self, prepared: &Prepared, unlike: Unlike) -> Option<Self> {
+    pub(crate) fn lower(self, prepared: &Prepared, unlike: Unlike) -> Option<Self> {
         let by = |rung| Self { states: States::By(rung), merge: Merge::History, ..self };
         let processes =
             (prepared.has_processes() && !self.processes).then_some(Self { processes: true, ..by(Rung::Processes) });
@@ -141,7 +141,7 @@ impl Footing {
     }
 
     /// What is said when a search is made again: what was found, and what is done.
-    pub fn lowered(self, prepared: &Prepared, doubt: &Doubt, to: Self) -> String {
+    pub(crate) fn lowered(self, prepared: &Prepared, doubt: &Doubt, to: Self) -> String {
         let (from, by) = (self.rung(prepared), to.rung(prepared));
         let found = doubt.words();
         if self.merge != to.merge && from == by {

@@ -20,7 +20,7 @@ const TRIES: usize = 400;
 ///
 /// # Errors
 /// When the simulation cannot go on at all.
-pub fn minimise<P: Plant>(
+pub(crate) fn minimise<P: Plant>(
     simulation: &mut Simulation<P>,
     finding: &Finding,
     identity: &Identity,

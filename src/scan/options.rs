@@ -72,7 +72,7 @@ impl StrategyName {
 impl StrategyName {
     /// A fresh strategy; a tree search with these parameters instead of its profile's.
     #[must_use]
-    pub fn build_with(self, parameters: Parameters) -> Box<dyn Strategy<Simulation<Hosted>>> {
+    pub(crate) fn build_with(self, parameters: Parameters) -> Box<dyn Strategy<Simulation<Hosted>>> {
         let mcts = |profile| Box::new(MctsDpw::<Snapshot>::with_parameters(profile, parameters));
         match self {
             Self::MctsDpw => mcts(Profile::Paper),

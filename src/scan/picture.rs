@@ -21,7 +21,7 @@ use crate::sim::simulation::Watched;
 
 /// The scene of `hazard`, whose sequence was watched.
 #[must_use]
-pub fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
+pub(crate) fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Scene {
     let cell = &prepared.cell;
     let contact = film::contact_frame(prepared, hazard, watched);
     let until = &watched.instants[..=contact];
@@ -84,7 +84,7 @@ pub(super) fn part(link: &Solid) -> Part {
 
 /// What stands around on the map of a whole floor.
 #[must_use]
-pub fn plan(prepared: &Prepared) -> Plan {
+pub(crate) fn plan(prepared: &Prepared) -> Plan {
     let (cell, subject) = (&prepared.cell, &prepared.subject);
     let fmus: Vec<&str> = subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
     let based = cell.robots.iter().filter(|robot| robot.kinematics.is_some());
@@ -109,7 +109,7 @@ const SWEEP: usize = 60;
 /// person's starts (`others` are the further ones) and all places that a sequence can lead to, and the floor on which a scan from
 /// anywhere lets people begin.
 #[must_use]
-pub fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>) -> Scene {
+pub(crate) fn overview(prepared: &Prepared, others: &[Prepared], found: Option<&Probe>) -> Scene {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let width = binding.outputs.len();
     let rows = found.map_or(&[][..], |found| &found.rows);

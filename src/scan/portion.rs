@@ -17,7 +17,7 @@ use crate::sim::journal::Journal;
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn portion(
+pub(crate) fn portion(
     prepared: &Prepared,
     how: Exhaustive,
     share: Share,

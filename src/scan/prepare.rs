@@ -92,7 +92,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
 ///
 /// # Errors
 /// [`PrepareError`].
-pub fn prepare_unplaced(
+pub(crate) fn prepare_unplaced(
     path: &Path,
     cell: Option<&Path>,
     hosting: &Hosting,
@@ -356,7 +356,7 @@ impl Prepared {
     /// Why nothing can be certified of these FMUs, whatever a search finds: what the self-test calls impossible for their
     /// outputs together is possible for those that the cell binds.
     #[must_use]
-    pub fn unsteady(&self) -> Option<String> {
+    pub(crate) fn unsteady(&self) -> Option<String> {
         let output = self.unsteady.as_ref()?;
         Some(format!(
             "the FMU does not repeat its output `{output}`, which the cell does not bind: something in it depends on a clock, \
@@ -367,7 +367,7 @@ impl Prepared {
 
     /// Whether the motion is the FMUs' own in steps of other lengths, and with Event Mode and without: what both engines reply.
     #[must_use]
-    pub fn steps(&self) -> Reply {
+    pub(crate) fn steps(&self) -> Reply {
         let SelfTest { half_steps, .. } = &self.self_test;
         let against = self.self_test.against_motion().into_iter().map(Point::open).collect();
         let shown = self.self_test.motion_shown();
@@ -381,13 +381,13 @@ impl Prepared {
     }
 
     /// The files that the cell file extends, as messages call them, the next first.
-    pub fn extends(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn extends(&self) -> impl Iterator<Item = &str> {
         self.found.bases().iter().map(|base| base.name.as_str())
     }
 
     /// A line of the cell file, or of one that it extends, as messages show it.
     #[must_use]
-    pub fn shown(&self, place: &FileLine) -> String {
+    pub(crate) fn shown(&self, place: &FileLine) -> String {
         let base = self.found.bases().iter().find(|base| Some(&base.path) == place.base.as_ref());
         let file = base.map_or(self.subject.cell_found.as_str(), |base| base.name.as_str());
         format!("{file}:{}", place.line)
@@ -403,7 +403,7 @@ impl Prepared {
     }
 
     /// Adds to what the user should know.
-    pub fn warn(&mut self, warnings: Vec<String>) {
+    pub(crate) fn warn(&mut self, warnings: Vec<String>) {
         self.suspicions.extend(warnings);
     }
 
@@ -439,7 +439,7 @@ impl Prepared {
 
     /// The same, from the FMU's own start on: without the steps that lead in.
     #[must_use]
-    pub fn plant_without_lead_in(&self, choice: StateChoice) -> Hosted {
+    pub(crate) fn plant_without_lead_in(&self, choice: StateChoice) -> Hosted {
         self.plant_of(choice, |setup| SystemSetup { lead_in_steps: 0, ..setup.clone() })
     }
 
@@ -505,7 +505,7 @@ impl Prepared {
 
     /// Whether equal serialised states are equal states: only for FMUs that save them faithfully.
     #[must_use]
-    pub fn tells_states_by_bytes(&self) -> bool {
+    pub(crate) fn tells_states_by_bytes(&self) -> bool {
         // What is differentiated depends on the step before, too.
         let remembers = self.binding.derived.is_empty();
         remembers && self.self_test.restore == Agreement::Exact && self.self_test.bytes_per_state.is_some()
@@ -513,7 +513,7 @@ impl Prepared {
 
     /// What the FMUs printed so far, and how many bytes it was; nothing is caught of those in this process.
     #[must_use]
-    pub fn printed(&self) -> (String, u64) {
+    pub(crate) fn printed(&self) -> (String, u64) {
         match &self.source {
             Source::Here { .. } => (String::new(), 0),
             Source::Apart(launcher) => launcher.printed(),
@@ -522,7 +522,7 @@ impl Prepared {
 
     /// What the FMUs printed before the first few failures; nothing of those in this process.
     #[must_use]
-    pub fn before_failures(&self) -> Vec<LastWords> {
+    pub(crate) fn before_failures(&self) -> Vec<LastWords> {
         match &self.source {
             Source::Here { .. } => Vec::new(),
             Source::Apart(launcher) => launcher.before_failures(),

@@ -80,7 +80,7 @@ impl PrepareError {
 
     /// Whether the FMU failed while running, as opposed to a file that is wrong.
     #[must_use]
-    pub fn while_running(&self) -> bool {
+    pub(crate) fn while_running(&self) -> bool {
         match self {
             Self::FirstRun(_) | Self::NotDeterministic(_) | Self::RunsOnce(_) => true,
             Self::Load(e) => e.while_running(),

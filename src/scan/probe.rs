@@ -23,10 +23,10 @@ use crate::sim::World;
 use crate::sim::motion::{Comparison, Motion};
 use crate::sim::robot::RobotFrame;
 
-pub use places::Reported;
+pub(crate) use places::Reported;
 
 /// How long an FMU is run to see what it does, unless its stopTime is before, s.
-pub const RUN_S: f64 = 10.0;
+pub(crate) const RUN_S: f64 = 10.0;
 
 /// A robot slower than this stands still: m/s, or the unit of what is measured per second.
 const STILL: f64 = 1e-3;
@@ -87,7 +87,7 @@ pub struct Moment {
 impl Reaction {
     /// The value that means that a person is detected, if the robots' reaction tells.
     #[must_use]
-    pub const fn active(&self) -> Option<bool> {
+    pub(crate) const fn active(&self) -> Option<bool> {
         match self.effect {
             Effect::Stops | Effect::Slows => Some(!self.idle),
             Effect::Starts | Effect::SpeedsUp => Some(self.idle),
@@ -97,7 +97,7 @@ impl Reaction {
 }
 
 /// A run of the FMU, and how fast the robots were after each step.
-pub struct Run {
+pub(crate) struct Run {
     /// Outputs at the start and after each step, row-major.
     pub rows: Vec<f64>,
     /// Speed after each step.
@@ -107,13 +107,13 @@ pub struct Run {
 impl Run {
     /// The fastest that anything was.
     #[must_use]
-    pub fn fastest(&self) -> f64 {
+    pub(crate) fn fastest(&self) -> f64 {
         self.speeds.iter().copied().fold(0.0, f64::max)
     }
 
     /// Whether anything moved.
     #[must_use]
-    pub fn moves(&self) -> bool {
+    pub(crate) fn moves(&self) -> bool {
         self.fastest() > STILL
     }
 }
@@ -125,7 +125,7 @@ fn ended(run: &Run) -> bool {
 }
 
 /// Runs a plant with constant inputs, which may change once.
-pub struct Prober<'a, P: Plant> {
+pub(crate) struct Prober<'a, P: Plant> {
     /// A plant that is initialised with these inputs.
     plant: &'a dyn Fn(&[f64]) -> P,
     step_s: f64,
@@ -136,7 +136,7 @@ pub struct Prober<'a, P: Plant> {
 
 impl<'a, P: Plant> Prober<'a, P> {
     /// A prober of what `plant` gives for the inputs that it is initialised with, with steps of `step_s` seconds, for runs of `run_s`.
-    pub const fn new(
+    pub(crate) const fn new(
         plant: &'a dyn Fn(&[f64]) -> P,
         step_s: f64,
         run_s: f64,
@@ -147,7 +147,7 @@ impl<'a, P: Plant> Prober<'a, P> {
 
     /// How long a run really is, s: so many steps at least that something can be told, and no more than can be kept.
     #[must_use]
-    pub fn run_s(&self) -> f64 {
+    pub(crate) fn run_s(&self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "limited")]
         let steps = self.steps() as f64;
         steps * self.step_s
@@ -164,7 +164,7 @@ impl<'a, P: Plant> Prober<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn run(&self, inputs: &[f64], change: Option<(usize, &[f64])>) -> Result<Run, PlantError> {
+    pub(crate) fn run(&self, inputs: &[f64], change: Option<(usize, &[f64])>) -> Result<Run, PlantError> {
         let steps = self.steps();
         let mut plant = (self.plant)(inputs);
         let mut rows = plant.restart()?;
@@ -194,7 +194,7 @@ impl<'a, P: Plant> Prober<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn reaction(
+    pub(crate) fn reaction(
         &self,
         name: &str,
         inputs: &[f64],
@@ -208,7 +208,7 @@ impl<'a, P: Plant> Prober<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn reactions(
+    pub(crate) fn reactions(
         &self,
         name: &str,
         inputs: &[f64],
@@ -313,14 +313,14 @@ pub struct Probe {
 /// What is odd about sensors, tried for as long as a sequence takes and at one moment each: for a scan, which must not wait
 /// for long. An FMU that fails in it is left for the search to tell.
 #[must_use]
-pub fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
+pub(crate) fn wrong_polarities(prepared: &Prepared) -> Vec<String> {
     let horizon_s = f64::from(prepared.cell.search.actions) * ACTION_S;
     probed(prepared, horizon_s, Depth::Sensors).map_or_else(|_| Vec::new(), |found| found.warnings)
 }
 
 /// How long [`probe`] runs the FMU of a cell, s: [`RUN_S`], or as far as its stopTime, but as long as its sequences.
 #[must_use]
-pub fn run_s(prepared: &Prepared) -> f64 {
+pub(crate) fn run_s(prepared: &Prepared) -> f64 {
     stop_time::run_s(&prepared.cell, &prepared.fmus, RUN_S)
 }
 
@@ -337,7 +337,7 @@ pub fn probe(prepared: &Prepared) -> Result<Probe, PlantError> {
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn probe_for(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
+pub(crate) fn probe_for(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
     probed(prepared, run_s, Depth::Moments)
 }
 
@@ -345,7 +345,7 @@ pub fn probe_for(prepared: &Prepared, run_s: f64) -> Result<Probe, PlantError> {
 ///
 /// # Errors
 /// When the FMU fails.
-pub fn probe_inputs(prepared: &Prepared) -> Result<Probe, PlantError> {
+pub(crate) fn probe_inputs(prepared: &Prepared) -> Result<Probe, PlantError> {
     probed(prepared, run_s(prepared), Depth::Inputs)
 }
 

@@ -71,7 +71,7 @@ impl Spent {
 
 impl<'a> Quick<'a> {
     /// Before its first sequence.
-    pub fn new(
+    pub(crate) fn new(
         prepared: &Prepared,
         footing: Footing,
         strategy: StrategyName,
@@ -102,28 +102,28 @@ impl<'a> Quick<'a> {
     }
 
     /// What it did so far, in communication steps, about; the same on every machine.
-    pub fn cost(&self) -> u64 {
+    pub(crate) fn cost(&self) -> u64 {
         self.simulation.cost()
     }
 
     /// Whether no further sequence is to be tried.
-    pub fn has_ended(&self) -> bool {
+    pub(crate) fn has_ended(&self) -> bool {
         let enough = self.options.stop_at_first && !self.groups.is_empty();
         self.interrupted || self.broken.is_some() || enough
     }
 
     /// It was told to stop.
-    pub const fn interrupt(&mut self) {
+    pub(crate) const fn interrupt(&mut self) {
         self.interrupted = true;
     }
 
     /// The FMU ended the scan elsewhere.
-    pub fn fail(&mut self, error: PlantError) {
+    pub(crate) fn fail(&mut self, error: PlantError) {
         self.broken.get_or_insert(error);
     }
 
     /// Tries sequences as long as `goes_on`, which is told how many there were and what they cost, and the budget lasts.
-    pub fn run(
+    pub(crate) fn run(
         &mut self,
         goes_on: impl Fn(u32, u64) -> bool,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
@@ -160,7 +160,7 @@ impl<'a> Quick<'a> {
     }
 
     /// Looks for the shortest sequence of each hazard that `wanted` asks for, by trying.
-    pub fn shorten(
+    pub(crate) fn shorten(
         &mut self,
         wanted: impl Fn(&Identity) -> bool,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
@@ -188,7 +188,7 @@ impl<'a> Quick<'a> {
     }
 
     /// Runs what the FMU did again, plainly. What came out besides the groups.
-    pub fn end(
+    pub(crate) fn end(
         mut self,
         plain: &mut Hosted,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,

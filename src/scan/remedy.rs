@@ -36,7 +36,7 @@ use self::aim::{Aim, Whose};
 use self::behaviour::{Answers, Behaviour, Names, Objection, probes};
 pub use self::everywhere::Everywhere;
 use self::looking::Known;
-pub use self::looking::Purse;
+pub(crate) use self::looking::Purse;
 use self::standpoint::{Standpoint, begin_at, with_each_start};
 use self::trial::Trial;
 use super::hosting::StateChoice;
@@ -86,17 +86,17 @@ impl Effort {
 
     /// The same with no limit but memory.
     #[must_use]
-    pub fn without_end(self) -> Self {
+    pub(crate) fn without_end(self) -> Self {
         Self { quick: u64::MAX, states: usize::MAX, work: u64::MAX, ..self }
     }
 }
 
 /// The states that are usual.
-pub const STATES: u32 = 18_000;
+pub(crate) const STATES: u32 = 18_000;
 /// The work that is usual.
 const WORK: u64 = MILLIONS as u64 * 1_000_000;
 /// The same in millions of boxes.
-pub const MILLIONS: u32 = 3;
+pub(crate) const MILLIONS: u32 = 3;
 
 /// What is told while changes are tried.
 pub enum Told<'a> {
@@ -300,7 +300,7 @@ impl<'a> Bench<'a> {
 ///
 /// # Errors
 /// When the FMU fails in the cell as it is.
-pub fn remedies(
+pub(crate) fn remedies(
     prepared: &Prepared,
     hazard: &Hazard,
     known: &[Hazard],

@@ -15,11 +15,11 @@ use crate::sim::simulation::{Instant, Simulation, Snapshot};
 use crate::standards::BodyRegion;
 
 /// Most states that are kept at a time.
-pub const MOST_SAVED: usize = 100_000;
+pub(crate) const MOST_SAVED: usize = 100_000;
 
 /// What an environment is.
 #[derive(Clone, Debug, Serialize)]
-pub struct Description {
+pub(crate) struct Description {
     /// Name of the cell.
     pub cell: String,
     /// Names of the actions, by their number.
@@ -36,7 +36,7 @@ pub struct Description {
 
 /// What there is to see at one instant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Observation {
+pub(crate) struct Observation {
     /// Actions taken so far.
     pub actions: usize,
     /// Where the person stands, floor plan, m.
@@ -83,7 +83,7 @@ pub struct Taken {
 
 /// Why something cannot be done.
 #[derive(Debug, thiserror::Error)]
-pub enum SteppingError {
+pub(crate) enum SteppingError {
     /// What was asked for makes no sense.
     #[error("{0}")]
     Asked(String),
@@ -108,7 +108,7 @@ impl Stepping {
     ///
     /// # Errors
     /// When the FMU cannot be started.
-    pub fn new(prepared: &Prepared, state: StateChoice) -> Result<Self, PlantError> {
+    pub(crate) fn new(prepared: &Prepared, state: StateChoice) -> Result<Self, PlantError> {
         let cell = &prepared.cell;
         let description = Description {
             cell: cell.name.clone(),
@@ -124,7 +124,7 @@ impl Stepping {
 
     /// What it is.
     #[must_use]
-    pub const fn description(&self) -> &Description {
+    pub(crate) const fn description(&self) -> &Description {
         &self.description
     }
 
@@ -132,7 +132,7 @@ impl Stepping {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn reset(&mut self) -> Result<Observation, SteppingError> {
+    pub(crate) fn reset(&mut self) -> Result<Observation, SteppingError> {
         self.simulation.reset()?;
         (self.taken, self.is_over) = (0, false);
         self.observe()
@@ -142,7 +142,7 @@ impl Stepping {
     ///
     /// # Errors
     /// When there is no such action, the episode is over, or the FMU fails.
-    pub fn step(&mut self, action: usize) -> Result<Taken, SteppingError> {
+    pub(crate) fn step(&mut self, action: usize) -> Result<Taken, SteppingError> {
         let actions = self.description.actions.len();
         if action >= actions {
             return Err(SteppingError::Asked(format!(
@@ -171,7 +171,7 @@ impl Stepping {
     ///
     /// # Errors
     /// When too many are kept.
-    pub fn save(&mut self) -> Result<u64, SteppingError> {
+    pub(crate) fn save(&mut self) -> Result<u64, SteppingError> {
         if self.saved.len() >= MOST_SAVED {
             return Err(SteppingError::Asked(format!("{MOST_SAVED} states are kept already: forget some")));
         }
@@ -184,7 +184,7 @@ impl Stepping {
     ///
     /// # Errors
     /// When there is none with this number, or the FMU fails.
-    pub fn restore(&mut self, number: u64) -> Result<Observation, SteppingError> {
+    pub(crate) fn restore(&mut self, number: u64) -> Result<Observation, SteppingError> {
         let unknown = || SteppingError::Asked(format!("no state {number} is kept"));
         let (snapshot, taken, is_over) = self.saved.get(&number).ok_or_else(unknown)?;
         self.simulation.restore(snapshot)?;
@@ -193,7 +193,7 @@ impl Stepping {
     }
 
     /// Keeps a state no more.
-    pub fn forget(&mut self, number: u64) {
+    pub(crate) fn forget(&mut self, number: u64) {
         self.saved.remove(&number);
     }
 

@@ -16,7 +16,7 @@ use crate::sim::simulation::Watched;
 use crate::sim::{Simulation, World};
 
 /// A cell with the beginning of a hazard.
-pub enum There<'a> {
+pub(crate) enum There<'a> {
     /// It begins where the scan did.
     Same(&'a Prepared),
     /// It has a beginning of its own.
@@ -37,20 +37,20 @@ impl Deref for There<'_> {
 impl Prepared {
     /// Where and when the person begins.
     #[must_use]
-    pub fn begins(&self) -> Begin {
+    pub(crate) fn begins(&self) -> Begin {
         beginning_subject(&self.cell, self.cell.beginning).begin()
     }
 
     /// Where the person begins of a scan that recorded nothing of that: of the only beginning, at once.
     #[must_use]
-    pub fn begins_at_once(&self) -> Begin {
+    pub(crate) fn begins_at_once(&self) -> Begin {
         let at_once = self.cell.beginnings.iter().position(|beginning| beginning.lead_in_steps == 0);
         beginning_subject(&self.cell, at_once.unwrap_or_default()).begin()
     }
 
     /// The sensors that see somebody who stands where people begin, by their names. Those inside the FMU are not asked.
     #[must_use]
-    pub fn seen_at_start(&self) -> Vec<String> {
+    pub(crate) fn seen_at_start(&self) -> Vec<String> {
         let seen = World::new(Arc::clone(&self.cell), Arc::clone(&self.binding)).seen_at_start();
         let names = self.cell.sensors.iter().map(|sensor| sensor.name.clone());
         names.zip(seen).filter_map(|(name, seen)| seen.then_some(name)).collect()
@@ -83,7 +83,7 @@ impl Prepared {
     ///
     /// # Errors
     /// When the person has no room there.
-    pub fn begun(&self, begins: Begin, body: Option<Body>, actions: usize) -> Result<Self, PrepareError> {
+    pub(crate) fn begun(&self, begins: Begin, body: Option<Body>, actions: usize) -> Result<Self, PrepareError> {
         let [x, y] = begins.xy_m;
         let start = Start::new(x, y, begins.heading_deg);
         let actions = self.cell.search.actions.max(u32::try_from(actions).unwrap_or(u32::MAX));
@@ -93,7 +93,7 @@ impl Prepared {
 
     /// The same with another body, if one is given, for runs that begin elsewhere than the cell says.
     #[must_use]
-    pub fn with_body(mut self, body: Option<Body>) -> Self {
+    pub(crate) fn with_body(mut self, body: Option<Body>) -> Self {
         if let Some(body) = body {
             self.cell = Arc::new(Workcell { body, ..Workcell::clone(&self.cell) });
         }
@@ -102,7 +102,7 @@ impl Prepared {
 
     /// The number of the cell's beginning that begins there and then, if it has one, from 0.
     #[must_use]
-    pub fn beginning_at(&self, begins: Begin) -> Option<usize> {
+    pub(crate) fn beginning_at(&self, begins: Begin) -> Option<usize> {
         let is = |number: &usize| beginning_subject(&self.cell, *number).begin().bits() == begins.bits();
         (0..self.cell.beginnings.len()).find(is)
     }
@@ -112,7 +112,7 @@ impl Prepared {
     ///
     /// # Errors
     /// When the person has no room at the beginning of its own.
-    pub fn of_hazard(&self, hazard: &Hazard) -> Result<There<'_>, PrepareError> {
+    pub(crate) fn of_hazard(&self, hazard: &Hazard) -> Result<There<'_>, PrepareError> {
         let Some(begins) = hazard.begins else { return Ok(There::Same(self)) };
         let there = self.begun(begins, None, hazard.actions.len().max(hazard.shortest.actions.len()))?;
         Ok(There::Own(Box::new(there)))
@@ -121,7 +121,7 @@ impl Prepared {
 
 /// Runs of hazards' sequences with everything that there is to see, each from where and when it begins. Hazards that begin
 /// where the scan did share a simulation.
-pub struct Runs<'a> {
+pub(crate) struct Runs<'a> {
     prepared: &'a Prepared,
     state: StateChoice,
     shared: Option<Simulation<Hosted>>,
@@ -132,7 +132,7 @@ impl<'a> Runs<'a> {
     ///
     /// # Errors
     /// When an FMU cannot be started.
-    pub fn new<'h>(
+    pub(crate) fn new<'h>(
         prepared: &'a Prepared,
         state: StateChoice,
         hazards: impl IntoIterator<Item = &'h Hazard>,
@@ -146,7 +146,7 @@ impl<'a> Runs<'a> {
     ///
     /// # Errors
     /// When an FMU fails, or the person has no room where it begins.
-    pub fn watch(&mut self, hazard: &Hazard) -> Result<(There<'a>, Watched), PlantError> {
+    pub(crate) fn watch(&mut self, hazard: &Hazard) -> Result<(There<'a>, Watched), PlantError> {
         let there = self.prepared.of_hazard(hazard).map_err(|error| PlantError::of(error.to_string().as_str()))?;
         let watched = match (&there, &mut self.shared) {
             (There::Same(prepared), Some(shared)) => film::watch(shared, prepared, hazard)?,

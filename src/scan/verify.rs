@@ -24,7 +24,7 @@ use crate::sim::replay::replay;
 use crate::sim::simulation::Instant;
 
 /// A changed cell, and what a scan of another knows.
-pub struct Again<'a> {
+pub(crate) struct Again<'a> {
     prepared: &'a Prepared,
     /// What the scan looked for; nothing if the cell file is the one that was scanned, in which all of it is the same.
     earlier: Option<Looks>,
@@ -44,7 +44,7 @@ impl<'a> Again<'a> {
     ///
     /// # Errors
     /// When the changed cell cannot be simulated from there, but for want of room.
-    pub fn new(prepared: &'a Prepared, scan: &Recorded) -> Result<Self, PrepareError> {
+    pub(crate) fn new(prepared: &'a Prepared, scan: &Recorded) -> Result<Self, PrepareError> {
         let same = scan.subject.is_cell(&prepared.subject.cell_sha256, &prepared.subject.files);
         let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
         let not_recorded = || Outcome::NotJudged { cause: Narrower::NotRecorded };
@@ -68,7 +68,7 @@ impl<'a> Again<'a> {
     ///
     /// # Errors
     /// When the changed cell cannot be simulated from there, but for want of room.
-    pub fn verify(&self, hazard: &Hazard) -> Result<Verified, PrepareError> {
+    pub(crate) fn verify(&self, hazard: &Hazard) -> Result<Verified, PrepareError> {
         let outcome = match self.asks_less(hazard) {
             Some(cause) => Outcome::NotJudged { cause },
             None => self.outcome(hazard)?,

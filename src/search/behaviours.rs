@@ -10,8 +10,8 @@
 
 pub mod answers;
 pub mod decided;
-pub mod net;
-pub mod shows;
+pub(crate) mod net;
+pub(crate) mod shows;
 pub mod stays;
 pub mod walks;
 
@@ -83,7 +83,7 @@ pub trait Machine {
 }
 
 /// By reading, others that may follow it: those of a higher number first, and then from 0 on.
-pub type Others = Vec<Vec<usize>>;
+pub(crate) type Others = Vec<Vec<usize>>;
 
 /// Where any of so many readings may follow any other.
 #[must_use]
@@ -135,7 +135,7 @@ pub struct Extent<'a> {
 
 /// The longest that a reading is held.
 #[must_use]
-pub fn longest(held: &[usize]) -> usize {
+pub(crate) fn longest(held: &[usize]) -> usize {
     held.iter().copied().max().unwrap_or_default()
 }
 
@@ -200,7 +200,7 @@ impl Behaviours {
     /// Another, which was come to from one by a step with a reading.
     #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
     fn add(&mut self, shown: Shown, came: Option<(Number, usize)>) -> Number {
-        let number = self.len() as Number;
+        let number = self.count() as Number;
         self.shows.push(shown);
         self.depth.push(came.map_or(0, |(before, _)| self.depth[before as usize] + 1));
         self.came.push(came.map_or((number, 0), |(before, reading)| (before, reading as u32)));
@@ -217,9 +217,9 @@ impl Behaviours {
         self.next[number as usize * readings + reading] = next;
     }
 
-    /// How many there are.
+    /// How many there are: the start at least.
     #[must_use]
-    pub const fn len(&self) -> usize {
+    pub const fn count(&self) -> usize {
         self.shows.len()
     }
 
@@ -231,37 +231,37 @@ impl Behaviours {
 
     /// The one after a step with a reading; nothing where that was not looked at.
     #[must_use]
-    pub fn next(&self, number: Number, reading: usize) -> Option<Number> {
+    pub(crate) fn next(&self, number: Number, reading: usize) -> Option<Number> {
         Some(self.next[number as usize * self.readings() + reading]).filter(|next| *next != NONE)
     }
 
     /// The one before, on a way that leads to one in as few steps as any; nothing at the start.
     #[must_use]
-    pub fn before(&self, number: Number) -> Option<Number> {
+    pub(crate) fn before(&self, number: Number) -> Option<Number> {
         (self.depth(number) > 0).then(|| self.came[number as usize].0)
     }
 
     /// How many readings there are.
     #[must_use]
-    pub const fn readings(&self) -> usize {
+    pub(crate) const fn readings(&self) -> usize {
         self.others.len()
     }
 
     /// Which others may follow each of them.
     #[must_use]
-    pub fn others(&self) -> &[Vec<usize>] {
+    pub(crate) fn others(&self) -> &[Vec<usize>] {
         &self.others
     }
 
     /// The fewest steps that lead to one.
     #[must_use]
-    pub fn depth(&self, number: Number) -> usize {
+    pub(crate) fn depth(&self, number: Number) -> usize {
         self.depth[number as usize] as usize
     }
 
     /// Readings that lead to one from the start, in as few steps as any.
     #[cfg(test)]
-    pub fn way_to(&self, mut number: Number) -> Vec<usize> {
+    pub(crate) fn way_to(&self, mut number: Number) -> Vec<usize> {
         let mut way = Vec::new();
         while self.depth[number as usize] > 0 {
             let (before, reading) = self.came[number as usize];
@@ -335,7 +335,7 @@ impl<'a, M: Machine> Search<'a, M> {
         let (first, _) = self.behaviour((0, shown), &runs, None);
         let mut open = VecDeque::from([Open { number: first, state, runs }]);
         while !open.is_empty() {
-            if tell(self.found.len()).is_break() {
+            if tell(self.found.count()).is_break() {
                 return Ok(Ended::Asked);
             }
             let some: Vec<Open<M::State>> = open.drain(..AT_ONCE.min(open.len())).collect();
@@ -351,7 +351,7 @@ impl<'a, M: Machine> Search<'a, M> {
                         Some(next) => open.push_back(next),
                         None => self.found.merged += 1,
                     }
-                    if self.found.len() > self.extent.most {
+                    if self.found.count() > self.extent.most {
                         return Ok(Ended::Most);
                     }
                 }

@@ -163,8 +163,13 @@ fn every_history_does_what_its_behaviour_says() {
     }
     // Some states differ in what never shows: how long a drive that stands has been told to.
     let differ: BTreeSet<Shown> = all.iter().map(shown).collect();
-    assert!(differ.len() < behaviours.len() && behaviours.len() <= all.len(), "{} {}", behaviours.len(), all.len());
-    let number = u32::try_from(behaviours.len() / 2).unwrap();
+    assert!(
+        differ.len() < behaviours.count() && behaviours.count() <= all.len(),
+        "{} {}",
+        behaviours.count(),
+        all.len()
+    );
+    let number = u32::try_from(behaviours.count() / 2).unwrap();
     let mut state = Drive::START;
     for reading in behaviours.way_to(number) {
         state = Drive(Memory::Nothing).after(&state, reading);
@@ -178,8 +183,8 @@ fn a_search_may_end_before_all_are_found() {
     let all = found(Memory::Nothing, EXTENT);
     let some = found(Memory::Nothing, Extent { steps: 5, ..EXTENT });
     assert_eq!(some.ended, Ended::Steps);
-    let near = (0..u32::try_from(all.len()).unwrap()).filter(|number| all.depth(*number) <= 5).count();
-    assert_eq!(some.len(), near);
+    let near = (0..u32::try_from(all.count()).unwrap()).filter(|number| all.depth(*number) <= 5).count();
+    assert_eq!(some.count(), near);
     assert_eq!(found(Memory::Nothing, Extent { most: 50, ..EXTENT }).ended, Ended::Most);
     let asked = find(&mut Drive(Memory::Nothing), EXTENT, &mut |_| ControlFlow::Break(())).unwrap();
     assert_eq!(asked.ended, Ended::Asked);
@@ -361,7 +366,7 @@ fn only_what_shows_late_is_held_for_long() {
         let extent = Extent { held, steps: usize::MAX, most: 100_000 };
         let found = find(&mut Muted, extent, &mut |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(found.ended, Ended::Closed);
-        found.len()
+        found.count()
     };
     assert!(count(&held) == count(&[60; 3]) && count(&[25; 3]) < count(&held), "{held:?}");
 }

@@ -12,7 +12,7 @@ const STATES_KEPT: usize = 200_000;
 
 /// An episode that was run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Episode {
+pub(crate) struct Episode {
     /// Actions until it ended.
     pub actions: Vec<usize>,
     /// How it ended, and its reward.
@@ -21,7 +21,7 @@ pub struct Episode {
 
 /// Ways that have been gone.
 #[derive(Clone, Debug)]
-pub struct Trodden<S> {
+pub(crate) struct Trodden<S> {
     /// States on the way and the reward until there, by the actions that lead there.
     states: BTreeMap<Vec<usize>, (S, f64)>,
     ended: BTreeSet<Vec<usize>>,
@@ -36,7 +36,7 @@ impl<S> Default for Trodden<S> {
 impl<S: Clone> Trodden<S> {
     /// Whether an episode with these actions has been run; it may have ended before the last of them.
     #[must_use]
-    pub fn is_known(&self, actions: &[usize]) -> bool {
+    pub(crate) fn is_known(&self, actions: &[usize]) -> bool {
         (1..=actions.len()).any(|length| self.ended.contains(&actions[..length]))
     }
 
@@ -44,7 +44,12 @@ impl<S: Clone> Trodden<S> {
     ///
     /// # Errors
     /// Passes on what the environment reports as fatal.
-    pub fn follow<E>(&mut self, environment: &mut E, actions: &[usize], rng: &mut Rng) -> Result<Episode, E::Error>
+    pub(crate) fn follow<E>(
+        &mut self,
+        environment: &mut E,
+        actions: &[usize],
+        rng: &mut Rng,
+    ) -> Result<Episode, E::Error>
     where
         E: Environment<Snapshot = S>,
     {
@@ -76,6 +81,6 @@ impl<S: Clone> Trodden<S> {
 }
 
 /// Uniformly random actions, as many as the longest episode has.
-pub fn random_sequence<E: Environment>(environment: &E, rng: &mut Rng) -> Vec<usize> {
+pub(crate) fn random_sequence<E: Environment>(environment: &E, rng: &mut Rng) -> Vec<usize> {
     (0..environment.horizon()).map(|_| rng.below(environment.actions())).collect()
 }

@@ -37,7 +37,7 @@ pub enum Effect<U> {
 impl<U> Effect<U> {
     /// The same of an action in which something unsafe is met, where the search goes on behind it or not.
     #[must_use]
-    pub fn hits(&self, met: U, goes_on: bool) -> Self {
+    pub(crate) fn hits(&self, met: U, goes_on: bool) -> Self {
         let then = match self {
             Self::To(index) if goes_on => Some(*index),
             _ => None,
@@ -93,7 +93,7 @@ pub enum Before {
 }
 
 /// Expanded states of an [`Expansion`], in the order in which they were asked for.
-pub type ExpandedBy<E> = Vec<Expanded<<E as Expansion>::State, <E as Expansion>::Unsafe>>;
+pub(crate) type ExpandedBy<E> = Vec<Expanded<<E as Expansion>::State, <E as Expansion>::Unsafe>>;
 
 /// An environment whose states can be told apart and expanded many at a time.
 pub trait Expansion {
@@ -313,7 +313,7 @@ impl Account {
 
     /// Distinct states of all levels that only sequences lead to which met something unsafe.
     #[must_use]
-    pub fn states_behind(&self) -> usize {
+    pub(crate) fn states_behind(&self) -> usize {
         self.levels.iter().map(|l| l.behind).sum()
     }
 }

@@ -13,7 +13,7 @@ use super::{End, Environment, Iteration, Rng, Strategy};
 
 /// The exploration bonus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bonus {
+pub(crate) enum Bonus {
     /// `c * sqrt(N(s) / N(s,a))`, as the paper prints it.
     Paper,
     /// `c * sqrt(ln N(s) / N(s,a))`, as in Lee et al. and in UCB1.
@@ -22,7 +22,7 @@ pub enum Bonus {
 
 /// The open parameters of the method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub(crate) struct Parameters {
     /// Widening factor: a state has at most about `k * N(s)^alpha` children.
     pub k: f64,
     /// Widening exponent.
@@ -40,7 +40,7 @@ pub struct Parameters {
 
 /// Named readings of the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Profile {
+pub(crate) enum Profile {
     /// The paper's formulas made to work: `N` counted before the widening test, capped at the number of actions;
     /// `k = 1`, `alpha = 0.5`, `c = 10`.
     Paper,
@@ -53,7 +53,7 @@ pub enum Profile {
 impl Profile {
     /// Its parameters.
     #[must_use]
-    pub const fn parameters(self) -> Parameters {
+    pub(crate) const fn parameters(self) -> Parameters {
         match self {
             Self::Paper => Parameters {
                 k: 1.0,
@@ -77,7 +77,7 @@ impl Profile {
 
     /// The strategy name on the command line.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Paper => "mcts-dpw",
             Self::Lee => "mcts-dpw-lee",
@@ -107,7 +107,7 @@ struct Node<S> {
 
 /// The search tree and its parameters.
 #[derive(Debug)]
-pub struct MctsDpw<S> {
+pub(crate) struct MctsDpw<S> {
     profile: Profile,
     parameters: Parameters,
     nodes: Vec<Node<S>>,
@@ -116,13 +116,13 @@ pub struct MctsDpw<S> {
 impl<S: Clone> MctsDpw<S> {
     /// A fresh tree with the parameters of `profile`.
     #[must_use]
-    pub fn new(profile: Profile) -> Self {
+    pub(crate) fn new(profile: Profile) -> Self {
         Self { profile, parameters: profile.parameters(), nodes: Vec::new() }
     }
 
     /// A fresh tree with other parameters (for sensitivity studies).
     #[must_use]
-    pub fn with_parameters(profile: Profile, parameters: Parameters) -> Self {
+    pub(crate) fn with_parameters(profile: Profile, parameters: Parameters) -> Self {
         Self { profile, parameters, nodes: Vec::new() }
     }
 

@@ -16,23 +16,23 @@
 //! - [`tracks`]: all histories of a few readings, as long as ways between them take
 
 pub mod behaviours;
-pub mod environment;
-pub mod episode;
+pub(crate) mod environment;
+pub(crate) mod episode;
 pub mod exhaustive;
-pub mod hybrid;
-pub mod mcts_dpw;
-pub mod plan;
-pub mod random;
+pub(crate) mod hybrid;
+pub(crate) mod mcts_dpw;
+pub(crate) mod plan;
+pub(crate) mod random;
 pub mod residual;
-pub mod rng;
+pub(crate) mod rng;
 pub mod statistics;
 pub mod tracks;
 
 pub use environment::{End, Environment, Step};
-pub use hybrid::Hybrid;
-pub use mcts_dpw::{MctsDpw, Profile};
+pub(crate) use hybrid::Hybrid;
+pub(crate) use mcts_dpw::{MctsDpw, Profile};
 pub use plan::{Imagine, Niche, Plan};
-pub use random::Random;
+pub(crate) use random::Random;
 pub use rng::Rng;
 
 /// How one iteration (one episode from the start state) ended.

@@ -11,14 +11,14 @@ use super::episode::{Episode, Trodden, random_sequence};
 use super::{End, Environment, Iteration, Rng, Strategy};
 
 /// Most sequences imagined for one that is run, as long as no unsafe state was met.
-pub const IMAGINED_BEFORE: usize = 400;
+pub(crate) const IMAGINED_BEFORE: usize = 400;
 
 /// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
-pub const IMAGINED_AFTER: usize = 12;
+pub(crate) const IMAGINED_AFTER: usize = 12;
 
 /// What imagining may cost for one sequence that is run, in units of what running costs: [`Imagine::imagine`] says nothing more then. In
 /// the example cells it is not reached, at most half of it; with links of thousands of corners a few hundred sequences took minutes.
-pub const IMAGINING_BUDGET: u64 = 400_000;
+pub(crate) const IMAGINING_BUDGET: u64 = 400_000;
 
 /// What kind of ending an unsafe state is. Opaque to a search: equal numbers are the same kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -61,7 +61,7 @@ pub trait Imagine: Environment {
 
 /// Which sequences to verify.
 #[derive(Clone, Debug, Default)]
-pub struct Planner {
+pub(crate) struct Planner {
     started: bool,
     /// An unsafe state was met.
     met: bool,
@@ -71,7 +71,7 @@ pub struct Planner {
 
 /// A sequence to run.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Proposal {
+pub(crate) enum Proposal {
     /// It promises a kind of ending that was promised so many times before.
     Promising(Vec<usize>, u32),
     /// It promises nothing, but not everything about it is known.
@@ -83,7 +83,7 @@ pub enum Proposal {
 impl Proposal {
     /// The sequence.
     #[must_use]
-    pub fn actions(&self) -> &[usize] {
+    pub(crate) fn actions(&self) -> &[usize] {
         match self {
             Self::Promising(actions, _) | Self::Unknown(actions) | Self::Any(actions) => actions,
         }
@@ -92,13 +92,13 @@ impl Proposal {
 
 impl Planner {
     /// Takes in an episode.
-    pub fn observe(&mut self, episode: &Episode) {
+    pub(crate) fn observe(&mut self, episode: &Episode) {
         self.met |= episode.iteration.end == End::Unsafe;
     }
 
     /// Imagines random sequences until one promises what none promised before, or there were enough, or they cost more than
     /// [`IMAGINING_BUDGET`]; then the one whose promise was made least often. No sequence that was run is proposed again.
-    pub fn propose<E: Imagine>(
+    pub(crate) fn propose<E: Imagine>(
         &mut self,
         environment: &mut E,
         trodden: &Trodden<E::Snapshot>,

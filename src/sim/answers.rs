@@ -107,7 +107,7 @@ impl Counted {
 
 /// Answers that were worked out elsewhere.
 #[derive(Debug, Default)]
-pub struct Answers {
+pub(crate) struct Answers {
     known: BTreeMap<Key, Answer>,
     looked_up: AtomicU64,
     unanswered: AtomicU64,
@@ -118,7 +118,7 @@ impl Answers {
     ///
     /// # Errors
     /// When the bytes are something else.
-    pub fn add(&mut self, bytes: &[u8]) -> io::Result<()> {
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> io::Result<()> {
         let all: Vec<(Key, Answer)> = postcard::from_bytes(bytes).map_err(io::Error::other)?;
         self.known.extend(all);
         Ok(())
@@ -126,13 +126,13 @@ impl Answers {
 
     /// How many there are.
     #[must_use]
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.known.len()
     }
 
     /// Questions that were looked up and found, and those that were not found and had to be worked out.
     #[must_use]
-    pub fn used(&self) -> (u64, u64) {
+    pub(crate) fn used(&self) -> (u64, u64) {
         (self.looked_up.load(Ordering::Relaxed), self.unanswered.load(Ordering::Relaxed))
     }
 
@@ -156,7 +156,7 @@ pub struct Share {
 impl Share {
     /// Part `number`, from 1, of so many.
     #[must_use]
-    pub fn new(number: u32, of: u32) -> Self {
+    pub(crate) fn new(number: u32, of: u32) -> Self {
         Self { number: u64::from(number.max(1) - 1), of: u64::from(of.max(1)), answers: BTreeMap::new() }
     }
 
@@ -174,7 +174,7 @@ impl Share {
     ///
     /// # Errors
     /// Never, in practice.
-    pub fn into_bytes(self) -> io::Result<Vec<u8>> {
+    pub(crate) fn into_bytes(self) -> io::Result<Vec<u8>> {
         postcard::to_stdvec(&self.answers.into_iter().collect::<Vec<_>>()).map_err(io::Error::other)
     }
 }

@@ -15,7 +15,7 @@ impl<P: Plant> Simulation<P> {
     ///
     /// # Errors
     /// When the FMU fails, or the search has to end.
-    pub fn look_behind(&mut self, rng: &mut Rng) -> Result<(), PlantError> {
+    pub(crate) fn look_behind(&mut self, rng: &mut Rng) -> Result<(), PlantError> {
         let left = self.horizon().saturating_sub(self.taken().len());
         if !self.goes_on() || left == 0 {
             return Ok(());

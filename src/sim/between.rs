@@ -20,7 +20,7 @@ use crate::geometry::{Capsule, Solid, Vec3};
 
 /// Links are looked at smaller by this, m, but not smaller than they are: of a contact between two instants that is gone then it is not
 /// told. What joints may be off by while a robot starts or brakes is about as much.
-pub const STEP_TOLERANCE_M: f64 = 0.005;
+pub(crate) const STEP_TOLERANCE_M: f64 = 0.005;
 
 /// Joints do not come farther than their speeds take them by more than this, rad or m: else they were told in another way, as angles are
 /// that begin anew after a turn.
@@ -110,7 +110,12 @@ impl<'a> Steady<'a> {
 /// The robots in a part of the step between two instants, every link as large as what it may be in then, with the speeds of the nearer
 /// instant.
 #[must_use]
-pub fn in_part_of_step(cell: &Workcell, binding: &Binding, [from, to]: [&RobotFrame; 2], part: &Part) -> RobotFrame {
+pub(crate) fn in_part_of_step(
+    cell: &Workcell,
+    binding: &Binding,
+    [from, to]: [&RobotFrame; 2],
+    part: &Part,
+) -> RobotFrame {
     let nearer = if part.middle().0 <= 0.5 { from } else { to };
     let rows = [from.outputs(), to.outputs()];
     let of_robots = cell.robots.iter().zip(&binding.robots);

@@ -17,7 +17,7 @@ const ROUNDING_M: f64 = 1e-6;
 
 /// Balls that the robots cannot leave.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RobotBounds {
+pub(crate) struct RobotBounds {
     /// Centre, world, and radius, m, of each robot; nothing if it is not bounded.
     balls: Vec<Option<(Vec3, f64)>>,
     /// How fast the person gets on, m/s.
@@ -27,7 +27,7 @@ pub struct RobotBounds {
 impl RobotBounds {
     /// The bounds that follow from a cell.
     #[must_use]
-    pub fn new(cell: &Workcell) -> Self {
+    pub(crate) fn new(cell: &Workcell) -> Self {
         let person_m_s = f64::from(cell.repertoire.strides()) * WALKING_SPEED_M_S;
         // How far a robot has to stay away is known from its stops only.
         if cell.separation.is_some() {
@@ -43,7 +43,7 @@ impl RobotBounds {
     /// Whether a person at `position` (floor plan), no part of which is farther than `reach_m` from the point 1 m above,
     /// may touch a robot within `actions` actions.
     #[must_use]
-    pub fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
+    pub(crate) fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
         self.balls.iter().any(|ball| self.may_meet_in(ball, position, reach_m, actions))
     }
 

@@ -32,7 +32,7 @@ const MOST_STEPS: u32 = 1000;
 
 /// Where a link may clamp an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pinch {
+pub(crate) struct Pinch {
     /// The link.
     pub link: usize,
     /// Where, how wide and how fast.
@@ -42,7 +42,7 @@ pub struct Pinch {
 /// Where the links of a frame may clamp an arm, by the number of the encounter, whose obstacles decide it, and the link: each once it was
 /// asked for.
 #[derive(Clone, Debug, Default)]
-pub struct Pinches(Arc<Mutex<ByEncounter>>);
+pub(crate) struct Pinches(Arc<Mutex<ByEncounter>>);
 
 /// By the number of the encounter and the link.
 type ByEncounter = BTreeMap<(usize, usize), Arc<[Pinch]>>;
@@ -62,7 +62,7 @@ impl Pinches {
 impl Pinch {
     /// How unsafe a contact of this region is there: nothing where the gap is wide enough for it.
     #[must_use]
-    pub fn ratio(&self, region: BodyRegion, strike: &Strike) -> f64 {
+    pub(crate) fn ratio(&self, region: BodyRegion, strike: &Strike) -> f64 {
         ratio(&self.clamped, region, strike)
     }
 }

@@ -5,7 +5,7 @@ mod robots;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::robots::{NeverMet, RobotCoverage};
+pub(crate) use self::robots::{NeverMet, RobotCoverage};
 use crate::cell::Workcell;
 
 /// Figures beside a verdict.
@@ -79,7 +79,7 @@ impl Coverage {
 
     /// Nothing seen yet of this cell.
     #[must_use]
-    pub fn of(cell: &Workcell) -> Self {
+    pub(crate) fn of(cell: &Workcell) -> Self {
         Self {
             control_actions: vec![0; cell.controls.len()],
             robots: cell.robots.iter().map(|robot| RobotCoverage::named(&robot.name)).collect(),
@@ -88,7 +88,7 @@ impl Coverage {
     }
 
     /// Adds the figures of another run of the same cell.
-    pub fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         self.episodes += other.episodes;
         self.episodes_not_evaluated += other.episodes_not_evaluated;
         self.actions += other.actions;
@@ -120,7 +120,7 @@ impl Coverage {
 
     /// Whether something is not known because the FMU could not finish it.
     #[must_use]
-    pub const fn not_evaluated(&self) -> bool {
+    pub(crate) const fn not_evaluated(&self) -> bool {
         self.episodes_not_evaluated > 0 || self.arm_runs_not_evaluated > 0
     }
 

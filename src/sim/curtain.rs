@@ -56,7 +56,7 @@ impl Curtain {
 
     /// That of a sensor whose zone has a plane.
     #[must_use]
-    pub fn new(sensor: usize, zone: &Zone, start: Vec3, obstacles: &[Cuboid]) -> Option<Self> {
+    pub(crate) fn new(sensor: usize, zone: &Zone, start: Vec3, obstacles: &[Cuboid]) -> Option<Self> {
         let (plane, post) = zone.plane()?;
         Some(Self {
             sensor,
@@ -71,7 +71,7 @@ impl Curtain {
 
     /// No point of one plane is nearer to one of the other than this, m: seen from above.
     #[must_use]
-    pub fn apart_m(&self, other: &Self) -> f64 {
+    pub(crate) fn apart_m(&self, other: &Self) -> f64 {
         let ends = |plane: &Cuboid| {
             let (middle, half) = (plane.centre.with_z(0.0), plane.rotation * Vec3::X * plane.half.x);
             [middle - half, middle + half]
@@ -100,7 +100,7 @@ impl Curtain {
 
     /// What lies farther than `depth` before the plane: out of reach in time for an arm from behind.
     #[must_use]
-    pub fn before(&self, depth: f64) -> Cuboid {
+    pub(crate) fn before(&self, depth: f64) -> Cuboid {
         // Seen from a mirrored point, the sides change places.
         let across = self.plane.rotation * Vec3::Y;
         let mirrored = self.from - across * (2.0 * side(&self.plane, self.from));
@@ -109,19 +109,19 @@ impl Curtain {
 
     /// Whether some part of `shape` is no deeper than `depth` behind the plane.
     #[must_use]
-    pub fn within(&self, depth: f64, shape: &Solid) -> bool {
+    pub(crate) fn within(&self, depth: f64, shape: &Solid) -> bool {
         self.depths(shape).0 <= depth
     }
 
     /// Whether no part of `shape` is deeper than `depth` behind the plane.
     #[must_use]
-    pub fn holds(&self, depth: f64, shape: &Solid) -> bool {
+    pub(crate) fn holds(&self, depth: f64, shape: &Solid) -> bool {
         self.depths(shape).1 <= depth
     }
 
     /// Whether some part of `shape` is before the plane, no farther than `depth`.
     #[must_use]
-    pub fn within_before(&self, depth: f64, shape: &Solid) -> bool {
+    pub(crate) fn within_before(&self, depth: f64, shape: &Solid) -> bool {
         let (least, most) = self.depths(shape);
         least <= 0.0 && -most <= depth
     }
@@ -153,7 +153,7 @@ fn depth(plane: &Cuboid, from: Vec3, point: Vec3) -> f64 {
 
 /// How deep a hand can be after `steps` whole steps of `step_s`, m; faster than at a hand's own speed only where the body is.
 #[must_use]
-pub fn depth_m(steps: usize, step_s: f64, body_m_s: f64) -> f64 {
+pub(crate) fn depth_m(steps: usize, step_s: f64, body_m_s: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
     let time = steps as f64 * step_s;
     HAND_SPEED_M_S.max(body_m_s) * time
@@ -177,7 +177,7 @@ const GAP_M: f64 = 0.05;
 impl Closed {
     /// The curtain with the upright obstacles in its plane that lengthen it without a gap; others are not counted.
     #[must_use]
-    pub fn new(plane: &Cuboid, obstacles: &[Cuboid]) -> Self {
+    pub(crate) fn new(plane: &Cuboid, obstacles: &[Cuboid]) -> Self {
         let mut along = [-plane.half.x, plane.half.x];
         let (low, top) = (plane.centre.z - plane.half.z, plane.centre.z + plane.half.z);
         let spans: Vec<[f64; 2]> = obstacles.iter().filter_map(|o| span(plane, o, [low, top])).collect();
@@ -201,7 +201,7 @@ impl Closed {
 
     /// Whether there is room below it.
     #[must_use]
-    pub const fn has_room_below(&self) -> bool {
+    pub(crate) const fn has_room_below(&self) -> bool {
         self.low.is_some()
     }
 

@@ -94,7 +94,7 @@ pub struct Clamping {
 }
 
 /// A contact, and the arm pose if an arm makes it.
-pub type Encountered = (Contact, Option<ArmPose>);
+pub(crate) type Encountered = (Contact, Option<ArmPose>);
 
 /// Unsafe pairs that overlap by no more than this less than the deepest one count as touched first, m: as far as body and
 /// robot come towards each other in one or two communication steps.
@@ -112,7 +112,7 @@ struct Pair {
 
 /// What is known of the contacts of an arm in many poses of a person.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ArmAnywhere {
+pub(crate) enum ArmAnywhere {
     /// There is none.
     Nowhere,
     /// There is one in the pose that was asked for, with the link of this number.
@@ -131,7 +131,7 @@ pub struct ArmSpace<'a> {
 
 impl ArmSpace<'static> {
     /// All there is.
-    pub const OPEN: Self = Self { walls: &[], links: None };
+    pub(crate) const OPEN: Self = Self { walls: &[], links: None };
 }
 
 impl Encounter {
@@ -188,7 +188,7 @@ impl Encounter {
     /// Whether no arm contact above the limit is possible at any of several instants, shown by one search; the robots
     /// have the same links at all of them. `false` says nothing.
     #[must_use]
-    pub fn no_arm_harmed(
+    pub(crate) fn no_arm_harmed(
         &self,
         person: &Person,
         frames: &[&RobotFrame],
@@ -231,7 +231,7 @@ impl Encounter {
     /// whether there is none wherever shoulder, elbow and wrist are no farther than `carried_m` from where that body has them. To
     /// `try_only` takes little, and often finds one that there is.
     #[must_use]
-    pub fn arm_anywhere(
+    pub(crate) fn arm_anywhere(
         &self,
         (body, side): (&PlacedBody, Side),
         carried_m: f64,
@@ -272,20 +272,20 @@ impl Encounter {
 
     /// Whether a link at an instant may harm any arm of somebody who stands.
     #[must_use]
-    pub fn may_harm_arms(frame: &RobotFrame, link: usize) -> bool {
+    pub(crate) fn may_harm_arms(frame: &RobotFrame, link: usize) -> bool {
         let segments = [ArmSegment::Hand, ArmSegment::Elbow, ArmSegment::Forearm, ArmSegment::UpperArm];
         segments.into_iter().any(|segment| Self::may_harm_arm(frame, link, segment))
     }
 
     /// The same of a part of an arm.
     #[must_use]
-    pub fn may_harm_arm(frame: &RobotFrame, link: usize, segment: ArmSegment) -> bool {
+    pub(crate) fn may_harm_arm(frame: &RobotFrame, link: usize, segment: ArmSegment) -> bool {
         Targets::each(&[(frame, link)]).upper_bound(segment, 0) > NO_HAZARD.threshold
     }
 
     /// How near this instant is to harm, for the reward at the end of an episode that found nothing.
     #[must_use]
-    pub fn proximity(
+    pub(crate) fn proximity(
         &self,
         person: &Person,
         frame: &RobotFrame,
@@ -530,7 +530,7 @@ impl Encounter {
 
 /// Whether a part of somebody who stands may be harmed by a link at all.
 #[must_use]
-pub fn may_harm_part(part: BodyPart, frame: &RobotFrame, link: usize, speed_m_s: f64) -> bool {
+pub(crate) fn may_harm_part(part: BodyPart, frame: &RobotFrame, link: usize, speed_m_s: f64) -> bool {
     part.regions().iter().any(|region| frame.strike(link).may_harm_region(*region, speed_m_s))
 }
 
@@ -538,7 +538,7 @@ pub fn may_harm_part(part: BodyPart, frame: &RobotFrame, link: usize, speed_m_s:
 /// is in `capsule`. Wherever in that the core is, the touched point of the link is no farther from it than the part is thick, or,
 /// from inside the link, than it is deep there.
 #[must_use]
-pub fn may_meet(part: BodyPart, capsule: &Capsule, by: f64, frame: &RobotFrame, link: usize) -> bool {
+pub(crate) fn may_meet(part: BodyPart, capsule: &Capsule, by: f64, frame: &RobotFrame, link: usize) -> bool {
     let (solid, within) = (&frame.links[link], capsule.radius + by);
     if !solid.is_within(within, capsule.a, capsule.b) {
         return false;

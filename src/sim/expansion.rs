@@ -207,32 +207,32 @@ impl<P: Plant> Expander<P> {
 
     /// The same, going on from what `journal` holds and adding to it.
     #[must_use]
-    pub fn with_journal(mut self, journal: Journal) -> Self {
+    pub(crate) fn with_journal(mut self, journal: Journal) -> Self {
         self.journal = journal;
         self
     }
 
     /// What was worked out before.
     #[must_use]
-    pub const fn journal(&self) -> &Journal {
+    pub(crate) const fn journal(&self) -> &Journal {
         &self.journal
     }
 
     /// The same, when the search is over.
     #[must_use]
-    pub fn into_journal(self) -> Journal {
+    pub(crate) fn into_journal(self) -> Journal {
         self.journal
     }
 
     /// What was seen. Actions and contact checks that came up several times count once.
     #[must_use]
-    pub const fn coverage(&self) -> &Coverage {
+    pub(crate) const fn coverage(&self) -> &Coverage {
         &self.coverage
     }
 
     /// What was seen of the robots' motion, in all runs so far.
     #[must_use]
-    pub const fn motion(&self) -> &Motion {
+    pub(crate) const fn motion(&self) -> &Motion {
         self.robots.motion()
     }
 
@@ -244,25 +244,25 @@ impl<P: Plant> Expander<P> {
 
     /// What the FMU said when it first could not finish a run in which planes told of an arm.
     #[must_use]
-    pub fn arm_run_unfinished(&self) -> Option<String> {
+    pub(crate) fn arm_run_unfinished(&self) -> Option<String> {
         self.robots.unfinished()
     }
 
     /// Whether in such a run something that follows the FMU would have done so otherwise: it is not followed up.
     #[must_use]
-    pub const fn arm_run_strayed(&self) -> bool {
+    pub(crate) const fn arm_run_strayed(&self) -> bool {
         self.robots.has_strayed()
     }
 
     /// Whether equal states of the FMU are told by their serialised bytes, else by the inputs.
     #[must_use]
-    pub const fn merges_by_bytes(&self) -> bool {
+    pub(crate) const fn merges_by_bytes(&self) -> bool {
         self.by_bytes
     }
 
     /// Different questions whether a contact is possible.
     #[must_use]
-    pub const fn questions(&self) -> u64 {
+    pub(crate) const fn questions(&self) -> u64 {
         self.questions
     }
 

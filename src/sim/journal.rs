@@ -50,7 +50,7 @@ impl Journal {
     ///
     /// # Errors
     /// When the file cannot be read or written, or is that of another search.
-    pub fn open(path: &Path, subject: &str) -> io::Result<Self> {
+    pub(crate) fn open(path: &Path, subject: &str) -> io::Result<Self> {
         let (file, records) = read_records(path, subject)?;
         let known = records.iter().map_while(|bytes| postcard::from_bytes(bytes).ok()).collect();
         Ok(Self { file: Some(file), known, ..Self::default() })
@@ -58,19 +58,19 @@ impl Journal {
 
     /// That of a search which answers a part of its questions only.
     #[must_use]
-    pub fn of_part(share: Share) -> Self {
+    pub(crate) fn of_part(share: Share) -> Self {
         Self { sharing: Sharing::Share(share), ..Self::default() }
     }
 
     /// That of a search whose questions were answered elsewhere.
     #[must_use]
-    pub fn looking_up(answers: Arc<Answers>) -> Self {
+    pub(crate) fn looking_up(answers: Arc<Answers>) -> Self {
         Self { sharing: Sharing::LookUp(answers), ..Self::default() }
     }
 
     /// What a part has answered.
     #[must_use]
-    pub fn into_part(self) -> Option<Share> {
+    pub(crate) fn into_part(self) -> Option<Share> {
         if let Sharing::Share(share) = self.sharing { Some(share) } else { None }
     }
 
@@ -102,7 +102,7 @@ impl Journal {
 
     /// Questions whose answers were known from before.
     #[must_use]
-    pub const fn remembered(&self) -> u64 {
+    pub(crate) const fn remembered(&self) -> u64 {
         self.remembered
     }
 }

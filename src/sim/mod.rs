@@ -22,30 +22,29 @@
 //!
 //! [`Environment`]: crate::search::Environment
 
-pub mod answers;
+pub(crate) mod answers;
 pub mod anywhere;
 mod befallen;
 mod behind;
-pub mod between;
-pub mod bound;
-pub mod clamping;
-pub mod coverage;
+pub(crate) mod between;
+pub(crate) mod bound;
+pub(crate) mod clamping;
+pub(crate) mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod expansion;
 mod going;
-pub mod imagination;
-pub mod journal;
+pub(crate) mod imagination;
+pub(crate) mod journal;
 pub mod motion;
 pub mod replay;
 pub mod robot;
 mod robots;
 pub mod sensors;
-pub mod simulation;
+pub(crate) mod simulation;
 mod threads;
 pub mod world;
 
 pub use coverage::Coverage;
-pub use expansion::Expander;
 pub use simulation::{Options, Simulation, Snapshot};
 pub use world::World;

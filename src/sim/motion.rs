@@ -32,7 +32,7 @@ const RELATIVE: f64 = 0.02;
 
 /// Robots faster than this are not built, m/s: tool centres of six-axis robots reach 2 to 8 m/s by their data sheets,
 /// those of the fastest SCARA and delta robots about 12 m/s.
-pub const IMPLAUSIBLE_M_S: f64 = 12.0;
+pub(crate) const IMPLAUSIBLE_M_S: f64 = 12.0;
 
 /// What is compared, and how.
 #[derive(Clone, Debug)]
@@ -122,19 +122,19 @@ impl Comparison {
 
     /// What moves.
     #[must_use]
-    pub fn signals(&self) -> &[Signal] {
+    pub(crate) fn signals(&self) -> &[Signal] {
         &self.signals
     }
 
     /// Steps of a run before which outputs may be no pose of the robot.
     #[must_use]
-    pub const fn unsettled(&self) -> usize {
+    pub(crate) const fn unsettled(&self) -> usize {
         self.unsettled
     }
 
     /// Rows that a step is looked at with, itself and one behind it among them.
     #[must_use]
-    pub const fn rows(&self) -> usize {
+    pub(crate) const fn rows(&self) -> usize {
         self.span + 3
     }
 
@@ -260,7 +260,7 @@ impl Comparison {
 
     /// Time of a step from the person's beginning, s.
     #[must_use]
-    pub fn time_s(&self, step: usize) -> f64 {
+    pub(crate) fn time_s(&self, step: usize) -> f64 {
         self.seconds(step)
     }
 }

@@ -26,7 +26,7 @@ pub fn replay<P: Plant>(
 }
 
 /// What is wanted of the contacts that a sequence leads to.
-pub struct Wanted<'a> {
+pub(crate) struct Wanted<'a> {
     /// Of two people that of this one; nothing for either.
     pub who: Option<Who>,
     /// Of several in the last action one of which this is true; else the worst.
@@ -35,7 +35,7 @@ pub struct Wanted<'a> {
 
 /// What a sequence leads to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Replayed {
+pub(crate) struct Replayed {
     /// The unsafe contact, if there is one.
     pub found: Option<Finding>,
     /// For how long before it each sensor had reported the person without a break, s; none for those that do not report them at the
@@ -49,7 +49,7 @@ pub struct Replayed {
 ///
 /// # Errors
 /// As [`replay`].
-pub fn replay_watched<P: Plant>(
+pub(crate) fn replay_watched<P: Plant>(
     cell: Arc<Workcell>,
     binding: Arc<Binding>,
     plant: P,

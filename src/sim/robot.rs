@@ -116,13 +116,13 @@ impl RobotFrame {
 
     /// The same with every link as large as everything that is no farther than so from it, m.
     #[must_use]
-    pub fn grown(&self, by_m: &[f64]) -> Self {
+    pub(crate) fn grown(&self, by_m: &[f64]) -> Self {
         self.with_links(self.links.iter().zip(by_m).map(|(link, by_m)| link.grown(*by_m)).collect())
     }
 
     /// The same where all points of a link may be faster by so much, m/s: what stands for robots that are nearly there and move nearly so.
     #[must_use]
-    pub fn standing_for(&self, by_m: &[f64], faster_m_s: Arc<[f64]>) -> Self {
+    pub(crate) fn standing_for(&self, by_m: &[f64], faster_m_s: Arc<[f64]>) -> Self {
         Self { faster_m_s: Some(faster_m_s), ..self.clone() }.grown(by_m)
     }
 
@@ -132,14 +132,14 @@ impl RobotFrame {
 
     /// No point of a link is farther from where it is in `other` than so, m.
     #[must_use]
-    pub fn moved_from(&self, other: &Self, link: usize) -> f64 {
+    pub(crate) fn moved_from(&self, other: &Self, link: usize) -> f64 {
         self.links[link].moved_from(&other.links[link])
     }
 
     /// By how much any point of a link may be faster than the point of `other` in the same place, if that may also be slower than it is;
     /// m/s.
     #[must_use]
-    pub fn faster_than(&self, other: &Self, link: usize) -> f64 {
+    pub(crate) fn faster_than(&self, other: &Self, link: usize) -> f64 {
         let (centre, radius) = self.links[link].bounding_sphere();
         let [mine, its] = [self, other].map(|frame| frame.twists[link]);
         let [at_mine, at_its] = [mine, its].map(|twist| twist.velocity_at(centre));
@@ -152,7 +152,7 @@ impl RobotFrame {
 
     /// Whether a link strikes as hard as in `other` when it is as fast.
     #[must_use]
-    pub fn strikes_as(&self, other: &Self, link: usize) -> bool {
+    pub(crate) fn strikes_as(&self, other: &Self, link: usize) -> bool {
         self.strike(link) == other.strike(link)
     }
 
@@ -169,7 +169,7 @@ impl RobotFrame {
     /// one counts: half of the way that it goes at the faster of its speeds at both, or half of the way between both if that is more.
     /// Of a capsule the core is meant: nothing is farther beyond that than before.
     #[must_use]
-    pub fn swept_m(&self, next: &Self, step_s: f64) -> Vec<f64> {
+    pub(crate) fn swept_m(&self, next: &Self, step_s: f64) -> Vec<f64> {
         let speeds = (0..self.links.len()).map(|link| self.core_speed_bound(link).max(next.core_speed_bound(link)));
         let links = self.links.iter().zip(&next.links).zip(speeds);
         links.map(|((from, to), speed)| 0.5 * to.moved_from(from).max(speed * step_s)).collect()
@@ -183,7 +183,7 @@ impl RobotFrame {
     /// Whether links are much farther from where they were in `before`, a step earlier, than their speeds take them: that was no
     /// pose of the robots.
     #[must_use]
-    pub fn jumps_from(&self, before: &Self, step_s: f64) -> bool {
+    pub(crate) fn jumps_from(&self, before: &Self, step_s: f64) -> bool {
         let swept = before.swept_m(self, step_s);
         let speeds = self.speed_bounds.iter().zip(&before.speed_bounds).map(|(a, b)| a.max(*b));
         swept.iter().zip(speeds).any(|(swept, speed)| *swept > speed * step_s + JUMP_M)
@@ -202,7 +202,7 @@ impl RobotFrame {
     /// A speed that some point of shape `link` has, m/s: the greatest of those of a capsule's core, or that of the middle of
     /// another shape.
     #[must_use]
-    pub fn certain_speed(&self, link: usize) -> f64 {
+    pub(crate) fn certain_speed(&self, link: usize) -> f64 {
         match &self.links[link] {
             Solid::Capsule(c) => self.velocity(link, c.a).length().max(self.velocity(link, c.b).length()),
             solid @ (Solid::Hull(_) | Solid::Mesh(_)) => self.velocity(link, solid.bounding_sphere().0).length(),
@@ -212,14 +212,14 @@ impl RobotFrame {
     /// Upper bound on the speed that decides a contact of shape `link` with an arm of a person who walks at `human`, m/s: at any
     /// of its points.
     #[must_use]
-    pub fn deciding_speed_bound(&self, link: usize, human: Vec3) -> f64 {
+    pub(crate) fn deciding_speed_bound(&self, link: usize, human: Vec3) -> f64 {
         let relative = || speed_bound(&self.links[link], &self.twists[link].seen_from(human)) + self.faster_m_s(link);
         self.strike(link).deciding_speed_bound(self.speed_bounds[link], relative)
     }
 
     /// The same at these points.
     #[must_use]
-    pub fn deciding_speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>, human: Vec3) -> f64 {
+    pub(crate) fn deciding_speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>, human: Vec3) -> f64 {
         let bound = self.speed_bound_near(link, points);
         let relative = || {
             let near = self.twists[link].seen_from(human).speed_bound(points) + self.faster_m_s(link);
@@ -230,7 +230,7 @@ impl RobotFrame {
 
     /// Upper bound on the speed of these points of shape `link`, m/s.
     #[must_use]
-    pub fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
+    pub(crate) fn speed_bound_near(&self, link: usize, points: &Neighbourhood<'_>) -> f64 {
         (self.twists[link].speed_bound(points) + self.faster_m_s(link)).min(self.speed_bounds[link])
     }
 
@@ -248,7 +248,7 @@ impl RobotFrame {
 
     /// Whether two shapes are carried by the same part of a robot.
     #[must_use]
-    pub fn same_body(&self, one: usize, other: usize) -> bool {
+    pub(crate) fn same_body(&self, one: usize, other: usize) -> bool {
         (self.robot_of[one], self.joint_of[one]) == (self.robot_of[other], self.joint_of[other])
     }
 
@@ -269,7 +269,7 @@ impl RobotFrame {
     /// A contact with one of the links, with the reflected mass there: where the body is hit along the contact's normal, where an
     /// arm is along the velocity of the robot's point.
     #[must_use]
-    pub fn weighed(&self, mut contact: Contact) -> Contact {
+    pub(crate) fn weighed(&self, mut contact: Contact) -> Contact {
         let direction = contact.normal().unwrap_or_else(|| self.velocity(contact.link, contact.on_robot));
         contact.reflected_mass_kg = self.reflected_mass_kg(contact.link, contact.on_robot, direction);
         contact
@@ -277,7 +277,7 @@ impl RobotFrame {
 
     /// The number of the robot of shape `link`.
     #[must_use]
-    pub fn robot(&self, link: usize) -> usize {
+    pub(crate) fn robot(&self, link: usize) -> usize {
         self.robot_of[link]
     }
 
@@ -302,21 +302,21 @@ impl RobotFrame {
 
     /// Upper bound on the speed of any point of some links, m/s.
     #[must_use]
-    pub fn fastest_of(&self, counts: &[bool]) -> f64 {
+    pub(crate) fn fastest_of(&self, counts: &[bool]) -> f64 {
         let bounds = self.speed_bounds.iter().zip(counts).filter(|(_, counts)| **counts);
         bounds.map(|(bound, _)| *bound).fold(0.0, f64::max)
     }
 
     /// Whether the FMU's outputs are the same to the last bit.
     #[must_use]
-    pub fn same_outputs(&self, other: &Self) -> bool {
+    pub(crate) fn same_outputs(&self, other: &Self) -> bool {
         self.outputs.iter().zip(&other.outputs).all(|(a, b)| a.to_bits() == b.to_bits())
     }
 }
 
 /// Whether a robot is, moves and strikes the same by two rows of FMU outputs.
 #[must_use]
-pub fn moves_alike(robot: &Robot, binding: &RobotBinding, a: &[f64], b: &[f64]) -> bool {
+pub(crate) fn moves_alike(robot: &Robot, binding: &RobotBinding, a: &[f64], b: &[f64]) -> bool {
     let carries = |outputs: &[f64]| binding.payload.read(outputs).to_bits();
     carries(a) == carries(b) && place(robot, binding, a) == place(robot, binding, b)
 }

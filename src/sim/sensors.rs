@@ -37,25 +37,25 @@ pub struct DelayLine {
 
 impl DelayLine {
     /// More samples than this are not told apart: a hand gets anywhere in that time.
-    pub const LONGEST: u8 = 64;
+    pub(crate) const LONGEST: u8 = 64;
 
     /// A sensor that has been reading `raw` for long.
     #[must_use]
-    pub const fn settled(raw: bool, delay_steps: usize) -> Self {
+    pub(crate) const fn settled(raw: bool, delay_steps: usize) -> Self {
         let (recent, seen) = if raw { (Self::kept(delay_steps), Self::LONGEST) } else { (0, 0) };
         Self { recent, seen, latch: Latch::None }
     }
 
     /// The same where the FMU has been `told` for long what is not seen of the body.
     #[must_use]
-    pub const fn settled_apart(told: bool, raw: bool, delay_steps: usize) -> Self {
+    pub(crate) const fn settled_apart(told: bool, raw: bool, delay_steps: usize) -> Self {
         Self { seen: Self::settled(raw, delay_steps).seen, ..Self::settled(told, delay_steps) }
     }
 
     /// The same of a sensor that is `latched`, if it is: one whose reading is held from when it has taken effect, as it has where it
     /// was `told` for long.
     #[must_use]
-    pub const fn latching(self, latched: bool, told: bool) -> Self {
+    pub(crate) const fn latching(self, latched: bool, told: bool) -> Self {
         let latch = match (latched, told) {
             (false, _) => Latch::None,
             (true, false) => Latch::Armed,
@@ -70,7 +70,7 @@ impl DelayLine {
     }
 
     /// Takes in the next raw reading; returns the reading that takes effect now.
-    pub const fn push(&mut self, raw: bool, delay_steps: usize) -> bool {
+    pub(crate) const fn push(&mut self, raw: bool, delay_steps: usize) -> bool {
         let line = (self.recent << 1) | raw as u64;
         self.recent = line & Self::kept(delay_steps);
         if (raw || self.seen > 0) && self.seen < Self::LONGEST {
@@ -90,7 +90,7 @@ impl DelayLine {
 
     /// The same where what is `told` is not what is seen of the body: a hand that works a control is in the plane, or the FMU sees
     /// the body itself.
-    pub const fn push_apart(&mut self, told: bool, raw: bool, delay_steps: usize) -> bool {
+    pub(crate) const fn push_apart(&mut self, told: bool, raw: bool, delay_steps: usize) -> bool {
         let mut body = *self;
         body.push(raw, delay_steps);
         let told = self.push(told, delay_steps);
@@ -99,7 +99,7 @@ impl DelayLine {
     }
 
     /// Takes in the next raw reading of a sensor that counts only from when it last began to see the person.
-    pub const fn push_anew(&mut self, raw: bool, delay_steps: usize) -> bool {
+    pub(crate) const fn push_anew(&mut self, raw: bool, delay_steps: usize) -> bool {
         if !raw {
             self.seen = 0;
         }
@@ -108,14 +108,14 @@ impl DelayLine {
 
     /// The same without how long ago the person was first seen, for sensors where that does not matter.
     #[must_use]
-    pub const fn on_its_way(self) -> Self {
+    pub(crate) const fn on_its_way(self) -> Self {
         Self { seen: 0, ..self }
     }
 
     /// How many samples ago the sensor first saw the person, at most [`Self::LONGEST`]: 0 for never, 1 for the last
     /// sample only.
     #[must_use]
-    pub const fn first_seen(self) -> usize {
+    pub(crate) const fn first_seen(self) -> usize {
         self.seen as usize
     }
 }

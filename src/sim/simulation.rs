@@ -52,7 +52,7 @@ pub struct Snapshot {
 
 /// An action the FMU could not finish.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fault {
+pub(crate) struct Fault {
     /// The sequence that leads there.
     pub actions: Vec<Action>,
     /// What happened.
@@ -99,7 +99,7 @@ pub struct Watched {
 impl Watched {
     /// The same as seen by one of two people: that one as the person, and the other as the second.
     #[must_use]
-    pub fn by(mut self, who: Who) -> Self {
+    pub(crate) fn by(mut self, who: Who) -> Self {
         let swap = |instant: &mut Instant| {
             if let Some((position, body)) = &mut instant.second {
                 std::mem::swap(position, &mut instant.position);
@@ -182,7 +182,12 @@ impl<P: Plant> Simulation<P> {
     ///
     /// # Errors
     /// When the FMU cannot be started.
-    pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>, plant: P, options: Options) -> Result<Self, PlantError> {
+    pub(crate) fn new(
+        cell: Arc<Workcell>,
+        binding: Arc<Binding>,
+        plant: P,
+        options: Options,
+    ) -> Result<Self, PlantError> {
         let stop = plant.stop();
         let recall = Recall::new(plant, options.policy)?;
         let world = Arc::new(World::new(cell, binding).heeding(stop));
@@ -226,7 +231,7 @@ impl<P: Plant> Simulation<P> {
     /// the different actions of the FMU, told apart by all inputs until then. What earlier runs left behind does not
     /// count; actions that the FMU could not finish are left out.
     #[must_use]
-    pub fn fmu_steps_of_run(&self) -> u64 {
+    pub(crate) fn fmu_steps_of_run(&self) -> u64 {
         (self.imagination.reached() * self.world.cell.steps_per_action) as u64
     }
 
@@ -248,19 +253,19 @@ impl<P: Plant> Simulation<P> {
 
     /// Actions since the last reset, as they were taken.
     #[must_use]
-    pub fn taken(&self) -> &[Action] {
+    pub(crate) fn taken(&self) -> &[Action] {
         &self.state.actions
     }
 
     /// What was seen so far.
     #[must_use]
-    pub const fn coverage(&self) -> &Coverage {
+    pub(crate) const fn coverage(&self) -> &Coverage {
         &self.coverage
     }
 
     /// What was done so far, in communication steps, about, what was only imagined included: the same on every machine.
     #[must_use]
-    pub fn cost(&self) -> u64 {
+    pub(crate) fn cost(&self) -> u64 {
         let (real, unreal) = (&self.coverage, self.imagination.coverage());
         let questions = real.contact_checks + unreal.contact_checks;
         super::coverage::cost(self.recall().steps(), questions, real.arm_boxes + unreal.arm_boxes)
@@ -268,25 +273,25 @@ impl<P: Plant> Simulation<P> {
 
     /// What was seen of the robots' motion, in all runs so far.
     #[must_use]
-    pub const fn motion(&self) -> &Motion {
+    pub(crate) const fn motion(&self) -> &Motion {
         self.robots.motion()
     }
 
     /// Actions the FMU could not finish; the first few with their sequences.
     #[must_use]
-    pub fn faults(&self) -> &[Fault] {
+    pub(crate) fn faults(&self) -> &[Fault] {
         &self.faults
     }
 
     /// Whether all that was asked of the FMU since the last reset is known: else a contact may have been missed.
     #[must_use]
-    pub const fn is_evaluated(&self) -> bool {
+    pub(crate) const fn is_evaluated(&self) -> bool {
         self.state.evaluated
     }
 
     /// Why the last action that the FMU could not finish was not evaluated.
     #[must_use]
-    pub fn not_evaluated(&self) -> PlantError {
+    pub(crate) fn not_evaluated(&self) -> PlantError {
         let otherwise = match self.robots.has_strayed() {
             true => "what follows the FMU would stand otherwise had a plane told of an arm, which is not followed up",
             false => "the FMU could not finish an action",
@@ -297,13 +302,13 @@ impl<P: Plant> Simulation<P> {
 
     /// The FMU's states and what reaching them cost.
     #[must_use]
-    pub const fn recall(&self) -> &Recall<P> {
+    pub(crate) const fn recall(&self) -> &Recall<P> {
         &self.robots.recall
     }
 
     /// What does not change over the scan.
     #[must_use]
-    pub const fn world(&self) -> &Arc<World> {
+    pub(crate) const fn world(&self) -> &Arc<World> {
         &self.world
     }
 
@@ -361,7 +366,7 @@ impl<P: Plant> Simulation<P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn now(&mut self) -> Result<Instant, PlantError> {
+    pub(crate) fn now(&mut self) -> Result<Instant, PlantError> {
         let actions = self.state.actions.clone();
         let watched = self.watch(&actions, &[])?;
         watched.instants.into_iter().next_back().ok_or_else(|| PlantError::of("nothing was watched"))
@@ -369,7 +374,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Where the person looks at the present state, rad from +x towards +y.
     #[must_use]
-    pub fn heading_rad(&self) -> f64 {
+    pub(crate) fn heading_rad(&self) -> f64 {
         self.state.places.first.heading_rad(&self.world.cell.start)
     }
 

@@ -38,9 +38,9 @@ use crate::stop::Stop as WorkStop;
 /// Body and robot farther apart than this are not compared, m: the least distance is then not known either.
 const COMPARED_WITHIN_M: f64 = 1.0;
 
-pub use self::people::{Places, Walks};
+pub(crate) use self::people::{Places, Walks};
 pub use self::sensing::{Sensed, Sight};
-pub use self::through_plane::Asked;
+pub(crate) use self::through_plane::Asked;
 use self::through_plane::Runs;
 use self::working::Hands;
 pub use self::working::Worked;
@@ -82,7 +82,7 @@ impl Hash for Stance {
 impl Stance {
     /// Whether body and arms are the same in both.
     #[must_use]
-    pub fn poses_as(&self, other: &Self) -> bool {
+    pub(crate) fn poses_as(&self, other: &Self) -> bool {
         let of = |stance: &Self| (stance.who, stance.place, stance.posture, stance.raised);
         of(self) == of(other)
     }
@@ -137,7 +137,7 @@ pub enum HadTold<T> {
 
 impl<T> HadTold<T> {
     /// The same of something that follows from it.
-    pub fn map<U>(self, with: impl FnOnce(T) -> U) -> HadTold<U> {
+    pub(crate) fn map<U>(self, with: impl FnOnce(T) -> U) -> HadTold<U> {
         match self {
             Self::Is(it) => HadTold::Is(with(it)),
             Self::BeforeTime => HadTold::BeforeTime,
@@ -312,7 +312,7 @@ impl World {
 
     /// The same, but its searches end when `stop` says so: then what they find says nothing.
     #[must_use]
-    pub fn heeding(mut self, stop: WorkStop) -> Self {
+    pub(crate) fn heeding(mut self, stop: WorkStop) -> Self {
         self.moving = self.moving.map(|moving| Box::new(moving.heeding(stop.clone())));
         self.clamping = self.clamping.map(|clamping| Box::new(clamping.heeding(stop.clone())));
         self.second = self.second.map(|second| Box::new(second.heeding(stop.clone())));

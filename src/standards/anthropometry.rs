@@ -68,7 +68,7 @@ impl From<Percentile> for u8 {
 /// Measures of one sex and percentile, metres; heights above the floor, standing upright. Each is the percentile of its
 /// own measure, so they need not belong to one and the same person.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measures {
+pub(crate) struct Measures {
     /// Top of the head.
     pub stature_m: f64,
     /// Cervicale (seventh neck vertebra).
@@ -89,7 +89,7 @@ pub struct Measures {
 
 /// The measures of a sex and percentile.
 #[must_use]
-pub const fn measures(sex: Sex, percentile: Percentile) -> Measures {
+pub(crate) const fn measures(sex: Sex, percentile: Percentile) -> Measures {
     // Millimetres as surveyed: stature, cervicale, acromion, trochanterion, knee, biacromial breadth, chest breadth,
     // upper arm, forearm, hand.
     let mm = match (sex, percentile) {
@@ -114,7 +114,7 @@ pub const fn measures(sex: Sex, percentile: Percentile) -> Measures {
 
 /// Every sex and percentile once.
 #[cfg(test)]
-pub const ALL: [(Sex, Percentile); 6] = [
+pub(crate) const ALL: [(Sex, Percentile); 6] = [
     (Sex::Female, Percentile::P5),
     (Sex::Female, Percentile::P50),
     (Sex::Female, Percentile::P95),

@@ -16,8 +16,7 @@ pub(super) const TABLES: [Table; 1] = [Table {
 
 /// An area of the body, by its number in Table A.2 less one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "each is named as in the table")]
-pub enum BodyArea {
+pub(crate) enum BodyArea {
     MiddleOfForehead,
     Temple,
     MasticatoryMuscle,
@@ -55,7 +54,7 @@ use BodyRegion as R;
 impl BodyArea {
     /// Each once, with its region and its quasi-static pressure, N/cm2. The arm nerve is that of the elbow, which counts with the
     /// upper arm here; sources differ on it.
-    pub const ALL: [(Self, BodyRegion, f64); 29] = [
+    pub(crate) const ALL: [(Self, BodyRegion, f64); 29] = [
         (A::MiddleOfForehead, R::SkullForehead, 130.0),
         (A::Temple, R::SkullForehead, 110.0),
         (A::MasticatoryMuscle, R::Face, 110.0),
@@ -89,7 +88,7 @@ impl BodyArea {
 
     /// Pressure that the area bears when it is clamped or pressed for long, N/cm2.
     #[must_use]
-    pub const fn quasi_static_n_cm2(self) -> f64 {
+    pub(crate) const fn quasi_static_n_cm2(self) -> f64 {
         Self::ALL[self as usize].2
     }
 }
@@ -97,7 +96,7 @@ impl BodyArea {
 /// The smallest pressure of the areas of a region when it is clamped or pressed for long, N/cm2. The throat, for which there is
 /// none, has that of the neck, for ranking only.
 #[must_use]
-pub fn quasi_static_pressure_n_cm2(region: BodyRegion) -> f64 {
+pub(crate) fn quasi_static_pressure_n_cm2(region: BodyRegion) -> f64 {
     let region = if region == R::NeckFront { R::Neck } else { region };
     let of_region = BodyArea::ALL.iter().filter(|(_, of, _)| *of == region).map(|(_, _, pressure)| *pressure);
     of_region.fold(f64::INFINITY, f64::min)

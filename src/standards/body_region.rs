@@ -87,7 +87,7 @@ impl BodyRegion {
 
     /// The region in words, for sentences.
     #[must_use]
-    pub const fn words(self) -> &'static str {
+    pub(crate) const fn words(self) -> &'static str {
         match self {
             Self::SkullForehead => "skull",
             Self::Face => "face",

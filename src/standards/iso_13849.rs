@@ -14,7 +14,7 @@ pub(super) const TABLES: [Table; 1] = [Table {
 /// The required performance level, `a` to `e`, where all three are chosen: severity `S1` or `S2`, exposure `F1` or `F2`,
 /// avoidance `P1` or `P2`. Each choice of the second kind outweighs all that come after it.
 #[must_use]
-pub fn required_performance_level(severity: &str, exposure: &str, avoidance: &str) -> Option<char> {
+pub(crate) fn required_performance_level(severity: &str, exposure: &str, avoidance: &str) -> Option<char> {
     let second = |text: &str, [one, two]: [&str; 2]| match text {
         text if text == one => Some(0),
         text if text == two => Some(1),

@@ -17,7 +17,7 @@ pub(super) const TABLES: [Table; 1] = [Table {
 
 /// The least gap at which a part of the body of this region is not crushed, m.
 #[must_use]
-pub const fn least_gap_m(region: BodyRegion) -> f64 {
+pub(crate) const fn least_gap_m(region: BodyRegion) -> f64 {
     match region {
         BodyRegion::BackShoulders | BodyRegion::Chest | BodyRegion::Abdomen | BodyRegion::Pelvis => 0.5,
         BodyRegion::SkullForehead | BodyRegion::Face | BodyRegion::Neck | BodyRegion::NeckFront => 0.3,
@@ -28,10 +28,10 @@ pub const fn least_gap_m(region: BodyRegion) -> f64 {
 }
 
 /// The longest of them, m.
-pub const LONGEST_M: f64 = 0.5;
+pub(crate) const LONGEST_M: f64 = 0.5;
 
 /// The longest of arms and hands, m.
-pub const LONGEST_OF_ARMS_M: f64 = 0.12;
+pub(crate) const LONGEST_OF_ARMS_M: f64 = 0.12;
 
 #[cfg(test)]
 mod tests {

@@ -66,20 +66,20 @@ pub(super) const DISTANCE_TABLES: [Table; 5] = [
 pub const WALKING_SPEED_M_S: f64 = 1.6;
 
 /// Speed of hands and arms, m/s.
-pub const HAND_SPEED_M_S: f64 = 2.0;
+pub(crate) const HAND_SPEED_M_S: f64 = 2.0;
 
 /// Least distance of a fine light curtain for hands, m.
 const LEAST_M: f64 = 0.1;
 /// Above this it is taken anew with the walking speed, and does not get below it then, m.
 const HANDS_UP_TO_M: f64 = 0.5;
 /// Resolution up to which a light curtain tells of hands, m.
-pub const FINE_M: f64 = 0.04;
+pub(crate) const FINE_M: f64 = 0.04;
 /// Resolution up to which a light curtain tells of limbs, m.
 const COARSE_M: f64 = 0.07;
 /// Resolution up to which the edition of 2024 has another formula that was not found, m.
 const NEW_FORMULA_UP_TO_M: f64 = 0.055;
 /// Resolution from which on a draft of the edition of 2024 asks for less than that of 2010, m.
-pub const DRAFT_ASKS_LESS_FROM_M: f64 = 0.02;
+pub(crate) const DRAFT_ASKS_LESS_FROM_M: f64 = 0.02;
 /// Length of an arm: what gets through coarse light curtains and between beams, m.
 const ARM_M: f64 = 0.85;
 /// What gets past a single beam, over a field near the floor or over a mat, m.
@@ -89,11 +89,11 @@ const HEIGHT_SHARE: f64 = 0.4;
 /// Greatest height of a field, m.
 const FIELD_UP_TO_M: f64 = 1.0;
 /// Least depth of a mat, m: it cannot easily be stepped over then.
-pub const MAT_DEPTH_M: f64 = 0.75;
+pub(crate) const MAT_DEPTH_M: f64 = 0.75;
 
 /// Which edition of the standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-pub enum Edition {
+pub(crate) enum Edition {
     /// ISO 13855:2010.
     #[serde(rename = "2010")]
     Of2010,
@@ -105,7 +105,7 @@ pub enum Edition {
 impl Edition {
     /// Name of the standard with its year.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Of2010 => "ISO 13855:2010",
             Self::Of2024 => "ISO 13855:2024",
@@ -114,7 +114,7 @@ impl Edition {
 
     /// Height of the lowest beam or of a field above which somebody gets in below, m.
     #[must_use]
-    pub const fn crept_under_above_m(self) -> f64 {
+    pub(crate) const fn crept_under_above_m(self) -> f64 {
         match self {
             Self::Of2010 => 0.3,
             Self::Of2024 => 0.2,
@@ -124,7 +124,7 @@ impl Edition {
 
 /// `S = K T + C + Z`, in m and s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Separation {
+pub(crate) struct Separation {
     /// Approach speed, m/s.
     pub k_m_s: f64,
     /// Time until the machine stands, s.
@@ -159,14 +159,14 @@ impl Separation {
 
     /// S, m.
     #[must_use]
-    pub fn s_m(&self) -> f64 {
+    pub(crate) fn s_m(&self) -> f64 {
         self.sum_m().max(self.at_least_m) + self.z_m
     }
 }
 
 /// What a rule asks for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Required {
+pub(crate) struct Required {
     /// The distance; where something is not known, the least that it can be.
     pub separation: Separation,
     /// What is not known, and why.
@@ -198,7 +198,7 @@ pub struct Detection {
 impl Detection {
     /// Whether it is known to tell of hands.
     #[must_use]
-    pub fn is_fine(&self) -> bool {
+    pub(crate) fn is_fine(&self) -> bool {
         self.beams.is_none() && self.resolution_m.is_some_and(|d| d <= FINE_M + 1e-9)
     }
 }
@@ -210,7 +210,7 @@ fn through_m(resolution_m: f64) -> f64 {
 
 /// A light curtain or beams across the way, reached or walked through (2010: 6.2; 2024: 8, D_DT).
 #[must_use]
-pub fn through(edition: Edition, t_s: f64, z_m: f64, detection: &Detection) -> Required {
+pub(crate) fn through(edition: Edition, t_s: f64, z_m: f64, detection: &Detection) -> Required {
     let clause = match edition {
         Edition::Of2010 => "clause 6.2",
         Edition::Of2024 => "clause 8, D_DT",
@@ -267,14 +267,14 @@ const OVER_MM: [[u16; 12]; 15] = [
 ];
 
 /// From which height to which each pair of rows of the table for reaching over counts, m, from the top.
-pub fn heights_for_reaching_over() -> impl Iterator<Item = [f64; 2]> {
+pub(crate) fn heights_for_reaching_over() -> impl Iterator<Item = [f64; 2]> {
     OVER_HAZARD_M.windows(2).map(|pair| [pair[1], pair[0]])
 }
 
 /// C_RO of 2010 for a hazard between two heights over an upper edge, m: the greatest of the rows that hold them, for the next lower
 /// edge of the table. None where the edge is lower than any of the table.
 #[must_use]
-pub fn reaching_over_m([low_m, high_m]: [f64; 2], edge_m: f64) -> Option<f64> {
+pub(crate) fn reaching_over_m([low_m, high_m]: [f64; 2], edge_m: f64) -> Option<f64> {
     let column = OVER_EDGE_M.iter().rposition(|b| *b <= edge_m + 1e-9)?;
     let of_row = |row: usize| f64::from(OVER_MM[row][column]) / 1000.0;
     let from = OVER_HAZARD_M.iter().rposition(|a| *a >= high_m - 1e-9).unwrap_or(0);
@@ -285,7 +285,7 @@ pub fn reaching_over_m([low_m, high_m]: [f64; 2], edge_m: f64) -> Option<f64> {
 /// A hazard between two heights behind a light curtain or beams with this upper edge, reached over it (2010: 6.5; 2024: 8, D_DO).
 /// None where nobody reaches over.
 #[must_use]
-pub fn over(
+pub(crate) fn over(
     edition: Edition,
     t_s: f64,
     z_m: f64,
@@ -318,7 +318,7 @@ pub fn over(
 
 /// What is not known of somebody who gets in below a light curtain or beams whose lower edge is so high, m.
 #[must_use]
-pub fn under(edition: Edition, low_m: f64, detection: &Detection) -> Option<String> {
+pub(crate) fn under(edition: Edition, low_m: f64, detection: &Detection) -> Option<String> {
     // Two beams stand higher, and a single one at the height of the belly.
     let limit_m = match (edition, detection.beams) {
         (Edition::Of2010, Some(1)) => 0.75,
@@ -345,7 +345,7 @@ pub fn under(edition: Edition, low_m: f64, detection: &Detection) -> Option<Stri
 
 /// What is not as the standard has single beams: their heights (2010: 6.2).
 #[must_use]
-pub fn beam_heights(beams: u32, [low_m, high_m]: [f64; 2]) -> Option<String> {
+pub(crate) fn beam_heights(beams: u32, [low_m, high_m]: [f64; 2]) -> Option<String> {
     let heights: &[u16] = match beams {
         1 => &[750],
         2 => &[400, 900],
@@ -364,7 +364,7 @@ pub fn beam_heights(beams: u32, [low_m, high_m]: [f64; 2]) -> Option<String> {
 
 /// A field that people walk into, along it (2010: 6.3; 2024: 9).
 #[must_use]
-pub fn along(edition: Edition, t_s: f64, z_m: f64, height_m: f64, resolution_m: Option<f64>) -> Required {
+pub(crate) fn along(edition: Edition, t_s: f64, z_m: f64, height_m: f64, resolution_m: Option<f64>) -> Required {
     let (c_m, clause) = match edition {
         Edition::Of2010 => ((LEANING_M - HEIGHT_SHARE * height_m).max(ARM_M), "clause 6.3"),
         Edition::Of2024 => (LEANING_M, "clause 9"),
@@ -400,7 +400,7 @@ pub fn along(edition: Edition, t_s: f64, z_m: f64, height_m: f64, resolution_m: 
 ///
 /// What the edition of 2024 takes off for a step was not found: nothing is.
 #[must_use]
-pub fn mat(edition: Edition, t_s: f64, z_m: f64, step_m: f64) -> Required {
+pub(crate) fn mat(edition: Edition, t_s: f64, z_m: f64, step_m: f64) -> Required {
     match edition {
         Edition::Of2010 => {
             Required::known(Separation::walking(t_s, LEANING_M - HEIGHT_SHARE * step_m, z_m), "clause 7")
@@ -411,7 +411,7 @@ pub fn mat(edition: Edition, t_s: f64, z_m: f64, step_m: f64) -> Required {
 
 /// A two-hand control, from the nearest of its buttons (2010: 8).
 #[must_use]
-pub fn two_hand(edition: Edition, t_s: f64, z_m: f64) -> Required {
+pub(crate) fn two_hand(edition: Edition, t_s: f64, z_m: f64) -> Required {
     match edition {
         Edition::Of2010 => Required::known(Separation::walking(t_s, 0.25, z_m), "clause 8"),
         Edition::Of2024 => Required::known(Separation::walking(t_s, 0.55, z_m), "clause on two-hand controls"),
@@ -429,7 +429,7 @@ pub struct Opening {
 
 /// A guard door without guard locking (2010: 9; 2024: 12). The time that it takes to open until somebody gets in counts for it.
 #[must_use]
-pub fn door(edition: Edition, t_s: f64, z_m: f64, opening: &Opening) -> Required {
+pub(crate) fn door(edition: Edition, t_s: f64, z_m: f64, opening: &Opening) -> Required {
     let clause = match edition {
         Edition::Of2010 => "clause 9",
         Edition::Of2024 => "clause 12, D_GT",

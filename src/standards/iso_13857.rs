@@ -25,7 +25,7 @@ pub(super) const OPENING_TABLES: [Table; 1] = [Table {
 
 /// How far somebody reaches through a slot so wide, m; none where more than an arm gets through.
 #[must_use]
-pub fn reach_through_slot_m(width_m: f64) -> Option<f64> {
+pub(crate) fn reach_through_slot_m(width_m: f64) -> Option<f64> {
     let rows = [(4, 2), (6, 10), (8, 20), (10, 80), (12, 100), (20, 120), (120, 850)];
     let width_mm = width_m * 1000.0 - 1e-6;
     let row = rows.into_iter().find(|(up_to, _)| width_mm <= f64::from(*up_to))?;
@@ -33,18 +33,18 @@ pub fn reach_through_slot_m(width_m: f64) -> Option<f64> {
 }
 
 /// Safety distance when the arm is held at the shoulder only, m: the whole arm reaches.
-pub const FROM_SHOULDER_M: f64 = 0.85;
+pub(crate) const FROM_SHOULDER_M: f64 = 0.85;
 /// Safety distance when the arm is held up to the elbow, m: forearm and hand reach.
-pub const FROM_ELBOW_M: f64 = 0.55;
+pub(crate) const FROM_ELBOW_M: f64 = 0.55;
 /// Safety distance when the arm is held up to the wrist, m: the hand reaches.
-pub const FROM_WRIST_M: f64 = 0.23;
+pub(crate) const FROM_WRIST_M: f64 = 0.23;
 
 /// Length of the upper arm, m (0.30): what letting go of the elbow adds.
-pub const UPPER_ARM_M: f64 = FROM_SHOULDER_M - FROM_ELBOW_M;
+pub(crate) const UPPER_ARM_M: f64 = FROM_SHOULDER_M - FROM_ELBOW_M;
 /// Length of the forearm, m (0.32): what letting go of the wrist adds.
-pub const FOREARM_M: f64 = FROM_ELBOW_M - FROM_WRIST_M;
+pub(crate) const FOREARM_M: f64 = FROM_ELBOW_M - FROM_WRIST_M;
 /// Radius of the sphere around the wrist that stands for every pose of the hand, m.
-pub const HAND_RADIUS_M: f64 = FROM_WRIST_M;
+pub(crate) const HAND_RADIUS_M: f64 = FROM_WRIST_M;
 
 #[cfg(test)]
 mod tests {

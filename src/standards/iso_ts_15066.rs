@@ -38,7 +38,7 @@ pub(super) const TABLES: [Table; 3] = [
 
 /// Transient contact may reach at least this multiple of the quasi-static limit; there is no transient contact for the
 /// head (Table A.2, "not applicable").
-pub const TRANSIENT_FACTOR: f64 = 2.0;
+pub(crate) const TRANSIENT_FACTOR: f64 = 2.0;
 
 /// The limits and the spring-mass model of one body region.
 struct RegionData {
@@ -73,7 +73,7 @@ const fn data(region: BodyRegion) -> RegionData {
 
 /// Force that the region bears when it is clamped or pressed for long, N (Table A.2: the smallest over its areas).
 #[must_use]
-pub const fn quasi_static_limit_n(region: BodyRegion) -> f64 {
+pub(crate) const fn quasi_static_limit_n(region: BodyRegion) -> f64 {
     data(region).force_n
 }
 
@@ -81,53 +81,53 @@ pub const fn quasi_static_limit_n(region: BodyRegion) -> f64 {
 /// transient limit, this is the quasi-static value: a figure for ranking only, since contact is not permitted there whatever
 /// its force.
 #[must_use]
-pub const fn transient_limit_n(region: BodyRegion) -> f64 {
+pub(crate) const fn transient_limit_n(region: BodyRegion) -> f64 {
     let factor = if region.permits_no_contact() { 1.0 } else { TRANSIENT_FACTOR };
     factor * quasi_static_limit_n(region)
 }
 
 /// Effective spring constant of the region, N/m (Table A.3).
 #[must_use]
-pub const fn spring_constant_n_m(region: BodyRegion) -> f64 {
+pub(crate) const fn spring_constant_n_m(region: BodyRegion) -> f64 {
     data(region).spring_n_m
 }
 
 /// Effective mass of the region, kg (Table A.3).
 #[must_use]
-pub const fn effective_mass_kg(region: BodyRegion) -> f64 {
+pub(crate) const fn effective_mass_kg(region: BodyRegion) -> f64 {
     data(region).mass_kg
 }
 
 /// Effective mass of the robot, kg (A.4): half of the total mass of its moving parts, plus the payload it carries
 /// (tool and workpiece included).
 #[must_use]
-pub const fn robot_effective_mass(moving_kg: f64, payload_kg: f64) -> f64 {
+pub(crate) const fn robot_effective_mass(moving_kg: f64, payload_kg: f64) -> f64 {
     0.5 * moving_kg + payload_kg
 }
 
 /// Reduced mass of the two bodies that meet, kg (A.3). An infinite mass is allowed and means that this body cannot
 /// recoil.
 #[must_use]
-pub const fn reduced_mass(m_h_kg: f64, m_r_kg: f64) -> f64 {
+pub(crate) const fn reduced_mass(m_h_kg: f64, m_r_kg: f64) -> f64 {
     1.0 / (1.0 / m_h_kg + 1.0 / m_r_kg)
 }
 
 /// Energy that a spring of `spring_n_m` takes until it answers with `force_n`, J (A.1).
 #[cfg(test)]
-pub const fn spring_energy_j(force_n: f64, spring_n_m: f64) -> f64 {
+pub(crate) const fn spring_energy_j(force_n: f64, spring_n_m: f64) -> f64 {
     force_n * force_n / (2.0 * spring_n_m)
 }
 
 /// Energy that is transferred when bodies of reduced mass `mu_kg` meet at `v_m_s`, J (A.2).
 #[cfg(test)]
-pub const fn transferred_energy_j(mu_kg: f64, v_m_s: f64) -> f64 {
+pub(crate) const fn transferred_energy_j(mu_kg: f64, v_m_s: f64) -> f64 {
     0.5 * mu_kg * v_m_s * v_m_s
 }
 
 /// Peak force on the free region when a robot of effective mass `m_r_kg` meets it at `v_m_s` >= 0, N: (A.1) to (A.4)
 /// solved for the force, `v * sqrt(mu * k)`.
 #[cfg(test)]
-pub fn collision_force_n(region: BodyRegion, m_r_kg: f64, v_m_s: f64) -> f64 {
+pub(crate) fn collision_force_n(region: BodyRegion, m_r_kg: f64, v_m_s: f64) -> f64 {
     v_m_s * impedance(region, m_r_kg)
 }
 
@@ -141,13 +141,13 @@ pub fn safe_speed_m_s(region: BodyRegion, m_r_kg: f64) -> f64 {
 /// within `pressure_pa`, m/s (A.6). The spring constants are calibrated for about 1 cm2: a larger area is not on the
 /// safe side.
 #[cfg(test)]
-pub fn pressure_safe_speed_m_s(region: BodyRegion, m_r_kg: f64, pressure_pa: f64, area_m2: f64) -> f64 {
+pub(crate) fn pressure_safe_speed_m_s(region: BodyRegion, m_r_kg: f64, pressure_pa: f64, area_m2: f64) -> f64 {
     pressure_pa * area_m2 / impedance(region, m_r_kg)
 }
 
 /// Whether the region that is met can give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Recoil {
+pub(crate) enum Recoil {
     /// It can: its effective mass counts.
     Free,
     /// It is held: as if its mass were without bound.
@@ -156,7 +156,7 @@ pub enum Recoil {
 
 /// Force per speed, N s/m: `sqrt(mu * k)`; with padding of so many N/m in front of the region's spring.
 #[must_use]
-pub fn padded_impedance_n_s_m(region: BodyRegion, recoil: Recoil, m_r_kg: f64, padding_n_m: Option<f64>) -> f64 {
+pub(crate) fn padded_impedance_n_s_m(region: BodyRegion, recoil: Recoil, m_r_kg: f64, padding_n_m: Option<f64>) -> f64 {
     let m_h_kg = match recoil {
         Recoil::Free => effective_mass_kg(region),
         Recoil::None => f64::INFINITY,

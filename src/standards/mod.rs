@@ -6,18 +6,18 @@
 //! available when the tables were compiled, so every one of them is registered as unverified in [`tables`], and
 //! reports print that.
 
-pub mod anthropometry;
-pub mod body_area;
-pub mod body_region;
-pub mod iso_13849;
-pub mod iso_13854;
+pub(crate) mod anthropometry;
+pub(crate) mod body_area;
+pub(crate) mod body_region;
+pub(crate) mod iso_13849;
+pub(crate) mod iso_13854;
 pub mod iso_13855;
 #[cfg(test)]
 mod iso_13855_tests;
-pub mod iso_13857;
+pub(crate) mod iso_13857;
 pub mod iso_ts_15066;
-pub mod provenance;
-pub mod tables;
+pub(crate) mod provenance;
+pub(crate) mod tables;
 
-pub use body_area::BodyArea;
+pub(crate) use body_area::BodyArea;
 pub use body_region::BodyRegion;

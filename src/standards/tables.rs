@@ -4,7 +4,7 @@ use super::provenance::Table;
 use super::{anthropometry, body_area, iso_13849, iso_13854, iso_13855, iso_13857, iso_ts_15066};
 
 /// The tables that every scan uses.
-pub fn of_every_scan() -> impl Iterator<Item = Table> {
+pub(crate) fn of_every_scan() -> impl Iterator<Item = Table> {
     iso_ts_15066::TABLES
         .into_iter()
         .chain(iso_13849::TABLES)
@@ -14,22 +14,22 @@ pub fn of_every_scan() -> impl Iterator<Item = Table> {
 }
 
 /// Those that clamping adds.
-pub fn of_clamping() -> impl Iterator<Item = Table> {
+pub(crate) fn of_clamping() -> impl Iterator<Item = Table> {
     iso_13854::TABLES.into_iter()
 }
 
 /// Those that pressure adds.
-pub fn of_pressure() -> impl Iterator<Item = Table> {
+pub(crate) fn of_pressure() -> impl Iterator<Item = Table> {
     body_area::TABLES.into_iter()
 }
 
 /// Every table of this floor.
-pub fn tables() -> impl Iterator<Item = Table> {
+pub(crate) fn tables() -> impl Iterator<Item = Table> {
     of_every_scan().chain(of_clamping()).chain(of_pressure())
 }
 
 /// Every table that separation distances rest on.
-pub fn distance_tables() -> impl Iterator<Item = Table> {
+pub(crate) fn distance_tables() -> impl Iterator<Item = Table> {
     iso_13855::TABLES.into_iter().chain(iso_13855::DISTANCE_TABLES).chain(iso_13857::OPENING_TABLES)
 }
 

@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 /// Some ten milliseconds of work.
 #[cfg(metered)]
-pub const MOST: u64 = 2_000_000;
+pub(crate) const MOST: u64 = 2_000_000;
 
 #[cfg(metered)]
 thread_local! {
@@ -20,7 +20,7 @@ thread_local! {
 
 /// So much was done.
 #[inline]
-pub fn worked(units: usize) {
+pub(crate) fn worked(units: usize) {
     #[cfg(metered)]
     SINCE.with(|since| {
         if let Some(before) = since.get() {

@@ -46,8 +46,8 @@ fn an_fmu_does_what_its_behaviours_say() {
         );
         let extent = Extent { held: &[30; 2], steps, most: 50_000 };
         let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
-        assert_eq!(found.ended, ended, "{fmu} {latched_by}: {} behaviours", found.len());
-        assert!(found.len() > 500, "{}", found.len());
+        assert_eq!(found.ended, ended, "{fmu} {latched_by}: {} behaviours", found.count());
+        assert!(found.count() > 500, "{}", found.count());
         let mut rng = Rng::new(3);
         for style in Style::ALL {
             let walked = walk(&mut machine, &found, &style.drawn(&mut rng, &any(2), 0, (30, 400))).unwrap();

@@ -10,7 +10,7 @@ use crate::host::system::{SystemSetup, UnitPort};
 
 /// FMUs with all their inputs and outputs.
 #[derive(Clone, Debug)]
-pub struct Alone {
+pub(crate) struct Alone {
     /// What is written and read; the step is for the caller to set.
     pub setup: SystemSetup,
     /// The inputs as cell files name them.
@@ -34,7 +34,7 @@ fn free(description: &ModelDescription) -> impl Iterator<Item = (Port, f64)> {
 impl Alone {
     /// One FMU.
     #[must_use]
-    pub fn of_fmu(description: &ModelDescription) -> Self {
+    pub(crate) fn of_fmu(description: &ModelDescription) -> Self {
         let (inputs, initial_inputs): (Vec<Port>, Vec<f64>) = free(description).unzip();
         let outputs = results(description);
         let names = |ports: &[Port]| ports.iter().map(|port| port.name.clone()).collect();
@@ -56,7 +56,7 @@ impl Alone {
     ///
     /// # Errors
     /// When it connects or sets what its FMUs do not have, with the line in its description.
-    pub fn of_system(system: &System) -> Result<Self, Box<CellError>> {
+    pub(crate) fn of_system(system: &System) -> Result<Self, Box<CellError>> {
         let units = BoundUnit::all(system.fmus.iter().map(|(name, fmu)| (name, fmu)));
         let wiring = Wiring {
             structure: system.structure.clone(),

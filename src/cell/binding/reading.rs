@@ -16,7 +16,7 @@ pub enum Orientation {
 
 impl Orientation {
     /// What it is read by.
-    pub fn readers(&self) -> impl Iterator<Item = &Reader> {
+    pub(crate) fn readers(&self) -> impl Iterator<Item = &Reader> {
         let (quaternion, matrix) = match self {
             Self::Unknown => (None, None),
             Self::Quaternion(readers) => (Some(readers.iter()), None),
@@ -27,7 +27,7 @@ impl Orientation {
 
     /// `base_from_frame` in one row of outputs.
     #[must_use]
-    pub fn read(&self, outputs: &[f64]) -> Rotation {
+    pub(crate) fn read(&self, outputs: &[f64]) -> Rotation {
         match self {
             Self::Unknown => Rotation::IDENTITY,
             Self::Quaternion(readers) => {
@@ -82,7 +82,7 @@ impl Derived {
     }
 
     /// Its columns in a row, from the outputs of this step and of one before, `step_s` seconds earlier.
-    pub fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
+    pub(crate) fn append(&self, now: &[f64], before: &[f64], step_s: f64, to: &mut Vec<f64>) {
         match self {
             Self::Rate { of, turns } => {
                 let change = of.read(now) - of.read(before);
@@ -131,7 +131,7 @@ impl Reader {
 
     /// The value of an output, times a factor.
     #[must_use]
-    pub fn output(column: usize, factor: f64) -> Self {
+    pub(crate) fn output(column: usize, factor: f64) -> Self {
         Self { terms: vec![(Column::Output(column), factor)], offset: 0.0 }
     }
 
@@ -142,13 +142,13 @@ impl Reader {
 
     /// Whether it reads anything that may change.
     #[must_use]
-    pub const fn varies(&self) -> bool {
+    pub(crate) const fn varies(&self) -> bool {
         !self.terms.is_empty()
     }
 
     /// The outputs that it reads, by their columns, where it reads nothing that is derived.
     #[must_use]
-    pub fn given(&self) -> Option<Vec<usize>> {
+    pub(crate) fn given(&self) -> Option<Vec<usize>> {
         let output = |(column, _): &(Column, f64)| match *column {
             Column::Output(column) => Some(column),
             Column::Derived(_) => None,
@@ -157,7 +157,7 @@ impl Reader {
     }
 
     /// The outputs that it reads itself, by their columns.
-    pub fn outputs(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = usize> + '_ {
         self.terms.iter().filter_map(|(column, _)| match *column {
             Column::Output(column) => Some(column),
             Column::Derived(_) => None,
@@ -166,7 +166,7 @@ impl Reader {
 
     /// By what its output is multiplied and what is added then, where it reads one.
     #[must_use]
-    pub fn of_one(&self) -> Option<(f64, f64)> {
+    pub(crate) fn of_one(&self) -> Option<(f64, f64)> {
         match self.terms[..] {
             [(Column::Output(_), factor)] => Some((factor, self.offset)),
             _ => None,

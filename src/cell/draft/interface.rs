@@ -36,7 +36,7 @@ impl<'a> Interface<'a> {
 
     /// That of a system: `component:variable`, and inputs of the system by their own names.
     #[must_use]
-    pub fn of_system(system: &'a System) -> Self {
+    pub(crate) fn of_system(system: &'a System) -> Self {
         let structure = &system.structure;
         let guesses: Vec<Vec<Guess>> = system.fmus.iter().map(|(_, fmu)| guess(fmu.description())).collect();
         let has_joints = |guesses: &&Vec<Guess>| guesses.iter().any(|g| matches!(g.role, Role::JointAngle { .. }));
@@ -81,7 +81,7 @@ impl<'a> Interface<'a> {
 
     /// The FMU's start value of a number, as cell files write it; 0 where it has none.
     #[must_use]
-    pub fn start(&self, name: &str) -> String {
+    pub(crate) fn start(&self, name: &str) -> String {
         let found = self.variables.iter().find(|(known, _)| is_of(name, known));
         let start = found.and_then(|(_, variable)| variable.numeric_start().first().copied());
         number(start.filter(|start| start.is_finite()).unwrap_or(0.0))
@@ -89,7 +89,7 @@ impl<'a> Interface<'a> {
 
     /// Whether a variable, or the array that it is an element of, is Boolean.
     #[must_use]
-    pub fn is_boolean(&self, name: &str) -> bool {
+    pub(crate) fn is_boolean(&self, name: &str) -> bool {
         let found = self.variables.iter().find(|(known, _)| is_of(name, known));
         found.is_some_and(|(_, variable)| matches!(variable.kind, VariableType::Boolean { .. }))
     }

@@ -154,7 +154,7 @@ fn assumption(
 ///
 /// # Errors
 /// With the line that would be about them.
-pub fn accepted_for(file: &CellFile, source: &Source, fmu: &str) -> Result<(), Box<CellError>> {
+pub(crate) fn accepted_for(file: &CellFile, source: &Source, fmu: &str) -> Result<(), Box<CellError>> {
     let other = file.accepts.iter().map(|table| &table.get_ref().fmu).find(|named| named.get_ref() != fmu);
     let Some(named) = other else { return Ok(()) };
     let message = "this was accepted for another FMU than the one that the cell has";

@@ -46,7 +46,7 @@ pub(super) struct Shown {
 
 /// What a URDF says, for a first cell file.
 #[derive(Clone, Debug)]
-pub struct Summary {
+pub(crate) struct Summary {
     /// Joints that move by themselves, in the order of the tree.
     pub joints: Vec<(String, Motion)>,
     /// Masses of all links that move, kg; nothing if none is told.
@@ -62,7 +62,7 @@ pub struct Summary {
 ///
 /// # Errors
 /// When it is no robot description, with the line.
-pub fn summary(path: &Path, folder: &Path, packages: &[(String, PathBuf)]) -> Result<Summary> {
+pub(crate) fn summary(path: &Path, folder: &Path, packages: &[(String, PathBuf)]) -> Result<Summary> {
     let source = Source::new("", "").in_folder(folder);
     let check = Checker::new(&source);
     let named = Spanned::new(0..0, named_from(path, folder));

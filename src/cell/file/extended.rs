@@ -16,7 +16,7 @@ const MOST: usize = 8;
 ///
 /// # Errors
 /// When one of them cannot be read, when they go round in a circle, or are too many.
-pub fn extended(mut source: Source) -> Result<Source, Box<CellError>> {
+pub(crate) fn extended(mut source: Source) -> Result<Source, Box<CellError>> {
     let own = Path::new(source.name()).canonicalize().ok();
     let mut seen: Vec<PathBuf> = own.into_iter().collect();
     while let Some(named) = last_extends(&source) {
@@ -49,7 +49,7 @@ pub fn extended(mut source: Source) -> Result<Source, Box<CellError>> {
 ///
 /// # Errors
 /// When it extends another file.
-pub fn alone(source: Source) -> Result<Source, Box<CellError>> {
+pub(crate) fn alone(source: Source) -> Result<Source, Box<CellError>> {
     match last_extends(&source) {
         None => Ok(source),
         Some(named) => Err(source.error(

@@ -40,7 +40,7 @@ impl Files {
 
 /// `path` without `.` and without detours by `..`.
 #[must_use]
-pub fn plain(path: &Path) -> PathBuf {
+pub(crate) fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {
         match component {
@@ -56,7 +56,7 @@ pub fn plain(path: &Path) -> PathBuf {
 
 /// `path` as a file in `folder` names it, by way of what both are in; nothing if that is the root alone.
 #[must_use]
-pub fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
+pub(crate) fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
     let absolute = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
         plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
@@ -72,7 +72,7 @@ pub fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
 
 /// The same as text; absolute where it cannot be told from there.
 #[must_use]
-pub fn named_from(path: &Path, folder: &Path) -> String {
+pub(crate) fn named_from(path: &Path, folder: &Path) -> String {
     let absolute = || plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
     relative(path, folder).unwrap_or_else(absolute).display().to_string()
 }

@@ -19,15 +19,12 @@ use toml::Spanned;
 
 use crate::hazard::Criterion;
 
-pub use accept::{AcceptTable, Acceptable};
-pub use criteria::{
-    ClampingTable, ContactTable, CriteriaTable, MovingTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff,
-};
-pub use explain::{ExplainTable, ObstacleLimits, ParameterLimits, RobotLimits, SensorLimits};
-pub use person::{HumanTable, People, PeopleFrom, SecondTable, Sex, StartAreaTable, StartTable};
-pub use robot::{
-    CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, PayloadPlaceTable, RobotTable, UpAxis,
-    VariableTable,
+pub(crate) use accept::{AcceptTable, Acceptable};
+pub(crate) use criteria::{ContactTable, CriteriaTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff};
+pub(crate) use explain::{ExplainTable, ParameterLimits};
+pub(crate) use person::{HumanTable, People, PeopleFrom, SecondTable, Sex, StartAreaTable, StartTable};
+pub(crate) use robot::{
+    CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable,
 };
 pub use surroundings::{
     ControlKind, ControlTable, ControlledBy, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable,

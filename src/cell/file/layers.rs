@@ -121,7 +121,7 @@ pub(super) fn cell_file(source: &Source, whole: &str) -> Result<CellFile, Slip> 
 /// The cell file and those that it extends as one text, which extends nothing; its own text if it does not either, or if
 /// they cannot be read.
 #[must_use]
-pub fn as_one(source: &Source) -> String {
+pub(crate) fn as_one(source: &Source) -> String {
     let own = || source.text().to_owned();
     if source.bases().is_empty() {
         return own();

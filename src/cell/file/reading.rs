@@ -11,7 +11,7 @@ use crate::cell::CellError;
 use crate::cell::error::{Problems, Source, meant};
 
 /// A cell file as far as it can be read.
-pub struct Read {
+pub(crate) struct Read {
     /// Its tables; nothing if what is wrong with them leaves a gap.
     pub file: Option<CellFile>,
     /// What is no TOML, of another type, or unknown.
@@ -25,7 +25,7 @@ impl Read {
     ///
     /// # Errors
     /// The other problems.
-    pub fn counting<T>(&self, result: Result<T, Box<CellError>>) -> Result<Option<T>, Box<CellError>> {
+    pub(crate) fn counting<T>(&self, result: Result<T, Box<CellError>>) -> Result<Option<T>, Box<CellError>> {
         match result {
             Ok(value) => Ok(Some(value)),
             Err(problem) => problem.apart_from(&self.guessed).map_or(Ok(None), Err),
@@ -38,7 +38,7 @@ const MOST: usize = 100;
 
 /// Reads a cell file's tables.
 #[must_use]
-pub fn read(source: &Source) -> Read {
+pub(crate) fn read(source: &Source) -> Read {
     let problems = Problems::default();
     mistakes(source).into_iter().for_each(|mistake| problems.tell(Box::new(mistake)));
     let mut text = source.whole();

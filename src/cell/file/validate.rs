@@ -18,7 +18,7 @@ use crate::human::action::ACTION_S;
 const MOST_STEPS: f64 = 1000.0;
 
 /// The baseline's file unless the cell names another.
-pub const BASELINE: &str = "baseline.json";
+pub(crate) const BASELINE: &str = "baseline.json";
 
 /// Reads and checks a cell file.
 ///
@@ -40,7 +40,7 @@ pub fn validate(source: &Source) -> Result<Workcell, Box<CellError>> {
 ///
 /// # Errors
 /// All mistakes together, each with its line.
-pub fn check(source: &Source, file: CellFile) -> Result<Workcell, Box<CellError>> {
+pub(crate) fn check(source: &Source, file: CellFile) -> Result<Workcell, Box<CellError>> {
     let check = Checker::new(source);
     let cell = check.workcell(file);
     check.problems.take_or(cell).map(|cell| cell.expect("nothing is missing without a problem"))

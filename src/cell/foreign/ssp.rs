@@ -14,8 +14,8 @@ use crate::cell::EXTRA_FOLDER;
 use crate::cell::error::{OpenError, Source, display_name};
 use crate::fmi::{Archive, Fmu};
 
-pub use parameters::Parameter;
-pub use structure::{Component, Link, Structure};
+pub(crate) use parameters::Parameter;
+pub use structure::{Link, Structure};
 
 /// A system with its FMUs opened, not loaded.
 pub struct System {
@@ -50,7 +50,7 @@ pub struct Wiring {
 
 /// Whether a path is that of an SSP file.
 #[must_use]
-pub fn is_ssp(path: &Path) -> bool {
+pub(crate) fn is_ssp(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("ssp") || e.eq_ignore_ascii_case("ssd"))
 }
 
@@ -61,7 +61,7 @@ const DESCRIPTION: &str = "SystemStructure.ssd";
 ///
 /// # Errors
 /// When it cannot be read, or is of a kind that is not supported.
-pub fn open(path: &Path) -> Result<System, OpenError> {
+pub(crate) fn open(path: &Path) -> Result<System, OpenError> {
     let archive = match path.extension() {
         Some(e) if e.eq_ignore_ascii_case("ssp") => Some(Archive::open(path)?),
         _ => None,

@@ -42,7 +42,7 @@ pub(in crate::cell) struct Link {
 
 impl Link {
     /// Whether it is more than a frame.
-    pub fn is_there(&self) -> bool {
+    pub(crate) fn is_there(&self) -> bool {
         self.only_seen || !self.shapes.is_empty()
     }
 }

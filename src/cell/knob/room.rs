@@ -18,7 +18,7 @@ impl Room {
     /// In steps of `step`: `possible` is as far as the thing goes, `usual` the steps that are tried unless the cell file says
     /// something, `allowed` how far that lets it go, with words.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
-    pub fn new(step: f64, possible: f64, usual: u32, allowed: Option<(f64, String)>) -> Self {
+    pub(crate) fn new(step: f64, possible: f64, usual: u32, allowed: Option<(f64, String)>) -> Self {
         let whole = |room: f64| (room / step + 1e-9).floor().clamp(0.0, MOST) as u32;
         match allowed {
             None => Self { steps: whole(possible).min(usual), farthest: None, end: None },
@@ -31,7 +31,7 @@ impl Room {
     }
 
     /// So many steps of `step`, no farther than the cell file allows.
-    pub fn amount(&self, steps: u32, step: f64) -> f64 {
+    pub(crate) fn amount(&self, steps: u32, step: f64) -> f64 {
         let amount = f64::from(steps) * step;
         self.farthest.map_or(amount, |farthest| amount.min(farthest))
     }

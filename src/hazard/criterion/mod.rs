@@ -3,8 +3,8 @@
 //! - transient force and clamping are judged by [`Strike`](super::Strike), pressure by [`pressure`], separation by [`separation`]
 //! - `docs/src/howto/criteria.md` says what each means
 
-pub mod pressure;
-pub mod separation;
+pub(crate) mod pressure;
+pub(crate) mod separation;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -44,13 +44,13 @@ impl Default for Criteria {
 impl Criteria {
     /// The same for another speed of the transient force.
     #[must_use]
-    pub const fn with_speed(self, speed: Criterion) -> Self {
+    pub(crate) const fn with_speed(self, speed: Criterion) -> Self {
         Self { transient_force: Some(speed), ..self }
     }
 
     /// Which speed makes forces.
     #[must_use]
-    pub fn speed(self) -> Criterion {
+    pub(crate) fn speed(self) -> Criterion {
         self.transient_force.unwrap_or_default()
     }
 }
@@ -77,7 +77,7 @@ pub enum Class {
 impl Class {
     /// As in files.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Force => "force",
             Self::HeadContact => "head_contact",
@@ -90,7 +90,7 @@ impl Class {
 
     /// The criterion of the cell file, where that is not the transient force.
     #[must_use]
-    pub const fn beside_force(self) -> Option<&'static str> {
+    pub(crate) const fn beside_force(self) -> Option<&'static str> {
         match self {
             Self::Force | Self::HeadContact => None,
             Self::Clamping | Self::Pressure | Self::MovingContact | Self::Separation => Some(self.name()),
@@ -99,7 +99,7 @@ impl Class {
 
     /// What happened to a part of the body, and the word that stands before what did it.
     #[must_use]
-    pub const fn done(self) -> [&'static str; 2] {
+    pub(crate) const fn done(self) -> [&'static str; 2] {
         match self {
             Self::Force | Self::HeadContact => ["hit", "by"],
             Self::Clamping => ["clamped", "by"],
@@ -112,7 +112,7 @@ impl Class {
     /// Whether sequences end with it: after a contact within all limits, or a distance that is too short, they go on. Where clamping
     /// counts it is looked for behind such a hazard too, which counts no sequence twice.
     #[must_use]
-    pub const fn ends(self) -> bool {
+    pub(crate) const fn ends(self) -> bool {
         !matches!(self, Self::MovingContact | Self::Separation)
     }
 }

@@ -32,7 +32,7 @@ pub struct LinkContact {
 impl Surface {
     /// Greatest pressure of a force on a region, N/cm2: never falls where the force rises.
     #[must_use]
-    pub fn pressure_n_cm2(self, region: BodyRegion, force_n: f64) -> f64 {
+    pub(crate) fn pressure_n_cm2(self, region: BodyRegion, force_n: f64) -> f64 {
         let pa = match self {
             Self::Area(area) => force_n / area,
             Self::Radius(radius) => {

@@ -44,7 +44,7 @@ pub struct Stopping {
 impl Separation {
     /// The protective separation distance from a link that still gets `travel_m` far in `time_s`, m.
     #[must_use]
-    pub fn required_m(&self, time_s: f64, travel_m: f64) -> f64 {
+    pub(crate) fn required_m(&self, time_s: f64, travel_m: f64) -> f64 {
         self.approach_m_s * time_s + travel_m + self.intrusion_m + self.person_uncertainty_m + self.robot_uncertainty_m
     }
 }

@@ -32,7 +32,7 @@ const CANNOT_BEGIN: u8 = 70;
 /// Runs as a worker: `channel` is the number of the file descriptor of the shared memory, standard input the pipe that
 /// tells when the program is gone. Returns the exit code.
 #[must_use]
-pub fn serve(channel: i32) -> u8 {
+pub(crate) fn serve(channel: i32) -> u8 {
     begin(channel).map_or(CANNOT_BEGIN, |()| 0)
 }
 

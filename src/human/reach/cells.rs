@@ -38,7 +38,7 @@ const ROUNDING_M: f64 = 1e-9;
 const DIAGONAL: f64 = 1.732_050_807_568_877_3;
 
 /// A link that matters, and which parts of an arm it may harm.
-pub struct Target<'a> {
+pub(crate) struct Target<'a> {
     /// The link, world.
     pub solid: &'a Solid,
     /// Hands.
@@ -113,7 +113,7 @@ const MAY: u8 = 2;
 impl ArmCells {
     /// For links that matter, at any instant, and everything in the way of arms: obstacles, and what only they do not pass.
     #[must_use]
-    pub fn new(arm: &ArmModel, targets: &[Target<'_>], firm: &[Cuboid], others: &[Cuboid]) -> Self {
+    pub(crate) fn new(arm: &ArmModel, targets: &[Target<'_>], firm: &[Cuboid], others: &[Cuboid]) -> Self {
         let obstacles = [firm, others].concat();
         let pieces = |counts: &dyn Fn(&Target<'_>) -> bool| -> Vec<Piece> {
             let cut = targets.iter().filter(|target| counts(target)).flat_map(|target| cut(target.solid));
@@ -151,7 +151,7 @@ impl ArmCells {
 
     /// The same, but for what is not known yet when `stop` is due: that may be, then.
     #[must_use]
-    pub fn heeding(self, stop: &Stop) -> Self {
+    pub(crate) fn heeding(self, stop: &Stop) -> Self {
         Self { stop: Some(stop.clone()), ..self }
     }
 
@@ -168,21 +168,21 @@ impl ArmCells {
     /// Whether an arm may touch a link harmfully, in some direction, whose shoulder is within `radius_m` of a point: `false`
     /// says that none does.
     #[must_use]
-    pub fn may_touch(&self, shoulder: Vec3, radius_m: f64) -> bool {
+    pub(crate) fn may_touch(&self, shoulder: Vec3, radius_m: f64) -> bool {
         let within = Region::ball(shoulder, radius_m);
         self.any(&within, 0.0, &|cube| self.shoulder(cube), &|_| true)
     }
 
     /// Whether forearm or hand of one may whose elbow is within `radius_m` of a point.
     #[must_use]
-    pub fn may_touch_from_elbow(&self, elbow: Vec3, radius_m: f64) -> bool {
+    pub(crate) fn may_touch_from_elbow(&self, elbow: Vec3, radius_m: f64) -> bool {
         self.any(&Region::ball(elbow, radius_m), 0.0, &|cube| self.elbow(cube), &|_| true)
     }
 
     /// The same of a shoulder that hangs from somewhere within `moves_m` of a point, with no obstacle between them; asked where
     /// [`ArmCells::may_touch`] says nothing.
     #[must_use]
-    pub fn may_touch_hanging(&self, shoulder: Vec3, radius_m: f64, (from, moves_m): (Vec3, f64)) -> bool {
+    pub(crate) fn may_touch_hanging(&self, shoulder: Vec3, radius_m: f64, (from, moves_m): (Vec3, f64)) -> bool {
         let (from, shoulder) = (Region::ball(from, moves_m), Region::ball(shoulder, radius_m));
         let far = (shoulder.centre - from.centre).length() + radius_m + self.arm.upper_arm_m;
         let near = self.firm.iter().enumerate().filter(|(_, barrier)| barrier.is_within(from.centre, far));

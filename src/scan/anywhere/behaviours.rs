@@ -107,13 +107,13 @@ pub(super) enum Refused {
 
 impl Few {
     /// A history that leads to a behaviour on a way with such a stay: what the FMU is told, by number, and for how many steps each.
-    pub fn history(&self, number: Number, way: usize, steps: usize) -> Vec<(usize, usize)> {
+    pub(crate) fn history(&self, number: Number, way: usize, steps: usize) -> Vec<(usize, usize)> {
         let ways = self.stays.history(number, way, steps);
         ways.into_iter().map(|(way, steps)| (self.zones.ways[way].to, steps)).collect()
     }
 
     /// The number of what the FMU is told of these readings, if they are among those that people can come to.
-    pub fn told(&self, readings: &Readings) -> Option<usize> {
+    pub(crate) fn told(&self, readings: &Readings) -> Option<usize> {
         let first = &self.zones.readings[0];
         let as_first = |((own, matters), first): ((&bool, &bool), &bool)| if *matters { *own } else { *first };
         self.zones.number(&readings.iter().zip(&self.matter).zip(first).map(as_first).collect())
@@ -353,7 +353,7 @@ impl Looking<'_> {
         let tried = format!(
             "{} behaviours stand for all histories, what shows latest shows after {:.2} s, each report was held for {}, and {walks} walks of \
              up to {:.0} s showed nothing else",
-            grouped(&behaviours.len().to_string()),
+            grouped(&behaviours.count().to_string()),
             seconds(longest(&shows.steps), step_s),
             in_seconds(&held, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s)

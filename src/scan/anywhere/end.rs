@@ -20,7 +20,7 @@ pub(super) enum End {
 
 impl End {
     /// How both together did.
-    pub fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         self.max(other)
     }
 }

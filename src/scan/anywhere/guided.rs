@@ -59,7 +59,7 @@ struct Walked {
 
 impl Guided<'_> {
     /// The first walk that shows harm. The same seed draws the same.
-    pub fn walk(&self, harms: &[Harm], seed: u64) -> Option<(Harm, WalkIn, Finding)> {
+    pub(crate) fn walk(&self, harms: &[Harm], seed: u64) -> Option<(Harm, WalkIn, Finding)> {
         let mut rng = Rng::new(seed);
         let mut waiting: Vec<(Harm, WalkIn)> = Vec::new();
         let mut following: Vec<(usize, Harm, WalkIn)> = Vec::new();
@@ -83,7 +83,7 @@ impl Guided<'_> {
     }
 
     /// Runs walks that wait at their ends, or come and go before, as long as `goes_on`: tells of those that show harm. The same seed draws the same.
-    pub fn each(
+    pub(crate) fn each(
         &self,
         harms: &[Harm],
         seed: u64,

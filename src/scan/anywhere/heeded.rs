@@ -26,7 +26,7 @@ pub(super) struct Heeded {
 
 impl<P: Plant> Trial<'_, P> {
     /// Of each robot the sensors that it heeds.
-    pub fn heeded(&mut self) -> Result<Heeded, PlantError> {
+    pub(crate) fn heeded(&mut self) -> Result<Heeded, PlantError> {
         let sensors = self.cell.sensors.len();
         let mut heeded = Heeded { by_robot: vec![vec![false; sensors]; self.cell.robots.len()], tried: Vec::new() };
         for sensor in 0..sensors {

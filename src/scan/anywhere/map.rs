@@ -68,7 +68,7 @@ pub(super) struct Walkable {
 
 impl Walkable {
     /// Whether there is none, or none was looked for.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.cells.is_empty() && self.beyond_m.is_empty()
     }
 }

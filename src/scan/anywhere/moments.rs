@@ -43,7 +43,7 @@ impl<'a, P: Plant> Moments<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn new(
+    pub(crate) fn new(
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
         nobody: Told,
@@ -70,12 +70,12 @@ impl<'a, P: Plant> Moments<'a, P> {
     }
 
     /// How many there are.
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.all.len()
     }
 
     /// The steps from the start to one of them.
-    pub fn at(&self, moment: usize) -> usize {
+    pub(crate) fn at(&self, moment: usize) -> usize {
         self.all.get(moment).map_or(0, |(at, _)| *at)
     }
 
@@ -89,7 +89,7 @@ impl<'a, P: Plant> Moments<'a, P> {
     }
 
     /// What the FMU does in so many steps from a moment while nobody is reported, as far as that is known.
-    pub fn undisturbed(&self, moment: usize, steps: usize) -> &[f64] {
+    pub(crate) fn undisturbed(&self, moment: usize, steps: usize) -> &[f64] {
         let width = self.plant.output_count();
         let from = (self.at(moment) * width).min(self.undisturbed.len());
         &self.undisturbed[from..(from + steps * width).min(self.undisturbed.len())]
@@ -99,7 +99,7 @@ impl<'a, P: Plant> Moments<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn run(&mut self, moment: usize, told: &[Told]) -> Result<Vec<f64>, PlantError> {
+    pub(crate) fn run(&mut self, moment: usize, told: &[Told]) -> Result<Vec<f64>, PlantError> {
         let told = &told[..told.len().min(self.steps - self.at(moment).min(self.steps))];
         let inputs = self.inputs(told);
         self.taken += told.len() as u64;

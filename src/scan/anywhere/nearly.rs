@@ -111,7 +111,7 @@ impl Looking<'_> {
         let tried = format!(
             "{} instants stand for all that the FMU may do, each report was held for {}, and {walked} walks of up to {:.0} s showed nothing that is off by more than \
              {:.0} mm and {:.2} m/s and {:.2} s, of which twice as much is added",
-            grouped(&found.len().to_string()),
+            grouped(&found.count().to_string()),
             in_seconds(held, step_s),
             seconds(LONGER_WALKS * self.steps(), step_s),
             1000.0 * most(0),
@@ -145,7 +145,7 @@ impl Looking<'_> {
             asked = told.is_multiple_of(8) && tell(Told::Behaviours(instants, most)).is_break();
             if asked || is_late() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         })?;
-        let count = grouped(&found.len().to_string());
+        let count = grouped(&found.count().to_string());
         let outcome = match found.ended {
             Ended::Closed | Ended::Steps => return Ok(Ok(found)),
             Ended::Most => {
@@ -188,7 +188,7 @@ impl Looking<'_> {
                     ));
                 }
             }
-            if tell(Told::Behaviours(found.len(), found.len())).is_break() {
+            if tell(Told::Behaviours(found.count(), found.count())).is_break() {
                 return Ok(Err(Refused::Stopped));
             }
         }

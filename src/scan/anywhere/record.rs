@@ -39,7 +39,7 @@ struct Way {
 
 impl Shown {
     /// Takes in what a walk leads to.
-    pub fn add(&mut self, finding: &Finding, way: &WalkIn, links: &[String]) {
+    pub(crate) fn add(&mut self, finding: &Finding, way: &WalkIn, links: &[String]) {
         let new = || Way { finding: finding.clone(), way: way.clone(), times: 0 };
         let known = self.0.entry(Identity::of(finding, links)).or_insert_with(new);
         known.times += 1;
@@ -66,7 +66,7 @@ pub(super) struct Rest {
 
 impl Rest {
     /// Of nothing so far, with `sensors` sensors.
-    pub fn new(sensors: usize) -> Self {
+    pub(crate) fn new(sensors: usize) -> Self {
         Self {
             shown: Shown::default(),
             coverage: Coverage::new(sensors),
@@ -80,7 +80,7 @@ impl Rest {
 impl Looked {
     /// The ordinary record: its hazards are confirmed by fresh instances, their sequences shortened, and causes told.
     #[must_use]
-    pub fn scanned(&self, prepared: &Prepared, effort: Effort<'_>) -> Scanned {
+    pub(crate) fn scanned(&self, prepared: &Prepared, effort: Effort<'_>) -> Scanned {
         let (found, rest) = (&self.found, &self.rest);
         prepared.stop().finishing();
         let footing = Footing::asked(prepared, effort.state, Merge::Auto);

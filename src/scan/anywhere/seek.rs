@@ -52,7 +52,7 @@ pub(super) struct Seek<'a> {
 
 impl Seek<'_> {
     /// The first walk that shows harm, of at most so many that are run; and how many were. The same seed draws the same.
-    pub fn walk(&self, harms: &[Harm], most: usize, seed: u64) -> (Option<(Harm, WalkIn, Finding)>, usize) {
+    pub(crate) fn walk(&self, harms: &[Harm], most: usize, seed: u64) -> (Option<(Harm, WalkIn, Finding)>, usize) {
         let mut rng = Rng::new(seed);
         let mut run = 0;
         for _ in 0..MOST_DRAWN {
@@ -73,7 +73,7 @@ impl Seek<'_> {
     /// A walk of these actions that is there in time, if there is room all the way and nobody is seen where it begins; with the places and headings after each
     /// step, the start first.
     #[expect(clippy::cast_precision_loss, reason = "some hundred")]
-    pub fn ending(&self, harm: &Harm, drawn: &[Drawn], rng: &mut Rng) -> Option<(WalkIn, Vec<Place>)> {
+    pub(crate) fn ending(&self, harm: &Harm, drawn: &[Drawn], rng: &mut Rng) -> Option<(WalkIn, Vec<Place>)> {
         let cell = &*self.prepared.cell;
         let (steps, length_m) = (cell.steps_per_action, WALKING_SPEED_M_S * cell.step_s);
         // In its last action it is there after so many steps.

@@ -28,7 +28,7 @@ pub(super) struct Kind {
 
 impl Kind {
     /// The person who stands for all of them.
-    pub fn person(&self) -> Stance {
+    pub(crate) fn person(&self) -> Stance {
         self.people.first().copied().unwrap_or_default()
     }
 }
@@ -50,7 +50,7 @@ pub(super) struct Trial<'a, P: Plant> {
 
 impl<P: Plant> Trial<'_, P> {
     /// Whether the outputs are the same with all people of whom the same is reported, as far as was tried.
-    pub fn are_people_alike(&mut self) -> Result<bool, PlantError> {
+    pub(crate) fn are_people_alike(&mut self) -> Result<bool, PlantError> {
         for run in 0..OTHER_PEOPLE {
             if !self.are_others_alike(0, self.steps, run)? {
                 return Ok(false);
@@ -131,7 +131,7 @@ impl<P: Plant> Trial<'_, P> {
     }
 
     /// When trials began, in words.
-    pub fn began(&self) -> String {
+    pub(crate) fn began(&self) -> String {
         let last_s = self.moments.at(self.moments.count().saturating_sub(1)) as f64 * self.cell.step_s;
         match self.moments.count() {
             1 => "at the start".to_owned(),

@@ -13,7 +13,7 @@ const MOST_WALKING: usize = 7;
 
 /// Where somebody starts and when, and what they do.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WalkIn {
+pub(crate) struct WalkIn {
     /// Where, floor plan, m.
     pub xy_m: [f64; 2],
     /// Where they look there, from +x towards +y, degrees.
@@ -26,19 +26,19 @@ pub struct WalkIn {
 
 impl WalkIn {
     /// Where they start.
-    pub fn start(&self) -> Start {
+    pub(crate) fn start(&self) -> Start {
         let [x, y] = self.xy_m;
         Start::new(x, y, self.heading_deg)
     }
 
     /// When they start, after the FMU, s.
     #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
-    pub fn begins_s(&self, step_s: f64) -> f64 {
+    pub(crate) fn begins_s(&self, step_s: f64) -> f64 {
         self.lead_in as f64 * step_s
     }
 
     /// Whoever stands there, from so many steps before the instant on; an action has so many.
-    pub fn standing(harm: &Harm, step: usize, before: usize, steps_per_action: usize) -> Self {
+    pub(crate) fn standing(harm: &Harm, step: usize, before: usize, steps_per_action: usize) -> Self {
         Self {
             xy_m: harm.xy_m,
             heading_deg: harm.heading_rad.to_degrees(),
@@ -48,7 +48,7 @@ impl WalkIn {
     }
 
     /// Walks to a harm, those first that take the fewest actions; all begin where sensors report `first`.
-    pub fn all(of: &Anywhere<'_>, cell: &Workcell, first: &[bool], history: &History, harm: &Harm) -> Vec<Self> {
+    pub(crate) fn all(of: &Anywhere<'_>, cell: &Workcell, first: &[bool], history: &History, harm: &Harm) -> Vec<Self> {
         let seen = &history.seen[harm.instant];
         let steps = cell.steps_per_action;
         let mut all = Vec::new();

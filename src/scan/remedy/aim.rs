@@ -31,7 +31,7 @@ pub(super) struct Aim {
 
 impl Aim {
     /// The cause of `hazard`, among those of all hazards of its scan.
-    pub fn new(prepared: &Prepared, hazard: &Hazard, known: &[Hazard]) -> Self {
+    pub(crate) fn new(prepared: &Prepared, hazard: &Hazard, known: &[Hazard]) -> Self {
         let mut all: Vec<Member> = known.iter().map(|hazard| member(prepared, hazard)).collect();
         let number = known.iter().position(|other| other.id == hazard.id).unwrap_or_else(|| {
             all.push(member(prepared, hazard));
@@ -49,13 +49,13 @@ impl Aim {
     }
 
     /// Whether the scan knows other causes.
-    pub fn is_one_of_several(&self) -> bool {
+    pub(crate) fn is_one_of_several(&self) -> bool {
         !self.others.is_empty()
     }
 
     /// Whose the hazard of this id is: first by that, then by what the sensors report at the contact and where that is. Since
     /// when they do depends on what is changed, and tells nothing; what they report may, too, and then the place tells.
-    pub fn whose(&self, id: &str, met: &Member) -> Whose {
+    pub(crate) fn whose(&self, id: &str, met: &Member) -> Whose {
         let near = |known: &&Member| apart(known, met) <= TOGETHER_M;
         let who = |kind: &Kind| (kind.robot.clone(), kind.part, kind.criterion);
         let there = |known: &&Member| who(&known.kind) == who(&met.kind) && near(known);

@@ -100,7 +100,7 @@ impl Behaviour {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn observe(simulation: &mut Simulation<Hosted>, actions: usize) -> Result<Self, PlantError> {
+    pub(crate) fn observe(simulation: &mut Simulation<Hosted>, actions: usize) -> Result<Self, PlantError> {
         let rest = simulation.watch(&vec![Action::REST; actions], &[])?.instants;
         let cell = &simulation.world().cell;
         let (sensors, robot_of) = (cell.sensors.len(), cell.links.iter().map(|link| link.robot).collect::<Vec<_>>());
@@ -128,14 +128,14 @@ impl Behaviour {
     }
 
     /// A sensor that reports whoever stands there after a change, and did not before.
-    pub fn reported_anew(&self, after: &Self) -> Option<usize> {
+    pub(crate) fn reported_anew(&self, after: &Self) -> Option<usize> {
         // A sensor that the change adds comes last, and reported nobody before.
         let before = self.at_start.iter().copied().chain(std::iter::repeat(false));
         after.at_start.iter().zip(before).position(|(now, before)| *now && !before)
     }
 
     /// What a change from this to `after` says against it.
-    pub fn objection(&self, after: &Self, is_time: bool, names: Names<'_>) -> Option<Objection> {
+    pub(crate) fn objection(&self, after: &Self, is_time: bool, names: Names<'_>) -> Option<Objection> {
         let Names { sensors, robots, links, obstacles } = names;
         let other = |text: String| Some(Objection::Other(text));
         if let Some(sensor) = self.reported_anew(after) {
@@ -182,7 +182,7 @@ impl Answers {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn observe(simulation: &mut Simulation<Hosted>, probes: &[Vec<Action>]) -> Result<Self, PlantError> {
+    pub(crate) fn observe(simulation: &mut Simulation<Hosted>, probes: &[Vec<Action>]) -> Result<Self, PlantError> {
         let longest = probes.iter().map(Vec::len).max().unwrap_or(0);
         let rest = simulation.watch(&vec![Action::REST; longest], &[])?.instants;
         let cell = &simulation.world().cell;
@@ -217,7 +217,7 @@ impl Answers {
     }
 
     /// What says that a safeguard is smaller or slower if these answers become those in `after`. `sensors` are their names.
-    pub fn smaller(&self, after: &Self, sensors: &[&str]) -> Option<Objection> {
+    pub(crate) fn smaller(&self, after: &Self, sensors: &[&str]) -> Option<Objection> {
         let smaller = |text: String| Some(Objection::Smaller(text));
         for (before, now) in self.0.iter().zip(&after.0) {
             let later =

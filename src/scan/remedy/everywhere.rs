@@ -28,14 +28,14 @@ pub struct Everywhere {
 
 impl Everywhere {
     /// Most searches against the causes of a scan, and against one that is asked about.
-    pub const OF_A_SCAN: u32 = 4;
+    pub(crate) const OF_A_SCAN: u32 = 4;
     /// See there.
     pub const OF_ONE: u32 = 12;
 }
 
 impl Changed<'_> {
     /// Looks from anywhere, if that is asked for and the purse has a search left; a way to be hit as soon as there is one.
-    pub fn everywhere(&self, purse: &mut Purse, workers: usize) -> Result<Option<FromAnywhere>, Box<Witness>> {
+    pub(crate) fn everywhere(&self, purse: &mut Purse, workers: usize) -> Result<Option<FromAnywhere>, Box<Witness>> {
         let Some(Everywhere { until, presses, states, .. }) = purse.everywhere() else { return Ok(None) };
         let own = self.own();
         let not_shown =

@@ -48,7 +48,7 @@ pub(super) struct Witness {
 }
 
 impl Witness {
-    pub fn new(finding: &Finding, standpoint: Standpoint) -> Self {
+    pub(crate) fn new(finding: &Finding, standpoint: Standpoint) -> Self {
         let contact = &finding.contact;
         Self {
             known: Known { standpoint, actions: finding.actions.clone() },
@@ -91,7 +91,7 @@ type Looked = Result<Option<Witness>, Why>;
 
 impl<'a> Changed<'a> {
     /// The cell with `knob` turned so far; or why that is none, or no help that counts.
-    pub fn new(bench: &'a Bench<'a>, knob: &Knob, steps: u32) -> Result<Self, Why> {
+    pub(crate) fn new(bench: &'a Bench<'a>, knob: &Knob, steps: u32) -> Result<Self, Why> {
         let not_tried = |cause: String| Why::NotTried(cause);
         let table = knob.turned(&bench.text, steps);
         let table = table.ok_or_else(|| not_tried("the cell file cannot be changed so".to_owned()))?;
@@ -112,7 +112,7 @@ impl<'a> Changed<'a> {
 
     /// Why it would help for nothing but where people begin: a sensor reports them already at another beginning of the cell, or a few
     /// centimetres beside the start; and what it cost to see that.
-    pub fn reported_anew(&self) -> (Option<Why>, u64) {
+    pub(crate) fn reported_anew(&self) -> (Option<Why>, u64) {
         let bench = self.bench;
         let beginnings =
             bench.beginnings.iter().zip(&bench.at_beginnings).map(|(at, before)| (at, before, "at another start"));
@@ -139,7 +139,7 @@ impl<'a> Changed<'a> {
     }
 
     /// Whether a safeguard is smaller or slower in it, and what it cost to see that.
-    pub fn smaller(&self) -> (Option<Why>, u64) {
+    pub(crate) fn smaller(&self) -> (Option<Why>, u64) {
         let mut simulation = match self.simulation(&self.own, false) {
             Ok(simulation) => simulation,
             Err(why) => return (Some(why), 0),
@@ -152,17 +152,17 @@ impl<'a> Changed<'a> {
     }
 
     /// Whether the person has room there.
-    pub fn has_room(&self, standpoint: &Standpoint) -> bool {
+    pub(crate) fn has_room(&self, standpoint: &Standpoint) -> bool {
         self.from(standpoint).is_some()
     }
 
     /// The cell from its own start.
-    pub fn own(&self) -> &Prepared {
+    pub(crate) fn own(&self) -> &Prepared {
         &self.own
     }
 
     /// The cell file as text.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.own.text
     }
 
@@ -172,7 +172,7 @@ impl<'a> Changed<'a> {
     }
 
     /// What is told of a witness.
-    pub fn met(&self, witness: &Witness) -> Met {
+    pub(crate) fn met(&self, witness: &Witness) -> Met {
         let standpoint = &witness.known.standpoint;
         let there = self.from(standpoint);
         let elsewhere = Standpoint { more: 0, ..*standpoint } != Standpoint::own(self.bench.prepared);
@@ -195,7 +195,7 @@ impl<'a> Changed<'a> {
     }
 
     /// Runs sequences, those from one place together; the first hazard that counts.
-    pub fn run_all(&self, known: &[&Known], pass: &mut Pass) -> Looked {
+    pub(crate) fn run_all(&self, known: &[&Known], pass: &mut Pass) -> Looked {
         let mut standpoints: Vec<Standpoint> = Vec::new();
         for Known { standpoint, .. } in known {
             if !standpoints.contains(standpoint) {
@@ -212,7 +212,7 @@ impl<'a> Changed<'a> {
     }
 
     /// Runs sequences from one place; the first hazard that counts.
-    pub fn run<'s>(
+    pub(crate) fn run<'s>(
         &self,
         standpoint: Standpoint,
         sequences: impl Iterator<Item = &'s [Action]>,
@@ -253,7 +253,7 @@ impl<'a> Changed<'a> {
     }
 
     /// A quick search from one place, which ends when it meets a hazard that counts.
-    pub fn search(&self, standpoint: Standpoint, iterations: u32, pass: &mut Pass) -> Looked {
+    pub(crate) fn search(&self, standpoint: Standpoint, iterations: u32, pass: &mut Pass) -> Looked {
         let Some(prepared) = self.from(&standpoint) else { return Ok(None) };
         let mut simulation = self.simulation(&prepared, true)?;
         // What a strategy that plans spends on imagining is more than these few sequences cost.
@@ -297,7 +297,7 @@ impl<'a> Changed<'a> {
 
     /// Looks at every sequence from one place, as far as what is left in `purse` goes; ends when it meets a hazard that
     /// counts.
-    pub fn all(
+    pub(crate) fn all(
         &self,
         standpoint: Standpoint,
         goal: Goal,
@@ -383,12 +383,12 @@ pub(super) struct Pass {
 }
 
 impl Pass {
-    pub fn new(goal: Goal, left: u64) -> Self {
+    pub(crate) fn new(goal: Goal, left: u64) -> Self {
         Self { goal, others: Groups::default(), left }
     }
 
     /// What is left of it.
-    pub fn left(&self) -> u64 {
+    pub(crate) fn left(&self) -> u64 {
         self.left
     }
 
@@ -406,7 +406,7 @@ pub(super) const SPENT: &str = "looking at it took more work than one change may
 
 /// What all complete searches together may still take.
 #[derive(Clone, Copy, Debug)]
-pub struct Purse {
+pub(crate) struct Purse {
     states: usize,
     work: u64,
     /// Searches that their budgets ended.
@@ -418,7 +418,7 @@ pub struct Purse {
 impl Purse {
     /// All of it.
     #[must_use]
-    pub fn new(effort: &Effort) -> Self {
+    pub(crate) fn new(effort: &Effort) -> Self {
         Self { states: effort.states, work: effort.work, unended: 0, everywhere: effort.everywhere }
     }
 

@@ -36,13 +36,13 @@ const AROUND: [[f64; 3]; 8] = [
 
 impl Standpoint {
     /// The beginning that a prepared cell is about.
-    pub fn own(prepared: &Prepared) -> Self {
+    pub(crate) fn own(prepared: &Prepared) -> Self {
         Self { beginning: prepared.cell.beginning, beside: [0.0; 3], more: 0, elsewhere: None }
     }
 
     /// Where a hazard begins, of a scan whose hazards begin where each of them says; seen from where `own` does, which is about
     /// another of them. Nothing if one of the two begins where the scan did, and the other does not.
-    pub fn of_hazard(self, own: Option<Begin>, hazard: &Hazard) -> Option<Self> {
+    pub(crate) fn of_hazard(self, own: Option<Begin>, hazard: &Hazard) -> Option<Self> {
         match (own, hazard.begins) {
             (own, begins) if own == begins => Some(self),
             (Some(_), Some(begins)) => {
@@ -54,7 +54,7 @@ impl Standpoint {
     }
 
     /// The cell's other beginnings, then places around the own start.
-    pub fn others(prepared: &Prepared) -> (Vec<Self>, Vec<Self>) {
+    pub(crate) fn others(prepared: &Prepared) -> (Vec<Self>, Vec<Self>) {
         let own = Self::own(prepared);
         let all = 0..prepared.cell.beginnings.len();
         let other = all.filter(|number| *number != own.beginning).map(|beginning| Self { beginning, ..own });
@@ -62,7 +62,7 @@ impl Standpoint {
     }
 
     /// The same for so many actions more.
-    pub fn longer(self, more: u32) -> Self {
+    pub(crate) fn longer(self, more: u32) -> Self {
         Self { more, ..self }
     }
 
@@ -101,7 +101,7 @@ impl Standpoint {
     ///
     /// # Errors
     /// When it is none, or the person has no room there.
-    pub fn of(&self, prepared: &Prepared, table: &Table) -> Result<Prepared, String> {
+    pub(crate) fn of(&self, prepared: &Prepared, table: &Table) -> Result<Prepared, String> {
         let text = self.text(table, prepared.cell.search.actions).ok_or("the cell file cannot be changed so")?;
         let changed = prepared.changed(&text).map_err(|error| error.to_string())?;
         if changed.cell.beginning == self.beginning {

@@ -74,7 +74,7 @@ enum Judged {
 }
 
 impl<'a> Trial<'a> {
-    pub fn new(bench: &'a Bench<'a>, knob: &'a Knob) -> Self {
+    pub(crate) fn new(bench: &'a Bench<'a>, knob: &'a Knob) -> Self {
         Self {
             bench,
             knob,
@@ -97,7 +97,7 @@ impl<'a> Trial<'a> {
     }
 
     /// All but complete searches; what they are to confirm comes as [`Outcome::NotMet`] or [`Outcome::OthersRemain`].
-    pub fn quick(&mut self) -> Remedy {
+    pub(crate) fn quick(&mut self) -> Remedy {
         if let Some(outcome) = self.limited() {
             return self.remedy(self.most, outcome);
         }
@@ -133,7 +133,7 @@ impl<'a> Trial<'a> {
     }
 
     /// Goes on with complete searches from where [`Self::quick`] ended with something that held.
-    pub fn complete(&mut self, purse: &mut Purse, workers: usize) -> Remedy {
+    pub(crate) fn complete(&mut self, purse: &mut Purse, workers: usize) -> Remedy {
         // Its own share again: what the searches find is held against other steps.
         self.left = self.bench.effort.quick;
         let first = self.goal;

@@ -5,7 +5,7 @@ use super::{Begins, Hold, Machine, Shown};
 use crate::search::rng::Rng;
 
 /// States after which all readings are tried.
-pub const STATES: usize = 60;
+pub(crate) const STATES: usize = 60;
 /// Changes before each of them, and steps of the shortest stays.
 const MOST_CHANGES: usize = 6;
 const SHORT: usize = 4;

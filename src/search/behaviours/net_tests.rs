@@ -160,7 +160,7 @@ const EXTENT: Extent<'static> = Extent { held: &[40; 2], steps: usize::MAX, most
 
 fn found(drive: &mut Drive) -> Behaviours {
     let found = find(drive, EXTENT, &mut |_| ControlFlow::Continue(())).unwrap();
-    assert_eq!(found.ended, Ended::Closed, "{:?}: {} instants", drive.kind, found.len());
+    assert_eq!(found.ended, Ended::Closed, "{:?}: {} instants", drive.kind, found.count());
     found
 }
 

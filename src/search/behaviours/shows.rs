@@ -28,7 +28,7 @@ pub struct Shows {
 ///
 /// # Errors
 /// What the machine reports.
-pub fn shows<M: Machine>(
+pub(crate) fn shows<M: Machine>(
     machine: &mut M,
     rng: &mut Rng,
     (within, ahead): (usize, usize),
@@ -133,7 +133,7 @@ const AT_ONCE: usize = 20;
 ///
 /// # Errors
 /// What the machine reports.
-pub fn ends<M: Machine>(
+pub(crate) fn ends<M: Machine>(
     machine: &mut M,
     rng: &mut Rng,
     (within, ahead): (usize, usize),

@@ -30,27 +30,27 @@ pub struct Controls {
 impl Controls {
     /// None is on.
     #[must_use]
-    pub const fn new(presses: u32) -> Self {
+    pub(crate) const fn new(presses: u32) -> Self {
         Self { left: presses, steps: [0; Presses::MOST], held: Presses::NONE, switched: Presses::NONE }
     }
 
     /// Which are on.
     #[must_use]
-    pub fn on(&self) -> Presses {
+    pub(crate) fn on(&self) -> Presses {
         let pressed = (0..Presses::MOST).filter(|control| self.steps[*control] > 0);
         pressed.fold(self.held.and(self.switched), |on, control| on.and(Presses::one(control)))
     }
 
     /// After a step.
     #[must_use]
-    pub fn after_a_step(mut self) -> Self {
+    pub(crate) fn after_a_step(mut self) -> Self {
         self.steps.iter_mut().for_each(|steps| *steps = steps.saturating_sub(1));
         self
     }
 
     /// With these worked as well; `None` if there are not so many presses left, or if one is on already and has to be let go first.
     #[must_use]
-    pub fn press(&self, presses: Presses, controls: &[Control]) -> Option<Self> {
+    pub(crate) fn press(&self, presses: Presses, controls: &[Control]) -> Option<Self> {
         let mut after = self.clone();
         after.left = after.left.checked_sub(presses.count())?;
         for control in presses.numbers() {
@@ -66,7 +66,7 @@ impl Controls {
     }
 
     /// What else this may be by what others work, and by what is let go: with what is worked.
-    pub fn others(&self, cell: &Workcell) -> Vec<(Presses, Self)> {
+    pub(crate) fn others(&self, cell: &Workcell) -> Vec<(Presses, Self)> {
         let subsets = |of: Presses| {
             Presses::all(cell.controls.len()).filter(move |set| set.numbers().all(|control| of.has(control)))
         };

@@ -131,18 +131,18 @@ impl<'a> Instants<'a> {
 
     /// The same of robots that may be off by so much.
     #[must_use]
-    pub fn that_are_off(self, off: MayBeOff) -> Self {
+    pub(crate) fn that_are_off(self, off: MayBeOff) -> Self {
         Self { off, ..self }
     }
 
     /// What was seen of the robots' motion and the speeds that are told of it.
     #[must_use]
-    pub const fn motion(&self) -> &Motion {
+    pub(crate) const fn motion(&self) -> &Motion {
         &self.motion
     }
 
     /// Forgets who was where, for another exploration of the same states.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.seen.iter_mut().for_each(BTreeMap::clear);
         self.swept.iter_mut().for_each(BTreeMap::clear);
         self.steps.iter_mut().for_each(BTreeMap::clear);
@@ -150,18 +150,18 @@ impl<'a> Instants<'a> {
 
     /// How many rows of outputs, one after the other, tell how told speeds go with the motion.
     #[must_use]
-    pub fn compared_rows(&self) -> usize {
+    pub(crate) fn compared_rows(&self) -> usize {
         self.comparison.rows()
     }
 
     /// Compares the told speeds with the motion over rows up to the one after a step of this number: the step before the last is what
     /// they tell of, as only then it is known how they go on.
-    pub fn compare_speeds(&mut self, rows: &[f64], count: usize, step: usize) {
+    pub(crate) fn compare_speeds(&mut self, rows: &[f64], count: usize, step: usize) {
         self.comparison.look(rows, step + 1 - count, count - 1, &mut self.motion);
     }
 
     /// Takes in the robots after a step, and during it.
-    pub fn look(&mut self, before: &[f64], after: &[f64], taken: &Instant) {
+    pub(crate) fn look(&mut self, before: &[f64], after: &[f64], taken: &Instant) {
         let step_s = self.cell.step_s;
         let after = self.binding.rows(after, Some(before), step_s).into_owned();
         // What follows from both ends of a step is that of its beginning, too.
@@ -265,7 +265,12 @@ impl<'a> Instants<'a> {
     /// where that are too many, where it is not known how far links get in a step, or where speeds are worked out from the motion: then
     /// no joint seems ever faster than at a steady speed.
     #[must_use]
-    pub fn history_in_parts(&self, way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool) -> Option<History> {
+    pub(crate) fn history_in_parts(
+        &self,
+        way: usize,
+        parts: usize,
+        near: &dyn Fn(&RobotFrame) -> bool,
+    ) -> Option<History> {
         if !self.binding.derived.is_empty() {
             return None;
         }

@@ -114,7 +114,7 @@ impl Ledger {
 
     /// The part that it is for, if not for all.
     #[must_use]
-    pub const fn share(&self) -> Option<Share> {
+    pub(crate) const fn share(&self) -> Option<Share> {
         self.share
     }
 
@@ -150,7 +150,7 @@ pub(super) struct Questions<'a> {
 
 impl Questions<'_> {
     /// Whether the questions about a first square belong to this part.
-    pub fn are_own(&self, square: &PoseBox) -> bool {
+    pub(crate) fn are_own(&self, square: &PoseBox) -> bool {
         self.ledger.share.is_none_or(|Share { number, of }| {
             let bytes = self.key("share", square);
             let (first, _) = bytes.split_at(8);
@@ -167,7 +167,7 @@ impl Questions<'_> {
     }
 
     /// What `work` answers about an item at one stage of the search, or has answered before. What `is_cut_short` is not kept.
-    pub fn answer<T: Serialize + DeserializeOwned>(
+    pub(crate) fn answer<T: Serialize + DeserializeOwned>(
         &self,
         (stage, item): (&str, &impl Serialize),
         coverage: &mut Coverage,

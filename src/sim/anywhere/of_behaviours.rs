@@ -21,7 +21,7 @@ pub fn seen_by<'o>(
 ) -> Option<()> {
     let rows = instants.compared_rows();
     #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
-    for number in 0..found.len() as Number {
+    for number in 0..found.count() as Number {
         if number.is_multiple_of(LOOK_AFTER) && stop.is_due() {
             return None;
         }

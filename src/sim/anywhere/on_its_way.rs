@@ -8,7 +8,7 @@ use indexmap::IndexSet;
 use crate::sim::sensors::DelayLine;
 
 /// The number of what is on its way.
-pub type Lines = u32;
+pub(crate) type Lines = u32;
 
 /// A step with a reading.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub struct Step {
 
 /// What may be on its way, and what becomes of it.
 #[derive(Debug, Default)]
-pub struct OnItsWay {
+pub(crate) struct OnItsWay {
     all: IndexSet<Box<[DelayLine]>, FixedState>,
     /// By what is on its way and the reading.
     steps: BTreeMap<(Lines, (usize, usize)), Step>,
@@ -50,12 +50,12 @@ impl OnItsWay {
 
     /// What there is under a number.
     #[must_use]
-    pub fn lines(&self, number: Lines) -> &[DelayLine] {
+    pub(crate) fn lines(&self, number: Lines) -> &[DelayLine] {
         &self.all[number as usize]
     }
 
     /// What a reading is told as in so many steps, by what each step is that is not known yet.
-    pub fn told(
+    pub(crate) fn told(
         &mut self,
         mut lines: Lines,
         reading: (usize, usize),

@@ -15,7 +15,7 @@ pub(super) struct May {
 
 impl May {
     /// Whether it may report this.
-    pub const fn be(self, reading: bool) -> bool {
+    pub(crate) const fn be(self, reading: bool) -> bool {
         if reading { self.see } else { self.clear }
     }
 }

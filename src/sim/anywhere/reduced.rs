@@ -27,12 +27,12 @@ pub struct Nearly {
 
 /// What robots may be off by in any case, by the greatest speed of their links up to which it is so, m/s: slowest first.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct MayBeOff(pub Vec<(f64, Nearly)>);
+pub(crate) struct MayBeOff(pub Vec<(f64, Nearly)>);
 
 impl MayBeOff {
     /// By how much robots may be off that are so fast.
     #[must_use]
-    pub fn of(&self, fastest_m_s: f64) -> Nearly {
+    pub(crate) fn of(&self, fastest_m_s: f64) -> Nearly {
         let of = self.0.iter().find(|(up_to_m_s, _)| fastest_m_s <= *up_to_m_s).or(self.0.last());
         of.map_or(Nearly { apart_m: 0.0, faster_m_s: 0.0, farther_m: 0.0 }, |(_, off)| *off)
     }

@@ -21,7 +21,7 @@ const CELL: f32 = 0.5;
 
 /// One width.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Width {
+pub(crate) struct Width {
     /// By place, m.
     pub place_m: f64,
     /// By speed, m/s.
@@ -30,7 +30,7 @@ pub struct Width {
 
 /// See the top of this file.
 #[derive(Clone, Debug)]
-pub struct Widths {
+pub(crate) struct Widths {
     width: Width,
     /// Which links count.
     links: Arc<[bool]>,
@@ -43,7 +43,7 @@ pub struct Widths {
 impl Widths {
     /// By these links, of rows that have so many outputs and then what is on its way.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         (cell, binding): (&Workcell, &Binding),
         width: Width,
         links: &Arc<[bool]>,
@@ -62,7 +62,7 @@ impl Widths {
     /// What tells robots apart by a row: no two rows are farther apart than by the greatest difference.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "a few metres, in widths")]
-    pub fn traits(&self, (cell, binding): (&Workcell, &Binding), row: &[f64]) -> Vec<f32> {
+    pub(crate) fn traits(&self, (cell, binding): (&Workcell, &Binding), row: &[f64]) -> Vec<f32> {
         let frame = RobotFrame::new(cell, binding, &row[..binding.outputs.len()]);
         let mut traits: Vec<f32> = self.same.iter().map(|column| (row[*column] / SAME) as f32).collect();
         for link in (0..frame.links.len()).filter(|link| self.links[*link]) {
@@ -77,7 +77,7 @@ impl Widths {
 
     /// Where a row is by its traits: no two are farther apart in any of these than they are.
     #[must_use]
-    pub fn place(&self, traits: &[f32]) -> [f32; 3] {
+    pub(crate) fn place(&self, traits: &[f32]) -> [f32; 3] {
         self.best.map(|best| traits[best])
     }
 
@@ -104,13 +104,13 @@ impl Widths {
 
     /// The greatest speed of the links that count, m/s.
     #[must_use]
-    pub fn fastest(&self, frame: &RobotFrame) -> f64 {
+    pub(crate) fn fastest(&self, frame: &RobotFrame) -> f64 {
         frame.fastest_of(&self.links)
     }
 
     /// How far links are apart by place, m, and by how much any is faster than in the other, m/s; nothing if they do not strike alike.
     #[must_use]
-    pub fn between(&self, one: &RobotFrame, other: &RobotFrame) -> Option<[f64; 2]> {
+    pub(crate) fn between(&self, one: &RobotFrame, other: &RobotFrame) -> Option<[f64; 2]> {
         let mut most = [0.0_f64; 2];
         for link in (0..one.links.len()).filter(|link| self.links[*link]) {
             if !one.strikes_as(other, link) {
@@ -166,7 +166,7 @@ type Traits = Box<[f32]>;
 
 /// Rows that stand for others.
 #[derive(Clone, Debug, Default)]
-pub struct Rows {
+pub(crate) struct Rows {
     /// Each with its traits.
     all: Vec<(Box<[f64]>, Traits)>,
     places: BTreeMap<[i64; 3], Vec<Shown>>,
@@ -175,7 +175,7 @@ pub struct Rows {
 impl Rows {
     /// A row by its number.
     #[must_use]
-    pub fn row(&self, shown: Shown) -> &[f64] {
+    pub(crate) fn row(&self, shown: Shown) -> &[f64] {
         &self.all[shown as usize].0
     }
 
@@ -192,7 +192,7 @@ impl Rows {
     }
 
     /// Of those that count and are no farther away than so, in widths, the one that is nearest and least slower.
-    pub fn least_beyond(
+    pub(crate) fn least_beyond(
         &self,
         traits: &[f32],
         most: f32,

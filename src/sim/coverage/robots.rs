@@ -77,7 +77,7 @@ impl RobotCoverage {
 /// Why finding no contact with a robot needs another look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "what")]
-pub enum NeverMet {
+pub(crate) enum NeverMet {
     /// No action was simulated, so nothing is known.
     NotSimulated,
     /// Nobody could be near it in the time, whatever they did.
@@ -97,7 +97,7 @@ pub enum NeverMet {
 impl NeverMet {
     /// Whether it answers the question all the same: a guard that keeps people out, a start that is prevented.
     #[must_use]
-    pub const fn is_shown(self) -> bool {
+    pub(crate) const fn is_shown(self) -> bool {
         match self {
             Self::KeptOut | Self::NeverMoved { controls_worked: true } => true,
             Self::NotSimulated | Self::TooFar | Self::NeverNear | Self::NeverMoved { controls_worked: false } => false,
@@ -106,7 +106,7 @@ impl NeverMet {
 
     /// For people, of the robot that they call `robot`.
     #[must_use]
-    pub fn words(self, robot: &str) -> String {
+    pub(crate) fn words(self, robot: &str) -> String {
         let mut words = match self {
             Self::NotSimulated => format!("no action with {robot} was simulated"),
             Self::TooFar => {
@@ -139,7 +139,7 @@ impl Coverage {
     ///
     /// It is about the actions that were simulated; whether these were all is another question.
     #[must_use]
-    pub fn never_met(&self, robot: usize) -> Option<NeverMet> {
+    pub(crate) fn never_met(&self, robot: usize) -> Option<NeverMet> {
         let Some(own) = self.robots.get(robot) else { return Some(NeverMet::NotSimulated) };
         let simulated = self.actions > 0;
         if !own.reachable || (simulated && own.instants_to_walk_to == 0 && own.instants_in_reach == 0) {

@@ -75,7 +75,7 @@ pub(super) struct Situations {
     /// What may be asked of planes, each list of windows once, by what it follows from.
     asked: BTreeMap<Vec<Asked>, usize>,
     windows: Vec<Vec<Vec<Window>>>,
-    /// By the number of the windows, then those of the frames ([`Moved::numbers`]).
+    /// By the number of the windows, then those of the frames.
     numbers: BTreeMap<(usize, Vec<u32>, Vec<u64>), usize>,
     /// At one step, by node, the number of the windows, and whether a sensor reports somebody.
     known: BTreeMap<(NodeId, usize, bool), usize>,

@@ -56,7 +56,7 @@ pub struct Motion {
 
 impl Motion {
     /// Looks at the robots after the steps from number `from` on for links faster than any robot's.
-    pub fn look_at_links(&mut self, frames: &[Arc<RobotFrame>], from: usize) {
+    pub(crate) fn look_at_links(&mut self, frames: &[Arc<RobotFrame>], from: usize) {
         for (i, frame) in frames.iter().enumerate().filter(|(_, frame)| frame.fastest > IMPLAUSIBLE_M_S) {
             for link in 0..frame.links.len() {
                 let (speed, step) = (frame.certain_speed(link), from + i);
@@ -71,24 +71,24 @@ impl Motion {
 
     /// What was seen of each signal.
     #[must_use]
-    pub fn seen(&self) -> &[Seen] {
+    pub(crate) fn seen(&self) -> &[Seen] {
         &self.seen
     }
 
     /// Whether some told speed is not that of the motion.
     #[cfg(test)]
-    pub fn disagrees(&self) -> bool {
+    pub(crate) fn disagrees(&self) -> bool {
         self.seen.iter().any(|seen| seen.worst.is_some())
     }
 
     /// Whether outputs were no pose of the robot at first.
     #[must_use]
-    pub fn jumped(&self) -> bool {
+    pub(crate) fn jumped(&self) -> bool {
         self.seen.iter().any(|seen| seen.jumped)
     }
 
     /// Adds what was seen in other runs of the same cell.
-    pub fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         let count = self.seen.len().max(other.seen.len());
         self.seen.resize(count, Seen::default());
         self.seen.iter_mut().zip(&other.seen).for_each(|(seen, other)| seen.merge(other));
@@ -103,19 +103,19 @@ impl Motion {
 
 impl Seen {
     /// Signals whose motion the told speed is wherever it disagrees with its own.
-    pub fn of_others(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn of_others(&self) -> impl Iterator<Item = usize> {
         self.others[0].difference(&self.others[1]).copied()
     }
 
     /// Whether it is told never to move.
     #[must_use]
-    pub fn told_still(&self) -> bool {
+    pub(crate) fn told_still(&self) -> bool {
         self.fastest[1].0 <= 0.0
     }
 
     /// The speed above the limit, and the number of the step.
     #[must_use]
-    pub fn above(&self, limit: f64) -> Option<(f64, usize)> {
+    pub(crate) fn above(&self, limit: f64) -> Option<(f64, usize)> {
         let fastest = if self.fastest[1].0 > self.fastest[0].0 { self.fastest[1] } else { self.fastest[0] };
         Some(fastest).filter(|(speed, _)| *speed > ABOVE_LIMIT * limit)
     }

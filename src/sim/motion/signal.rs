@@ -57,7 +57,7 @@ impl Signal {
 
     /// Whether the FMU tells its speed.
     #[must_use]
-    pub const fn is_told(&self) -> bool {
+    pub(crate) const fn is_told(&self) -> bool {
         self.told.is_some()
     }
 

@@ -8,7 +8,7 @@ use super::{Earlier, Frames, Hit, Instant, Stance, World};
 impl World {
     /// Whether a search goes on behind a hazard by contact, and asks for clamping alone then.
     #[must_use]
-    pub const fn goes_on(&self) -> bool {
+    pub(crate) const fn goes_on(&self) -> bool {
         self.clamping.is_some()
     }
 

@@ -13,13 +13,13 @@ use crate::human::{Action, Arrangement, Place, Posture, Who, capsule_hits};
 impl World {
     /// Whether anything follows the FMU.
     #[must_use]
-    pub fn follows(&self) -> bool {
+    pub(crate) fn follows(&self) -> bool {
         !self.cell.following.is_empty()
     }
 
     /// What a row of outputs says of it.
     #[must_use]
-    pub fn arrangement(&self, outputs: &[f64]) -> Arrangement {
+    pub(crate) fn arrangement(&self, outputs: &[f64]) -> Arrangement {
         self.cell.following.arrangement(|reading| self.binding.followed[reading].read(outputs))
     }
 
@@ -43,7 +43,7 @@ impl World {
     /// The sensors that see somebody at their start and do not always count: whether they do then, the FMU would have to say before it
     /// begins.
     #[must_use]
-    pub fn seen_at_start_at_times(&self) -> Vec<&str> {
+    pub(crate) fn seen_at_start_at_times(&self) -> Vec<&str> {
         let following = &self.cell.following;
         let seen = self.seen_at_start().into_iter().zip(&self.cell.sensors).enumerate();
         seen.filter(|(n, (seen, _))| *seen && following.has_sensor(*n)).map(|(_, (_, s))| s.name.as_str()).collect()

@@ -10,7 +10,7 @@ use crate::human::{Action, Arrangement, Place, Posture, Who};
 
 /// Where everybody is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Places {
+pub(crate) struct Places {
     /// The first person.
     pub first: Place,
     /// The second one, counted from a start of their own, if there is one.
@@ -20,13 +20,13 @@ pub struct Places {
 impl Places {
     /// The same while things stand so that follow the FMU.
     #[must_use]
-    pub fn amid(&self, arrangement: Arrangement) -> Self {
+    pub(crate) fn amid(&self, arrangement: Arrangement) -> Self {
         Self { first: self.first.amid(arrangement), second: self.second.map(|place| place.amid(arrangement)) }
     }
 
     /// Where one of them is.
     #[must_use]
-    pub const fn of(&self, who: Who) -> Option<&Place> {
+    pub(crate) const fn of(&self, who: Who) -> Option<&Place> {
         match who {
             Who::First => Some(&self.first),
             Who::Second => self.second.as_ref(),
@@ -36,7 +36,7 @@ impl Places {
 
 /// Where an action leads everybody.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Walks {
+pub(crate) struct Walks {
     /// The first person.
     pub first: WalkTrace,
     /// The second one, if there is one.
@@ -46,7 +46,7 @@ pub struct Walks {
 impl Walks {
     /// Where it leads one of them.
     #[must_use]
-    pub const fn of(&self, who: Who) -> Option<&WalkTrace> {
+    pub(crate) const fn of(&self, who: Who) -> Option<&WalkTrace> {
         match who {
             Who::First => Some(&self.first),
             Who::Second => self.second.as_ref(),
@@ -54,25 +54,25 @@ impl Walks {
     }
 
     /// Each with who goes there.
-    pub fn each(&self) -> impl Iterator<Item = (Who, &WalkTrace)> {
+    pub(crate) fn each(&self) -> impl Iterator<Item = (Who, &WalkTrace)> {
         Who::ALL.into_iter().filter_map(|who| Some((who, self.of(who)?)))
     }
 
     /// Where everybody is at the start, turns already made.
     #[must_use]
-    pub fn starts(&self) -> Places {
+    pub(crate) fn starts(&self) -> Places {
         Places { first: self.first.start, second: self.second.as_ref().map(|walked| walked.start) }
     }
 
     /// Where everybody is at the end.
     #[must_use]
-    pub fn ends(&self) -> Places {
+    pub(crate) fn ends(&self) -> Places {
         Places { first: self.first.end(), second: self.second.as_ref().map(WalkTrace::end) }
     }
 
     /// Whether an obstacle stops anybody.
     #[must_use]
-    pub fn blocked(&self) -> bool {
+    pub(crate) fn blocked(&self) -> bool {
         self.each().any(|(_, walked)| walked.blocked.contains(&true))
     }
 }
@@ -80,7 +80,7 @@ impl Walks {
 impl World {
     /// The world of one of the people, if they are there.
     #[must_use]
-    pub fn of(&self, who: Who) -> Option<&Self> {
+    pub(crate) fn of(&self, who: Who) -> Option<&Self> {
         match who {
             Who::First => Some(self),
             Who::Second => self.second.as_deref(),
@@ -93,19 +93,19 @@ impl World {
     }
 
     /// Everybody who is there, each with their world.
-    pub fn people(&self) -> impl Iterator<Item = (Who, &Self)> {
+    pub(crate) fn people(&self) -> impl Iterator<Item = (Who, &Self)> {
         Who::ALL.into_iter().filter_map(|who| Some((who, self.of(who)?)))
     }
 
     /// Where everybody begins.
     #[must_use]
-    pub fn starts(&self) -> Places {
+    pub(crate) fn starts(&self) -> Places {
         Places { first: self.start(), second: self.second.as_ref().map(|second| second.start()) }
     }
 
     /// The action as everybody takes it, see [`World::taken`].
     #[must_use]
-    pub fn taken_by_all(&self, from: &Places, action: Action) -> Action {
+    pub(crate) fn taken_by_all(&self, from: &Places, action: Action) -> Action {
         match (&self.second, &from.second) {
             (Some(second), Some(place)) => {
                 let own = self.taken(&from.first, action.of(Who::First));
@@ -117,7 +117,7 @@ impl World {
 
     /// Where an action leads everybody.
     #[must_use]
-    pub fn walks(&self, from: Places, action: Action) -> Walks {
+    pub(crate) fn walks(&self, from: Places, action: Action) -> Walks {
         let second = self.second.as_ref().zip(from.second);
         Walks {
             first: self.walk(from.first, action),
@@ -127,7 +127,7 @@ impl World {
 
     /// What there is for the sensors to see of anybody at the start of each step.
     #[must_use]
-    pub fn sights_of_all(&self, walks: &Walks, action: Action) -> Vec<Sight> {
+    pub(crate) fn sights_of_all(&self, walks: &Walks, action: Action) -> Vec<Sight> {
         let own = self.sights(&walks.first, action.posture());
         match (&self.second, &walks.second) {
             (Some(second), Some(walked)) => {
@@ -139,7 +139,7 @@ impl World {
 
     /// What each sensor sees at the start.
     #[must_use]
-    pub fn seen_at_start(&self) -> Vec<bool> {
+    pub(crate) fn seen_at_start(&self) -> Vec<bool> {
         let of = |world: &Self| world.seen_by_each(&world.start(), Posture::Upright);
         let own = of(self);
         match &self.second {

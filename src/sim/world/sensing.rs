@@ -28,7 +28,7 @@ pub struct Sight {
 impl Sight {
     /// What there is to see of two people: a sensor sees either.
     #[must_use]
-    pub fn of_either(first: &[Self], second: &[Self]) -> Vec<Self> {
+    pub(crate) fn of_either(first: &[Self], second: &[Self]) -> Vec<Self> {
         let both = |a: &[bool], b: &[bool]| a.iter().zip(b).map(|(first, second)| *first || *second).collect();
         let either = |(first, second): (&Self, &Self)| Self {
             seen: first.seen.clone(),
@@ -57,7 +57,7 @@ pub struct Sensed {
 impl Sensed {
     /// Whether the FMU and the contact rules see the same.
     #[must_use]
-    pub fn same(&self, other: &Self) -> bool {
+    pub(crate) fn same(&self, other: &Self) -> bool {
         let bits = |s: &Self| s.inputs.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         self.delays == other.delays
             && self.switched == other.switched
@@ -80,7 +80,7 @@ impl World {
 
     /// What the FMU is told of the sensors at the start. Who stands upright is seen by all that it evaluates itself.
     #[must_use]
-    pub fn readings_at_start(&self) -> Vec<bool> {
+    pub(crate) fn readings_at_start(&self) -> Vec<bool> {
         let told = |(raw, bound): (bool, &SensorBinding)| raw && !bound.is_evaluated();
         self.seen_at_start().into_iter().zip(&self.binding.sensors).map(told).collect()
     }
@@ -97,13 +97,13 @@ impl World {
 
     /// Whether inputs and contacts of an action depend on the walk only, and not on the posture of who stands.
     #[must_use]
-    pub fn posture_is_unseen(&self) -> bool {
+    pub(crate) fn posture_is_unseen(&self) -> bool {
         self.curtains.is_empty()
     }
 
     /// The same of this walk: no plane that would tell of the body is near.
     #[must_use]
-    pub fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
+    pub(crate) fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
         std::iter::once(&walked.start).chain(&walked.places).all(|place| !self.may_be_in_a_plane(place))
     }
 
@@ -209,20 +209,20 @@ impl World {
     /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says at the step's
     /// end of one that it evaluates.
     #[must_use]
-    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
+    pub(crate) fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
         // Of one that the FMU evaluates alone nothing is read outside of it.
         readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].signal)
     }
 
     /// Whether each sensor reports the person, see [`World::reading`].
     #[must_use]
-    pub fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
+    pub(crate) fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
         (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
     }
 
     /// Whether any sensor reports the person.
     #[must_use]
-    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
+    pub(crate) fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
         (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
     }
 }

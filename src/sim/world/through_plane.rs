@@ -4,7 +4,7 @@
 //! Where the shoulder is decides (see the method page, "Arms and planes"): while the body is in the plane, arms are on both
 //! sides; before it they stay there or go through; behind it they have the true run, with the plane clear behind them. For
 //! each way the robots are those of a run in which the plane told of the arm in a [`Window`] of samples. The geometry is in
-//! [`curtain`](super::super::curtain); how the robots would move, [`Earlier`] tells.
+//! [`super::super::curtain`]; how the robots would move, [`Earlier`] tells.
 
 use std::sync::Arc;
 
@@ -410,7 +410,7 @@ impl World {
     /// In which windows planes may have told of an arm, for a person at this place: every one that a pose of it may ask
     /// [`Earlier`] for.
     #[must_use]
-    pub fn windows_that_may_matter(&self, place: &Place, broken: &[usize]) -> Vec<Asked> {
+    pub(crate) fn windows_that_may_matter(&self, place: &Place, broken: &[usize]) -> Vec<Asked> {
         let (at, arm) = (self.position(place) + Vec3::Z, self.arm().reach());
         let of = |(curtain, &since): (&Curtain, &usize)| {
             let depth = curtain.depth(at);
@@ -434,7 +434,7 @@ impl World {
     /// long enough now would be so later. Who is first seen later than now is no farther behind the plane then, or, at a
     /// two-hand control, where it is let go.
     #[must_use]
-    pub fn windows_that_will_matter(&self, place: &Place, c: usize, since: usize) -> Vec<Window> {
+    pub(crate) fn windows_that_will_matter(&self, place: &Place, c: usize, since: usize) -> Vec<Window> {
         let curtain = &self.curtains[c];
         let (at, reach) = (self.position(place) + Vec3::Z, self.reach_m());
         let depth = curtain.depth(at).max(0.0);
@@ -479,7 +479,7 @@ impl World {
 
 /// The windows of one plane that may be asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Asked {
+pub(crate) struct Asked {
     /// In the last 0, 1, 2, ... samples until now, so many.
     through: usize,
     /// In the 1, 2, ... samples before the body was first seen, so many.
@@ -493,7 +493,7 @@ pub struct Asked {
 impl Asked {
     /// All of them: of one plane, and of two `neighbours` at once.
     #[must_use]
-    pub fn windows(asked: &[Self], neighbours: &[(usize, usize)]) -> Vec<Vec<Window>> {
+    pub(crate) fn windows(asked: &[Self], neighbours: &[(usize, usize)]) -> Vec<Vec<Window>> {
         let of = |(curtain, asked): (usize, &Self)| -> Vec<Window> {
             let through = (0..asked.through).map(|from| Window { curtain, from, until: 0 });
             let ahead = (1..=asked.ahead).map(|j| Window { curtain, from: asked.since + j, until: asked.since });

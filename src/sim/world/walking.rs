@@ -9,7 +9,7 @@ use crate::standards::iso_13855::WALKING_SPEED_M_S;
 impl World {
     /// Whether the person's start is free of obstacles.
     #[must_use]
-    pub fn start_is_free(&self) -> bool {
+    pub(crate) fn start_is_free(&self) -> bool {
         self.walker(&self.start()).is_free(self.start(), Posture::Upright)
     }
 
@@ -23,7 +23,7 @@ impl World {
 
     /// The doors that stand open during an action from a place.
     #[must_use]
-    pub fn walk_opens(&self, from: Place, action: Action) -> Presses {
+    pub(crate) fn walk_opens(&self, from: Place, action: Action) -> Presses {
         if self.works_doors(action).is_none() {
             return from.open();
         }
@@ -33,13 +33,13 @@ impl World {
 
     /// Controls of doors that an action works if it gets to them.
     #[must_use]
-    pub fn works_doors(&self, action: Action) -> Presses {
+    pub(crate) fn works_doors(&self, action: Action) -> Presses {
         action.presses().common(self.doors)
     }
 
     /// Controls of doors.
     #[must_use]
-    pub const fn doors(&self) -> Presses {
+    pub(crate) const fn doors(&self) -> Presses {
         self.doors
     }
 
@@ -56,7 +56,7 @@ impl World {
 
     /// Actions from the start as the person takes them.
     #[must_use]
-    pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
+    pub(crate) fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
         let mut places = self.starts();
         let mut take = |action: &Action| {
             let taken = self.taken_by_all(&places, *action);
@@ -77,7 +77,7 @@ impl World {
     /// How many sub-steps the person got ahead during step `i` of an action.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "a few")]
-    pub fn moved(walked: &WalkTrace, i: usize) -> i8 {
+    pub(crate) fn moved(walked: &WalkTrace, i: usize) -> i8 {
         let before = if i == 0 { &walked.start } else { &walked.places[i - 1] };
         walked.places[i].ahead_of(before) as i8
     }

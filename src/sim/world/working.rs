@@ -72,7 +72,7 @@ impl World {
 
     /// The same in an action of everybody.
     #[must_use]
-    pub fn worked_by(&self, starts: &Places, action: Action) -> Worked {
+    pub(crate) fn worked_by(&self, starts: &Places, action: Action) -> Worked {
         let start = &starts.first;
         let doors = self.works_doors(action);
         let others = action.presses().either(doors);
