@@ -4,7 +4,7 @@
     fmi-hazard bench paper --strategies mcts-dpw,hybrid,random --seeds 100 --format json > first-hazard.json
     tools/first_hazard_chart.py first-hazard.json docs/first-hazard.svg
 
-Reads what `bench paper` or `bench strategies` prints with `--format json`. The same figures give the same drawing.
+Reads what `bench paper` or `fmi-hazard-research strategies` prints with `--format json`. The same figures give the same drawing.
 """
 
 import html
@@ -45,7 +45,7 @@ def read(path):
     for cell in cells:
         rows = {}
         for row in cell["rows"]:
-            if "iterations" in row:  # of `bench strategies`
+            if "iterations" in row:  # of `strategies`
                 rows[row["strategy"]] = tuple(row["iterations"][key] for key in ("mean", "low", "high"))
             else:
                 rows[row["strategy"]] = (row["mean"], *row["mean_interval"])

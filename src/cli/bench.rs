@@ -1,11 +1,10 @@
 //! `fmi-hazard bench`: many seeds of several strategies, each to its first hazard: on one cell, or on the paper's six
-//! beside the paper's own figures. `bench strategies` is in a file of its own.
+//! beside the paper's own figures.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::bench_format::Format;
-use super::bench_strategies;
 use super::exit::{Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Progress};
@@ -18,13 +17,9 @@ use crate::search::Profile;
 use crate::search::mcts_dpw::Parameters;
 
 #[derive(Debug, clap::Args)]
-#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(super) struct Arguments {
-    #[command(subcommand)]
-    other: Option<Other>,
     /// A cell file, an FMU with its cell, or `paper`: the six built-in cells beside the paper's results
-    #[arg(required = true)]
-    path: Option<PathBuf>,
+    path: PathBuf,
     /// Strategies; the last is the reference
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [StrategyName::MctsDpw, StrategyName::Random])]
     strategies: Vec<StrategyName>,
@@ -54,18 +49,7 @@ pub(super) struct Arguments {
     hosting: HostingArguments,
 }
 
-#[derive(Debug, clap::Subcommand)]
-enum Other {
-    /// Compare all strategies on the built-in cells: cost of the first hazard, number of hazards found
-    Strategies(bench_strategies::Arguments),
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let path = match (&arguments.other, &arguments.path) {
-        (Some(Other::Strategies(own)), _) => return bench_strategies::run(own),
-        (None, Some(path)) => path,
-        (None, None) => return Err(Failure::unusable("no cell is named")),
-    };
     let workers = arguments.workers.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
     let parameters =
         arguments.mcts.as_ref().map(|v| Parameters { k: v[0], alpha: v[1], c: v[2], ..Profile::Paper.parameters() });
@@ -78,7 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         parameters,
         workers,
     };
-    let (cells, _folder) = cells(path, &arguments.hosting)?;
+    let (cells, _folder) = cells(&arguments.path, &arguments.hosting)?;
     let total = options.seeds * options.strategies.len() as u64;
     let progress = Mutex::new(Progress::new(total * cells.len() as u64, "runs"));
     let mut campaigns = Vec::with_capacity(cells.len());

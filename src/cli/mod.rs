@@ -6,7 +6,6 @@ mod anywhere;
 mod beginnings;
 mod bench;
 mod bench_format;
-mod bench_strategies;
 mod campaign;
 mod changes;
 mod check;

@@ -197,7 +197,7 @@ impl Groups {
 
     /// Whether there is none.
     #[must_use]
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }
 }

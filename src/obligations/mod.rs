@@ -104,15 +104,6 @@ impl Point {
         Self { about: Some(about.into()), ..self }
     }
 
-    /// Why it is open, if it is.
-    #[must_use]
-    pub(crate) fn why(&self) -> Option<&str> {
-        match &self.standing {
-            Standing::Open { why, .. } => Some(why),
-            Standing::Shown { .. } | Standing::Assumed { .. } => None,
-        }
-    }
-
     /// Tried out so far: assumed if one of these accepts it.
     #[must_use]
     pub(crate) fn tried(assumption: &Assumption, tried: impl Into<String>, accepted: &[Acceptance], fmu: &str) -> Self {

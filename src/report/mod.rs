@@ -30,8 +30,6 @@
 //! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
 //! - [`campaign`]: many seeds of several strategies side by side
 //! - [`survey`], [`survey_pictures`], [`survey_page`]: many scans together, as data, as SVG and as a page
-//! - [`comparison`]: what strategies spend until the first hazard, and how many hazards they find
-//! - [`growth`]: how the number of hazards found grows with the iterations
 
 pub mod advice;
 pub mod anywhere;
@@ -40,7 +38,6 @@ pub(crate) mod assumptions;
 pub(crate) mod baseline;
 pub(crate) mod campaign;
 pub mod cause;
-pub(crate) mod comparison;
 pub(crate) mod criteria;
 pub(crate) mod csv;
 pub(crate) mod difference;
@@ -50,7 +47,6 @@ pub(crate) mod explanation;
 pub(crate) mod fixtures;
 pub(crate) mod floorplan;
 pub(crate) mod foxglove;
-pub(crate) mod growth;
 pub(crate) mod headline;
 mod immovable;
 pub(crate) mod inspection;
@@ -62,7 +58,7 @@ pub mod model;
 pub(crate) mod moved;
 pub(crate) mod narrower;
 pub mod page;
-pub(crate) mod paper;
+pub mod paper;
 mod paragraph;
 pub(crate) mod people;
 pub mod recorded;
@@ -81,7 +77,8 @@ pub(crate) mod whole;
 pub(crate) mod worked;
 
 /// Rows under a header in aligned columns, for a terminal or as Markdown.
-fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {
+#[must_use]
+pub fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {
     let width = |c: usize| rows.iter().map(|r| r[c].len()).max().unwrap_or(0).max(header[c].len());
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let line = |cells: Vec<&str>| {

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 /// Mean iterations to the first hazard, standard deviation, misses of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(crate) struct PaperRow {
+pub struct PaperRow {
     /// Mean.
     pub t: f64,
     /// Standard deviation.
@@ -18,7 +18,7 @@ pub(crate) struct PaperRow {
 
 /// One line of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(crate) struct PaperScenario {
+pub struct PaperScenario {
     /// Name of our cell for it.
     pub cell: &'static str,
     /// Tree search.
@@ -34,7 +34,7 @@ const fn row(t: f64, sigma: f64, misses: u32) -> PaperRow {
 }
 
 /// The table.
-pub(crate) const TABLE: [PaperScenario; 6] = [
+pub const TABLE: [PaperScenario; 6] = [
     PaperScenario { cell: "safety-fence", mcts: row(16.3, 12.8, 0), random: row(37.4, 52.8, 0), random_rate: 0.0267 },
     PaperScenario { cell: "sensor-mat", mcts: row(131.6, 76.6, 1), random: row(203.4, 133.4, 4), random_rate: 0.00295 },
     PaperScenario {

@@ -17,7 +17,6 @@
 //! - [`causes`]: which hazards belong together
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
 //! - [`campaign`]: many seeds in parallel, to the first hazard each
-//! - [`comparison`]: many seeds of many strategies: cost of the first hazard, number of hazards
 //! - [`residual`]: what the random sequences of a search say about hazards that are left
 //! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
@@ -39,7 +38,6 @@ mod arms;
 mod attempts;
 pub(crate) mod campaign;
 pub(crate) mod causes;
-pub(crate) mod comparison;
 mod contact_stop;
 mod cycle;
 pub(crate) mod distance;
@@ -62,7 +60,7 @@ pub mod remedy;
 pub mod residual;
 pub(crate) mod run;
 mod searched;
-mod seeds;
+pub mod seeds;
 mod share;
 pub(crate) mod stepping;
 mod stop_time;

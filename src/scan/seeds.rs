@@ -10,12 +10,16 @@ use crate::host::Hosted;
 use crate::sim::Simulation;
 
 /// What is to be run.
-pub(super) struct SeedRuns<'a> {
+pub struct SeedRuns<'a> {
+    /// Strategies.
     pub strategies: &'a [StrategyName],
+    /// First seed.
     pub first_seed: u64,
+    /// Number of seeds.
     pub seeds: u64,
     /// Check all six postures per walk.
     pub posture_sweep: bool,
+    /// Threads.
     pub workers: usize,
 }
 
@@ -23,7 +27,10 @@ pub(super) struct SeedRuns<'a> {
 ///
 /// What an action does from a state is worked out once for all runs of a thread; `one` gets the simulation at the
 /// beginning of a run.
-pub(super) fn run<T: Send>(
+///
+/// # Errors
+/// When the FMU fails.
+pub fn run<T: Send>(
     prepared: &Prepared,
     runs: &SeedRuns<'_>,
     tell: &(dyn Fn(usize) + Sync),

@@ -211,19 +211,19 @@ fn at_most(hits: u64, n: u64, p: f64) -> f64 {
 
 /// Percentile-bootstrap interval of a mean.
 #[must_use]
-pub(crate) fn mean_interval(x: &[f64], seed: u64) -> Interval {
+pub fn mean_interval(x: &[f64], seed: u64) -> Interval {
     bootstrap(seed, |rng| resampled_mean(x, rng))
 }
 
 /// Percentile-bootstrap interval of the ratio of the means of `x` and `y` (independent samples).
 #[must_use]
-pub(crate) fn ratio_of_means_interval(x: &[f64], y: &[f64], seed: u64) -> Interval {
+pub fn ratio_of_means_interval(x: &[f64], y: &[f64], seed: u64) -> Interval {
     bootstrap(seed, |rng| resampled_mean(x, rng) / resampled_mean(y, rng))
 }
 
 /// Mean.
 #[must_use]
-pub(crate) fn mean(x: &[f64]) -> f64 {
+pub fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / (x.len() as f64).max(1.0)
 }
 

@@ -231,7 +231,7 @@ impl<P: Plant> Simulation<P> {
     /// the different actions of the FMU, told apart by all inputs until then. What earlier runs left behind does not
     /// count; actions that the FMU could not finish are left out.
     #[must_use]
-    pub(crate) fn fmu_steps_of_run(&self) -> u64 {
+    pub fn fmu_steps_of_run(&self) -> u64 {
         (self.imagination.reached() * self.world.cell.steps_per_action) as u64
     }
 
@@ -259,7 +259,7 @@ impl<P: Plant> Simulation<P> {
 
     /// What was seen so far.
     #[must_use]
-    pub(crate) const fn coverage(&self) -> &Coverage {
+    pub const fn coverage(&self) -> &Coverage {
         &self.coverage
     }
 

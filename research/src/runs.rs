@@ -4,23 +4,16 @@
 
 use std::ops::ControlFlow;
 
-use num_bigint::BigUint;
-use num_traits::ToPrimitive as _;
+use fmi_hazard::hazard::Groups;
+use fmi_hazard::host::Hosted;
+use fmi_hazard::scan::prepare::Prepared;
+use fmi_hazard::scan::seeds::{self, SeedRuns};
+use fmi_hazard::scan::{Exhaustive, Method, ScanError, ScanOptions, StateChoice, StrategyName, scan};
+use fmi_hazard::search::Rng;
+use fmi_hazard::sim::Simulation;
 
-use super::exhaustive::census;
-use super::footing::{Footing, not_repeatable};
-use super::hosting::StateChoice;
-use super::options::Exhaustive;
-use super::options::{ScanError, StrategyName};
-use super::prepare::Prepared;
-use super::seeds::{self, SeedRuns};
-use crate::hazard::{Group, Groups};
-use crate::host::Hosted;
-use crate::report::comparison::{Comparison, Spent};
-use crate::report::growth::{Cost, Growth, Truth, checkpoints};
-use crate::search::Rng;
-use crate::sim::Simulation;
-use crate::sim::journal::Journal;
+use crate::comparison::{Comparison, Spent};
+use crate::growth::{Cost, Growth, Truth, checkpoints};
 
 /// What to run.
 #[derive(Clone, Debug)]
@@ -45,15 +38,11 @@ pub(crate) struct ComparisonOptions {
     pub workers: usize,
 }
 
-/// Runs the comparison on one cell; `tell` hears how many runs have ended.
+/// Runs the comparison on one cell.
 ///
 /// # Errors
 /// When the FMU fails.
-pub(crate) fn run(
-    prepared: &Prepared,
-    options: &ComparisonOptions,
-    tell: &(dyn Fn(usize) + Sync),
-) -> Result<Comparison, ScanError> {
+pub(crate) fn run(prepared: &Prepared, options: &ComparisonOptions) -> Result<Comparison, ScanError> {
     let truth = options.truth.map(|how| complete(prepared, how)).transpose()?;
     let truth_missing = truth.as_ref().and_then(|truth| truth.as_ref().err().cloned());
     let truth = truth.and_then(Result::ok);
@@ -65,7 +54,7 @@ pub(crate) fn run(
         workers: options.workers,
     };
     let one = |simulation: &mut _, strategy, seed| one(prepared, simulation, (strategy, seed), options, truth.as_ref());
-    let results = seeds::run(prepared, &runs, tell, one)?;
+    let results = seeds::run(prepared, &runs, &|_| (), one)?;
     let counted = usize::try_from(options.seeds).unwrap_or(1).max(1);
     let name = |s: &StrategyName| s.build().name().to_owned();
     let runs: Vec<(String, Vec<Spent>)> = results.into_iter().map(|(s, spent)| (name(&s), spent)).collect();
@@ -78,38 +67,26 @@ pub(crate) fn run(
 
 /// Every hazard of the cell; or why it is not known.
 fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String>, ScanError> {
-    let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    let mut groups = Groups::default();
-    if let Some(reason) = prepared.unsteady() {
-        return Ok(Err(format!("{}: no recall: {reason}", prepared.cell.name)));
-    }
-    let mut footing = Footing::asked(prepared, StateChoice::Auto, how.merge);
-    let census = loop {
-        let on = (footing, &mut footing.plain(prepared));
-        let found =
-            census(prepared, on, how, Journal::default(), &links, &mut groups, &mut |_| ControlFlow::Continue(()))?;
-        match &found.doubt {
-            None => break found,
-            Some(doubt) => match footing.lower(prepared, doubt.unlike) {
-                Some(next) => (footing, groups) = (next, Groups::default()),
-                None => return Ok(Err(format!("{}: no recall: {}", prepared.cell.name, not_repeatable(doubt)))),
-            },
-        }
+    let options = ScanOptions {
+        method: Method::Exhaustive(how),
+        seed: 1,
+        iterations: 0,
+        stop_at_first: false,
+        posture_sweep: true,
+        state: StateChoice::Auto,
     };
-    if let Some(cause) = census.broken {
-        return Err(ScanError { cause });
-    }
-    let reasons = match census.certificate {
-        Some(_) if census.gaps.is_empty() => {
-            let sequences = |group: &Group| group.sequences.as_ref().and_then(BigUint::to_f64).unwrap_or(0.0);
-            let groups = groups.ranked();
-            let all: f64 = groups.iter().map(|group| sequences(group)).sum();
-            return Ok(Ok(groups.into_iter().map(|group| (group.id.clone(), sequences(group) / all)).collect()));
+    let report = scan(prepared, options, &mut |_| ControlFlow::Continue(()))?.report;
+    let cell = &prepared.cell.name;
+    match &report.certificate {
+        Some(certificate) if certificate.covered == certificate.sequences => {}
+        certificate => {
+            let reasons = certificate.as_ref().map_or_else(String::new, |found| found.reasons.join("; "));
+            return Ok(Err(format!("{cell}: no recall, because the exhaustive search is not complete: {reasons}")));
         }
-        Some(_) => census.gaps.iter().filter_map(|(_, point)| point.why()).collect::<Vec<_>>().join("; "),
-        None => "the FMU failed".to_owned(),
-    };
-    Ok(Err(format!("{}: no recall, because the exhaustive search is not complete: {reasons}", prepared.cell.name)))
+    }
+    let sequences = |count: &Option<String>| count.as_ref().and_then(|count| count.parse::<f64>().ok()).unwrap_or(0.0);
+    let all: f64 = report.hazards.iter().map(|hazard| sequences(&hazard.sequences)).sum();
+    Ok(Ok(report.hazards.into_iter().map(|hazard| (hazard.id.clone(), sequences(&hazard.sequences) / all)).collect()))
 }
 
 /// One run: what it spends until its first hazard, and if it goes on, the number of different hazards.

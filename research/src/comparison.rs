@@ -1,12 +1,12 @@
-//! What `bench strategies` reports: each strategy's cost of the first hazard and the number of hazards it finds.
+//! What is reported of strategies: each strategy's cost of the first hazard and the number of hazards it finds.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::growth::{Growth, checkpoints};
-use crate::search::statistics::{Interval, mean, mean_interval, ratio_of_means_interval, wilson};
+use crate::growth::{Growth, checkpoints};
+use fmi_hazard::search::statistics::{Interval, mean, mean_interval, ratio_of_means_interval, wilson};
 
 /// First columns of [`Comparison::csv`].
 const CSV_HEADER: &str = "cell,strategy,seeds,budget,iterations,iterations_low,iterations_high,\
@@ -318,7 +318,7 @@ pub(crate) fn growth_table(comparisons: &[Comparison], markdown: bool) -> String
             rows.push(row);
         }
     }
-    super::columns(&header, &rows, markdown)
+    fmi_hazard::report::columns(&header, &rows, markdown)
 }
 
 /// A table of several cells, for a terminal or as Markdown.
@@ -354,7 +354,7 @@ pub(crate) fn table(comparisons: &[Comparison], markdown: bool) -> String {
             rows.push(row);
         }
     }
-    super::columns(&header, &rows, markdown)
+    fmi_hazard::report::columns(&header, &rows, markdown)
 }
 
 #[cfg(test)]

@@ -1,18 +1,28 @@
-//! `fmi-hazard bench strategies`: what each strategy spends until its first hazard on the built-in cells, and how many
-//! hazards it finds with a whole budget.
+//! `strategies`: what each strategy spends until its first hazard on the built-in cells, and how many hazards it finds with a whole
+//! budget.
 
-use std::sync::{Mutex, PoisonError};
+use std::error::Error;
 
-use super::bench_format::Format;
-use super::exit::{Failure, NO_HAZARD};
-use super::output::{self, Progress};
-use crate::report::comparison::{Comparison, csv_header, growth_table, table};
-use crate::report::paper;
-use crate::scan::comparison::{self, ComparisonOptions};
-use crate::scan::prepare::prepare;
-use crate::scan::{Exhaustive, StrategyName};
-use crate::search::exhaustive::Budget;
-use crate::sim::expansion::Merge;
+use clap::ValueEnum;
+use fmi_hazard::report::paper;
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::{Exhaustive, StrategyName};
+use fmi_hazard::search::exhaustive::Budget;
+use fmi_hazard::sim::expansion::Merge;
+
+use crate::comparison::{Comparison, csv_header, growth_table, table};
+use crate::note;
+use crate::runs::{self, ComparisonOptions};
+
+/// How tables are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Format {
+    #[default]
+    Table,
+    Json,
+    Csv,
+    Md,
+}
 
 const ALL: [StrategyName; 4] = [StrategyName::Hybrid, StrategyName::Plan, StrategyName::MctsDpw, StrategyName::Random];
 
@@ -20,7 +30,7 @@ const ALL: [StrategyName; 4] = [StrategyName::Hybrid, StrategyName::Plan, Strate
 const TRUTH_BUDGET: Budget = Budget { states: 20_000_000, bytes: 4_000_000_000, work: u64::MAX, drop: true };
 
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {
+pub(crate) struct Arguments {
     /// Strategies
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = ALL)]
     strategies: Vec<StrategyName>,
@@ -54,13 +64,16 @@ pub(super) struct Arguments {
     format: Format,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let known: Vec<&str> = paper::TABLE.iter().map(|s| s.cell).collect();
-    if let Some(unknown) = arguments.cells.iter().find(|c| !known.contains(&c.as_str())) {
-        return Err(Failure::unusable(format!("`{unknown}` is no built-in cell; there are {}", known.join(", "))));
+/// Runs the comparison, and gives it in the format that is asked for.
+///
+/// # Errors
+/// When a cell is unknown, its FMU fails, or a file cannot be written.
+pub(crate) fn run(arguments: &Arguments) -> Result<String, Box<dyn Error>> {
+    let known: Vec<&str> = paper::TABLE.iter().map(|scenario| scenario.cell).collect();
+    if let Some(unknown) = arguments.cells.iter().find(|cell| !known.contains(&cell.as_str())) {
+        return Err(format!("`{unknown}` is no built-in cell; there are {}", known.join(", ")).into());
     }
-    let wanted = |cell: &&str| arguments.cells.is_empty() || arguments.cells.iter().any(|c| c == cell);
-    let cells: Vec<&str> = known.into_iter().filter(wanted).collect();
+    let wanted = |cell: &&str| arguments.cells.is_empty() || arguments.cells.iter().any(|name| name == cell);
     let workers = arguments.workers.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
     let options = ComparisonOptions {
         strategies: arguments.strategies.clone(),
@@ -73,33 +86,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         posture_sweep: arguments.posture_sweep,
         workers,
     };
-    let folder = tempfile::tempdir().map_err(Failure::unusable)?;
-    crate::examples::export(folder.path()).map_err(Failure::unusable)?;
-    let each = options.seeds.max(options.coverage_seeds) * options.strategies.len() as u64;
-    let progress = Mutex::new(Progress::new(each * cells.len() as u64, "runs"));
-    let mut comparisons = Vec::with_capacity(cells.len());
-    for (before, cell) in (0..).step_by(usize::try_from(each).unwrap_or(1).max(1)).zip(cells) {
+    let folder = tempfile::tempdir()?;
+    fmi_hazard::examples::export(folder.path())?;
+    let mut comparisons = Vec::new();
+    for cell in known.into_iter().filter(wanted) {
+        note(&format!("{cell}: {} seeds of {} strategies", options.seeds, options.strategies.len()));
         let prepared = prepare(&folder.path().join(cell).join("cell.toml"), None)?;
-        let tell = |done: usize| {
-            let done: usize = before + done;
-            progress.lock().unwrap_or_else(PoisonError::into_inner).at(done as u64, cell);
-        };
-        if arguments.truth {
-            output::note(&format!("  Looking at every sequence of {cell}, then at what strategies find of it"));
-        }
-        let comparison = comparison::run(&prepared, &options, &tell)?;
-        comparison.notes.iter().for_each(|note| output::note(&format!("  Note      {note}")));
+        let comparison = runs::run(&prepared, &options)?;
+        comparison.notes.iter().for_each(|told| note(told));
         comparisons.push(comparison);
     }
-    progress.lock().unwrap_or_else(PoisonError::into_inner).finish();
-    let print = if matches!(arguments.format, Format::Json) { output::json } else { output::result };
-    print(&render(&comparisons, arguments)?);
-    Ok(NO_HAZARD)
+    render(&comparisons, arguments)
 }
 
-fn render(comparisons: &[Comparison], arguments: &Arguments) -> Result<String, Failure> {
+fn render(comparisons: &[Comparison], arguments: &Arguments) -> Result<String, Box<dyn Error>> {
     Ok(match arguments.format {
-        Format::Json => output::pretty(comparisons)?,
+        Format::Json => serde_json::to_string_pretty(comparisons)? + "\n",
         Format::Csv => csv_header(arguments.iterations) + &comparisons.iter().map(Comparison::csv).collect::<String>(),
         Format::Md => table(comparisons, true) + "\n" + &growth_table(comparisons, true),
         Format::Table => {
