@@ -241,7 +241,7 @@ pub fn anywhere(prepared: &Prepared, effort: Effort<'_>, tell: &mut Tell<'_>) ->
         until_s: 0.0,
         any_time: false,
         cycle_s: None,
-        speed_criterion: cell.search.criterion,
+        speed_criterion: cell.criteria.speed(),
         cell_m: 2.0 * CELL_M,
         body_tolerance_m: BODY_TOLERANCE_M,
         arm_tolerance_m: 2.0 * cell.arm().hand_tolerance_m(cell.search.reach_tolerance_m),

@@ -212,7 +212,7 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         action_s: ACTION_S,
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
-        speed_criterion: prepared.cell.search.criterion,
+        speed_criterion: prepared.cell.criteria.speed(),
         criteria: criteria(&prepared.cell),
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
         held_m: prepared.cell.holds_m(),

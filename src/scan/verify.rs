@@ -208,7 +208,7 @@ impl Place {
 /// What a scan of the cell would look for, but from where and how long.
 fn looks(cell: &Workcell) -> Looks {
     Looks {
-        speed_criterion: cell.search.criterion,
+        speed_criterion: cell.criteria.speed(),
         criteria: criteria(cell),
         arm_speed_m_s: cell.arm_speed_m_s,
         held_m: cell.holds_m(),

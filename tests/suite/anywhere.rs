@@ -645,7 +645,7 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     assert!(std::fs::read(dir.join("out/anywhere/anywhere/anywhere.json")).unwrap() == before);
     // What is not known from anywhere counts, too.
     let slow = strip(&cell(0.45, "")).replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02");
-    write(dir, "approach.toml", &slow.replace("[search]\n", "[search]\ncriterion = \"approach\"\n"));
+    write(dir, "approach.toml", &slow.replace("[search]\n", "[criteria]\ntransient_force = \"approach\"\n[search]\n"));
     ran(&["scan", "approach.toml", "--until", "1s"], 4);
     // What only a scan from the start has is of that alone: nobody is hit, nor near.
     ran(&["scan", "cell.toml", "--iterations", "3"], 4);

@@ -81,7 +81,7 @@ const CASES: [Case; 9] = [
     },
     Case {
         name: "other-speed",
-        changes: &[SLOW, ("actions = 2", "actions = 2\ncriterion = \"approach\"")],
+        changes: &[SLOW, ("[human]", "[criteria]\ntransient_force = \"approach\"\n[human]")],
         verify: (4, "the changed cell judges the force by another speed"),
         // Who walks against the slow bar is hit harder than the limit then.
         compare: Some((1, "the second scan judges the force by another speed")),

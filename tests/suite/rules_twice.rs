@@ -289,7 +289,7 @@ fn a_robot_that_draws_back_from_a_face() {
     if !sample::is_turn(0, 2) {
         return;
     }
-    let [absolute, approach] = ["", "criterion = \"approach\"\n"].map(|criterion| {
+    let [absolute, approach] = ["", "[criteria]\ntransient_force = \"approach\"\n"].map(|criterion| {
         let start = "start = { xy_m = [0.3, -0.32], heading_deg = 90 }\nbegins_s = [3.9]\n[search]\nactions = 2\n";
         example(
             "head-collision",

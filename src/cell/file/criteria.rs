@@ -29,7 +29,7 @@ impl Checker<'_> {
     /// What counts as unsafe.
     pub(super) fn criteria(&self, file: &CellFile) -> Option<Chosen> {
         let table = &file.criteria;
-        let speed = self.problems.keep(self.speed(file));
+        let speed = Self::speed(file);
         let clamping = self.problems.keep(self.clamping(file));
         let moving = match &table.moving_contact {
             None => Some(None),
@@ -41,7 +41,7 @@ impl Checker<'_> {
         };
         let (clamping, separation) = (clamping?, separation?);
         let criteria = Criteria {
-            transient_force: speed?,
+            transient_force: speed,
             clamping: clamping.is_some(),
             pressure: table.pressure,
             moving_contact_m_s: moving?,
@@ -58,21 +58,11 @@ impl Checker<'_> {
         Some(Chosen { criteria, clamping: clamping.unwrap_or_default(), separation })
     }
 
-    /// By which speed forces count.
-    fn speed(&self, file: &CellFile) -> Result<Option<Criterion>, Box<CellError>> {
-        let of_search = file.search.criterion;
-        let Some(chosen) = &file.criteria.transient_force else { return Ok(Some(of_search)) };
-        match *chosen.get_ref() {
-            SpeedOrOff::Counts(false) => Ok(None),
-            SpeedOrOff::Counts(true) => Ok(Some(of_search)),
-            SpeedOrOff::By(speed) => {
-                let agree = speed == of_search || of_search == Criterion::default();
-                self.that(agree, chosen.span(), || {
-                    let message = "`transient_force` here and `criterion` in [search] say different speeds".to_owned();
-                    (message, "keep one of them: `transient_force` is the newer".to_owned())
-                })?;
-                Ok(Some(speed))
-            }
+    /// By which speed forces count, if they do.
+    fn speed(file: &CellFile) -> Option<Criterion> {
+        match file.criteria.transient_force.as_ref().map_or(SpeedOrOff::Counts(true), |chosen| *chosen.get_ref()) {
+            SpeedOrOff::Counts(counts) => counts.then(Criterion::default),
+            SpeedOrOff::By(speed) => Some(speed),
         }
     }
 

@@ -17,8 +17,6 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use toml::Spanned;
 
-use crate::hazard::Criterion;
-
 pub(crate) use accept::{AcceptTable, Acceptable};
 pub(crate) use criteria::{ContactTable, CriteriaTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff};
 pub(crate) use explain::{ExplainTable, ParameterLimits};
@@ -212,14 +210,11 @@ pub struct SearchTable {
     pub seed: u64,
     /// No contact deeper than this is missed by the arm check, m.
     pub reach_tolerance_m: f64,
-    /// Which speed makes the force that decides: the robot's own, as in the paper, or that of approach, the person's walking
-    /// included. The same as `transient_force` in `criteria`.
-    pub criterion: Criterion,
 }
 
 impl Default for SearchTable {
     fn default() -> Self {
-        Self { iterations: 320, actions: 8, seed: 1, reach_tolerance_m: 0.02, criterion: Criterion::Absolute }
+        Self { iterations: 320, actions: 8, seed: 1, reach_tolerance_m: 0.02 }
     }
 }
 

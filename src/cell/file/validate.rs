@@ -104,7 +104,6 @@ impl Checker<'_> {
         let baseline = self.problems.keep(self.baseline(&file.fail_on));
         let ((), ()) = (known?, budget?);
         let ((step_s, steps_per_action), chosen) = (step?, chosen?);
-        let search = SearchTable { criterion: chosen.criteria.speed(), ..file.search };
         let second = match second {
             Some(second) => Some(second?),
             None => None,
@@ -146,7 +145,7 @@ impl Checker<'_> {
             criteria: chosen.criteria,
             clamping: chosen.clamping,
             separation: chosen.separation,
-            search,
+            search: file.search,
             baseline: baseline?,
             accepted,
             file: Arc::new(file),

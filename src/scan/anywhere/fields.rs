@@ -90,6 +90,7 @@ impl Fields {
             separation,
             search,
         } = cell;
+        let SearchTable { iterations: _, actions: _, seed: _, reach_tolerance_m: _ } = search;
         keys(file);
         robots.iter().for_each(robot);
         links.iter().for_each(link);
@@ -100,7 +101,7 @@ impl Fields {
             pose: !pose.is_empty(),
             reported: sensors.iter().any(|sensor| matches!(sensor.zone, Zone::Reported)),
             also: repertoire.abilities().iter().map(|ability| ability.words()).collect(),
-            by_approach: approaches(search),
+            by_approach: approaches(criteria),
             by_others: others(cell, criteria, clamping, separation.as_ref()),
             planes: sensors.iter().any(|sensor| sensor.zone.plane().is_some()),
             ..Self::default()
@@ -163,12 +164,10 @@ fn control(Control { name: _, place: _, by, kind, steps: _, door: _ }: &Control)
 }
 
 /// Whether the speed of approach decides.
-fn approaches(
-    SearchTable { iterations: _, actions: _, seed: _, reach_tolerance_m: _, criterion }: &SearchTable,
-) -> bool {
-    match criterion {
-        Criterion::Absolute => false,
-        Criterion::Approach => true,
+fn approaches(criteria: &Criteria) -> bool {
+    match criteria.transient_force {
+        None | Some(Criterion::Absolute) => false,
+        Some(Criterion::Approach) => true,
     }
 }
 

@@ -138,7 +138,7 @@ fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
         action_s: ACTION_S,
         contact_check_interval_s: prepared.cell.step_s,
         reach_tolerance_m: search.reach_tolerance_m,
-        speed_criterion: search.criterion,
+        speed_criterion: prepared.cell.criteria.speed(),
         criteria: None,
         arm_speed_m_s: prepared.cell.arm_speed_m_s,
         held_m: prepared.cell.holds_m(),

@@ -163,7 +163,7 @@ fn counts(criteria: &Criteria, separation: Option<&Separation>, search: &SearchT
         let Separation { stop: _, intrusion_m: _, person_uncertainty_m: _, robot_uncertainty_m: _, approach_m_s: _ } =
             separation;
     }
-    let SearchTable { iterations: _, actions: _, seed: _, reach_tolerance_m: _, criterion: _ } = search;
+    let SearchTable { iterations: _, actions: _, seed: _, reach_tolerance_m: _ } = search;
 }
 
 /// Worked in any action, by whoever may.

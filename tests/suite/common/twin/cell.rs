@@ -206,7 +206,8 @@ impl Cell {
         let lead_in = (0..10_000).find(|n| f64::from(*n) * step > begins - 0.5 * step).expect("soon");
         let search = |key: &str| file.get("search").and_then(|s| s.get(key));
         let tolerance = search("reach_tolerance_m").map_or(0.02, number);
-        let criterion = match search("criterion").map(|c| c.as_str().expect("a text")) {
+        let speed = file.get("criteria").and_then(|criteria| criteria.get("transient_force"));
+        let criterion = match speed.map(|speed| speed.as_str().expect("a text")) {
             None | Some("absolute") => Criterion::Absolute,
             Some("approach") => Criterion::Approach,
             Some(other) => panic!("no criterion: {other}"),

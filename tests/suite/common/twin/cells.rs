@@ -48,7 +48,7 @@ impl Gantry {
     fn text(&self) -> String {
         let Self { base, slides, links, mass, tables, parameters, start, begins, actions, approach, held } = self;
         let held = if *held > 0.0 { format!("held_m = {held:?}\n") } else { String::new() };
-        let criterion = if *approach { "criterion = \"approach\"\n" } else { "" };
+        let criterion = if *approach { "[criteria]\ntransient_force = \"approach\"\n" } else { "" };
         let [mut joints, mut shapes, mut motion] = [const { String::new() }; 3];
         for (i, [stroke, speed, phase]) in (1..).zip(slides) {
             joints += &format!(
