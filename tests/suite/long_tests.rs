@@ -17,9 +17,13 @@ fn ignored(text: &str) -> Vec<(String, String)> {
 #[test]
 fn what_only_the_long_run_has_is_listed_with_its_reason() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut files: Vec<_> =
-        std::fs::read_dir(root.join("tests/suite")).unwrap().map(|file| file.unwrap().path()).collect();
-    files.sort();
+    let in_folder = |folder: &str| {
+        let mut files: Vec<_> =
+            std::fs::read_dir(root.join(folder)).unwrap().map(|file| file.unwrap().path()).collect();
+        files.sort();
+        files
+    };
+    let files = [in_folder("tests/suite"), in_folder("research/tests")].concat();
     let (mut lines, mut all) = (Vec::new(), String::new());
     for file in files.iter().filter(|file| file.extension().is_some_and(|extension| extension == "rs")) {
         let text = std::fs::read_to_string(file).unwrap();
