@@ -78,7 +78,7 @@ fn complete(prepared: &Prepared, how: Exhaustive) -> Result<Result<Truth, String
     let report = scan(prepared, options, &mut |_| ControlFlow::Continue(()))?.report;
     let cell = &prepared.cell.name;
     match &report.certificate {
-        Some(certificate) if certificate.covered == certificate.sequences => {}
+        Some(certificate) if certificate.complete => {}
         certificate => {
             let reasons = certificate.as_ref().map_or_else(String::new, |found| found.reasons.join("; "));
             return Ok(Err(format!("{cell}: no recall, because the exhaustive search is not complete: {reasons}")));
