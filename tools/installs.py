@@ -3,7 +3,7 @@
 
     tools/installs.py [DIST]     DIST: the folder with it (default: target/dist)
 
-The wheel goes into a fresh environment of Python in which nothing else is on the PATH: the demo, the notebook, and a notebook whose
+The wheel goes into a fresh environment of Python in which nothing else is on the PATH: an example, the notebook, and a notebook whose
 stop button is pressed. The program that cargo installed from its package, and the one in the archive, run where nothing is on the
 PATH at all. All of them find the same in a short scan, and have the same example FMUs.
 """
@@ -31,13 +31,13 @@ def timed(what, began):
     print(f"  {time.monotonic() - began:5.1f} s  {what}", flush=True)
 
 
-def demo(program, folder, environment):
-    """Runs the demo, which ends with hazards found."""
+def example(program, folder, environment):
+    """Runs an example, which ends with hazards found."""
     folder.mkdir()
-    run = subprocess.run([program, "demo"], cwd=folder, env=environment, capture_output=True, text=True)
+    run = subprocess.run([program, "examples", "run"], cwd=folder, env=environment, capture_output=True, text=True)
     if run.returncode != 1 or "fmi-hazard explain" not in run.stderr:
-        sys.exit(f"{program} demo: exit code {run.returncode}\n{run.stdout}{run.stderr}")
-    assert (folder / "out/demo/safety-fence/report.html").exists()
+        sys.exit(f"{program} examples run: exit code {run.returncode}\n{run.stdout}{run.stderr}")
+    assert (folder / "out/examples/safety-fence/report.html").exists()
 
 
 def found(program, folder, environment):
@@ -74,9 +74,9 @@ def main():
         began = time.monotonic()
         environment = clean(folder, own / "bin")
         # By its name: it is on the PATH of that environment.
-        demo("fmi-hazard", folder / "wheel", environment)
+        example("fmi-hazard", folder / "wheel", environment)
         expected = found("fmi-hazard", folder / "wheel", environment)
-        timed("its demo runs", began)
+        timed("an example runs", began)
         began = time.monotonic()
         notebook = ROOT / "python/examples/first_scan.ipynb"
         subprocess.run([own / "bin/python", ROOT / "python/tests/run_notebooks.py", notebook], cwd=folder, env=environment, check=True)

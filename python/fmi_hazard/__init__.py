@@ -6,16 +6,14 @@
     scan.hazards_frame()
     scan                      # in a notebook: the report
 
-Whatever is found is found by the program; nothing is computed here. The types of what it writes are in `fmi_hazard.types`,
-cells as environments of Gymnasium in `fmi_hazard.gym`.
+Whatever is found is found by the program; nothing is computed here. The types of what it writes are in `fmi_hazard.types`.
 """
 
 from ._program import program
 from ._results import Answer, Scan, read_scan
 from ._running import Running
-from .commands import check, compare, explain, export_examples, replay, scan, start_explain, start_scan, verify
+from .commands import check, compare, explain, export_examples, replay, replay_changed, scan, start_explain, start_scan
 from .errors import FmiHazardError, FmuFailedError, UsageError
-from .stepping import Stepper
 
 __all__ = [
     "Answer",
@@ -23,7 +21,6 @@ __all__ = [
     "FmuFailedError",
     "Running",
     "Scan",
-    "Stepper",
     "UsageError",
     "check",
     "compare",
@@ -32,8 +29,8 @@ __all__ = [
     "program",
     "read_scan",
     "replay",
+    "replay_changed",
     "scan",
     "start_explain",
     "start_scan",
-    "verify",
 ]

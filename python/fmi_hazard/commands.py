@@ -11,7 +11,7 @@ from typing import Any, Unpack
 
 from ._results import Answer, Scan, as_answer
 from ._running import HAZARDS, INCONCLUSIVE, INTERRUPTED, Ended, Running, failed, wait
-from .options import CheckOptions, ExplainOptions, ReplayOptions, ScanOptions, VerifyOptions
+from .options import ChangedOptions, CheckOptions, ExplainOptions, ReplayOptions, ScanOptions
 from .types import Check, Comparison, Event, Explanation, ReplayedHazard, VerifiedHazard
 
 PathLike = str | os.PathLike[str]
@@ -51,14 +51,16 @@ def compare(before: Scan | PathLike, after: Scan | PathLike) -> Answer[Compariso
     return _printed("compare", [_folder(before), _folder(after)], {})
 
 
-def verify(scan: Scan | PathLike, path: PathLike, **options: Unpack[VerifyOptions]) -> Answer[list[VerifiedHazard]]:
-    """Tries the hazards of a scan again in a changed cell. Exit code 1 if one is still there, 4 if one is not shown to be gone."""
-    return _printed("verify", [_folder(scan), path], options)
-
-
 def replay(scan: Scan | PathLike, id: str = "all", **options: Unpack[ReplayOptions]) -> Answer[list[ReplayedHazard]]:
     """Simulates recorded hazards again and says whether they reproduce. Exit code 1 if one does, 4 if none could be tried."""
     return _printed("replay", [_folder(scan), id], options)
+
+
+def replay_changed(
+    scan: Scan | PathLike, changed: PathLike, id: str = "all", **options: Unpack[ChangedOptions]
+) -> Answer[list[VerifiedHazard]]:
+    """Tries the hazards of a scan again in a changed cell. Exit code 1 if one is still there, 4 if one is not shown to be gone."""
+    return _printed("replay", [_folder(scan), id, f"--changed={os.fspath(changed)}"], options)
 
 
 def export_examples(folder: PathLike) -> list[Path]:

@@ -73,8 +73,8 @@ class ExplainOptions(Hosting, total=False):
     workers: int
 
 
-class VerifyOptions(Hosting, total=False):
-    """Of `verify`."""
+class ChangedOptions(Hosting, total=False):
+    """Of `replay --changed`."""
 
     cell: File
     junit: File

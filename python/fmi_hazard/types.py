@@ -3460,7 +3460,7 @@ class ScanReport(TypedDict):
 
 class Commands(TypedDict):
     """
-    Each property is what the command of this name prints with `--format json`, but for `progress` and `anywhere`.
+    Each property is what the command of this name prints with `--format json`, but for the last three.
     """
 
     anywhere: Anywhere
@@ -3491,11 +3491,11 @@ class Commands(TypedDict):
     """
     `replay`: an entry a hazard.
     """
+    replay_changed: list[VerifiedHazard]
+    """
+    `replay --changed`: a row a hazard.
+    """
     scan: ScanReport
     """
     `scan`: scan.json, as in the schema of its own.
-    """
-    verify: list[VerifiedHazard]
-    """
-    `verify`: a row a hazard.
     """

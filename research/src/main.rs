@@ -1,11 +1,13 @@
 //! What the makers of fmi-hazard measure it with, and no user installs: `fmi-hazard-research strategies` compares the strategies of its
-//! search.
+//! search, and `fmi-hazard-research step` lets other programs search (`research/peers`).
 //!
 //! It uses the program as a library, by what that offers everybody; the figures of the book come from it.
 
 mod comparison;
 mod growth;
 mod runs;
+mod step;
+mod stepping;
 mod strategies;
 
 use std::process::ExitCode;
@@ -18,15 +20,17 @@ use clap::Parser as _;
 enum Command {
     /// Compare all strategies on the built-in cells: cost of the first hazard, number of hazards found
     Strategies(strategies::Arguments),
+    /// Step a cell as another program asks, in lines of JSON: for searches of others, and for learning agents
+    Step(step::Arguments),
 }
 
 fn main() -> ExitCode {
-    let Command::Strategies(arguments) = Command::parse();
-    match strategies::run(&arguments) {
-        Ok(text) => {
-            tell(&text);
-            ExitCode::SUCCESS
-        }
+    let done = match Command::parse() {
+        Command::Strategies(arguments) => strategies::run(&arguments).map(|text| tell(&text)),
+        Command::Step(arguments) => step::run(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             note(&format!("Error: {error}"));
             ExitCode::from(2)

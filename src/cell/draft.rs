@@ -352,12 +352,12 @@ fn sensors(out: &mut Out, interface: &Interface<'_>) {
             }
             Role::SensorInput { active: Some(active) } | Role::SensorOutput { active: Some(active) } => {
                 out.line(&format!(
-                    "active = {active} # GUESS {:.2}: its value while a person is detected; `fmi-hazard probe` tries it",
+                    "active = {active} # GUESS {:.2}: its value while a person is detected; `fmi-hazard inspect --run` tries it",
                     guess.confidence
                 ));
             }
             _ => out.line(&format!(
-                "# active = false {TODO} its value while a person is detected; `fmi-hazard probe` tries it"
+                "# active = false {TODO} its value while a person is detected; `fmi-hazard inspect --run` tries it"
             )),
         }
         match kind {

@@ -209,7 +209,8 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
     }
     for sensor in &cell.sensors {
         let reaction = found.and_then(|found| found.reactions.iter().find(|reaction| reaction.input == sensor.name));
-        let said = reaction.map_or_else(String::new, |reaction| format!("; {}", super::probe::words(reaction, "m/s")));
+        let said =
+            reaction.map_or_else(String::new, |reaction| format!("; {}", super::inspect::words(reaction, "m/s")));
         lines.push(format!("  sensor    {} ({} = person){said}", sensor.name, sensor.signal));
     }
     for control in &cell.controls {
@@ -229,12 +230,12 @@ fn summary(prepared: &Prepared, found: Option<&Probe>) -> String {
     ));
     if let Some(found) = found {
         lines.extend(
-            found.together.iter().map(|all| format!("  sensors   all together: {}", super::probe::words(all, "m/s"))),
+            found.together.iter().map(|all| format!("  sensors   all together: {}", super::inspect::words(all, "m/s"))),
         );
-        lines.extend(found.reported.iter().map(super::probe::reported_words));
+        lines.extend(found.reported.iter().map(super::inspect::reported_words));
         let run_s = number(found.run_s);
         lines.push(format!("  moves     up to {:.2} m/s in {run_s} s while nobody is detected", found.fastest_m_s));
-        lines.extend(super::probe::shortened(found.run_s));
+        lines.extend(super::inspect::shortened(found.run_s));
     }
     lines.join("\n") + "\n"
 }

@@ -56,6 +56,13 @@ pub(super) struct Elsewhere {
     fmu: Option<PathBuf>,
 }
 
+impl Elsewhere {
+    /// The cell file that is named.
+    pub(super) fn cell(&self) -> Option<&Path> {
+        self.cell.as_deref()
+    }
+}
+
 /// What was scanned, again: from where it was, or from where it is now, with the person where they began. Warns of what is not as it
 /// was.
 pub(super) fn prepare(scan: &mut Recorded, elsewhere: &Elsewhere, hosting: &Hosting) -> Result<Prepared, Failure> {

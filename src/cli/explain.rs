@@ -6,7 +6,7 @@ use super::changes::Telling;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
-use super::scan_arguments::{From, MOST_STATES, PRESSES, UNTIL, from_environment, until};
+use super::scan_arguments::{From, MOST_STATES, PRESSES, UNTIL, until};
 use super::{earlier, output, stopping};
 use crate::host::PlantError;
 use crate::report::advice::Remedy;
@@ -37,8 +37,7 @@ pub(super) struct Arguments {
     /// changes of what restarts by itself as far as a scan from anywhere follows them. Ctrl-C ends it and keeps what is known by then
     #[arg(long, conflicts_with_all = ["no_changes", "quick", "max_states", "max_work"])]
     complete: bool,
-    /// Where people come from before a change is called enough: its starts alone say less (default: FMI_HAZARD_FROM in the environment,
-    /// else both)
+    /// Where people come from before a change is called enough: its starts alone say less [default: both]
     #[arg(long, value_enum)]
     from: Option<From>,
     /// From anywhere: how long after the start of the FMU [default: 4s]
@@ -70,7 +69,6 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let mut recorded = earlier::read(&arguments.scan)?;
     earlier::hazard(&recorded, &arguments.id, &arguments.scan)?;
-    let from = arguments.from.map_or_else(from_environment, |from| Ok(Some(from)))?;
     let stop = Stop::default();
     let hosting = arguments.hosting.heeding(&stop)?;
     output::phase("running the hazard's sequences again");
@@ -105,7 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     if !arguments.no_changes {
         output::note("  Trying changes of the cell. Ctrl-C ends that and keeps what is known by then");
-        explanation.remedies = match changes(arguments, from, &prepared, hazard, &recorded.hazards) {
+        explanation.remedies = match changes(arguments, arguments.from, &prepared, hazard, &recorded.hazards) {
             Err(error) if error.stopped => Vec::new(),
             changes => changes.map_err(failed)?,
         };

@@ -7,13 +7,11 @@ use clap::Command;
 use super::output;
 
 /// What one does with a cell, in this order, and the commands for it.
-const GROUPS: [(&str, &[&str]); 6] = [
-    ("Look at an FMU", &["inspect", "probe", "selftest"]),
-    ("Set up a cell", &["init", "check", "distance", "pack", "examples", "schema"]),
-    ("Scan it", &["scan", "campaign", "demo", "bench", "step"]),
-    ("Understand what was found", &["explain", "replay", "report"]),
-    ("Decide whether it is mended", &["verify", "compare"]),
-    ("Besides", &["manual", "help"]),
+const GROUPS: [(&str, &[&str]); 4] = [
+    ("Begin", &["examples", "inspect", "init", "check", "distance", "pack"]),
+    ("Scan", &["scan", "campaign", "bench"]),
+    ("Understand what was found, and whether a change helps", &["explain", "replay", "report", "compare"]),
+    ("Besides", &["help"]),
 ];
 
 /// The same command, whose help lists its subcommands in groups.

@@ -39,6 +39,17 @@ impl Default for HostingArguments {
 }
 
 impl HostingArguments {
+    /// An option of these that was given, and is not as it is anyway.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--in-process", self.in_process),
+            ("--trust-fmu", self.trust_fmu),
+            ("--fmu-timeout", self.fmu_timeout != TIMEOUT),
+            ("--fmu-memory", self.fmu_memory != MEMORY_MB),
+        ];
+        given.into_iter().find(|(_, is)| *is).map(|(option, _)| option)
+    }
+
     /// Hands on the options that change what an FMU can do, and so what comes out.
     pub(super) fn told(&self, add: &mut dyn FnMut(&str, Option<String>)) {
         if self.trust_fmu {

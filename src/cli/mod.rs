@@ -7,10 +7,10 @@ mod beginnings;
 mod bench;
 mod bench_format;
 mod campaign;
+mod changed_cell;
 mod changes;
 mod check;
 mod compare;
-mod demo;
 mod distance;
 mod earlier;
 mod events;
@@ -25,7 +25,6 @@ mod manual;
 mod output;
 mod pack;
 mod printed;
-mod probe;
 mod recording;
 mod reference;
 mod replay;
@@ -35,11 +34,8 @@ mod resume;
 mod scan;
 mod scan_arguments;
 mod schema;
-mod selftest;
-mod step;
 mod stopping;
 mod subject;
-mod verify;
 
 use std::process::ExitCode;
 
@@ -60,9 +56,7 @@ struct Arguments {
 enum Command {
     /// Search a cell for hazards
     Scan(scan::Arguments),
-    /// Run the built-in example cell: export it, scan it, show what was found
-    Demo(demo::Arguments),
-    /// Simulate a recorded hazard again and say whether it reproduces
+    /// Simulate recorded hazards again and say whether they reproduce; with --changed, try them in a changed cell
     Replay(replay::Arguments),
     /// Write the report of an earlier scan again, with the replays that are asked for
     Report(report::Arguments),
@@ -70,9 +64,7 @@ enum Command {
     Explain(explain::Arguments),
     /// Compare two scans: what is fixed, the same, worse, new. Exit code 1 if something is new or worse, 4 if that is not shown
     Compare(compare::Arguments),
-    /// Try known hazards again in a changed cell, from where they began. Exit code 1 if one is still there, 4 if one is not shown to be gone
-    Verify(verify::Arguments),
-    /// Show what an FMU is, without loading it
+    /// Show what an FMU is, without loading it; with --run what it does and which inputs stop it, with --self-test what its state is worth
     Inspect(inspect::Arguments),
     /// Write a first cell file for an FMU, with what is guessed marked and what is missing to be filled in
     Init(init::Arguments),
@@ -80,22 +72,18 @@ enum Command {
     Check(check::Arguments),
     /// Put a cell file and its geometry into a copy of its FMU, which can then be scanned alone
     Pack(pack::Arguments),
-    /// Run an FMU: whether it moves, repeats itself, and which inputs stop it, after how long, with which polarity
-    Probe(probe::Arguments),
     /// Compare how far safeguards stand from the robots with the safety distance of ISO 13855, for the measured stop time
     Distance(distance::Arguments),
     /// Scan many cells, starts, values and bodies, in parts on many machines, and put the results together
     Campaign(campaign::Arguments),
-    /// Try what an FMU's promises about its state are worth
-    Selftest(selftest::Arguments),
     /// Run many seeds of several strategies, each to its first hazard, and compare them
     Bench(bench::Arguments),
-    /// Step a cell as another program asks, in lines of JSON: for searches of others, and for learning agents
-    Step(step::Arguments),
-    /// List or export the built-in example cells
+    /// List, export or scan the built-in example cells
     Examples(examples::Arguments),
+    #[command(hide = true)]
     /// Print the JSON Schema of the cell file, of scan.json, or of what other commands print
     Schema(schema::Arguments),
+    #[command(hide = true)]
     /// Print completions for a shell, or write the manual pages or the reference of the book
     Manual(manual::Arguments),
     /// Serve as a process in which FMUs run: started by this program
@@ -122,22 +110,17 @@ pub fn main() -> ExitCode {
     arguments.verbosity.apply();
     let outcome = match arguments.command {
         Command::Scan(a) => scan::command(&a),
-        Command::Demo(a) => demo::run(&a),
         Command::Replay(a) => replay::run(&a),
         Command::Report(a) => report::run(&a),
         Command::Explain(a) => explain::run(&a),
         Command::Compare(a) => compare::run(&a),
-        Command::Verify(a) => verify::run(&a),
         Command::Inspect(a) => inspect::run(&a),
         Command::Init(a) => init::run(&a),
         Command::Check(a) => check::run(&a),
         Command::Pack(a) => pack::run(&a),
-        Command::Probe(a) => probe::run(&a),
         Command::Distance(a) => distance::run(&a),
         Command::Campaign(a) => campaign::run(&a),
-        Command::Selftest(a) => selftest::run(&a),
         Command::Bench(a) => bench::run(&a),
-        Command::Step(a) => step::run(&a),
         Command::Examples(a) => examples::run(&a),
         Command::Schema(a) => schema::run(&a),
         Command::Manual(a) => manual::run::<Arguments>(&a),

@@ -142,13 +142,6 @@ pub(super) fn json_of(what: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints it as JSON in one line, at once.
-pub(super) fn json_line(what: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
-    json(&(serde_json::to_string(what).map_err(Failure::unusable)? + "\n"));
-    let _ = std::io::stdout().lock().flush();
-    Ok(())
-}
-
 /// What is being done, for [`phase`], since when, and when something was last printed.
 static PHASE: Mutex<Option<Phase>> = Mutex::new(None);
 

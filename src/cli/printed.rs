@@ -12,7 +12,7 @@ use crate::report::explanation::Explanation;
 use crate::report::model::ScanReport;
 use crate::report::verified;
 
-/// Each property is what the command of this name prints with `--format json`, but for `progress` and `anywhere`.
+/// Each property is what the command of this name prints with `--format json`, but for the last three.
 #[derive(Serialize, JsonSchema)]
 struct Commands<'a> {
     /// `scan`: scan.json, as in the schema of its own.
@@ -25,8 +25,8 @@ struct Commands<'a> {
     explain: Explanation,
     /// `compare`.
     compare: Difference,
-    /// `verify`: a row a hazard.
-    verify: Vec<verified::Row>,
+    /// `replay --changed`: a row a hazard.
+    replay_changed: Vec<verified::Row>,
     /// `replay`: an entry a hazard.
     replay: Vec<replay::Replayed>,
     /// A line on standard error of any command with `--progress json`.

@@ -1,4 +1,4 @@
-//! `fmi-hazard replay`: simulate a recorded hazard again and say whether it reproduces.
+//! `fmi-hazard replay`: simulate recorded hazards again and say whether they reproduce, or in a changed cell whether they are still there.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use super::events::Event;
 use super::exit::{Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
-use super::{earlier, output, recording};
+use super::{changed_cell, earlier, output, recording};
 use crate::hazard::Finding;
 use crate::report::model::{Begin, Hazard};
 use crate::report::recorded::Recorded;
@@ -90,17 +90,25 @@ pub(super) struct Arguments {
     /// A scan.json, or the folder with the results of a scan
     scan: PathBuf,
     /// Id of a hazard in it, or of a cause, or `all`
+    #[arg(default_value = "all")]
     id: String,
+    /// Try the hazards in this changed cell, from where they began: a cell file (.toml), or an FMU with a cell file beside it or inside it,
+    /// or named with --cell. Exit code 1 if one is still there, 4 if one is not shown to be gone
+    #[arg(long, value_name = "CELL", conflicts_with_all = ["fmu", "mcap"])]
+    changed: Option<PathBuf>,
+    /// With --changed: write the result as JUnit XML into this file too
+    #[arg(long, value_name = "FILE", requires = "changed")]
+    pub(super) junit: Option<PathBuf>,
     #[command(flatten)]
-    elsewhere: earlier::Elsewhere,
+    pub(super) elsewhere: earlier::Elsewhere,
     /// Write the hazard as a recording for Foxglove and PlotJuggler
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
     /// How to print the result
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    pub(super) format: Format,
     #[command(flatten)]
-    hosting: HostingArguments,
+    pub(super) hosting: HostingArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
@@ -111,6 +119,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         }
         Ok(vec![earlier::hazard(recorded, &arguments.id, &arguments.scan)?.clone()])
     };
+    if let Some(changed) = &arguments.changed {
+        // Where nothing was known nothing is tried.
+        let known = if recorded.hazards.is_empty() && arguments.id == "all" { Vec::new() } else { wanted(&recorded)? };
+        return changed_cell::run(arguments, &recorded, &known, changed);
+    }
     let count = wanted(&recorded)?.len();
     if let Some(file) = &arguments.mcap {
         recording::possible(count, file)?;

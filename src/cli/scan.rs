@@ -68,7 +68,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let (stop, began) = (Stop::default(), Instant::now());
     let mut prepared = tried_out(arguments, path, &stop)?;
     prepared.warn(wrong_polarities(&prepared));
-    let from = arguments.people_from(&prepared.cell)?;
+    let from = arguments.people_from(&prepared.cell);
     let of_starts = arguments.of_starts().or_else(|| arguments.limit_of_starts());
     if let (From::Anywhere, Some(option)) = (from, of_starts) {
         return Err(Failure::unusable_with_help(
@@ -197,7 +197,7 @@ fn tried_out(arguments: &Arguments, path: &Path, stop: &Stop) -> Result<Prepared
                 time.as_secs_f64()
             ),
             "give it more with --time. Each FMU is run some ten times first, for as long as a sequence takes where its steps are \
-             quick; `fmi-hazard selftest` shows how long its steps take",
+             quick; `fmi-hazard inspect --self-test` shows how long its steps take",
         )),
     }
 }
@@ -624,7 +624,7 @@ mod tests {
         crate::examples::export(folder.path()).unwrap();
         let path = folder.path().join("safety-fence/cell.toml");
         let prepared = prepare_in(&path, None, &Hosting::InProcess(Stop::default())).unwrap();
-        let mut arguments = Arguments::for_demo(path.clone(), folder.path().to_owned(), 1);
+        let mut arguments = Arguments::of_example(path.clone(), folder.path().to_owned(), 1);
         arguments.write_baseline = true;
         let (assessments, stop) = (Assessments::new(), Stop::default());
         let run = Run {

@@ -7,7 +7,6 @@ use std::time::Duration;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use super::exit::Failure;
 use super::hosting::HostingArguments;
 use super::output::Format;
 use crate::cell::Workcell;
@@ -41,9 +40,6 @@ pub(super) enum From {
     /// Anywhere first, then the cell's starts.
     Both,
 }
-
-/// Where people begin, if neither the command line nor the cell file says it.
-const FROM: &str = "FMI_HAZARD_FROM";
 
 /// States of the FMU that a scan from anywhere steps from, unless told otherwise.
 pub(super) const MOST_STATES: usize = 300_000;
@@ -97,7 +93,7 @@ pub(super) struct Arguments {
     /// each with its results in a folder of its own)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) begin: Option<u32>,
-    /// Where people begin (default: what the cell file says, else FMI_HAZARD_FROM in the environment; else both, anywhere with half
+    /// Where people begin (default: what the cell file says, else both, anywhere with half
     /// of the time and results in a folder of its own; the starts alone where they are several, where known hazards are named, or
     /// with options that only such scans have)
     #[arg(long, value_enum)]
@@ -254,7 +250,7 @@ impl Arguments {
     }
 
     /// Where people come from in this cell.
-    pub(super) fn people_from(&self, cell: &Workcell) -> Result<From, Failure> {
+    pub(super) fn people_from(&self, cell: &Workcell) -> From {
         let said = cell.from.map(|from| match from {
             PeopleFrom::Start => From::Start,
             PeopleFrom::Anywhere => From::Anywhere,
@@ -264,8 +260,8 @@ impl Arguments {
         let alone = known || cell.beginnings.len() > 1 || self.of_starts().is_some() || self.format == Format::Json;
         // From anywhere the transient force alone is looked at.
         let alone = alone || !cell.judges_by_force_alone();
-        let usual = || Ok(if alone { From::Start } else { From::Both });
-        self.from.or(said).map_or_else(|| from_environment()?.map_or_else(usual, Ok), Ok)
+        let usual = if alone { From::Start } else { From::Both };
+        self.from.or(said).unwrap_or(usual)
     }
 
     /// An option that only a scan from the cell's starts has.
@@ -334,7 +330,7 @@ impl Arguments {
     pub(super) fn advice(&self, cell: &Workcell, several: bool) -> Option<Effort> {
         let usual = Effort::usual();
         let workers = self.exhaustive.workers.unwrap_or(usual.workers);
-        let from_anywhere = matches!(self.people_from(cell), Ok(From::Anywhere | From::Both));
+        let from_anywhere = matches!(self.people_from(cell), From::Anywhere | From::Both);
         let everywhere = from_anywhere.then(|| Everywhere {
             until: self.until(),
             presses: self.presses,
@@ -418,8 +414,8 @@ impl Arguments {
         shlex::try_join(words.iter().map(String::as_str)).unwrap_or_default()
     }
 
-    /// What the demo runs: the quick search alone, `iterations` sequences.
-    pub(super) fn for_demo(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
+    /// What is run of an example: the quick search alone, `iterations` sequences.
+    pub(super) fn of_example(path: PathBuf, out: PathBuf, iterations: u32) -> Self {
         Self {
             from: None,
             until: None,
@@ -461,17 +457,6 @@ fn short(time: Duration) -> String {
 
 /// Time of `auto`.
 const AUTO_TIME: Duration = Duration::from_secs(600);
-
-/// What the environment says.
-pub(super) fn from_environment() -> Result<Option<From>, Failure> {
-    let Some(said) = std::env::var_os(FROM) else { return Ok(None) };
-    From::from_str(&said.to_string_lossy(), true).map(Some).map_err(|_| {
-        Failure::unusable_with_help(
-            format!("{FROM} is {} in the environment", said.display()),
-            "it may be start, anywhere or both",
-        )
-    })
-}
 
 /// When a scan from anywhere ends.
 pub(super) fn until(text: &str) -> Result<Until, String> {

@@ -202,7 +202,7 @@ fn not_finite(setup: &Setup, column: usize, value: f64, step: u64) -> PlantError
         0 => "before its first step: look at the start values of its inputs and parameters".to_owned(),
         _ => format!(
             "if it computes well in its own tool, communication steps of {} s may be too long for it: try a smaller \
-             time.step_s in the cell file, or --step of `fmi-hazard selftest`",
+             time.step_s in the cell file, or --step of `fmi-hazard inspect --self-test`",
             fmi::number(step_s)
         ),
     };

@@ -12,7 +12,7 @@ use thiserror::Error;
 use super::{Presses, Who};
 
 /// Duration of one action, s.
-pub(crate) const ACTION_S: f64 = 0.2;
+pub const ACTION_S: f64 = 0.2;
 
 /// What the legs do during one action. A turn changes the heading at once, then the way leads straight ahead.
 ///

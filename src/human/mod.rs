@@ -8,7 +8,7 @@
 //! Knows obstacles as boxes, and nothing of robots, sensors or FMUs. World frame: z up, floor at z = 0. Frames of the
 //! body: x forward, y left, z up. Metres and radians inside.
 
-pub(crate) mod action;
+pub mod action;
 pub mod arm;
 pub(crate) mod arrangement;
 pub(crate) mod body;

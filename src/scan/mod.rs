@@ -62,7 +62,6 @@ pub(crate) mod run;
 mod searched;
 pub mod seeds;
 mod share;
-pub(crate) mod stepping;
 mod stop_time;
 pub(crate) mod there;
 mod trial;

@@ -157,7 +157,9 @@ pub enum Progress<'a> {
 /// The scan could not go on.
 #[derive(Debug, Error, miette::Diagnostic)]
 #[error("the FMU failed: {cause}")]
-#[diagnostic(help("run `fmi-hazard selftest` on the FMU; its maker can reproduce the failure from what it prints"))]
+#[diagnostic(help(
+    "run `fmi-hazard inspect --self-test` on the FMU; its maker can reproduce the failure from what it prints"
+))]
 pub struct ScanError {
     /// What the FMU did.
     pub cause: PlantError,

@@ -55,7 +55,9 @@ pub enum PrepareError {
     NotLoaded(String),
     /// The FMU failed when it was first run.
     #[error("the FMU failed in its first run: {0}")]
-    #[diagnostic(help("no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell"))]
+    #[diagnostic(help(
+        "no search is possible. `fmi-hazard inspect --self-test` shows what the FMU can do without a cell"
+    ))]
     FirstRun(PlantError),
     /// The FMU does not repeat itself.
     #[error("two fresh instances of the FMU gave different outputs for the same inputs ({0})")]

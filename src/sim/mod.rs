@@ -46,5 +46,5 @@ mod threads;
 pub mod world;
 
 pub use coverage::Coverage;
-pub use simulation::{Options, Simulation, Snapshot};
+pub use simulation::{Instant, Options, Simulation, Snapshot};
 pub use world::World;

@@ -366,7 +366,7 @@ impl<P: Plant> Simulation<P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub(crate) fn now(&mut self) -> Result<Instant, PlantError> {
+    pub fn now(&mut self) -> Result<Instant, PlantError> {
         let actions = self.state.actions.clone();
         let watched = self.watch(&actions, &[])?;
         watched.instants.into_iter().next_back().ok_or_else(|| PlantError::of("nothing was watched"))
@@ -374,7 +374,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Where the person looks at the present state, rad from +x towards +y.
     #[must_use]
-    pub(crate) fn heading_rad(&self) -> f64 {
+    pub fn heading_rad(&self) -> f64 {
         self.state.places.first.heading_rad(&self.world.cell.start)
     }
 

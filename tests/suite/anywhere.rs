@@ -318,7 +318,7 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
     write(dir, "cell.toml", &own);
     let ran = |arguments: &[&str], code: i32| {
         let mut command = fmi_hazard(dir);
-        let out = command.env_remove("FMI_HAZARD_FROM").args(arguments).output().unwrap();
+        let out = command.args(arguments).output().unwrap();
         let text = String::from_utf8_lossy(&out.stdout).into_owned();
         assert_eq!(out.status.code(), Some(code), "{arguments:?}: {text}{}", String::from_utf8_lossy(&out.stderr));
         (text, String::from_utf8_lossy(&out.stderr).into_owned())
@@ -354,12 +354,12 @@ fn what_is_found_is_a_record_as_of_any_scan_and_a_place_is_a_cell_file_that_show
     // Each again, from where and when it begins.
     let (text, _) = ran(&["replay", folder, "all"], 1);
     assert_eq!(text.matches("as recorded to the last bit; begins at").count(), hazards.len(), "{text}");
-    let (text, _) = ran(&["verify", folder, "cell.toml"], 1);
+    let (text, _) = ran(&["replay", folder, "--changed", "cell.toml"], 1);
     assert_eq!(text.matches("STILL THERE  H-").count(), hazards.len(), "{text}");
     ran(&["scan", "cell.toml", "--seed", "2"], 2);
     ran(&["scan", "cell.toml", "--from", "start", "--until", "1s"], 2);
     write(dir, "slow.toml", &own.replace("\"drive.speed\" = 5", "\"drive.speed\" = 0.02"));
-    let (text, _) = ran(&["verify", folder, "slow.toml"], 0);
+    let (text, _) = ran(&["replay", folder, "--changed", "slow.toml"], 0);
     assert!(text.contains(&format!("{0} of {0} known hazards fixed", hazards.len())), "{text}");
     let (text, _) = ran(&["compare", folder, folder], 4);
     assert!(text.contains(&format!("{} same.", hazards.len())), "{text}");
@@ -620,7 +620,7 @@ fn a_scan_that_says_nothing_else_looks_from_anywhere_first_and_then_from_the_sta
     write(dir, "cell.toml", &strip(&cell(0.45, "")));
     let ran = |arguments: &[&str], code: i32| {
         let mut command = fmi_hazard(dir);
-        let out = command.env_remove("FMI_HAZARD_FROM").args(arguments).output().unwrap();
+        let out = command.args(arguments).output().unwrap();
         let (text, notes) = (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
         assert_eq!(out.status.code(), Some(code), "{arguments:?}: {text}{notes}");
         text.into_owned()

@@ -153,7 +153,7 @@ fn model_identifiers_that_are_file_names() {
         }
     }
     let dir = folder_with(&pack(&all));
-    let (code, _, said) = run(dir.path(), &["selftest", "x.fmu"]);
+    let (code, _, said) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
     assert_eq!(code, 0, "{said}");
 }
 
@@ -297,7 +297,7 @@ fn experiments_that_make_no_sense() {
         let fmu = with(attributes);
         inspected(&fmu, &[&format!("line 27: {warning}; ignored")]);
         // The self-test then takes its own step.
-        let (code, stdout, _) = run(folder_with(&fmu).path(), &["selftest", "x.fmu", "--steps", "8"]);
+        let (code, stdout, _) = run(folder_with(&fmu).path(), &["inspect", "--self-test", "x.fmu", "--steps", "8"]);
         assert!(stdout.starts_with("faulty: 8 steps of 0.02 s"), "{stdout}");
         assert_eq!(code, 0);
     }
@@ -314,12 +314,12 @@ fn a_stop_time_is_kept_where_an_fmu_is_tried_out_and_told_where_a_scan_goes_beyo
         // It ends with its stopTime, as some do.
         let dir = tempfile::TempDir::new().unwrap();
         hostile.clone().what("status-error").at("step", 50).stop_time("1").write(dir.path());
-        let (code, stdout, stderr) = run(dir.path(), &["selftest", FMU]);
+        let (code, stdout, stderr) = run(dir.path(), &["inspect", "--self-test", FMU]);
         let told = stdout.contains(": 50 steps of 0.02 s") && stdout.contains("50 steps instead of 80: the FMU gives");
         assert!(code == 0 && told && stdout.contains("stopTime of 1 s"), "{stdout} {stderr}");
-        let (code, _, stderr) = run(dir.path(), &["selftest", FMU, "--steps", "60"]);
+        let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", FMU, "--steps", "60"]);
         assert!(code == 3 && stderr.contains("60 steps of 0.02 s go beyond the stopTime of 1 s"), "{stderr}");
-        let (code, stdout, stderr) = run(dir.path(), &["probe", FMU, "--fmu-only"]);
+        let (code, stdout, stderr) = run(dir.path(), &["inspect", "--run", FMU, "--fmu-only"]);
         let told = stdout.contains(" in 1 s\n") && stdout.contains("of 1 s instead of 10 s");
         assert!(code == 0 && told, "{stdout} {stderr}");
         // A scan needs 1.6 s of it.
@@ -403,9 +403,11 @@ fn names_that_steer_the_terminal_or_turn_text_around() {
     // Where a cell's mistake makes it be named, and in what a scan and a self-test print.
     let dir = folder_with(&all);
     write(dir.path(), "cell.toml", &faulty_cell("x.fmu", 0, 0).replace("\"q\"", "\"q\\u001b\""));
-    for arguments in
-        [&["scan", "--no-advice", "cell.toml"][..], &["selftest", "x.fmu"], &["selftest", "x.fmu", "--json"]]
-    {
+    for arguments in [
+        &["scan", "--from", "start", "--no-advice", "cell.toml"][..],
+        &["inspect", "--self-test", "x.fmu"],
+        &["inspect", "--self-test", "x.fmu", "--format", "json"],
+    ] {
         let output = crate::common::fmi_hazard(dir.path()).args(arguments).output().unwrap();
         for bytes in [output.stdout, output.stderr] {
             let text = String::from_utf8(bytes).unwrap();

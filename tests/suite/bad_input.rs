@@ -175,7 +175,7 @@ const CELL_MISTAKES: &[(&str, &str, &[&str])] = &[
         "[human]",
         "[[sensor]]\nname = \"m\"\nkind = \"mat\"\nzone = { polygon_m = [[0, 0], [1, 0], [1, 1]] }\nvariable = \
          \"plc.reset\"\n[human]",
-        &["does not say which value of `plc.reset` means a person", "active = false", "probe"],
+        &["does not say which value of `plc.reset` means a person", "active = false", "inspect --run"],
     ),
     (
         "[human]",
@@ -338,7 +338,7 @@ fn faulty(kind: i32, step: i32) -> tempfile::TempDir {
 #[test]
 fn an_fmu_that_fails_from_the_start_is_exit_code_3() {
     for (kind, words) in [(1, "NaN"), (2, "fmi2DoStep"), (3, "iscard"), (4, "atal"), (9, "infinite")] {
-        fails(faulty(kind, 5).path(), "cell.toml", 3, &[words, "selftest"]);
+        fails(faulty(kind, 5).path(), "cell.toml", 3, &[words, "--self-test"]);
     }
 }
 
@@ -347,7 +347,7 @@ fn an_fmu_that_does_not_repeat_itself_in_a_process_gets_fresh_ones_or_is_refused
     let dir = faulty(5, 0);
     let scan = |extra: &[&str]| {
         let output = fmi_hazard(dir.path())
-            .args(["scan", "--no-advice", "cell.toml", "--out", "o"])
+            .args(["scan", "--from", "start", "--no-advice", "cell.toml", "--out", "o"])
             .args(extra)
             .output()
             .unwrap();
@@ -390,7 +390,7 @@ fn a_cell_in_which_no_sensor_can_fire_is_inconclusive() {
     let cell = faulty_cell("faulty.fmu", 0, 0).replace("xy_m = [0, -1.6]", "xy_m = [0, -6]");
     write(dir.path(), "cell.toml", &cell);
     let output = fmi_hazard(dir.path())
-        .args(["scan", "--no-advice", "cell.toml", "--out", "o"])
+        .args(["scan", "--from", "start", "--no-advice", "cell.toml", "--out", "o"])
         .assert()
         .code(4)
         .get_output()

@@ -1,4 +1,4 @@
-//! A flawed cell and its repaired variant side by side: `compare` and `verify`.
+//! A flawed cell and its repaired variant side by side: `compare` and `replay --changed`.
 
 use std::path::Path;
 
@@ -70,14 +70,14 @@ fn what_a_repair_fixed_is_told_and_what_undoing_it_brings_back() {
             assert!(code == Some(4) && all && text.contains("the second scan ends earlier"), "{text}");
         }
         // The same sequences in the repaired cell, and in the flawed one.
-        let (code, text, said) = ran(dir, &["verify", &before, &fixed, "--junit", "verified.xml"]);
+        let (code, text, said) = ran(dir, &["replay", &before, "--changed", &fixed, "--junit", "verified.xml"]);
         // These have the larger safeguard over the first start.
         let over_start = ["sensor-mat", "head-collision"].contains(&example);
         assert_eq!(code, Some(if over_start { 4 } else { 0 }), "{text}{said}");
         assert!(text.contains(if over_start { " NOT SHOWN " } else { " fixed " }) && !text.contains("STILL"), "{text}");
         let junit = std::fs::read_to_string(dir.join("verified.xml")).unwrap();
         assert!(!junit.contains("<failure") && junit.contains("<error") == over_start, "{junit}");
-        let (code, text, _) = ran(dir, &["verify", &before, &flawed, "--junit", "verified.xml"]);
+        let (code, text, _) = ran(dir, &["replay", &before, "--changed", &flawed, "--junit", "verified.xml"]);
         assert_eq!(code, Some(1), "{text}");
         assert!(text.contains(" 0 of ") && !text.contains(" fixed  "), "{text}");
         assert!(std::fs::read_to_string(dir.join("verified.xml")).unwrap().contains("<failure"));
@@ -152,7 +152,7 @@ fn either_sequence_of_a_hazard_shows_that_it_is_still_there() {
             }
         }
         std::fs::write(&path, changed.to_string()).unwrap();
-        let (_, text, said) = ran(dir, &["verify", "before", "heavy-workpiece/cell.toml"]);
+        let (_, text, said) = ran(dir, &["replay", "before", "--changed", "heavy-workpiece/cell.toml"]);
         assert_eq!(text.contains("STILL THERE"), !(first && shortest), "{text}{said}");
     }
 }

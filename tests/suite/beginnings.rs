@@ -103,7 +103,8 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
     cell(dir, "more", &human("{ xy_m = [0.48, -0.75], heading_deg = 90 }, "));
     let known = scan_json(&dir.join("o/begin-3"));
     assert!(!known["hazards"].as_array().unwrap().is_empty());
-    let verified = fmi_hazard(dir).args(["verify", "o/begin-3", "safety-fence/more.toml"]).assert().code(1);
+    let verified =
+        fmi_hazard(dir).args(["replay", "o/begin-3", "--changed", "safety-fence/more.toml"]).assert().code(1);
     let said = String::from_utf8_lossy(&verified.get_output().stdout).into_owned();
     assert!(!said.contains("fixed") || said.contains(" 0 fixed") || said.contains("0 of"), "{said}");
     // Known from where it was known; all of the new start's is new.
@@ -132,8 +133,12 @@ fn a_beginning_is_its_start_and_time_not_its_number() {
     fmi_hazard(dir).args(few).args(["--out", "no", "--baseline", "torn"]).assert().code(2);
     // A beginning that the cell has no more is not taken for another: what was found from there is tried from there.
     cell(dir, "once", "[human]");
-    let gone =
-        fmi_hazard(dir).args(["verify", "o/begin-3", "safety-fence/once.toml"]).assert().code(1).get_output().clone();
+    let gone = fmi_hazard(dir)
+        .args(["replay", "o/begin-3", "--changed", "safety-fence/once.toml"])
+        .assert()
+        .code(1)
+        .get_output()
+        .clone();
     assert!(String::from_utf8_lossy(&gone.stdout).contains("STILL THERE"));
     // One of several goes where the others are, unless told otherwise; and can be looked at there.
     fmi_hazard(dir).args(few).args(["--begin", "3"]).assert().code(1);
@@ -248,7 +253,7 @@ fn a_place_of_an_area_is_searched_as_a_start_by_itself() {
     }
     write(dir, "safety-fence/area.toml", &format!("{cell}\n[explain.obstacle]\n{fixed}"));
     let mut explain = fmi_hazard(dir);
-    explain.args(["explain", folder, &id, "--quick", "--iterations", "1", "--format", "json"]);
+    explain.args(["explain", folder, &id, "--from", "start", "--quick", "--iterations", "1", "--format", "json"]);
     let told: serde_json::Value = serde_json::from_slice(&explain.output().unwrap().stdout).unwrap();
     let remedies = told["remedies"].as_array().unwrap();
     let tried = remedies.iter().filter(|remedy| remedy["outcome"].get("not_tried").is_none());

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::common::fmpy::python;
+use crate::common::from_start::path_with_program;
 use crate::common::{fmi_hazard, scan_json};
 use crate::sample;
 use serde_json::Value;
@@ -59,6 +60,7 @@ fn python_library() -> String {
 /// A folder in which a page is gone through.
 struct Reader {
     dir: TempDir,
+    _programs: TempDir,
     path: OsString,
     /// Longest time for a scan, and for an explanation: then it is interrupted, as by Ctrl-C.
     patience: Option<u32>,
@@ -71,21 +73,17 @@ struct Reader {
 impl Reader {
     fn new(patience: Option<u32>) -> Self {
         let dir = TempDir::new().unwrap();
-        let programs = [
-            python().parent().unwrap().to_owned(),
-            assert_cmd::cargo::cargo_bin("fmi-hazard").parent().unwrap().into(),
-        ];
-        let own = std::env::var_os("PATH").unwrap();
-        let path = std::env::join_paths(programs.into_iter().chain(std::env::split_paths(&own))).unwrap();
-        Self { dir, path, patience, quicker: &[], commands: 0, edits: 0 }
+        let programs = TempDir::new().unwrap();
+        let path = path_with_program(programs.path());
+        let python = python().parent().unwrap().to_owned();
+        let path = std::env::join_paths(std::iter::once(python).chain(std::env::split_paths(&path))).unwrap();
+        Self { dir, _programs: programs, path, patience, quicker: &[], commands: 0, edits: 0 }
     }
 
     /// What a script tells, and its exit code.
     fn run(&mut self, script: &str, preload: Option<&str>) -> (i32, String) {
         let mut shell = Command::new("bash");
         shell.args(["-euc", script]).current_dir(self.dir.path()).env("PATH", &self.path).env("NO_COLOR", "1");
-        // What people who come from anywhere do is looked at where a page says so: all of it here would take hours.
-        shell.env("FMI_HAZARD_FROM", "start");
         if let Some(library) = preload {
             shell.env("LD_PRELOAD", library);
         }
@@ -103,8 +101,9 @@ impl Reader {
             if command.starts_with("tools/test") || command.starts_with("python tools/") {
                 continue;
             }
-            let long =
-                ["fmi-hazard scan", "fmi-hazard explain", "fmi-hazard demo"].iter().any(|c| command.starts_with(c));
+            let long = ["fmi-hazard scan", "fmi-hazard explain", "fmi-hazard examples run"]
+                .iter()
+                .any(|c| command.starts_with(c));
             let within = |reader: &mut Self, seconds: u32| {
                 reader.run(&format!("timeout --preserve-status --signal=INT {seconds} {command}"), None)
             };
@@ -285,7 +284,7 @@ fn the_quick_commands_of_readme_and_book_run() {
     if !sample::is_turn(3, 4) {
         return;
     }
-    let quick = ["examples", "inspect", "init", "check", "distance", "campaign plan"];
+    let quick = ["examples export", "inspect", "init", "check", "distance", "campaign plan"];
     let is_quick = |line: &str| {
         let example = line.starts_with("fmi-hazard check") && line.ends_with("/cell.toml");
         !example && quick.iter().any(|command| line.starts_with(&format!("fmi-hazard {command} ")))
@@ -330,7 +329,7 @@ const URDF: &str = r#"<robot name="arm">
 /// What the tutorial promises of a command's output.
 const SAYS: &[(&str, &str)] = &[
     ("inspect", "q1 ... q7 (7)"),
-    ("probe", "S_PSE_Mat = false: stops it, at rest after 0.40 s, first change after 0.020 s"),
+    ("inspect --run", "S_PSE_Mat = false: stops it, at rest after 0.40 s, first change after 0.020 s"),
     ("init", "the cell file takes the kinematics only"),
     ("--no-run", "still to be filled in"),
     ("--no-run", "PandaCell.cell.toml: 8 problems"),
@@ -338,7 +337,7 @@ const SAYS: &[(&str, &str)] = &[
     ("scan PandaCell", "confirmed by a fresh replay"),
     ("replay first", "reproduced"),
     ("cell.toml --out out/before", "Tried in part: "),
-    ("verify out/before", "fixed"),
+    ("replay out/before --changed", "fixed"),
     ("--out out/after", "No sequence of actions is hazardous"),
     ("compare", "fixed"),
 ];

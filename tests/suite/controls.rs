@@ -74,7 +74,7 @@ fn a_reset_with_somebody_inside_is_found_told_and_mended() {
         // What became of the hazards in the repaired twin.
         let (code, told) = ran(dir, &["compare", "flawed", "fixed"]);
         assert!(code == Some(0) && told.contains(&format!(" {} fixed.", hazards.len())), "{told}");
-        let (code, told) = ran(dir, &["verify", "flawed", &pair.fixed]);
+        let (code, told) = ran(dir, &["replay", "flawed", "--changed", &pair.fixed]);
         assert_eq!(code, Some(0), "{told}");
         // Without the control nothing is found, and nothing is fixed by that.
         let held = format!("{ON_THE_MAT}\n[remove]\ncontrol = [\"reset\"]\n[inputs]\n\"plc.reset\" = false");
@@ -83,14 +83,14 @@ fn a_reset_with_somebody_inside_is_found_told_and_mended() {
         assert_eq!(code, Some(0));
         let (_, told) = ran(dir, &["compare", "flawed", "held"]);
         assert!(told.contains(&format!(" {} not found again.", hazards.len())), "{told}");
-        let (code, told) = ran(dir, &["verify", "flawed", &held]);
+        let (code, told) = ran(dir, &["replay", "flawed", "--changed", &held]);
         assert!(code == Some(4) && told.contains("lacks a control that is worked on the way"), "{told}");
         // Whose button nobody works is no longer asked about it.
         let unworked = format!(
             "{ON_THE_MAT}\n[remove]\ncontrol = [\"reset\"]\n[[control]]\nname = \"reset\"\nvariable = \"plc.reset\"\nby = \"nobody\""
         );
         let unworked = variant(dir, example, "cell.toml", &unworked);
-        let (code, told) = ran(dir, &["verify", "flawed", &unworked]);
+        let (code, told) = ran(dir, &["replay", "flawed", "--changed", &unworked]);
         assert!(code == Some(4) && told.contains("lacks a control that is worked on the way"), "{told}");
     }
 }

@@ -17,7 +17,7 @@ fn distance(dir: &Path, cell: &str, more: &[&str]) -> (Value, Option<i32>) {
 
 /// The longest time to standstill that `probe` tells of the first sensor, s.
 fn probed_s(dir: &Path, cell: &str) -> f64 {
-    let output = fmi_hazard(dir).args(["probe", cell, "--format", "json"]).output().unwrap();
+    let output = fmi_hazard(dir).args(["inspect", "--run", cell, "--format", "json"]).output().unwrap();
     let probe: Value = serde_json::from_slice(&output.stdout).unwrap();
     let first = &probe["reactions"][0];
     let others = first["at_other_moments"].as_array().unwrap().iter();

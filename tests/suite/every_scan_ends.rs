@@ -116,7 +116,7 @@ fn ctrl_c_is_heard_at_any_moment() {
         let some = moments(number as u64 + 1).enumerate().filter(|(moment, _)| sample::takes(moment + 3 * number, 10));
         for (moment, after) in some {
             let out = format!("o{number}-{moment}");
-            let arguments = [&["scan", "--no-advice", cell, "--out", &out], *more].concat();
+            let arguments = [&["scan", "--from", "start", "--no-advice", cell, "--out", &out], *more].concat();
             let (code, printed, took) = interrupted(dir, &arguments, "States", after);
             times.push(took);
             assert_eq!(code, Some(130), "{cell} after {after:?}: {printed}");
@@ -141,7 +141,8 @@ fn ctrl_c_is_heard_at_any_moment() {
         .code(1);
     let id = scan_json(&dir.join("e"))["hazards"][0]["id"].as_str().unwrap().to_owned();
     for after in sample::some(moments(9), 10) {
-        let (code, printed, took) = interrupted(dir, &["explain", "e", &id], "Trying changes", after);
+        let (code, printed, took) =
+            interrupted(dir, &["explain", "e", &id, "--from", "start"], "Trying changes", after);
         times.push(took);
         // What is known at once is there in any case.
         assert!(code == Some(130) && printed.contains(&id) && printed.contains("Stopped"), "{code:?} {printed}");
@@ -226,7 +227,10 @@ fn its_time_ends_a_scan_and_the_report_says_what_was_not_looked_at() {
     let dir = examples();
     let dir = dir.path();
     let cell = ur5(dir).unwrap_or_else(|| "light-curtain/cell.toml".to_owned());
-    let output = fmi_hazard(dir).args(["scan", "--no-advice", &cell, "--time", "6s", "--out", "o"]).output().unwrap();
+    let output = fmi_hazard(dir)
+        .args(["scan", "--from", "start", "--no-advice", &cell, "--time", "6s", "--out", "o"])
+        .output()
+        .unwrap();
     let report = assert_valid(&dir.join("o"));
     let hazards = !report["hazards"].as_array().unwrap().is_empty();
     assert_eq!(output.status.code(), Some(if hazards { 1 } else { 4 }), "{}", String::from_utf8_lossy(&output.stderr));
@@ -250,7 +254,10 @@ fn the_time_is_also_that_in_which_an_fmu_is_tried_out() {
     for hostile in Hostile::both() {
         let dir = tempfile::TempDir::new().unwrap();
         hostile.what("slow").size(200).write(dir.path());
-        let output = fmi_hazard(dir.path()).args(["scan", CELL, "--time", "2s", "--out", "o"]).output().unwrap();
+        let output = fmi_hazard(dir.path())
+            .args(["scan", CELL, "--from", "start", "--time", "2s", "--out", "o"])
+            .output()
+            .unwrap();
         let told = String::from_utf8_lossy(&output.stderr).replace("\n  │ ", " ");
         assert_eq!(output.status.code(), Some(4), "{told}");
         assert!(told.contains("the time was over while the FMU was tried out") && told.contains("--time"), "{told}");

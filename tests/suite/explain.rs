@@ -39,7 +39,8 @@ fn explained(dir: &Path, example: &str, text: &str, more: &[&str]) -> (Value, Va
     std::fs::rename(dir.join("changed"), dir.join("first")).unwrap();
     let hazard = json(&dir.join("first/scan.json"))["hazards"][0].clone();
     let id = hazard["id"].as_str().unwrap();
-    let (code, text, said) = ran(dir, &[&["explain", "first", id, "--format", "json"], more].concat());
+    let (code, text, said) =
+        ran(dir, &[&["explain", "first", id, "--from", "start", "--format", "json"], more].concat());
     assert_eq!(code, Some(0), "{said}");
     (hazard, serde_json::from_str(&text).unwrap())
 }
@@ -190,7 +191,7 @@ fn a_zone_that_reaches_the_start_and_one_that_stops_nothing_remove_nothing() {
     let (code, _, said) = ran(dir, &["scan", "--no-advice", "cell.toml", "--strategy", "hybrid", "--out", "out"]);
     assert_eq!(code, Some(1), "{said}");
     let id = json(&dir.join("out/scan.json"))["hazards"][0]["id"].as_str().unwrap().to_owned();
-    let (code, text, said) = ran(dir, &["explain", "out", &id, "--format", "json"]);
+    let (code, text, said) = ran(dir, &["explain", "out", &id, "--from", "start", "--format", "json"]);
     assert_eq!(code, Some(0), "{said}");
     let explanation: Value = serde_json::from_str(&text).unwrap();
     // The mat's edge is 0.2 m from the start: nothing that is wider was tried to the end.

@@ -50,7 +50,7 @@ fn containers_of_other_fmus() {
 fn fmus_written_in_python_say_what_they_need() {
     let (folder, _) = zoo();
     for name in ["joint2.fmu", "joint3.fmu"] {
-        let (code, _, stderr) = run(&folder, &["selftest", name]);
+        let (code, _, stderr) = run(&folder, &["inspect", "--self-test", name]);
         let text = format!("Error: × {name}: the binary of this FMU cannot be loaded: ");
         assert!(stderr.starts_with(&text) && stderr.contains("undefined symbol: "), "{stderr}");
         assert!(

@@ -223,7 +223,7 @@ fn probe_finds_what_stops_the_robot_after_how_long_and_with_which_polarity() {
         ("safety-fence", "plc.guard_closed", "stops", Some(false)),
     ] {
         let fmu = format!("{cell}/{cell}.fmu");
-        let (code, out, said) = run(dir.path(), &["probe", &fmu, "--fmu-only", "--format", "json"]);
+        let (code, out, said) = run(dir.path(), &["inspect", "--run", &fmu, "--fmu-only", "--format", "json"]);
         assert_eq!(code, 0, "{said}");
         let told: serde_json::Value = serde_json::from_str(&out).unwrap();
         assert!(told["fastest"].as_f64().unwrap() > 0.1, "{cell}: {out}");
@@ -233,10 +233,11 @@ fn probe_finds_what_stops_the_robot_after_how_long_and_with_which_polarity() {
         assert_eq!(reaction["idle"].as_bool(), active.map(|active| !active), "{cell}");
         let first = reaction["first_change_s"].as_f64().unwrap();
         assert!(first > 0.0 && first < 0.2, "{cell}: first change after {first} s");
-        let (_, table, _) = run(dir.path(), &["probe", &fmu, "--fmu-only"]);
+        let (_, table, _) = run(dir.path(), &["inspect", "--run", &fmu, "--fmu-only"]);
         assert!(table.contains("so active = false would mean a person"), "{table}");
     }
-    let (_, out, _) = run(dir.path(), &["probe", "sensor-mat/sensor-mat.fmu", "--fmu-only", "--format", "json"]);
+    let (_, out, _) =
+        run(dir.path(), &["inspect", "--run", "sensor-mat/sensor-mat.fmu", "--fmu-only", "--format", "json"]);
     let told: serde_json::Value = serde_json::from_str(&out).unwrap();
     let mat = told["reactions"].as_array().unwrap().iter().find(|r| r["input"] == "plc.mat_clear").unwrap().clone();
     assert!((mat["still_after_s"].as_f64().unwrap() - 0.35).abs() < 0.03, "{mat}");
@@ -450,12 +451,12 @@ fn packages_elsewhere_are_named_once_and_stay_in_the_cell_file() {
 #[test]
 fn probe_tells_each_input_that_it_tried_also_with_a_cell() {
     let dir = examples();
-    let (code, out, said) = run(dir.path(), &["probe", "safety-fence/safety-fence.fmu"]);
+    let (code, out, said) = run(dir.path(), &["inspect", "--run", "safety-fence/safety-fence.fmu"]);
     assert_eq!(code, 0, "{said}");
     assert!(out.contains("input     plc.guard_closed = false: stops it, at rest after"), "{out}");
     assert!(out.contains("input     plc.reset = true: changes nothing"), "{out}");
     // A sensor by its own name, an input of the cell file by its variable.
-    let (_, out, _) = run(dir.path(), &["probe", "sensor-mat/cell.toml"]);
+    let (_, out, _) = run(dir.path(), &["inspect", "--run", "sensor-mat/cell.toml"]);
     assert!(
         out.contains("input     mat = false: at ")
             && out.contains("stops it")
@@ -468,7 +469,7 @@ fn probe_tells_each_input_that_it_tried_also_with_a_cell() {
     let (before, after) = cell.split_once("[[sensor]]").unwrap();
     let (_, after) = after.split_once("[parameters]").unwrap();
     write(dir.path(), "x.toml", &format!("{before}[parameters]{after}"));
-    let (code, out, said) = run(dir.path(), &["probe", "x.toml"]);
+    let (code, out, said) = run(dir.path(), &["inspect", "--run", "x.toml"]);
     assert!(code == 0 && out.contains("input     stop = true: stops it"), "{out} {said}");
     assert!(out.contains("not tried push: only inputs that are true or false are"), "{out}");
 }

@@ -44,7 +44,7 @@ fn an_fmu_that_ends_the_simulation_or_lies_about_its_time_is_exit_code_3() {
             .get_output()
             .clone();
         let text = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(text.contains(words) && text.contains("selftest"), "fault {kind}: {text}");
+        assert!(text.contains(words) && text.contains("--self-test"), "fault {kind}: {text}");
     }
 }
 

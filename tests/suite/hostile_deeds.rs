@@ -171,7 +171,8 @@ fn threads_are_not_copied_and_the_self_test_says_so() {
     for hostile in sample::some(Hostile::both(), 2) {
         for what in ["thread", "thread-needed"] {
             let place = Place::new(&hostile.clone().what(what));
-            let ran = place.after(place.command(&["selftest", FMU, "--json"]).output().unwrap());
+            let ran =
+                place.after(place.command(&["inspect", "--self-test", FMU, "--format", "json"]).output().unwrap());
             let result: serde_json::Value = serde_json::from_slice(&ran.stdout).unwrap();
             let reason = "the FMU runs 1 thread of its own, which a copy does not have";
             assert_eq!(result["fork"], serde_json::json!({ "result": "failed", "reason": reason }));
@@ -181,7 +182,7 @@ fn threads_are_not_copied_and_the_self_test_says_so() {
         let ran = Place::new(&hostile.clone().what("thread-needed").saves(false).serializes(false)).scan(&[]);
         assert_eq!((ran.code, ran.rung()), (Some(1), "instances"));
         let place = Place::new(&hostile.clone().what("child"));
-        let ran = place.after(place.command(&["selftest", FMU, "--trust-fmu"]).output().unwrap());
+        let ran = place.after(place.command(&["inspect", "--self-test", FMU, "--trust-fmu"]).output().unwrap());
         let text = String::from_utf8(ran.stdout).unwrap();
         assert!(text.contains("FAILED: the FMU has started other processes, which are not copied"), "{text}");
     }

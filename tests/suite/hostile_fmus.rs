@@ -21,16 +21,16 @@ fn binaries_for_other_machines() {
              linux64 export, or run this program on a machine it was made for{more}"
         )
     };
-    refused("selftest", &renamed("linux64", "win64"), &none("win64", ""));
-    refused("selftest", &renamed("linux64", "x86_64-linux"), &none("x86_64-linux", ""));
+    refused("inspect --self-test", &renamed("linux64", "win64"), &none("win64", ""));
+    refused("inspect --self-test", &renamed("linux64", "x86_64-linux"), &none("x86_64-linux", ""));
     let sources = renamed("binaries/linux64/faulty.so", "sources/faulty.c");
     refused(
-        "selftest",
+        "inspect --self-test",
         &sources,
         &none("no binaries at all", ", or compile the sources in it (`fmpy compile` does that)"),
     );
-    refused("selftest", &renamed(BINARY, "binaries/linux64"), &none("no binaries at all", ""));
-    refused("selftest", &renamed("linux64", "win\u{202e}46"), &none("win\\u{202e}46", ""));
+    refused("inspect --self-test", &renamed(BINARY, "binaries/linux64"), &none("no binaries at all", ""));
+    refused("inspect --self-test", &renamed("linux64", "win\u{202e}46"), &none("win\\u{202e}46", ""));
 }
 
 #[test]
@@ -41,24 +41,24 @@ fn binaries_of_another_name() {
              Export the FMU again"
         )
     };
-    refused("selftest", &renamed("faulty.so", "other.so"), &other("other.so"));
-    refused("selftest", &renamed("faulty.so", "faulty.SO"), &other("faulty.SO"));
-    refused("selftest", &renamed("faulty.so", "faulty.so/readme"), &other("faulty.so"));
+    refused("inspect --self-test", &renamed("faulty.so", "other.so"), &other("other.so"));
+    refused("inspect --self-test", &renamed("faulty.so", "faulty.SO"), &other("faulty.SO"));
+    refused("inspect --self-test", &renamed("faulty.so", "faulty.so/readme"), &other("faulty.so"));
 }
 
 #[test]
 fn files_that_are_no_library_for_this_machine() {
     let cannot = |why: &str| format!("x.fmu: faulty.so cannot be loaded: it {why}. Export the FMU for linux64");
-    refused("selftest", &with_binary(|_| b"a letter".to_vec()), &cannot("is not a shared library"));
-    refused("selftest", &with_binary(|_| Vec::new()), &cannot("is not a shared library"));
+    refused("inspect --self-test", &with_binary(|_| b"a letter".to_vec()), &cannot("is not a shared library"));
+    refused("inspect --self-test", &with_binary(|_| Vec::new()), &cannot("is not a shared library"));
     let elf32 = |b: &[u8]| [&b[..4], &[1], &b[5..]].concat();
-    refused("selftest", &with_binary(elf32), &cannot("is a 32-bit library"));
+    refused("inspect --self-test", &with_binary(elf32), &cannot("is a 32-bit library"));
     // e_machine at offset 18: 0xB7 is AArch64.
     let arm = |b: &[u8]| [&b[..18], &[0xB7, 0], &b[20..]].concat();
-    refused("selftest", &with_binary(arm), &cannot("is for another processor"));
-    refused("selftest", &with_binary(|_| b"MZ\x90\0".to_vec()), &cannot("is a library for Windows"));
-    refused("selftest", &with_binary(|_| vec![0xCF, 0xFA, 0xED, 0xFE]), &cannot("is a library for macOS"));
-    refused("selftest", &with_binary(|_| vec![0xCA, 0xFE, 0xBA, 0xBE]), &cannot("is a library for macOS"));
+    refused("inspect --self-test", &with_binary(arm), &cannot("is for another processor"));
+    refused("inspect --self-test", &with_binary(|_| b"MZ\x90\0".to_vec()), &cannot("is a library for Windows"));
+    refused("inspect --self-test", &with_binary(|_| vec![0xCF, 0xFA, 0xED, 0xFE]), &cannot("is a library for macOS"));
+    refused("inspect --self-test", &with_binary(|_| vec![0xCA, 0xFE, 0xBA, 0xBE]), &cannot("is a library for macOS"));
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn truncated_binaries_never_reach_the_loader() {
     let whole = entries().into_iter().find(|(name, _)| name == BINARY).unwrap().1.len();
     for length in [1, 4, 16, 63, 64, 65, 500, 4096, 5000, whole / 4, whole / 2, whole * 9 / 10, whole - 1] {
         let dir = folder_with(&with_binary(|b| b[..length].to_vec()));
-        let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+        let (code, stdout, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
         let whys = ["is truncated", "is damaged", "is not a shared library"];
         let said = |why: &&str| {
             stderr == format!("Error: × x.fmu: faulty.so cannot be loaded: it {why}. Export the FMU for linux64")
@@ -113,7 +113,7 @@ fn binary_with_step(body: &str) -> Vec<u8> {
 fn libraries_and_functions_that_are_missing_outside_the_fmu() {
     let cannot = |library: &[u8], why: &str, advice: &str| {
         let dir = folder_with(&with_binary(|_| library.to_vec()));
-        let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+        let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
         assert!(stderr.starts_with("Error: × x.fmu: the binary of this FMU cannot be loaded: "), "{stderr}");
         assert!(stderr.contains(why) && stderr.contains(advice), "{stderr}");
         // Where it lies may be closed to an FMU.
@@ -151,7 +151,7 @@ fn libraries_and_functions_that_are_missing_outside_the_fmu() {
         &["-fno-builtin"],
     );
     let dir = folder_with(&with_binary(|_| library.clone()));
-    assert_eq!(run(dir.path(), &["selftest", "x.fmu", "--steps", "8"]).0, 0);
+    assert_eq!(run(dir.path(), &["inspect", "--self-test", "x.fmu", "--steps", "8"]).0, 0);
 }
 
 #[test]
@@ -167,12 +167,12 @@ fn functions_that_are_missing_in_the_fmu() {
         let library = compiled(&source_with_step("return 0;").replace(function, "another"), &[]);
         let message = "which every FMI 2.0 co-simulation FMU must have. Ask its maker for a complete export";
         let message = format!("x.fmu: the binary of this FMU lacks {function}, {message}");
-        refused("selftest", &with_binary(|_| library.clone()), &message);
+        refused("inspect --self-test", &with_binary(|_| library.clone()), &message);
     }
     // One that is needed for some variables only is missed when it is needed.
     let library = compiled(&source_with_step("return 0;").replace("fmi2SetBoolean", "another"), &[]);
     let dir = folder_with(&with_binary(|_| library.clone()));
-    let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: setting `stop` (value reference 3): the FMU does not have \
          fmi2SetBoolean, which is needed here";
     same(&stderr, text);
@@ -183,7 +183,7 @@ fn functions_that_are_missing_in_the_fmu() {
 fn state_functions_that_are_declared_and_missing_are_done_without() {
     let library = binary_with_step("return 0;");
     let dir = folder_with(&with_binary(|_| library.clone()));
-    let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu", "--steps", "8"]);
+    let (code, stdout, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu", "--steps", "8"]);
     for text in [
         "restored state, two held at once       FAILED: the FMU does not have fmi2GetFMUstate, which is needed here\n",
         "A scan brings states back by: fresh instance and replay (the FMU says it can save its state, but does not do it",
@@ -205,7 +205,7 @@ fn a_state_of_more_bytes_than_there_is_memory_is_not_asked_for() {
            int fmi2DeSerializeFMUstate(void *c, const char *b, size_t n, void **s) { return 3; }\n";
     let library = compiled(&source, &[]);
     let dir = folder_with(&with_binary(|_| library.clone()));
-    let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu", "--steps", "8"]);
+    let (code, stdout, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu", "--steps", "8"]);
     let text = "serialised state in another instance   FAILED: fmi2SerializedFMUstateSize says that a state has \
                 18446744073709551615 bytes, which cannot be\n";
     assert!(stdout.contains(text), "{stdout}");
@@ -222,14 +222,14 @@ fn fmi_3_binaries_are_told_apart_too() {
     let other = with(|(name, _)| *name = name.replace("x86_64-linux", "linux64"));
     let none = "x.fmu: this FMU has no binary for this machine: x86_64-linux is needed, it contains linux64. Ask its maker \
                 for a x86_64-linux export, or run this program on a machine it was made for";
-    refused("selftest", &other, none);
+    refused("inspect --self-test", &other, none);
     let empty = with(|(_, content)| *content = compiled("int nothing;", &[]));
     let lacks = "x.fmu: the binary of this FMU lacks fmi3FreeInstance, which every FMI 3.0 co-simulation FMU must have. Ask \
                  its maker for a complete export";
-    refused("selftest", &empty, lacks);
+    refused("inspect --self-test", &empty, lacks);
     let text = with(|(_, content)| *content = b"a letter".to_vec());
     let letter = "x.fmu: faulty.so cannot be loaded: it is not a shared library. Export the FMU for x86_64-linux";
-    refused("selftest", &text, letter);
+    refused("inspect --self-test", &text, letter);
 }
 
 /// That it is refused without it shows in its first run, and counts in all other processes.
@@ -249,7 +249,8 @@ fn an_fmu_that_needs_event_mode_has_it_in_every_process() {
     let mut all = entries_of("faulty-fmi3.fmu");
     all.iter_mut().filter(|(name, _)| name.ends_with(".so")).for_each(|(_, content)| content.clone_from(&library));
     let dir = folder_with(&pack(&all));
-    let (code, stdout, stderr) = run(dir.path(), &["selftest", "x.fmu", "--steps", "8", "--json"]);
+    let (code, stdout, stderr) =
+        run(dir.path(), &["inspect", "--self-test", "x.fmu", "--steps", "8", "--format", "json"]);
     assert_eq!(code, 0, "{stdout}{stderr}");
     let told: serde_json::Value = serde_json::from_str(&stdout).unwrap();
     for runs in ["deterministic", "second_instance", "fresh_process"] {
@@ -262,7 +263,7 @@ fn a_binary_of_another_version_than_its_xml() {
     let source = source_with_step("return 0;") + "const char *fmi2GetVersion(void) { return \"2.1\\033[2J\"; }\n";
     let library = compiled(&source, &[]);
     let message = "x.fmu: the binary is of FMI version \"2.1\\u{1b}[2J\", its XML says \"2.0\". Export the FMU again";
-    refused("selftest", &with_binary(|_| library.clone()), message);
+    refused("inspect --self-test", &with_binary(|_| library.clone()), message);
 }
 
 #[test]
@@ -272,7 +273,7 @@ fn a_guid_that_does_not_fit_is_explained_with_the_fmus_own_words() {
         let end = start + x[start..].find('"').unwrap();
         format!("{}wrong{}", &x[..start], &x[end..])
     });
-    let (code, _, stderr) = run(folder_with(&xml).path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) = run(folder_with(&xml).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: the FMU refused to be instantiated: binary and \
                 modelDescription.xml come from different exports. Export the FMU again its last log lines: \
                 [logStatusError] ";
@@ -297,7 +298,7 @@ fn fmus_that_allow_one_instance_or_need_their_tool_say_why_they_refuse() {
     };
     let refusing = compiled(&source_with_step("return 0;").replace("return malloc(1);", "return 0;"), &[]);
     let (code, _, stderr) =
-        run(folder_with(&flags("needsExecutionTool=\"true\"", &refusing)).path(), &["selftest", "x.fmu"]);
+        run(folder_with(&flags("needsExecutionTool=\"true\"", &refusing)).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: the FMU refused to be instantiated: it needs the tool \
                 that made it (needsExecutionTool). Install and license that tool on this machine";
     same(&stderr, text);
@@ -305,7 +306,7 @@ fn fmus_that_allow_one_instance_or_need_their_tool_say_why_they_refuse() {
     let source = source_with_step("return 0;");
     let once = compiled(&source.replace("return malloc(1);", "static int n; return n++ ? 0 : malloc(1);"), &[]);
     let fmu = flags("canBeInstantiatedOnlyOncePerProcess=\"true\"", &once);
-    let (code, stdout, _) = run(folder_with(&fmu).path(), &["selftest", "x.fmu"]);
+    let (code, stdout, _) = run(folder_with(&fmu).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "FAILED: the FMU refused to be instantiated: it allows one instance in a process only";
     assert!(stdout.contains(text), "{stdout}");
     // Each run has a process of its own then.
@@ -316,14 +317,14 @@ fn fmus_that_allow_one_instance_or_need_their_tool_say_why_they_refuse() {
 #[test]
 fn variables_that_the_binary_does_not_know_are_named() {
     let fmu = with_xml(|x| x.replace("name=\"qd\" valueReference=\"6\"", "name=\"qd\" valueReference=\"999\""));
-    let (code, _, stderr) = run(folder_with(&fmu).path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) = run(folder_with(&fmu).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: reading `qd` (value reference 999): the FMU returned \
                 Error from fmi2GetReal its last log lines: [logStatusError] ";
     assert!(stderr.starts_with(text) && stderr.contains("999"), "{stderr}");
     assert_eq!(code, 3);
     // The wrong type: the binary knows `stop` as a Boolean.
     let fmu = with_xml(|x| x.replace("<Boolean start=\"false\"/>", "<Real/>"));
-    let (code, _, stderr) = run(folder_with(&fmu).path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) = run(folder_with(&fmu).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: setting `stop` (value reference 3), `push` (value \
                 reference 4): the FMU returned Error from fmi2SetReal its last log lines: [logStatusError] ";
     assert!(stderr.starts_with(text), "{stderr}");
@@ -333,7 +334,8 @@ fn variables_that_the_binary_does_not_know_are_named() {
 #[test]
 fn what_is_no_number_before_the_first_step_is_not_put_down_to_its_size() {
     let library = compiled(&source_with_step("return 0;").replace("x[n] = 1", "x[n] = 0.0 / 0.0"), &[]);
-    let (code, _, stderr) = run(folder_with(&with_binary(|_| library.clone())).path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) =
+        run(folder_with(&with_binary(|_| library.clone())).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "is NaN (not a number) at t = 0.000 s; before its first step: look at the start values";
     assert!(code == 3 && stderr.contains(text) && !stderr.contains("too long"), "{stderr}");
 }
@@ -349,7 +351,8 @@ fn what_an_fmu_says_does_not_steer_the_terminal() {
         ),
     );
     let library = compiled(&source, &["-Wno-incompatible-pointer-types"]);
-    let (code, _, stderr) = run(folder_with(&with_binary(|_| library.clone())).path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) =
+        run(folder_with(&with_binary(|_| library.clone())).path(), &["inspect", "--self-test", "x.fmu"]);
     let text = "Error: × the FMU failed in its first plain run: the FMU refused to be instantiated its last log lines: \
                 [c\\u{1b}[1m] \\u{1b}[2J\\u{202e}x";
     same(&stderr, text);
@@ -379,7 +382,7 @@ fn a_crash_carries_what_the_fmu_printed_and_logged_shortly_before() {
     );
     let library = compiled(&source, &["-Wno-incompatible-pointer-types"]);
     let dir = folder_with(&with_binary(|_| library.clone()));
-    let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+    let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
     // Not in its beginning: the sandbox is not named.
     let text = "Error: × the FMU failed in its first plain run: the FMU ended its process (signal 6, SIGABRT, abort) in a \
                 step, number 12 of its run the last lines that it printed: opening table no table [all] row 7 \
@@ -402,13 +405,14 @@ fn what_only_the_sandbox_denies_names_the_way_out() {
     ] {
         let library = compiled(&source(&format!("{open} {rest}").replace("FIRST", first)), &[]);
         let dir = folder_with(&with_binary(|_| library.clone()));
-        let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+        let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
         assert_eq!(code, 3, "{rest}: {stderr}");
         assert!(stderr.contains(words) && stderr.contains("--trust-fmu") != words.is_empty(), "{rest}: {stderr}");
     }
     // One that refuses to begin, and does not say why.
     let library = compiled(&source_with_step("return 0;").replace("return malloc(1);", "return 0;"), &[]);
-    let (_, _, stderr) = run(folder_with(&with_binary(|_| library.clone())).path(), &["selftest", "x.fmu"]);
+    let (_, _, stderr) =
+        run(folder_with(&with_binary(|_| library.clone())).path(), &["inspect", "--self-test", "x.fmu"]);
     same(
         &stderr,
         &format!(
@@ -426,7 +430,7 @@ fn an_fmu_that_kills_its_process_is_a_finding_and_not_a_crash_of_ours() {
     ] {
         let library = binary_with_step(body);
         let dir = folder_with(&with_binary(|_| library.clone()));
-        let (code, _, stderr) = run(dir.path(), &["selftest", "x.fmu"]);
+        let (code, _, stderr) = run(dir.path(), &["inspect", "--self-test", "x.fmu"]);
         let message = "Error: × the FMU failed in its first plain run: the FMU ended its process";
         same(&stderr, &format!("{message} ({words}) in a step, number 1 of its run. If it fails here only, {SANDBOX}"));
         assert_eq!(code, 3);

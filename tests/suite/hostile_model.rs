@@ -41,7 +41,7 @@ fn run(path: &Path, steps: u32) -> Vec<[f64; 2]> {
 fn selftest(hostile: &Hostile) -> (serde_json::Value, i32) {
     let dir = TempDir::new().unwrap();
     hostile.write(dir.path());
-    let output = fmi_hazard(dir.path()).args(["selftest", FMU, "--json"]).output().unwrap();
+    let output = fmi_hazard(dir.path()).args(["inspect", "--self-test", FMU, "--format", "json"]).output().unwrap();
     let errors = String::from_utf8_lossy(&output.stderr);
     let result = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{hostile:?}: {errors}"));
     (result, output.status.code().unwrap())
@@ -58,7 +58,7 @@ fn verdicts(hostile: &Hostile) -> ([String; 5], i32) {
 fn no_first_run(hostile: &Hostile) -> String {
     let dir = TempDir::new().unwrap();
     hostile.write(dir.path());
-    let output = fmi_hazard(dir.path()).args(["selftest", FMU]).assert().code(3).get_output().clone();
+    let output = fmi_hazard(dir.path()).args(["inspect", "--self-test", FMU]).assert().code(3).get_output().clone();
     assert!(output.stdout.is_empty(), "{hostile:?}");
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(text.contains("first plain run"), "{hostile:?}: {text}");
@@ -303,7 +303,7 @@ fn habits_that_a_scan_lives_with_are_told() {
     }
     let dir = TempDir::new().unwrap();
     Hostile::v2().what("signal-handlers").write(dir.path());
-    let output = fmi_hazard(dir.path()).args(["selftest", FMU]).assert().code(0).get_output().clone();
+    let output = fmi_hazard(dir.path()).args(["inspect", "--self-test", FMU]).assert().code(0).get_output().clone();
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(
         text.contains("The FMU handles signals: ") && text.contains("--in-process they would take Ctrl-C"),

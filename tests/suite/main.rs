@@ -85,7 +85,6 @@ mod second_opinion;
 mod speeds_and_motion;
 mod ssp;
 mod states_that_lie;
-mod stepping;
 mod strategies;
 mod terminal;
 mod tried_out;

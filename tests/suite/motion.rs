@@ -211,7 +211,8 @@ fn the_command_prints_a_line_for_each() {
     let printed = |fmu: &str, kind: &str| {
         let dir = folder(fmu, 0, &[]);
         write(dir.path(), "x.ssd", &with_parameter("fault.kind", kind));
-        let output = fmi_hazard(dir.path()).args(["selftest", "x.ssd"]).assert().success().get_output().clone();
+        let output =
+            fmi_hazard(dir.path()).args(["inspect", "--self-test", "x.ssd"]).assert().success().get_output().clone();
         String::from_utf8(output.stdout).unwrap()
     };
     let line = |text: &str, begin: &str| -> String {

@@ -1,5 +1,5 @@
 //! Known hazards in changed cells: what only begins elsewhere, counts less, or cannot be tried from where it began is not fixed, for
-//! `verify`, `compare` and JUnit alike; what was repaired is.
+//! `replay --changed`, `compare` and JUnit alike; what was repaired is.
 
 use std::path::Path;
 
@@ -128,7 +128,7 @@ fn only_what_was_repaired_is_fixed() {
             }
             let file = format!("{name}.toml");
             write(dir, &file, &text);
-            let (code, said) = ran(dir, &["verify", "before", &file, "--junit", "verified.xml"]);
+            let (code, said) = ran(dir, &["replay", "before", "--changed", &file, "--junit", "verified.xml"]);
             assert!(code == Some(verify.0) && said.contains(verify.1), "{fmu} {name}: {code:?} {said}");
             let junit = std::fs::read_to_string(dir.join("verified.xml")).unwrap();
             let bad = junit.contains("<failure") || junit.contains("<error");
@@ -160,11 +160,11 @@ fn a_record_that_does_not_say_where_it_began_is_of_use_for_the_same_cell_only() 
     let settings = old["settings"].as_object_mut().unwrap();
     assert!(settings.remove("begins").is_some() && settings.remove("body").is_some());
     std::fs::write(&file, old.to_string()).unwrap();
-    let (code, said) = ran(dir, &["verify", "before", "cell.toml"]);
+    let (code, said) = ran(dir, &["replay", "before", "--changed", "cell.toml"]);
     assert!(code == Some(1) && said.contains("STILL THERE"), "{said}");
     let (code, said) = ran(dir, &["replay", "before", "all"]);
     assert!(code == Some(1) && said.contains("as recorded to the last bit"), "{said}");
-    let (code, said) = ran(dir, &["verify", "before", "slow.toml"]);
+    let (code, said) = ran(dir, &["replay", "before", "--changed", "slow.toml"]);
     assert!(code == Some(4) && said.contains("does not say where the person began"), "{said}");
 }
 
@@ -176,7 +176,7 @@ fn where_nothing_is_known_nothing_is_fixed() {
     std::fs::copy(test_fmus().join("guarded.fmu"), dir.join("guarded.fmu")).unwrap();
     write(dir, "slow.toml", &turning_bar().replace(SLOW.0, SLOW.1));
     ran(dir, &["scan", "--no-advice", "slow.toml", "--strategy", "random", "--iterations", "3", "--out", "before"]);
-    let (code, said) = ran(dir, &["verify", "before", "slow.toml", "--junit", "verified.xml"]);
+    let (code, said) = ran(dir, &["replay", "before", "--changed", "slow.toml", "--junit", "verified.xml"]);
     assert!(code == Some(4) && said.contains("knows no hazards") && !said.contains("fixed"), "{said}");
     let junit = std::fs::read_to_string(dir.join("verified.xml")).unwrap();
     assert!(junit.contains("<skipped"), "{junit}");
@@ -195,12 +195,12 @@ fn examples_are_tried_from_where_they_were_scanned() {
         let [flawed, fixed, moved] = ["cell", "fixed", "moved"].map(|name| format!("{example}/{name}.toml"));
         let scan = ["scan", "--no-advice", "--strategy", "hybrid", "--iterations", "10", "--out", "before"];
         assert_eq!(ran(dir, &[&scan[..], &[&flawed]].concat()).0, Some(1));
-        let (verified, said) = ran(dir, &["verify", "before", &fixed]);
+        let (verified, said) = ran(dir, &["replay", "before", "--changed", &fixed]);
         assert!(verified == Some(code) && said.contains(says), "{said}");
         let elsewhere =
             "extends = \"cell.toml\"\nname = \"moved\"\n[human]\nstart = { xy_m = [0.2, -6.0], heading_deg = 90 }\n";
         write(dir, &moved, elsewhere);
-        let (verified, said) = ran(dir, &["verify", "before", &moved]);
+        let (verified, said) = ran(dir, &["replay", "before", "--changed", &moved]);
         assert!(verified == Some(1) && said.contains(" 0 of "), "{said}");
         let (replayed, said) = ran(dir, &["replay", "before", "all", "--cell", &moved]);
         assert!(

@@ -5,7 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use tempfile::TempDir;
+
 use crate::common::fmpy::python;
+use crate::common::from_start::path_with_program;
 use crate::common::{examples, fmi_hazard, json};
 use crate::sample;
 
@@ -15,15 +18,9 @@ fn docs() -> PathBuf {
 
 /// Runs a line of a shell in `dir`, with the program on the path.
 fn shell(dir: &Path, line: &str) -> Output {
-    let own = Path::new(env!("CARGO_BIN_EXE_fmi-hazard")).parent().unwrap();
-    let path = format!("{}:{}", own.display(), std::env::var("PATH").unwrap());
-    Command::new("sh")
-        .args(["-ec", line])
-        .current_dir(dir)
-        .env("PATH", path)
-        .env("FMI_HAZARD_FROM", "start")
-        .output()
-        .unwrap()
+    let programs = TempDir::new().unwrap();
+    let path = path_with_program(programs.path());
+    Command::new("sh").args(["-ec", line]).current_dir(dir).env("PATH", path).output().unwrap()
 }
 
 fn said(output: &Output) -> String {
@@ -62,7 +59,7 @@ UR5e = { fixed = true }
 "#;
 
 /// A repository with an example cell that is searched for a second only, with the page's `[fail_on]`.
-fn repository() -> tempfile::TempDir {
+fn repository() -> TempDir {
     let dir = examples();
     let cell = dir.path().join("cell");
     fs::rename(dir.path().join("head-collision"), &cell).unwrap();
@@ -137,7 +134,7 @@ fn a_known_hazard_that_is_gone_passes_only_if_every_sequence_was_looked_at() {
     let repository = repository();
     let dir = repository.path();
     let scan = |more: &[&str]| {
-        let arguments = ["scan", "--no-advice", "cell/cell.toml", "--out", "out"];
+        let arguments = ["scan", "--from", "start", "--no-advice", "cell/cell.toml", "--out", "out"];
         fmi_hazard(dir).args(arguments).args(more).output().unwrap().status.code()
     };
     assert_eq!(scan(&["--write-baseline"]), Some(1));
@@ -201,7 +198,7 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
     if !sample::is_turn(2, 6) {
         return;
     }
-    let dir = tempfile::TempDir::new().unwrap();
+    let dir = TempDir::new().unwrap();
     let dir = dir.path();
     let (first, mail) = (dir.join("first"), dir.join("mail"));
     [first.join("cells"), mail.clone()].iter().for_each(|folder| fs::create_dir_all(folder).unwrap());
@@ -236,7 +233,7 @@ fn results_are_moved_with_their_cell_and_mailed_without_it() {
             let (code, out, text) = ran(dir, &[command, more].concat());
             assert!(code < Some(2) && out.contains(id) && !text.contains("changed"), "{command:?}: {text}");
         }
-        let (code, out, text) = ran(dir, &["verify", results, cell]);
+        let (code, out, text) = ran(dir, &["replay", results, "--changed", cell]);
         assert!(code == Some(1) && out.contains(id), "{out} {text}");
     };
     known(&moved, "results/a", "cells/cell.toml", &[]);

@@ -113,7 +113,8 @@ fn what_commands_print_fits_the_published_schema() {
     let scan: serde_json::Value = serde_json::from_str(one("scan").next().unwrap()).unwrap();
     assert!(!scan["causes"][0]["advice"]["changes"].as_array().unwrap().is_empty(), "no advice: {}", scan["causes"]);
     assert!(
-        one("verify").any(|text| text.contains("\"fixed\"")) && one("verify").any(|t| t.contains("\"still_there\""))
+        one("replay_changed").any(|text| text.contains("\"fixed\""))
+            && one("replay_changed").any(|t| t.contains("\"still_there\""))
     );
     let whole: serde_json::Value = serde_json::from_str(one("anywhere").next().unwrap()).unwrap();
     assert!(!whole["hazards"].as_array().unwrap().is_empty(), "nobody is hit: {whole}");
@@ -141,13 +142,14 @@ fn fits_the_published_schema(dir: &Path, [cell, fixed]: [&str; 2]) -> Vec<(&'sta
     for (command, arguments) in [
         ("check", &[cell][..]),
         ("distance", &[fixed][..]),
-        ("explain", &["out", worst.as_str(), "--quick", "--iterations", "2"][..]),
+        ("explain", &["out", worst.as_str(), "--from", "start", "--quick", "--iterations", "2"][..]),
         ("compare", &["out", "out"][..]),
-        ("verify", &["out", fixed][..]),
-        ("verify", &["out", cell][..]),
+        ("replay_changed", &["out", "--changed", fixed][..]),
+        ("replay_changed", &["out", "--changed", cell][..]),
         ("replay", &["out", "all"][..]),
     ] {
-        let output = program(&[&[command], arguments, &["--format", "json"]].concat());
+        let name = command.split('_').next().unwrap();
+        let output = program(&[&[name], arguments, &["--format", "json"]].concat());
         all.push((command, String::from_utf8(output.stdout).unwrap()));
     }
     let anywhere = ["scan", cell, "--from", "anywhere", "--until", "1s", "--format", "json", "--out", "all"];
@@ -160,7 +162,7 @@ fn fits_the_published_schema(dir: &Path, [cell, fixed]: [&str; 2]) -> Vec<(&'sta
                   schema = json.load(open(sys.argv[1]))\n\
                   check = jsonschema.Draft202012Validator({**schema, 'required': []}).validate\n\
                   [check({key: json.loads(text)}) for key, text in json.load(open(sys.argv[2]))]\n\
-                  wrong = [{'progress': {'event': 'doing'}}, {'verify': [{'id': 1}]}, {'check': {}}]\n\
+                  wrong = [{'progress': {'event': 'doing'}}, {'replay_changed': [{'id': 1}]}, {'check': {}}]\n\
                   print(sum(jsonschema.Draft202012Validator({**schema, 'required': []}).is_valid(one) for one in wrong))";
     let file = write(dir, "printed.json", &serde_json::to_string(&all).unwrap());
     let schema = schemas().join("commands.schema.json");

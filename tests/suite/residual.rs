@@ -95,7 +95,7 @@ fn a_scan_by_default_says_whether_it_is_complete() {
     let near = text.replace("xy_m = [1.6, -1.2]", "xy_m = [1.3, -1.1]") + "\n[search]\nactions = 4\niterations = 50\n";
     write(&dir.path().join("heavy-workpiece"), "near.toml", &near);
     let scan = |more: &[&str]| {
-        let arguments = ["scan", "--no-advice", "-v", "heavy-workpiece/near.toml", "--out", "out"];
+        let arguments = ["scan", "--from", "start", "--no-advice", "-v", "heavy-workpiece/near.toml", "--out", "out"];
         let output = fmi_hazard(dir.path()).args(arguments).args(more).assert().code(1).get_output().clone();
         let told = String::from_utf8(output.stderr).unwrap();
         let mut ids: Vec<&str> =

@@ -11,29 +11,29 @@ use crate::sample;
 
 /// The search for changes, which comes after it, is ended.
 #[test]
-fn the_demo_ends_with_a_confirmed_hazard_and_exit_code_1() {
+fn an_example_that_is_run_ends_with_a_confirmed_hazard_and_exit_code_1() {
     let dir = tempfile::TempDir::new().unwrap();
-    let demo = Started::until(dir.path(), &["demo"], "Looking for changes");
-    demo.signal("-INT");
-    let (code, text) = demo.end();
+    let run = Started::until(dir.path(), &["examples", "run"], "Looking for changes");
+    run.signal("-INT");
+    let (code, text) = run.end();
     assert_eq!(code, Some(1), "{text}");
     the_planted_flaw_is_found(dir.path(), &text);
 }
 
 #[test]
-#[ignore = "half a minute: the demo's search for changes; `the_demo_ends_with_a_confirmed_hazard_and_exit_code_1` ends it"]
-fn the_demo_looks_for_changes_too() {
+#[ignore = "half a minute: its search for changes; `an_example_that_is_run_ends_with_a_confirmed_hazard_and_exit_code_1` ends it"]
+fn an_example_that_is_run_looks_for_changes_too() {
     let dir = tempfile::TempDir::new().unwrap();
-    let said = fmi_hazard(dir.path()).arg("demo").assert().code(1).get_output().stdout.clone();
+    let said = fmi_hazard(dir.path()).args(["examples", "run"]).assert().code(1).get_output().stdout.clone();
     the_planted_flaw_is_found(dir.path(), &String::from_utf8(said).unwrap());
-    let scan = scan_json(&dir.path().join("out/demo/safety-fence"));
+    let scan = scan_json(&dir.path().join("out/examples/safety-fence"));
     assert!(!scan["causes"][0]["advice"].is_null(), "{}", scan["causes"]);
 }
 
-/// What the demo says and leaves behind below this folder.
+/// What it says and leaves behind below this folder.
 fn the_planted_flaw_is_found(dir: &Path, text: &str) {
     assert!(text.contains("confirmed by a fresh replay") && text.contains("not proof of safety"), "{text}");
-    let out = dir.join("out/demo/safety-fence");
+    let out = dir.join("out/examples/safety-fence");
     let scan = scan_json(&out);
     let worst = &scan["hazards"][0];
     // The planted flaw: an arm through the opening (z 0.80 to 1.20 at y = 0) meets the fast leg of the tool.

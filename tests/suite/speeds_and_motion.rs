@@ -291,7 +291,7 @@ fn sensors_are_tried_with_people_at_many_places_and_starts_in_a_field_are_told()
     write(&folder, "inside.toml", &on_mat);
     for arguments in [
         &["check"][..],
-        &["probe"],
+        &["inspect", "--run"],
         &["scan", "--no-advice", "--iterations", "2", "--strategy", "random", "--out", "o"],
     ] {
         let output = fmi_hazard(&folder).args(arguments).arg("inside.toml").output().unwrap();

@@ -453,13 +453,13 @@ fn a_system_is_probed_and_tested_as_an_fmu_is() {
                 + &crate::common::archives::flat(&String::from_utf8_lossy(&output.stderr)),
         )
     };
-    let (code, text) = said(&["selftest", "mat.ssp"]);
+    let (code, text) = said(&["inspect", "--self-test", "mat.ssp"]);
     assert!(code == 0 && text.contains("cell: 80 steps of 0.02 s with 2 moving inputs"), "{text}");
-    let arguments = ["selftest", "mat.ssp", "--json", "--in-process"];
+    let arguments = ["inspect", "--self-test", "mat.ssp", "--format", "json", "--in-process"];
     let output = fmi_hazard(&folder).args(arguments).assert().code(0).get_output().clone();
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["deterministic"]["result"], "exact", "{json}");
-    let (code, text) = said(&["probe", "mat.ssp"]);
+    let (code, text) = said(&["inspect", "--run", "mat.ssp"]);
     assert!(code == 0 && text.contains("moves     5.236 in the unit of its joint speeds"), "{text}");
     assert!(
         text.contains("input     mat_clear = false: stops it") && text.contains("input     reset = true"),
@@ -467,8 +467,8 @@ fn a_system_is_probed_and_tested_as_an_fmu_is() {
     );
     // What is wrong in the system is told with its line.
     system(&folder, &description(|text| text.replace("startConnector=\"stop\"", "startConnector=\"stopp\"")), "", &[]);
-    for command in ["selftest", "probe"] {
-        let (code, text) = said(&[command, "mat.ssp"]);
+    for option in ["--self-test", "--run"] {
+        let (code, text) = said(&["inspect", option, "mat.ssp"]);
         assert!(code == 2 && text.contains("there is no variable `plc.stopp`"), "{text}");
     }
 }

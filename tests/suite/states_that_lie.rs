@@ -234,8 +234,10 @@ fn a_flag_outside_the_saved_state_changes_neither_quick_searches_nor_advice() {
             let dir = tempfile::TempDir::new().unwrap();
             let ran = scan_in(dir.path(), fmu, lie, &[]);
             let id = ran.scan["hazards"][0]["id"].as_str().unwrap();
-            let output =
-                fmi_hazard(dir.path()).args(["explain", "o", id, "--quick", "--format", "json"]).output().unwrap();
+            let output = fmi_hazard(dir.path())
+                .args(["explain", "o", id, "--from", "start", "--quick", "--format", "json"])
+                .output()
+                .unwrap();
             let told: Value = serde_json::from_slice(&output.stdout).unwrap();
             let told = told["remedies"].as_array().unwrap().iter();
             told.map(|r| format!("{}: {}", r["change"], r["outcome"]).replace("lie = 1", "lie = 0")).collect::<Vec<_>>()
@@ -299,7 +301,8 @@ fn a_state_that_is_exact_only_where_inputs_never_rest() {
             assert!(ran.complete() && ran.confirmed() && ran.rung() != "saved_states", "{fmu} {lie}: {ran:?}");
             assert_eq!(ran.counts(), truth.counts());
             // What the self-test of the FMU alone says is the same.
-            let output = fmi_hazard(dir.path()).args(["selftest", "x.fmu", "--json"]).output().unwrap();
+            let output =
+                fmi_hazard(dir.path()).args(["inspect", "--self-test", "x.fmu", "--format", "json"]).output().unwrap();
             let alone: Value = serde_json::from_slice(&output.stdout).unwrap();
             assert!(lie != 4 || alone["restore"]["result"] == "exact", "its lie is a parameter, and 0 there");
         }
@@ -324,7 +327,7 @@ fn noise_that_only_a_rare_input_wakes_is_not_certified() {
         let ran = scan(fmu, 6, way);
         assert!(!ran.complete() && ran.scan["verdict"] != "none_found", "{fmu} {way:?}: {ran:?}");
         assert!(ran.told().contains("does not repeat itself"), "{fmu} {way:?}: {}", ran.told());
-        assert!(!ran.told().contains("selftest"), "{}", ran.told());
+        assert!(!ran.told().contains("--self-test"), "{}", ran.told());
     }
 }
 

@@ -69,7 +69,7 @@ fn on_a_terminal(dir: &Path, arguments: &[&str], no_color: bool) -> String {
     let words = [&[env!("CARGO_BIN_EXE_fmi-hazard")], arguments].concat();
     let mut command = Command::new("script");
     command.args(["--quiet", "--return", "--command", &words.join(" "), "/dev/null"]).current_dir(dir);
-    command.env("TERM", "xterm").env("FMI_HAZARD_FROM", "start").env_remove("NO_COLOR").stdin(Stdio::null());
+    command.env("TERM", "xterm").env_remove("NO_COLOR").stdin(Stdio::null());
     if no_color {
         command.env("NO_COLOR", "1");
     }
@@ -128,7 +128,7 @@ fn shells_complete_commands_and_options() {
         let output = Command::new("bash").args(["-c", &script]).output().unwrap();
         String::from_utf8(output.stdout).unwrap().trim().to_owned()
     };
-    assert_eq!(complete("fmi-hazard ver", 1), "verify");
+    assert_eq!(complete("fmi-hazard rep", 1), "replay report");
     assert_eq!(complete("fmi-hazard scan --strat", 2), "--strategy");
     assert!(complete("fmi-hazard scan --strategy ''", 3).contains("exhaustive"));
 }

@@ -303,7 +303,10 @@ fn who_is_at_a_station_hides_who_walks_in_and_it_is_found_told_and_mended() {
     let table = std::fs::read_to_string(dir.path().join("cell/hazards.csv")).unwrap();
     assert!(table.lines().next().unwrap().ends_with(",who_is_hit") && table.contains(",operator A\n"), "{table}");
     let worst = hazards[0]["id"].as_str().unwrap();
-    let told = fmi_hazard(dir.path()).args(["explain", "cell", worst, "--max-states", "10"]).output().unwrap();
+    let told = fmi_hazard(dir.path())
+        .args(["explain", "cell", worst, "--from", "start", "--max-states", "10"])
+        .output()
+        .unwrap();
     let told = String::from_utf8_lossy(&told.stdout);
     let does = "operator A walks straight ahead, upright; operator B stands, upright";
     assert!(told.contains(does) && told.contains("the hand of operator A"), "{told}");

@@ -8,7 +8,7 @@
 Each cell is one line of results.jsonl; cells that have theirs are left out, so it may be ended and begun again at any time. Both twins are
 scanned from anywhere and from the start. Each is searched by free walks (against what is said of anywhere) and by sequences of actions
 (against what is said of the start). Refuted is: "nobody" (exit code 0 from anywhere) and a sure hit by a free walk; "complete, none"
-(exit code 0 from the start) and one by a sequence; "fixed" (`compare`, `verify`) and one by a sequence in the repaired twin; a change that is
+(exit code 0 from the start) and one by a sequence; "fixed" (`compare`, `replay --changed`) and one by a sequence in the repaired twin; a change that is
 said to be enough, where the changed cell is hit by a sequence or, with --enough, by a free walk. Where something can be accepted, the cell is accepted and scanned again.
 """
 
@@ -124,9 +124,9 @@ def accepted(file, lines):
 
 
 def claims(binary, first, second, cell):
-    """What `compare` and `verify` say of the hazards of the flawed twin, as they stand."""
+    """What `compare` and `replay --changed` say of the hazards of the flawed twin, as they stand."""
     result = {}
-    for name, command in (("compare", ["compare", first, second]), ("verify", ["verify", first, cell])):
+    for name, command in (("compare", ["compare", first, second]), ("replay", ["replay", first, "--changed", cell])):
         run = subprocess.run([str(c) for c in [binary, *command, "--format", "json", "--quiet"]], capture_output=True, text=True, timeout=600)
         words = Counter(re.findall(r'"(?:change|result)": ?"(\w+)"', run.stdout))
         result[name] = {"exit": run.returncode, "words": dict(words)}

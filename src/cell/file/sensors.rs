@@ -245,7 +245,7 @@ impl Checker<'_> {
             let message =
                 format!("sensor `{}` does not say which value of `{}` means a person", s.name, s.variable.get_ref());
             let help = "add active = false if true means clear, as safety signals have it, or active = true; \
-                        `fmi-hazard probe` tries which. Of a number, add values = { clear = 1, detected = 0 }, say"
+                        `fmi-hazard inspect --run` tries which. Of a number, add values = { clear = 1, detected = 0 }, say"
                 .to_owned();
             self.source.error(s.variable.span(), "of this variable", message, Some(help))
         })

@@ -103,7 +103,7 @@ pub fn run(dir: &Path, arguments: &[&str]) -> (i32, String, String) {
 #[track_caller]
 pub fn refused(command: &str, fmu: &[u8], message: &str) {
     let dir = folder_with(fmu);
-    let (code, stdout, stderr) = run(dir.path(), &[command, "x.fmu"]);
+    let (code, stdout, stderr) = run(dir.path(), &[&command.split(' ').collect::<Vec<_>>()[..], &["x.fmu"]].concat());
     same(&stderr, &format!("Error: × {message}"));
     assert_eq!((code, stdout.as_str()), (2, ""));
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1, "something was written beside it");

@@ -7,6 +7,7 @@ pub mod enumerated;
 pub mod exhausted;
 pub mod fmpy;
 pub mod formats;
+pub mod from_start;
 pub mod guarded;
 pub mod hostile;
 pub mod instant;
@@ -22,10 +23,10 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 use tempfile::TempDir;
 
-/// The command under test, in `dir`. Scans that say nothing else are from the cell's starts alone.
+/// The command under test, in `dir`.
 pub fn fmi_hazard(dir: &Path) -> Command {
     let mut command = Command::cargo_bin("fmi-hazard").expect("the binary is built");
-    command.current_dir(dir).env("NO_COLOR", "1").env("FMI_HAZARD_FROM", "start");
+    command.current_dir(dir).env("NO_COLOR", "1");
     command
 }
 

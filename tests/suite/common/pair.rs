@@ -53,7 +53,7 @@ impl Pair {
     /// What is told of the worst hazard and of what helps, in one line.
     pub fn worst_explained(&self, dir: &Path) -> String {
         let worst = self.hazards()[0]["id"].as_str().expect("a text");
-        let arguments = ["explain", "flawed", worst, "--max-states", "1000"];
+        let arguments = ["explain", "flawed", worst, "--from", "start", "--max-states", "1000"];
         in_one_line(&fmi_hazard(dir).args(arguments).output().expect("the command runs").stdout)
     }
 }

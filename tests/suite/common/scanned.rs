@@ -69,12 +69,7 @@ impl Place {
     /// The command, in this place.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_fmi-hazard"));
-        command
-            .args(arguments)
-            .current_dir(self.work())
-            .env("TMPDIR", self.temporary())
-            .env("NO_COLOR", "1")
-            .env("FMI_HAZARD_FROM", "start");
+        command.args(arguments).current_dir(self.work()).env("TMPDIR", self.temporary()).env("NO_COLOR", "1");
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }

@@ -18,7 +18,6 @@ impl Started {
         let mut process = Command::new(env!("CARGO_BIN_EXE_fmi-hazard"))
             .args(arguments)
             .current_dir(dir)
-            .env("FMI_HAZARD_FROM", "start")
             .stderr(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()

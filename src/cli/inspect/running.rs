@@ -1,23 +1,23 @@
-//! `fmi-hazard probe`: what an FMU does when it is run: whether it moves, repeats itself and keeps its state, and which
+//! `fmi-hazard inspect --run`: what an FMU does when it is run: whether it moves, repeats itself and keeps its state, and which
 //! inputs stop it, after how long and with which polarity.
 //!
 //! With a cell the speed is that of the fastest point of any robot; without one, that of the joints that are guessed, or of
 //! whatever changes among the outputs.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Serialize;
 
-use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
-use super::hosting::HostingArguments;
-use super::output::{self, Format};
-use super::selftest::STEPS;
-use super::subject::Subject;
+use super::Arguments;
+use super::self_test::STEPS;
 use crate::cell::binding::alone::Alone;
 use crate::cell::draft::interface::Interface;
 use crate::cell::draft::roles::{Guess, Role};
 use crate::cell::error::OpenError;
 use crate::cell::find::open;
+use crate::cli::exit::{FMU_FAILED, Failure, NO_HAZARD};
+use crate::cli::output::{self, Format};
+use crate::cli::subject::Subject;
 use crate::fmi::number;
 use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, affordable, examine};
 use crate::host::port::PortKind;
@@ -30,25 +30,8 @@ use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe_inputs};
 
 /// What may help an FMU that fails from the start.
-const TRUST: &str = "`fmi-hazard selftest` tries it in parts; an FMU that needs files or a tool of this machine (Python, \
+const TRUST: &str = "`fmi-hazard inspect --self-test` tries it in parts; an FMU that needs files or a tool of this machine (Python, \
                      MATLAB, a licence) runs with --trust-fmu";
-
-#[derive(Debug, clap::Args)]
-pub(super) struct Arguments {
-    /// An FMU, a system of FMUs (.ssp, .ssd), or a cell file (.toml)
-    path: PathBuf,
-    /// The cell file of an FMU that has none of its own
-    #[arg(long)]
-    cell: Option<PathBuf>,
-    /// Do as if there were no cell file: what is tried follows from the FMU alone
-    #[arg(long, conflicts_with = "cell")]
-    fmu_only: bool,
-    /// How to print the result
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
-    #[command(flatten)]
-    hosting: HostingArguments,
-}
 
 /// What is printed as JSON.
 #[derive(Serialize)]
@@ -123,7 +106,7 @@ fn failed(error: PlantError) -> Failure {
 fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     let Hosting::Workers { program, guard, limits } = hosting else {
         return Err(Failure::unusable_with_help(
-            "an FMU without a cell file is probed in worker processes only",
+            "an FMU without a cell file is run in worker processes only",
             "leave out --in-process",
         ));
     };
@@ -291,7 +274,7 @@ fn render(told: &Told) -> String {
 }
 
 /// That runs are shorter than usual, and why.
-pub(super) fn shortened(run_s: f64) -> Option<String> {
+pub(in crate::cli) fn shortened(run_s: f64) -> Option<String> {
     let shorter = run_s < RUN_S - 1e-9;
     shorter.then(|| {
         format!("  runs      of {} s instead of {RUN_S} s: none goes beyond the FMU's stopTime or has more than 50,000 steps", number(run_s))
@@ -299,7 +282,7 @@ pub(super) fn shortened(run_s: f64) -> Option<String> {
 }
 
 /// What an input does, in words.
-pub(super) fn words(reaction: &Reaction, unit: &str) -> String {
+pub(in crate::cli) fn words(reaction: &Reaction, unit: &str) -> String {
     let [before, after] = reaction.mean_speed;
     let begin = reaction.first_change_s.map_or_else(String::new, |s| format!(", first change after {s:.3} s"));
     let speeds = format!("{before:.2} to {after:.2} {unit}");
@@ -332,7 +315,7 @@ fn moment_words(moment: &Moment) -> String {
 }
 
 /// What a sensor inside the FMU did, as a line.
-pub(super) fn reported_words(sensor: &Reported) -> String {
+pub(in crate::cli) fn reported_words(sensor: &Reported) -> String {
     format!(
         "  sensor    {} inside the FMU: fires at {} of {} places of the person",
         sensor.sensor, sensor.at, sensor.of

@@ -1,15 +1,14 @@
-//! `fmi-hazard selftest`: what an FMU's promises about its state are worth, for any FMU or system of FMUs.
+//! `fmi-hazard inspect --self-test`: what an FMU's promises about its state are worth, for any FMU or system of FMUs.
 //!
 //! The FMU runs in workers, one for each stage: when it crashes or hangs in one of them, or damages its memory, that is a
 //! finding about this stage.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
 
-use super::exit::{FMU_FAILED, Failure, NO_HAZARD};
-use super::hosting::HostingArguments;
-use super::output;
-use super::subject::Subject;
+use super::Arguments;
+use crate::cli::exit::{FMU_FAILED, Failure, NO_HAZARD};
+use crate::cli::output::{self, Format};
+use crate::cli::subject::Subject;
 use crate::fmi::{Fmu, number};
 use crate::host::PlantError;
 use crate::host::activity::Activity;
@@ -20,32 +19,8 @@ use crate::scan::{Hosting, PrepareError};
 /// Steps of a run unless told otherwise.
 pub(super) const STEPS: usize = 80;
 
-#[derive(Debug, clap::Args)]
-pub(super) struct Arguments {
-    /// The FMU, or the system of FMUs (.ssp, .ssd)
-    fmu: PathBuf,
-    /// Communication step, s (default: the FMU's own, else 0.02)
-    #[arg(long, value_parser = positive)]
-    step: Option<f64>,
-    /// Number of steps in a run (default: 80, but none beyond the FMU's stopTime)
-    #[arg(long, value_parser = clap::value_parser!(u32).range(8..100_000))]
-    steps: Option<u32>,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    hosting: HostingArguments,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
-        _ => Err("a number greater than zero is needed".to_owned()),
-    }
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let subject = Subject::open(&arguments.fmu)?;
+    let subject = Subject::open(&arguments.path)?;
     let setup = subject.alone(arguments.step)?.setup;
     let _ = setup.order().map_err(PrepareError::from)?;
     let wanted = arguments.steps.and_then(|steps| usize::try_from(steps).ok());
@@ -88,11 +63,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             (result, habits)
         }
     };
-    if arguments.json {
+    if arguments.format == Format::Json {
         let states_by = result.repeatable().then(|| result.rung(false));
         let told = Told { result: &result, habits: &habits, states_by, shortened: shortened.as_deref() };
-        let text = serde_json::to_string_pretty(&told).map_err(Failure::unusable)?;
-        output::json(&(text + "\n"));
+        output::json_of(&told)?;
     } else {
         output::result(&render(subject.name(), &result, &habits, shortened.as_deref()));
     }

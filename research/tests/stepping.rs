@@ -1,14 +1,37 @@
-//! `fmi-hazard step`: another program that takes the actions of a recorded hazard meets that hazard, and saved states are what they were.
+//! `fmi-hazard-research step`: another program that takes the actions of a recorded hazard meets that hazard, and saved states are what they
+//! were; as an environment of Gymnasium too. Needs the Python environment that `tools/test` makes.
 
-use crate::common::{examples, fmi_hazard, scan_json};
+#![expect(clippy::unwrap_used, reason = "a test fails where something is wrong")]
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::process::Command as Process;
+
+use assert_cmd::Command;
+use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::{Method, ScanOptions, StateChoice, StrategyName, scan};
 use serde_json::{Value, json};
+use tempfile::TempDir;
+
+/// The hazards of a quick search in the cell of the conversation.
+fn recorded(dir: &Path) -> Value {
+    let prepared = prepare(&dir.join("heavy-workpiece/cell.toml"), None).unwrap();
+    let options = ScanOptions {
+        method: Method::Strategy(StrategyName::Hybrid),
+        seed: 1,
+        iterations: 60,
+        stop_at_first: false,
+        posture_sweep: true,
+        state: StateChoice::Auto,
+    };
+    serde_json::to_value(scan(&prepared, options, &mut |_| ControlFlow::Continue(())).unwrap().report).unwrap()
+}
 
 #[test]
 fn the_actions_of_a_hazard_lead_to_it_and_states_come_back() {
-    let dir = examples();
-    let scan = ["scan", "--no-advice", "heavy-workpiece/cell.toml", "--strategy", "hybrid", "--iterations", "60"];
-    fmi_hazard(dir.path()).args(scan).args(["--out", "out"]).assert().code(1);
-    let recorded = scan_json(&dir.path().join("out"));
+    let dir = TempDir::new().unwrap();
+    fmi_hazard::examples::export(dir.path()).unwrap();
+    let recorded = recorded(dir.path());
     let hazard = &recorded["hazards"][0];
     let described = say(dir.path(), &[json!({ "do": "describe" })]).remove(0);
     let names: Vec<&str> = described["actions"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
@@ -49,12 +72,27 @@ fn the_actions_of_a_hazard_lead_to_it_and_states_come_back() {
 }
 
 /// The answers to some questions, in one conversation.
-fn say(dir: &std::path::Path, questions: &[Value]) -> Vec<Value> {
+fn say(dir: &Path, questions: &[Value]) -> Vec<Value> {
     let text: String = questions.iter().map(|question| format!("{question}\n")).collect();
-    let output = fmi_hazard(dir).args(["step", "heavy-workpiece/cell.toml"]).write_stdin(text).output().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fmi-hazard-research"));
+    command.current_dir(dir).args(["step", "heavy-workpiece/cell.toml"]);
+    let output = command.write_stdin(text).output().unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let said = String::from_utf8(output.stdout).unwrap();
     let answers: Vec<Value> = said.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(answers.len(), questions.len(), "{said}");
     answers
+}
+
+/// By the checker of Gymnasium, and by what it says of itself.
+#[test]
+fn a_cell_is_an_environment_of_gymnasium_whose_states_come_back() {
+    let dir = TempDir::new().unwrap();
+    fmi_hazard::examples::export(dir.path()).unwrap();
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers/test_environment.py");
+    let python = std::env::var_os("FMI_HAZARD_PYTHON").unwrap_or_else(|| "python3".into());
+    let mut command = Process::new(python);
+    command.arg(tests).current_dir(dir.path()).env("FMI_HAZARD_RESEARCH", env!("CARGO_BIN_EXE_fmi-hazard-research"));
+    let output = command.env("PYTHONDONTWRITEBYTECODE", "1").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

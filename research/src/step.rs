@@ -1,4 +1,4 @@
-//! `fmi-hazard step`: a cell that another program steps, a line of JSON for each question and each answer.
+//! `fmi-hazard-research step`: a cell that another program steps, a line of JSON for each question and each answer.
 //!
 //! | question | answer |
 //! |---|---|
@@ -11,34 +11,24 @@
 //!
 //! What cannot be done is answered with `error`; the conversation goes on. It ends with the input.
 
+use std::error::Error;
 use std::io::BufRead as _;
 use std::path::PathBuf;
 
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::prepare::prepare;
 use serde::{Deserialize, Serialize};
 
-use super::exit::{Failure, NO_HAZARD};
-use super::hosting::HostingArguments;
-use super::{output, stopping};
-use crate::scan::StateChoice;
-use crate::scan::prepare::prepare_in;
-use crate::scan::stepping::{Description, Observation, Stepping, SteppingError, Taken};
-use crate::stop::Stop;
+use crate::stepping::{Description, Observation, Stepping, SteppingError, Taken};
+use crate::tell;
 
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {
+pub(crate) struct Arguments {
     /// A cell file (.toml), or an FMU with a cell file beside it or inside it
     path: PathBuf,
-    /// The cell file of an FMU that has none of its own
-    #[arg(long)]
-    cell: Option<PathBuf>,
-    /// The cell's beginning to start from, when it has several
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
-    begin: u32,
     /// How FMU states are brought back
     #[arg(long, value_enum, default_value_t)]
     state: StateChoice,
-    #[command(flatten)]
-    hosting: HostingArguments,
 }
 
 /// A question.
@@ -65,25 +55,15 @@ enum Answer {
     Error { error: String },
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
-    let stop = Stop::default();
-    let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), &arguments.hosting.heeding(&stop)?)?;
-    let count = prepared.cell.beginnings.len();
-    if arguments.begin as usize > count {
-        return Err(Failure::unusable_with_help(
-            format!("the cell has no beginning {}", arguments.begin),
-            format!("it has {count}: give one of them with --begin"),
-        ));
-    }
-    let there = prepared.beginning(arguments.begin as usize - 1)?;
-    stopping::by_signals(&stop);
-    let mut stepping = Stepping::new(&there, arguments.state)
-        .map_err(|error| Failure::running(format!("the FMU failed at its start: {error}")))?;
+/// Answers until the input ends, at the first of the cell's initial conditions.
+///
+/// # Errors
+/// When the cell cannot be read, or its FMU cannot be started.
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let prepared = prepare(&arguments.path, None)?.beginning(0)?;
+    let mut stepping = Stepping::new(&prepared, arguments.state)?;
     for line in std::io::stdin().lock().lines() {
-        let Ok(line) = line else { break };
-        if stop.is_asked() {
-            break;
-        }
+        let line = line?;
         if line.trim().is_empty() {
             continue;
         }
@@ -92,9 +72,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
             Err(error) => Err(SteppingError::Asked(format!("not a question: {error}"))),
         };
         let answer = answer.unwrap_or_else(|error| Answer::Error { error: error.to_string() });
-        output::json_line(&answer)?;
+        tell(&(serde_json::to_string(&answer)? + "\n"));
     }
-    Ok(NO_HAZARD)
+    Ok(())
 }
 
 fn answered(stepping: &mut Stepping, question: &Question) -> Result<Answer, SteppingError> {

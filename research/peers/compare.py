@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Other tools' searches on the example cells, beside this one's: the tables of peers in docs/src/figures.md.
 
-    tools/peers/compare.py [--program target/release/fmi-hazard] [--seeds 20] [--iterations 320] [--cells ...] [--out peers.json]
+    research/peers/compare.py [--programs target/release] [--seeds 20] [--iterations 320] [--cells ...] [--out peers.json]
 
 Makes an environment of Python for each peer in target/peers, as they cannot all live in one, with the versions below, and starts
 `one.py` in it. Prints three tables in Markdown: iterations until the first hazard, seconds until then, and the share of all hazards of
@@ -77,7 +77,7 @@ def table(title, rows, cells):
 
 def main():
     parser = argparse.ArgumentParser(description="Other tools' searches on the example cells, beside this one's.")
-    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "target" / "release" / "fmi-hazard")
+    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "target" / "release", help="folder with fmi-hazard and fmi-hazard-research")
     parser.add_argument("--seeds", type=int, default=20)
     parser.add_argument("--iterations", type=int, default=320)
     parser.add_argument("--cells", nargs="+", choices=CELLS, default=CELLS)
@@ -86,8 +86,9 @@ def main():
     parser.add_argument("--out", type=pathlib.Path)
     own = parser.parse_args()
     pythons = {peer: environment(PEERS[peer][1]) for peer in own.peers}
-    program = own.program.resolve()
-    env = {**os.environ, "PATH": f"{program.parent}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(ROOT / "python")}
+    programs = own.programs.resolve()
+    program = programs / "fmi-hazard"
+    env = {**os.environ, "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(ROOT / "python")}
 
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "--quiet", "examples", "export", folder], check=True, stdout=subprocess.DEVNULL)

@@ -1,4 +1,7 @@
-"""A cell that one steps oneself: the conversation with `fmi-hazard step`, a line of JSON for each question and each answer."""
+"""A cell that one steps oneself: the conversation with `fmi-hazard-research step`, a line of JSON for each question and each answer.
+
+The program is the one that `FMI_HAZARD_RESEARCH` names, else the one on the path.
+"""
 
 import json
 import os
@@ -7,8 +10,9 @@ import tempfile
 from types import TracebackType
 from typing import Any, Literal, TypedDict, cast
 
-from ._program import program
-from .errors import FmiHazardError, _error
+
+class SteppingError(Exception):
+    """What the program says where something cannot be done."""
 
 
 class Description(TypedDict):
@@ -52,13 +56,11 @@ class Taken(TypedDict):
 class Stepper:
     """A cell at its start, in a process of its own. Actions are numbers of `description["actions"]`."""
 
-    def __init__(self, path: str | os.PathLike[str], *, cell: str | os.PathLike[str] | None = None, begin: int = 1) -> None:
-        words = ["--quiet", "step", os.fspath(path), f"--begin={begin}"]
-        if cell is not None:
-            words.append(f"--cell={os.fspath(cell)}")
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        program = os.environ.get("FMI_HAZARD_RESEARCH", "fmi-hazard-research")
         self._said = tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace")
         self._process = subprocess.Popen(
-            [program(), *words],
+            [program, "step", os.fspath(path)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._said,
@@ -107,10 +109,10 @@ class Stepper:
             self._said.seek(0)
             said = self._said.read().removeprefix("Error:").strip()
             self.close()
-            raise _error(said or f"fmi-hazard ended with exit code {code}", code)
+            raise SteppingError(said or f"{self._process.args} ended with exit code {code}")
         answer = cast(dict[str, Any], json.loads(line))
         if "error" in answer:
-            raise FmiHazardError(answer["error"], 0)
+            raise SteppingError(answer["error"])
         return answer
 
     def __enter__(self) -> "Stepper":

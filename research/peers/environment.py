@@ -1,6 +1,6 @@
-"""A cell as an environment of Gymnasium, for agents that learn where somebody is hit. Needs gymnasium (`pip install fmi-hazard[gym]`).
+"""A cell as an environment of Gymnasium, for agents that learn where somebody is hit.
 
-    env = fmi_hazard.gym.CellEnv("cell.toml")
+    env = CellEnv("cell.toml")
     observation, info = env.reset(seed=1)
     observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
 
@@ -16,7 +16,7 @@ import numpy
 from gymnasium.spaces import Box, Discrete
 from numpy.typing import NDArray
 
-from .stepping import Observation, Stepper, Taken
+from stepper import Observation, Stepper, Taken
 
 Vector = NDArray[numpy.float32]
 
@@ -31,8 +31,8 @@ class CellEnv(gymnasium.Env[Vector, numpy.int64]):
     metadata: dict[str, Any] = {"render_modes": []}
     render_mode = None
 
-    def __init__(self, path: str | os.PathLike[str], *, cell: str | os.PathLike[str] | None = None, begin: int = 1) -> None:
-        self.stepper = Stepper(path, cell=cell, begin=begin)
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.stepper = Stepper(path)
         described = self.stepper.description
         size = 5 + len(described["sensors"]) + 4 * len(described["links"])
         self.observation_space = Box(-numpy.inf, numpy.inf, (size,), numpy.float32)

@@ -1,4 +1,4 @@
-"""One peer on one cell: what `tools/peers/compare.py` starts in the peer's own environment of Python.
+"""One peer on one cell: what `research/peers/compare.py` starts in the peer's own environment of Python.
 
     one.py METHOD CELL FIRST_SEED SEEDS ITERATIONS
 
@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 
-from fmi_hazard import Stepper
+from stepper import Stepper
 
 FACTORS = 6
 """An action is one of six moves with one of six postures; `factored` peers choose both by themselves."""
@@ -25,7 +25,7 @@ LOADED = {
     "annealing": ["staliro"],
     "halton": ["verifai.samplers", "verifai.features"],
     "cross-entropy": ["verifai.samplers", "verifai.features"],
-    "dqn": ["stable_baselines3", "fmi_hazard.gym"],
+    "dqn": ["stable_baselines3", "environment"],
 }
 
 
@@ -126,7 +126,7 @@ def verifai(cell, seed, kind, tuned):
 def learning(cell, path, seed, tuned):
     """DQN of Stable-Baselines3 on the environment of Gymnasium, with the paper's rewards."""
     import torch
-    from fmi_hazard.gym import CellEnv
+    from environment import CellEnv
     from stable_baselines3 import DQN
     from stable_baselines3.common.callbacks import BaseCallback
 

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::hosting::StateChoice;
-use super::prepare::Prepared;
-use crate::hazard::{Finding, Identity};
-use crate::host::{Hosted, PlantError};
-use crate::human::Action;
-use crate::search::{End, Environment as _, Step};
-use crate::sim::simulation::{Instant, Simulation, Snapshot};
-use crate::standards::BodyRegion;
+use fmi_hazard::hazard::{Finding, Identity};
+use fmi_hazard::host::{Hosted, PlantError};
+use fmi_hazard::human::Action;
+use fmi_hazard::scan::StateChoice;
+use fmi_hazard::scan::prepare::Prepared;
+use fmi_hazard::search::{End, Environment as _, Step};
+use fmi_hazard::sim::{Instant, Simulation, Snapshot};
+use fmi_hazard::standards::BodyRegion;
 
 /// Most states that are kept at a time.
 pub(crate) const MOST_SAVED: usize = 100_000;
@@ -53,7 +53,7 @@ pub(crate) struct Observation {
 
 /// An unsafe contact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Met {
+pub(crate) struct Met {
     /// Id of the hazard, as in a scan.
     pub id: String,
     /// What is hit.
@@ -70,7 +70,7 @@ pub struct Met {
 
 /// What an action led to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Taken {
+pub(crate) struct Taken {
     /// What there is to see then; nothing where the FMU could not finish the action.
     pub observation: Option<Observation>,
     /// The reward of the paper: 0 on the way and for an unsafe contact, less at an end without one, by how near it came.
@@ -93,7 +93,7 @@ pub(crate) enum SteppingError {
 }
 
 /// A cell that is stepped.
-pub struct Stepping {
+pub(crate) struct Stepping {
     simulation: Simulation<Hosted>,
     description: Description,
     /// How many actions were taken, and whether the episode is over.
@@ -114,7 +114,7 @@ impl Stepping {
             cell: cell.name.clone(),
             actions: cell.repertoire.all().map(|action| action.to_string()).collect(),
             horizon: cell.search.actions,
-            action_s: crate::human::action::ACTION_S,
+            action_s: fmi_hazard::human::action::ACTION_S,
             sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
             links: cell.links.iter().map(|link| link.name.clone()).collect(),
         };
