@@ -71,7 +71,6 @@ compile_error!(
 pub(crate) mod campaign;
 pub mod cell;
 pub mod cli;
-pub mod examples;
 pub mod fmi;
 pub mod geometry;
 pub mod hazard;
@@ -79,10 +78,12 @@ pub mod host;
 pub mod human;
 pub mod obligations;
 pub mod report;
-#[cfg(test)]
-mod sample;
 pub mod scan;
 pub mod search;
 pub mod sim;
 pub mod standards;
 pub mod stop;
+
+pub use fmi_hazard_examples as examples;
+#[cfg(test)]
+use fmi_hazard_sample as sample;

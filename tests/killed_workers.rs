@@ -6,8 +6,7 @@
 #[path = "suite/common/mod.rs"]
 #[allow(dead_code, reason = "this program uses little of it")]
 mod common;
-#[path = "../src/sample.rs"]
-mod sample;
+use fmi_hazard_sample as sample;
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
     tools/turns.py SAMPLE
 
-The turns stand in the tests themselves, as `if !sample::is_turn(PLACE, OF)` in their first lines; see src/sample.rs.
+The turns stand in the tests themselves, as `if !sample::is_turn(PLACE, OF)` in their first lines; see tests/sample.
 """
 
 import re

@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
-#[path = "../../src/sample.rs"]
-mod sample;
+use fmi_hazard_sample as sample;
 
 mod abilities;
 mod advice;

@@ -5,32 +5,46 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// What of the repository is read in building: each of these folders is named in `build.rs` or holds what a source includes.
-const READ: [&str; 6] = ["build.rs", "src", "fmus/src", "fmus/hostile", "scenarios", "benches"];
+/// What is read in building a package: its name, its folder, and what of that: each is named in a `build.rs` or holds what a source includes.
+const READ: [(&str, &str, &[&str]); 2] = [
+    ("fmi-hazard", "", &["build.rs", "src", "benches"]),
+    ("fmi-hazard-examples", "fmus", &["build.rs", "src", "models", "hostile", "scenarios"]),
+];
 
-/// All files at or below a path of the repository, as paths from its root.
-fn files(of: &str, into: &mut BTreeSet<String>) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(of);
+/// All files at or below a path of a package's folder, as paths from there.
+fn files(folder: &Path, of: &str, into: &mut BTreeSet<String>) {
+    let path = folder.join(of);
     if path.is_dir() {
         for entry in std::fs::read_dir(path).unwrap() {
-            files(&format!("{of}/{}", entry.unwrap().file_name().to_string_lossy()), into);
+            files(folder, &format!("{of}/{}", entry.unwrap().file_name().to_string_lossy()), into);
         }
     } else {
         into.insert(of.to_owned());
     }
 }
 
-#[test]
-fn what_a_build_reads_is_in_the_package_and_tests_are_not() {
-    let list = ["package", "--list", "--allow-dirty", "--offline", "--package", "fmi-hazard"];
+/// What cargo packs of a package.
+fn packed(package: &str) -> BTreeSet<String> {
+    let list = ["package", "--list", "--allow-dirty", "--offline", "--package", package];
     let output = Command::new(env!("CARGO")).args(list).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let packed: BTreeSet<String> = String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect();
-    let mut read = BTreeSet::new();
-    READ.iter().for_each(|of| files(of, &mut read));
-    assert!(read.len() > 300, "{read:?}");
-    let missing: Vec<_> = read.difference(&packed).collect();
-    assert!(missing.is_empty(), "not in the package: {missing:?}");
+    String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn what_a_build_reads_is_in_the_packages_and_tests_are_not() {
+    let mut all = 0;
+    for (package, folder, what) in READ {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        let mut read = BTreeSet::new();
+        what.iter().for_each(|of| files(&folder, of, &mut read));
+        all += read.len();
+        let packed = packed(package);
+        let missing: Vec<_> = read.difference(&packed).collect();
+        assert!(missing.is_empty(), "not in the package {package}: {missing:?}");
+    }
+    assert!(all > 300, "{all}");
+    let packed = packed("fmi-hazard");
     for file in ["Cargo.toml", "Cargo.lock", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "pyproject.toml"] {
         assert!(packed.contains(file), "{file}");
     }

@@ -39,7 +39,7 @@ pub fn examples() -> TempDir {
 
 /// Folder with the FMUs built only for tests.
 pub fn test_fmus() -> PathBuf {
-    PathBuf::from(env!("FMI_HAZARD_TEST_FMUS"))
+    PathBuf::from(fmi_hazard::examples::TEST_FMUS)
 }
 
 /// A cell for the `faulty` test FMU: one joint with a tool, a mat that stops it, and the given parameters.

@@ -1,4 +1,4 @@
-//! The variables of the FMU that does harm on purpose; it is written in C, in `fmus/hostile`.
+//! The variables of the FMU that does harm on purpose; it is written in C, in `hostile`.
 
 use super::variables::Causality::{Input, Output};
 use super::variables::{Interface, Kind, Variable, Variant};

@@ -2,9 +2,9 @@
 #![expect(unsafe_code, reason = "calls the C interface")]
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use fmi_hazard_fmus::fmi2::*;
-use fmi_hazard_fmus::interface::variables::{Interface, Variant};
-use fmi_hazard_fmus::interface::{faulty, safety_fence, workcell};
+use crate::fmi2::*;
+use crate::interface::variables::{Interface, Variant};
+use crate::interface::{faulty, safety_fence, workcell};
 use std::ffi::{CString, c_int};
 use std::ptr::{null, null_mut};
 

@@ -2,10 +2,10 @@
 #![expect(unsafe_code, reason = "calls the C interface")]
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use fmi_hazard_fmus::fmi2;
-use fmi_hazard_fmus::fmi3::*;
-use fmi_hazard_fmus::interface::variables::{Interface, Variant};
-use fmi_hazard_fmus::interface::{faulty, safety_fence, types3, workcell};
+use crate::fmi2;
+use crate::fmi3::*;
+use crate::interface::variables::{Interface, Variant};
+use crate::interface::{faulty, safety_fence, types3, workcell};
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::Mutex;
