@@ -82,8 +82,8 @@ pub mod scan;
 pub mod search;
 pub mod sim;
 pub mod standards;
-pub mod stop;
 
 pub use fmi_hazard_examples as examples;
 #[cfg(test)]
 use fmi_hazard_sample as sample;
+pub use fmi_hazard_stop as stop;

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 mod meter;
 
-pub(crate) use meter::worked;
+pub use meter::worked;
 
 /// What is left to do after somebody asked may take this long.
 const GRACE: Duration = Duration::from_millis(800);
@@ -72,7 +72,7 @@ impl Stop {
     }
 
     /// From now on a search may take so long, with what follows it.
-    pub(crate) fn within(&self, time: Duration) {
+    pub fn within(&self, time: Duration) {
         let reserve = (time / SHARE).clamp(RESERVE[0], RESERVE[1]);
         let now = self.now();
         let after = |time: Duration| now.saturating_add(u64::try_from(time.as_nanos()).unwrap_or(u64::MAX));
@@ -84,12 +84,12 @@ impl Stop {
     }
 
     /// A search begins.
-    pub(crate) fn searching(&self) {
+    pub fn searching(&self) {
         self.0.finishing.store(false, Ordering::Release);
     }
 
     /// The search is over; what was found is looked at once more.
-    pub(crate) fn finishing(&self) {
+    pub fn finishing(&self) {
         self.0.finishing.store(true, Ordering::Release);
     }
 
@@ -101,7 +101,7 @@ impl Stop {
 
     /// Whether the search has to end.
     #[must_use]
-    pub(crate) fn ends_search(&self) -> bool {
+    pub fn ends_search(&self) -> bool {
         meter::looked();
         let end = self.0.search.load(Ordering::Relaxed);
         end != u64::MAX && self.now() >= end
@@ -109,7 +109,7 @@ impl Stop {
 
     /// Whether whatever is under way has to end.
     #[must_use]
-    pub(crate) fn is_due(&self) -> bool {
+    pub fn is_due(&self) -> bool {
         meter::looked();
         let end = if self.0.finishing.load(Ordering::Acquire) { &self.0.all } else { &self.0.search };
         let end = end.load(Ordering::Relaxed);
@@ -118,7 +118,7 @@ impl Stop {
 
     /// Time that the search has left, if its time is limited.
     #[must_use]
-    pub(crate) fn left(&self) -> Option<Duration> {
+    pub fn left(&self) -> Option<Duration> {
         let end = self.0.search.load(Ordering::Relaxed);
         (end != u64::MAX).then(|| Duration::from_nanos(end.saturating_sub(self.now())))
     }

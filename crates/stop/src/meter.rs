@@ -20,7 +20,7 @@ thread_local! {
 
 /// So much was done.
 #[inline]
-pub(crate) fn worked(units: usize) {
+pub fn worked(units: usize) {
     #[cfg(metered)]
     SINCE.with(|since| {
         if let Some(before) = since.get() {
