@@ -63,18 +63,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-#[cfg(not(target_os = "linux"))]
-compile_error!(
-    "fmi-hazard runs on Linux only: FMUs are kept apart with means of its kernel (futex, memfd, Landlock, seccomp)"
-);
-
 pub(crate) mod campaign;
 pub mod cell;
 pub mod cli;
-pub mod fmi;
 pub mod geometry;
 pub mod hazard;
-pub mod host;
 pub mod human;
 pub mod obligations;
 pub mod report;
@@ -87,3 +80,4 @@ pub use fmi_hazard_examples as examples;
 #[cfg(test)]
 use fmi_hazard_sample as sample;
 pub use fmi_hazard_stop as stop;
+pub use fmu_host::{fmi, host};

@@ -6,8 +6,10 @@ use std::path::Path;
 use std::process::Command;
 
 /// What is read in building a package: its name, its folder, and what of that: each is named in a `build.rs` or holds what a source includes.
-const READ: [(&str, &str, &[&str]); 2] = [
-    ("fmi-hazard", "", &["build.rs", "src", "benches"]),
+const READ: [(&str, &str, &[&str]); 4] = [
+    ("fmi-hazard", "", &["src", "benches"]),
+    ("fmi-hazard-stop", "crates/stop", &["build.rs", "src"]),
+    ("fmu-host", "crates/fmu-host", &["build.rs", "src"]),
     ("fmi-hazard-examples", "fmus", &["build.rs", "src", "models", "hostile", "scenarios"]),
 ];
 

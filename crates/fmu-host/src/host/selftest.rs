@@ -27,7 +27,7 @@ use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
 use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
-pub(crate) use agreement::Agreement;
+pub use agreement::Agreement;
 pub(super) use agreement::{Columns, agreement};
 pub use motion::{Apart, Motion, Untried};
 pub(super) use reliance::Facts;
@@ -35,7 +35,7 @@ pub(super) use reliance::Facts;
 /// A part of the self-test. Each may crash on an FMU that is badly made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(crate) enum Stage {
+pub enum Stage {
     /// The first plain run.
     FirstRun,
     /// Two fresh instances, one after the other.
@@ -111,7 +111,7 @@ pub struct SelfTest {
 impl SelfTest {
     /// Whether results can be replayed at all: in another process, where there are any.
     #[must_use]
-    pub(crate) fn repeatable(&self) -> bool {
+    pub fn repeatable(&self) -> bool {
         match self.fresh_process {
             Agreement::NotOffered => self.deterministic == Agreement::Exact,
             _ => self.fresh_process == Agreement::Exact,
@@ -120,7 +120,7 @@ impl SelfTest {
 
     /// How runs that should be the same differ, where results cannot be replayed.
     #[must_use]
-    pub(crate) fn unrepeated(&self) -> Option<&Agreement> {
+    pub fn unrepeated(&self) -> Option<&Agreement> {
         let worse = match self.fresh_process {
             Agreement::NotOffered => &self.deterministic,
             _ => &self.fresh_process,
@@ -180,7 +180,7 @@ impl SelfTest {
     /// The way of bringing states back that this FMU deserves. `fork_pays` where its actions cost more than a copy of its
     /// process.
     #[must_use]
-    pub(crate) fn rung(&self, fork_pays: bool) -> Rung {
+    pub fn rung(&self, fork_pays: bool) -> Rung {
         match (&self.restore, &self.fork, &self.deterministic) {
             (Agreement::Exact, _, Agreement::Exact) => Rung::SavedStates,
             (_, Agreement::Exact, Agreement::Exact) if fork_pays => Rung::Copies,
@@ -193,7 +193,7 @@ impl SelfTest {
 
     /// At most this many states may be kept within a budget.
     #[must_use]
-    pub(crate) fn most_states(&self, budget_bytes: usize) -> usize {
+    pub fn most_states(&self, budget_bytes: usize) -> usize {
         // Without serialisation the size is unknown; 64 KiB is above what small FMUs need.
         let size = self.bytes_per_state.unwrap_or(64 * 1024).max(256);
         (budget_bytes / size).max(16)
@@ -201,7 +201,7 @@ impl SelfTest {
 
     /// Why states are brought back as they are.
     #[must_use]
-    pub(crate) fn because(&self, rung: Rung) -> String {
+    pub fn because(&self, rung: Rung) -> String {
         let saving = match &self.restore {
             Agreement::Exact => "restored exactly",
             Agreement::NotOffered => "the FMU cannot save its state",
@@ -264,7 +264,7 @@ impl Found {
 ///
 /// # Errors
 /// Only when a first plain run is not possible at all; everything after that is a finding in the result.
-pub(crate) fn selftest(
+pub fn selftest(
     slaves: &[Slave],
     setup: &SystemSetup,
     steps: usize,

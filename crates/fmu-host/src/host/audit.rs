@@ -17,7 +17,7 @@ const ROUNDS: u64 = 4;
 
 /// How much is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Scope {
+pub struct Scope {
     /// Transitions that were stepped since there were so many nodes.
     pub since: usize,
     /// Most runs.
@@ -30,7 +30,7 @@ pub(crate) struct Scope {
 
 /// What came out.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Audit {
+pub struct Audit {
     /// Transitions of the FMU that there are to compare.
     pub transitions: u64,
     /// Compared with a plain run, before the first difference.
@@ -47,7 +47,7 @@ pub(crate) struct Audit {
 
 /// A history that the FMU goes through differently from what is known of it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Difference {
+pub struct Difference {
     /// What this shows to be wrong.
     pub unlike: Unlike,
     /// In which action, from 1; 0 for the start.
@@ -205,7 +205,7 @@ pub(crate) fn plain<P: Plant>(
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub(crate) fn repeated<P: Plant>(
+pub fn repeated<P: Plant>(
     plant: &mut P,
     (steps, inputs): &(usize, Vec<f64>),
 ) -> Result<Option<Option<u64>>, PlantError> {
@@ -219,7 +219,7 @@ pub(crate) fn repeated<P: Plant>(
 ///
 /// # Errors
 /// When nothing can be run any more.
-pub(crate) fn audit<P: Plant, Q: Plant>(
+pub fn audit<P: Plant, Q: Plant>(
     plant: &mut P,
     recall: &Recall<Q>,
     scope: Scope,

@@ -11,8 +11,8 @@
 //! - [`audit`]: what was stepped from states, run once more from the start
 //! - [`selftest`]: what an FMU's promises about its state are worth
 
-pub(crate) mod activity;
-pub(crate) mod audit;
+pub mod activity;
+pub mod audit;
 pub(crate) mod hosted;
 pub(crate) mod in_process;
 pub mod isolation;
@@ -21,7 +21,7 @@ pub mod port;
 pub(crate) mod recall;
 mod rounding;
 pub mod selftest;
-pub(crate) mod system;
+pub mod system;
 
 pub use hosted::Hosted;
 pub use plant::{Arrived, Begins, Leg, Plant, PlantError, Reads, Taken, Then, Unlike, for_all_steps};

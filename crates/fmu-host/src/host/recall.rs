@@ -27,7 +27,7 @@ impl NodeId {
     pub const ROOT: Self = Self(0);
 
     /// Its number, in the order in which states were met.
-    pub(crate) const fn index(self) -> usize {
+    pub const fn index(self) -> usize {
         self.0
     }
 }
@@ -102,7 +102,7 @@ pub struct Effort {
 impl Effort {
     /// Both together.
     #[must_use]
-    pub(crate) const fn and(self, other: Self) -> Self {
+    pub const fn and(self, other: Self) -> Self {
         Self {
             steps: self.steps + other.steps,
             restarts: self.restarts + other.restarts,
@@ -236,31 +236,31 @@ impl<P: Plant> Recall<P> {
 
     /// The state before the transition into `node`; the root's is the root.
     #[must_use]
-    pub(crate) fn parent(&self, node: NodeId) -> NodeId {
+    pub fn parent(&self, node: NodeId) -> NodeId {
         self.nodes[node.0].parent
     }
 
     /// Inputs of the transition into `node`, row-major.
     #[must_use]
-    pub(crate) fn inputs(&self, node: NodeId) -> Vec<f64> {
+    pub fn inputs(&self, node: NodeId) -> Vec<f64> {
         values_of(&self.nodes[node.0].edge).1
     }
 
     /// Actions between the start and `node`.
     #[must_use]
-    pub(crate) fn depth(&self, node: NodeId) -> usize {
+    pub fn depth(&self, node: NodeId) -> usize {
         self.nodes[node.0].depth
     }
 
     /// A number for the outputs of the transition into `node`: those of equal number are equal to the last bit.
     #[must_use]
-    pub(crate) fn trace(&self, node: NodeId) -> u32 {
+    pub fn trace(&self, node: NodeId) -> u32 {
         self.nodes[node.0].trace
     }
 
     /// The first node known to be in the same state as `node`.
     #[must_use]
-    pub(crate) fn same(&self, node: NodeId) -> NodeId {
+    pub fn same(&self, node: NodeId) -> NodeId {
         self.nodes[node.0].same
     }
 
@@ -289,7 +289,7 @@ impl<P: Plant> Recall<P> {
 
     /// A number that tells what the FMU gave so far, in all transitions that were stepped, from anything else.
     #[must_use]
-    pub(crate) const fn trail(&self) -> u64 {
+    pub const fn trail(&self) -> u64 {
         self.trail
     }
 
@@ -318,13 +318,13 @@ impl<P: Plant> Recall<P> {
 
     /// Memory held for states and their traces, bytes, about.
     #[must_use]
-    pub(crate) const fn bytes(&self) -> usize {
+    pub const fn bytes(&self) -> usize {
         self.bytes
     }
 
     /// Forgets saved states, traces and transitions of nodes of less than `depth`, except the start. They can still be
     /// stepped on, by replay.
-    pub(crate) fn release_before(&mut self, depth: usize) {
+    pub fn release_before(&mut self, depth: usize) {
         for node in self.nodes.iter_mut().skip(1).filter(|n| n.depth < depth) {
             self.checkpoints -= usize::from(node.checkpoint.take().is_some());
             node.children = BTreeMap::new();
@@ -345,13 +345,13 @@ impl<P: Plant> Recall<P> {
     /// Communication steps of all different transitions so far, however often they were repeated to come back to a
     /// state: the same on every rung of the ladder.
     #[must_use]
-    pub(crate) const fn steps(&self) -> u64 {
+    pub const fn steps(&self) -> u64 {
         self.steps
     }
 
     /// What the FMU really did so far.
     #[must_use]
-    pub(crate) const fn effort(&self) -> Effort {
+    pub const fn effort(&self) -> Effort {
         Effort { steps: self.steps_made, restarts: self.restarts, restores: self.restores, workers_replaced: 0 }
     }
 
@@ -370,7 +370,7 @@ impl<P: Plant> Recall<P> {
     /// Where `steps` communication steps from `node` with `inputs` (row-major) lead, if they were taken before; nothing
     /// is simulated.
     #[must_use]
-    pub(crate) fn known(&self, node: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
+    pub fn known(&self, node: NodeId, steps: usize, inputs: &[f64]) -> Option<NodeId> {
         self.nodes[node.0].children.get(&edge_of(steps, inputs)).and_then(|child| child.as_ref().ok()).copied()
     }
 

@@ -88,32 +88,32 @@ impl Launcher {
 
     /// The same FMUs with another setup.
     #[must_use]
-    pub(crate) fn with_setup(mut self, setup: SystemSetup) -> Self {
+    pub fn with_setup(mut self, setup: SystemSetup) -> Self {
         Arc::make_mut(&mut self.load).setup = setup;
         self
     }
 
     /// When everything with these FMUs has to end.
     #[must_use]
-    pub(crate) const fn stop(&self) -> &Stop {
+    pub const fn stop(&self) -> &Stop {
         &self.limits.stop
     }
 
     /// The setup of the FMUs.
     #[must_use]
-    pub(crate) fn setup(&self) -> &SystemSetup {
+    pub fn setup(&self) -> &SystemSetup {
         &self.load.setup
     }
 
     /// What the FMUs printed so far, and how many bytes it was; only the first megabyte is kept.
     #[must_use]
-    pub(crate) fn printed(&self) -> (String, u64) {
+    pub fn printed(&self) -> (String, u64) {
         lock(&self.said).beginning()
     }
 
     /// What was printed before the first few failures.
     #[must_use]
-    pub(crate) fn before_failures(&self) -> Vec<LastWords> {
+    pub fn before_failures(&self) -> Vec<LastWords> {
         lock(&self.said).before_failures()
     }
 

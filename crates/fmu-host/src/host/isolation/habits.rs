@@ -16,7 +16,7 @@ use crate::host::rounding;
 /// Something an FMU does to its process.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "habit")]
-pub(crate) enum Habit {
+pub enum Habit {
     /// It changes the working folder.
     WorkingFolder,
     /// It changes the locale.
@@ -85,7 +85,7 @@ impl fmt::Display for Habit {
 impl Habit {
     /// What it means for a scan.
     #[must_use]
-    pub(crate) const fn means(&self) -> &'static str {
+    pub const fn means(&self) -> &'static str {
         match self {
             Self::WorkingFolder => "nothing: each worker has a working folder of its own",
             Self::Locale { .. } => "nothing for results; numbers in its log may be written with a comma",
@@ -113,7 +113,7 @@ const LEAK: u64 = 64;
 ///
 /// # Errors
 /// When the FMU cannot be run that often.
-pub(crate) fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Result<Vec<Habit>, PlantError> {
+pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Result<Vec<Habit>, PlantError> {
     insist(&mut || {
         let (_, before) = launcher.printed();
         let mut worker = launcher.start(false)?;

@@ -36,7 +36,7 @@ pub(super) struct Said {
 
 /// What an FMU printed shortly before it failed. Not part of a result: it depends on what its process did before.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
-pub(crate) struct LastWords {
+pub struct LastWords {
     /// What happened.
     pub failure: String,
     /// The last lines.

@@ -32,7 +32,7 @@ const CANNOT_BEGIN: u8 = 70;
 /// Runs as a worker: `channel` is the number of the file descriptor of the shared memory, standard input the pipe that
 /// tells when the program is gone. Returns the exit code.
 #[must_use]
-pub(crate) fn serve(channel: i32) -> u8 {
+pub fn serve(channel: i32) -> u8 {
     begin(channel).map_or(CANNOT_BEGIN, |()| 0)
 }
 
@@ -415,7 +415,7 @@ mod tests {
     #[test]
     fn each_fmu_has_event_mode_if_it_had_it_in_the_first_run() {
         let dir = tempfile::tempdir().unwrap();
-        let written = crate::examples::by_name("safety-fence").unwrap().export(dir.path()).unwrap();
+        let written = fmi_hazard_examples::by_name("safety-fence").unwrap().export(dir.path()).unwrap();
         let fmu = Fmu::open(&written[0]).unwrap();
         let channel: &'static Channel = Box::leak(Box::new(Channel::create().unwrap().0));
         let activity = Activity::new(&channel.head().activity);

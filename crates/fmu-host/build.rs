@@ -1,4 +1,4 @@
-//! Builds the C part of the FMI floor.
+//! Builds the one part in C: the logger that FMUs call with a variable number of arguments.
 #![allow(clippy::print_stdout, reason = "this is how a build script talks to cargo")]
 
 fn main() {

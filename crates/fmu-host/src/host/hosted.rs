@@ -37,7 +37,7 @@ impl Hosted {
 impl Recall<Hosted> {
     /// With the workers that had to be replaced.
     #[must_use]
-    pub(crate) const fn effort_of_workers(&self) -> Effort {
+    pub const fn effort_of_workers(&self) -> Effort {
         Effort { workers_replaced: self.plant().replaced(), ..self.effort() }
     }
 }

@@ -346,7 +346,7 @@ pub enum Unlike {
 impl PlantError {
     /// A failure of one call; the plant can be restarted.
     #[must_use]
-    pub(crate) fn of(message: impl Into<String>) -> Self {
+    pub fn of(message: impl Into<String>) -> Self {
         Self { message: message.into(), ..Self::default() }
     }
 
@@ -362,13 +362,13 @@ impl PlantError {
 
     /// Whether the FMU could not even begin: nothing was tried.
     #[must_use]
-    pub(crate) const fn tried_nothing(&self) -> bool {
+    pub const fn tried_nothing(&self) -> bool {
         self.stopped || self.not_started || self.not_loaded || (self.fatal && self.time_s.is_none())
     }
 
     /// Work was ended, see [`Stop`].
     #[must_use]
-    pub(crate) fn stopped() -> Self {
+    pub fn stopped() -> Self {
         Self { stopped: true, lost: true, fatal: true, ..Self::of("stopped") }
     }
 

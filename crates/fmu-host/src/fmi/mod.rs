@@ -20,9 +20,9 @@
 //!
 //! ```
 //! # let dir = tempfile::tempdir()?;
-//! # fmi_hazard::examples::export(dir.path())?;
+//! # fmi_hazard_examples::export(dir.path())?;
 //! # let path = dir.path().join("safety-fence/safety-fence.fmu");
-//! use fmi_hazard::fmi::Fmu;
+//! use fmu_host::fmi::Fmu;
 //!
 //! let fmu = Fmu::open(&path)?;
 //! let speed = fmu.description().variable("robot.tcp_speed").expect("an output").value_reference;

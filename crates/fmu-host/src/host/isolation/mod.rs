@@ -24,10 +24,10 @@ mod process;
 mod sandbox;
 mod worker;
 
-pub(crate) use examine::{Examination, affordable, examine};
-pub(crate) use habits::{Habit, habits};
+pub use examine::{Examination, affordable, examine};
+pub use habits::{Habit, habits};
 pub use isolated::{Checkpoint, Isolated, Keeping};
 pub use launch::{Guard, Launcher, Limits};
 pub use message::Unpacked;
-pub(crate) use printed::LastWords;
-pub(crate) use worker::serve;
+pub use printed::LastWords;
+pub use worker::serve;

@@ -94,7 +94,7 @@ impl SystemSetup {
 
     /// Their names; with that of the FMU where there are several.
     #[must_use]
-    pub(crate) fn column_names(&self) -> Vec<String> {
+    pub fn column_names(&self) -> Vec<String> {
         let name = |p: &UnitPort| match self.names.len() {
             1 => p.port.name.clone(),
             _ => format!("{}:{}", self.names[p.unit], p.port.name),
@@ -106,7 +106,7 @@ impl SystemSetup {
     ///
     /// # Errors
     /// A loop of connections without delay.
-    pub(crate) fn order(&self) -> Result<Vec<usize>, AlgebraicLoop> {
+    pub fn order(&self) -> Result<Vec<usize>, AlgebraicLoop> {
         let count = self.names.len();
         let mut order: Vec<usize> = Vec::with_capacity(count);
         while order.len() < count {
@@ -127,7 +127,7 @@ impl SystemSetup {
 
     /// One line for each connection: what drives what, and what the coupling adds.
     #[must_use]
-    pub(crate) fn couplings(&self) -> Vec<String> {
+    pub fn couplings(&self) -> Vec<String> {
         let step_ms = self.step_s * 1000.0;
         let name = |p: &UnitPort| format!("{}:{}", self.names[p.unit], p.port.name);
         let delay = |c: &Connection| match c.delay_steps {
@@ -219,7 +219,7 @@ impl System {
     ///
     /// # Errors
     /// A loop of connections without delay.
-    pub(crate) fn new(slaves: &[Slave], setup: SystemSetup) -> Result<Self, AlgebraicLoop> {
+    pub fn new(slaves: &[Slave], setup: SystemSetup) -> Result<Self, AlgebraicLoop> {
         let order = setup.order()?;
         let units = slaves.iter().enumerate().map(|(i, slave)| InProcess::new(slave.clone(), setup.unit(i))).collect();
         let columns = |all: &[UnitPort], unit: usize| {
@@ -253,7 +253,7 @@ impl System {
 
     /// The same; its steps end when `stop` says so.
     #[must_use]
-    pub(crate) fn heeding(mut self, stop: &Stop) -> Self {
+    pub fn heeding(mut self, stop: &Stop) -> Self {
         self.units.iter_mut().for_each(|unit| unit.heed(stop.clone()));
         self
     }

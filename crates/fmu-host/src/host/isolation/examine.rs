@@ -10,7 +10,7 @@ use crate::host::plant::{Plant as _, PlantError, insist};
 use crate::host::selftest::{Agreement, Columns, Facts, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
-pub(crate) struct Examination {
+pub struct Examination {
     /// The findings.
     pub result: SelfTest,
     /// For workers that run these FMUs as the self-test did.
@@ -114,7 +114,7 @@ const AGAIN_WITHIN: Duration = Duration::from_secs(3);
 
 /// As many of these steps as the self-test can have where they take long. Few values, so that it is the same ones again.
 #[must_use]
-pub(crate) fn affordable(launcher: &Launcher, steps: usize) -> usize {
+pub fn affordable(launcher: &Launcher, steps: usize) -> usize {
     let time = |steps: usize| {
         let began = Instant::now();
         let ran = in_a_process(launcher, steps, Stage::FirstRun, &[]);
@@ -151,7 +151,7 @@ fn read<T: serde::de::DeserializeOwned>(told: &str) -> Result<T, PlantError> {
 ///
 /// # Errors
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
-pub(crate) fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
+pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
     let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;

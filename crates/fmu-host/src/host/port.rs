@@ -61,7 +61,7 @@ const ELEMENTS: usize = 64;
 
 /// The numbers of a variable, each with its start value.
 #[must_use]
-pub(crate) fn ports(description: &ModelDescription, variable: &Variable) -> Vec<(Port, f64)> {
+pub fn ports(description: &ModelDescription, variable: &Variable) -> Vec<(Port, f64)> {
     let start = variable.numeric_start();
     let of = |i: usize| start.get(i).or(start.first()).copied().unwrap_or(0.0);
     let elements = description.elements(variable).take(ELEMENTS).enumerate();
@@ -70,7 +70,7 @@ pub(crate) fn ports(description: &ModelDescription, variable: &Variable) -> Vec<
 
 /// All changing numbers of this causality.
 #[must_use]
-pub(crate) fn changing(description: &ModelDescription, causality: Causality) -> Vec<Port> {
+pub fn changing(description: &ModelDescription, causality: Causality) -> Vec<Port> {
     let changes = |v: &&Variable| !matches!(v.variability, Variability::Constant | Variability::Fixed);
     let variables = description.variables.iter().filter(|v| v.causality == causality).filter(changes);
     variables.flat_map(|v| ports(description, v)).map(|(port, _)| port).collect()

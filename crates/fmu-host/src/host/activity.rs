@@ -49,7 +49,7 @@ const CALLS: [(Call, &str); 12] = [
 
 /// The call that is under way, and in which step: one word that others may read at any time.
 #[derive(Clone, Copy)]
-pub(crate) struct Activity(&'static AtomicU64);
+pub struct Activity(&'static AtomicU64);
 
 /// What was read from an [`Activity`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,7 +73,7 @@ impl Activity {
 
     /// One that nobody reads.
     #[must_use]
-    pub(crate) fn unseen() -> Self {
+    pub fn unseen() -> Self {
         static WORD: AtomicU64 = AtomicU64::new(0);
         Self(&WORD)
     }
