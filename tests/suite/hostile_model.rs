@@ -226,7 +226,7 @@ fn memory_is_taken_until_there_is_none() {
         let dir = TempDir::new().unwrap();
         hostile.write(dir.path());
         let command =
-            format!("ulimit -v 1000000; exec '{}' selftest {FMU} --steps 100", env!("CARGO_BIN_EXE_fmi-hazard"));
+            format!("ulimit -v 1000000; exec '{}' inspect --self-test {FMU} --steps 100", env!("CARGO_BIN_EXE_fmi-hazard"));
         let output = std::process::Command::new("sh").args(["-c", &command]).current_dir(dir.path()).output().unwrap();
         let text = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(3) && text.contains("SIGSEGV"), "{text}");

@@ -175,7 +175,7 @@ fn values_that_are_no_numbers() {
     for (row, (what, words)) in [("nan", "NaN (not a number)"), ("infinity", "infinite")].into_iter().enumerate() {
         for hostile in Hostile::by_turns(row) {
             let words = format!("the FMU's output `q` is {words} at t = ");
-            meets(&hostile.what(what).when_stopped(8), &words, "`fmi-hazard selftest`", &[], 0);
+            meets(&hostile.what(what).when_stopped(8), &words, "`fmi-hazard inspect --self-test`", &[], 0);
         }
     }
 }
@@ -191,7 +191,7 @@ fn with_nothing_found_a_fault_decides_the_exit_code() {
 
 /// It is told with these words, and nothing else is.
 fn fails_in_its_first_run(ran: &Ran, words: &str, what: &str) {
-    let help = "help: no search is possible. `fmi-hazard selftest` shows what the FMU can do without a cell";
+    let help = "help: no search is possible. `fmi-hazard inspect --self-test` shows what the FMU can do without a cell";
     let text = format!("Error: the FMU failed in its first run: the FMU {words} {help}");
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(3), text.as_str()), "{what}");
     assert!(ran.stdout.is_empty() && ran.scan.is_null());

@@ -138,7 +138,7 @@ fn every_command_has_a_manual_page_with_all_its_options() {
     let dir = tempfile::TempDir::new().unwrap();
     assert_eq!(ran(dir.path(), &["manual", "--pages", "man"]).0, Some(0));
     let (_, help, _) = ran(dir.path(), &["--help"]);
-    let commands = help.lines().skip_while(|line| *line != "Look at an FMU:").take_while(|line| *line != "Options:");
+    let commands = help.lines().skip_while(|line| *line != "Begin:").take_while(|line| *line != "Options:");
     let names: Vec<&str> = commands
         .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
         .filter_map(|line| line.split_whitespace().next())
