@@ -69,15 +69,15 @@ pub mod cli;
 pub mod geometry;
 pub mod hazard;
 pub mod human;
-pub mod obligations;
 pub mod report;
 pub mod scan;
-pub mod search;
 pub mod sim;
 pub mod standards;
 
 pub use fmi_hazard_examples as examples;
+pub use fmi_hazard_outcome as obligations;
 #[cfg(test)]
 use fmi_hazard_sample as sample;
+pub use fmi_hazard_search as search;
 pub use fmi_hazard_stop as stop;
 pub use fmu_host::{fmi, host};

@@ -225,8 +225,10 @@ fn memory_is_taken_until_there_is_none() {
     for hostile in sample::some(Hostile::both(), 2).map(|hostile| hostile.what("leak").size(20_000_000)) {
         let dir = TempDir::new().unwrap();
         hostile.write(dir.path());
-        let command =
-            format!("ulimit -v 1000000; exec '{}' inspect --self-test {FMU} --steps 100", env!("CARGO_BIN_EXE_fmi-hazard"));
+        let command = format!(
+            "ulimit -v 1000000; exec '{}' inspect --self-test {FMU} --steps 100",
+            env!("CARGO_BIN_EXE_fmi-hazard")
+        );
         let output = std::process::Command::new("sh").args(["-c", &command]).current_dir(dir.path()).output().unwrap();
         let text = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(3) && text.contains("SIGSEGV"), "{text}");

@@ -37,7 +37,7 @@ pub enum Effect<U> {
 impl<U> Effect<U> {
     /// The same of an action in which something unsafe is met, where the search goes on behind it or not.
     #[must_use]
-    pub(crate) fn hits(&self, met: U, goes_on: bool) -> Self {
+    pub fn hits(&self, met: U, goes_on: bool) -> Self {
         let then = match self {
             Self::To(index) if goes_on => Some(*index),
             _ => None,
@@ -93,7 +93,7 @@ pub enum Before {
 }
 
 /// Expanded states of an [`Expansion`], in the order in which they were asked for.
-pub(crate) type ExpandedBy<E> = Vec<Expanded<<E as Expansion>::State, <E as Expansion>::Unsafe>>;
+pub type ExpandedBy<E> = Vec<Expanded<<E as Expansion>::State, <E as Expansion>::Unsafe>>;
 
 /// An environment whose states can be told apart and expanded many at a time.
 pub trait Expansion {

@@ -10,7 +10,7 @@
 
 pub mod answers;
 pub mod decided;
-pub(crate) mod net;
+pub mod net;
 pub(crate) mod shows;
 pub mod stays;
 pub mod walks;
@@ -83,7 +83,7 @@ pub trait Machine {
 }
 
 /// By reading, others that may follow it: those of a higher number first, and then from 0 on.
-pub(crate) type Others = Vec<Vec<usize>>;
+pub type Others = Vec<Vec<usize>>;
 
 /// Where any of so many readings may follow any other.
 #[must_use]
@@ -135,7 +135,7 @@ pub struct Extent<'a> {
 
 /// The longest that a reading is held.
 #[must_use]
-pub(crate) fn longest(held: &[usize]) -> usize {
+pub fn longest(held: &[usize]) -> usize {
     held.iter().copied().max().unwrap_or_default()
 }
 
@@ -231,19 +231,19 @@ impl Behaviours {
 
     /// The one after a step with a reading; nothing where that was not looked at.
     #[must_use]
-    pub(crate) fn next(&self, number: Number, reading: usize) -> Option<Number> {
+    pub fn next(&self, number: Number, reading: usize) -> Option<Number> {
         Some(self.next[number as usize * self.readings() + reading]).filter(|next| *next != NONE)
     }
 
     /// The one before, on a way that leads to one in as few steps as any; nothing at the start.
     #[must_use]
-    pub(crate) fn before(&self, number: Number) -> Option<Number> {
+    pub fn before(&self, number: Number) -> Option<Number> {
         (self.depth(number) > 0).then(|| self.came[number as usize].0)
     }
 
     /// How many readings there are.
     #[must_use]
-    pub(crate) const fn readings(&self) -> usize {
+    pub const fn readings(&self) -> usize {
         self.others.len()
     }
 
@@ -255,7 +255,7 @@ impl Behaviours {
 
     /// The fewest steps that lead to one.
     #[must_use]
-    pub(crate) fn depth(&self, number: Number) -> usize {
+    pub fn depth(&self, number: Number) -> usize {
         self.depth[number as usize] as usize
     }
 

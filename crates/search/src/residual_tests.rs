@@ -1,7 +1,7 @@
 //! The bounds where the truth is known: groups that are met with given probabilities.
 
 use super::*;
-use crate::search::Rng;
+use crate::Rng;
 
 /// Chances out of `OF`; what is left is harmless.
 const OF: usize = 1_000_000;

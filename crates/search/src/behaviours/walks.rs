@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 
 use super::{Begins, Behaviours, Hold, Machine};
-use crate::search::rng::Rng;
+use crate::rng::Rng;
 
 /// Readings of a walk, each held for some steps.
 pub type Walk = Vec<(usize, usize)>;

@@ -4,7 +4,7 @@ use super::{Environment, Iteration, Rng, Strategy};
 
 /// Uniform random episodes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Random;
+pub struct Random;
 
 impl<E: Environment> Strategy<E> for Random {
     fn name(&self) -> &'static str {

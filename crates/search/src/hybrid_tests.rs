@@ -1,8 +1,8 @@
 //! The turns of the hybrid search, on the puzzle of the planning tests.
 
 use super::*;
-use crate::search::End;
-use crate::search::plan::tests::Guarded;
+use crate::End;
+use crate::plan::tests::Guarded;
 
 #[test]
 fn every_fifth_episode_is_random_and_said_to_be() {

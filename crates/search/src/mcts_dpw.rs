@@ -22,7 +22,7 @@ pub(crate) enum Bonus {
 
 /// The open parameters of the method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Parameters {
+pub struct Parameters {
     /// Widening factor: a state has at most about `k * N(s)^alpha` children.
     pub k: f64,
     /// Widening exponent.
@@ -40,7 +40,7 @@ pub(crate) struct Parameters {
 
 /// Named readings of the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Profile {
+pub enum Profile {
     /// The paper's formulas made to work: `N` counted before the widening test, capped at the number of actions;
     /// `k = 1`, `alpha = 0.5`, `c = 10`.
     Paper,
@@ -53,7 +53,7 @@ pub(crate) enum Profile {
 impl Profile {
     /// Its parameters.
     #[must_use]
-    pub(crate) const fn parameters(self) -> Parameters {
+    pub const fn parameters(self) -> Parameters {
         match self {
             Self::Paper => Parameters {
                 k: 1.0,
@@ -107,7 +107,7 @@ struct Node<S> {
 
 /// The search tree and its parameters.
 #[derive(Debug)]
-pub(crate) struct MctsDpw<S> {
+pub struct MctsDpw<S> {
     profile: Profile,
     parameters: Parameters,
     nodes: Vec<Node<S>>,
@@ -116,13 +116,13 @@ pub(crate) struct MctsDpw<S> {
 impl<S: Clone> MctsDpw<S> {
     /// A fresh tree with the parameters of `profile`.
     #[must_use]
-    pub(crate) fn new(profile: Profile) -> Self {
+    pub fn new(profile: Profile) -> Self {
         Self { profile, parameters: profile.parameters(), nodes: Vec::new() }
     }
 
     /// A fresh tree with other parameters (for sensitivity studies).
     #[must_use]
-    pub(crate) fn with_parameters(profile: Profile, parameters: Parameters) -> Self {
+    pub fn with_parameters(profile: Profile, parameters: Parameters) -> Self {
         Self { profile, parameters, nodes: Vec::new() }
     }
 

@@ -6,19 +6,19 @@ use std::ops::ControlFlow;
 use super::shows::{Shows, ends, shows};
 use super::walks::{Style, Walked, walk};
 use super::{Behaviours, Ended, Extent, Machine, find, longest};
-use crate::search::rng::Rng;
+use crate::rng::Rng;
 
 /// So long is looked ahead at first, and at most, for what shows late, s.
-pub(crate) const AHEAD_S: [f64; 2] = [3.0, 12.0];
+pub const AHEAD_S: [f64; 2] = [3.0, 12.0];
 /// A reading is held for so long at least before states are taken for one, s, and longer by this part than what shows latest.
 const HELD_S: f64 = 0.5;
 const LONGER: f64 = 0.25;
 /// So many times as long, one after the other, where walks show something else.
-pub(crate) const TIMES_HELD: [usize; 3] = [1, 2, 4];
+pub const TIMES_HELD: [usize; 3] = [1, 2, 4];
 /// Walks of each style, by how many times as long as is looked, and how many of them.
 const WALKS: [(usize, usize); 3] = [(LONGER_WALKS, 1), (10, 2), (1, 21)];
 /// The longest are so many times as long.
-pub(crate) const LONGER_WALKS: usize = 30;
+pub const LONGER_WALKS: usize = 30;
 /// Where more than this part of histories end in places of their own, of some histories at least, there are more behaviours than can be
 /// counted, %.
 const MOST_DIFFERENT: usize = 80;
@@ -126,7 +126,7 @@ pub fn decide<M: Machine>(
 ///
 /// # Errors
 /// What the machine reports.
-pub(crate) fn decide_keeping<M: Machine>(
+pub fn decide_keeping<M: Machine>(
     machine: &mut M,
     question: Question,
     rng: &mut Rng,
@@ -159,7 +159,7 @@ pub(crate) fn decide_keeping<M: Machine>(
 ///
 /// # Errors
 /// What the machine reports.
-pub(crate) fn held_for<M: Machine>(
+pub fn held_for<M: Machine>(
     machine: &mut M,
     Question { step_s, steps, times_held, .. }: Question,
     rng: &mut Rng,
@@ -211,7 +211,7 @@ fn closed<M: Machine>(
 }
 
 /// Of each walk its kind, which of those of its kind it is, and for how many steps it goes on, if so many are looked at.
-pub(crate) fn each_walk(steps: usize) -> impl Iterator<Item = (Style, usize, usize)> {
+pub fn each_walk(steps: usize) -> impl Iterator<Item = (Style, usize, usize)> {
     let long =
         move || WALKS.iter().flat_map(move |(times, walks)| std::iter::repeat_n(times * steps, *walks)).enumerate();
     Style::ALL.into_iter().flat_map(move |style| long().map(move |(number, long)| (style, number, long)))
@@ -245,7 +245,7 @@ fn walked<M: Machine>(
 /// Steps that take so long.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some seconds")]
-pub(crate) fn steps_of(time_s: f64, step_s: f64) -> usize {
+pub fn steps_of(time_s: f64, step_s: f64) -> usize {
     (time_s / step_s - 1e-9).ceil().max(1.0) as usize
 }
 

@@ -5,9 +5,9 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::search::behaviours::walks::Style;
-use crate::search::behaviours::{AllHeld, any};
-use crate::search::rng::Rng;
+use crate::behaviours::walks::Style;
+use crate::behaviours::{AllHeld, any};
+use crate::rng::Rng;
 
 const STEP_S: f64 = 0.02;
 /// The drive swings by 0.4 m in this time, and stops in another: neither is a multiple of a step.

@@ -1,7 +1,7 @@
 //! MCTS-DPW on puzzles with known answers, and the details of the reference algorithm that are easy to get wrong.
 
 use super::*;
-use crate::search::{Random, Step};
+use crate::{Random, Step};
 
 /// A lock: `horizon` digits out of `actions`; only the right sequence opens it. The reward at the end counts the
 /// right digits, so there is a slope to climb.

@@ -13,7 +13,7 @@ const RANDOM_EVERY: usize = 5;
 
 /// The strategy.
 #[derive(Clone, Debug)]
-pub(crate) struct Hybrid<S> {
+pub struct Hybrid<S> {
     iterations: usize,
     planner: Planner,
     trodden: Trodden<S>,

@@ -11,15 +11,15 @@
 
 pub(crate) mod assumption;
 pub(crate) mod need;
-pub(crate) mod readings;
-pub(crate) mod verdict;
+pub mod readings;
+pub mod verdict;
 
 use std::fmt::Write as _;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub(crate) use self::assumption::{Acceptance, Assumption};
+pub use self::assumption::{Acceptance, Assumption};
 pub use self::need::Need;
 pub use self::verdict::{Clean, Verdict};
 
@@ -71,7 +71,7 @@ pub enum Standing {
 
 /// What an engine says of one robot, sensor or control, or of all.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Point {
+pub struct Point {
     /// Of which.
     pub about: Option<String>,
     /// What is known.
@@ -81,32 +81,32 @@ pub(crate) struct Point {
 impl Point {
     /// It is so.
     #[must_use]
-    pub(crate) fn shown(figure: impl Into<String>) -> Self {
+    pub fn shown(figure: impl Into<String>) -> Self {
         Self { about: None, standing: Standing::Shown { figure: figure.into() } }
     }
 
     /// It is not known.
     #[must_use]
-    pub(crate) fn open(why: impl Into<String>) -> Self {
+    pub fn open(why: impl Into<String>) -> Self {
         Self { about: None, standing: Standing::Open { why: why.into(), what_to_do: None, accept: None } }
     }
 
     /// It is not known, and this is to be done about it, a sentence without its full stop.
     #[must_use]
-    pub(crate) fn open_until(why: impl Into<String>, what_to_do: impl Into<String>) -> Self {
+    pub fn open_until(why: impl Into<String>, what_to_do: impl Into<String>) -> Self {
         let standing = Standing::Open { why: why.into(), what_to_do: Some(what_to_do.into()), accept: None };
         Self { about: None, standing }
     }
 
     /// Of this one.
     #[must_use]
-    pub(crate) fn of(self, about: impl Into<String>) -> Self {
+    pub fn of(self, about: impl Into<String>) -> Self {
         Self { about: Some(about.into()), ..self }
     }
 
     /// Tried out so far: assumed if one of these accepts it.
     #[must_use]
-    pub(crate) fn tried(assumption: &Assumption, tried: impl Into<String>, accepted: &[Acceptance], fmu: &str) -> Self {
+    pub fn tried(assumption: &Assumption, tried: impl Into<String>, accepted: &[Acceptance], fmu: &str) -> Self {
         let tried = tried.into();
         let standing = match accepted.iter().find(|one| one.assumption.covers(assumption)) {
             Some(Acceptance { by, because, .. }) => {
@@ -124,7 +124,7 @@ impl Point {
 
 /// What an engine replies to a need.
 #[derive(Clone, Debug)]
-pub(crate) enum Reply {
+pub enum Reply {
     /// The question has nothing of the kind, and why.
     NotAsked(#[expect(dead_code, reason = "told to who reads the engine")] &'static str),
     /// What is known. Nothing at all is not an answer, and counts as open.
@@ -134,13 +134,13 @@ pub(crate) enum Reply {
 impl Reply {
     /// It is so if nothing is against it.
     #[must_use]
-    pub(crate) fn unless(against: Vec<Point>, figure: impl Into<String>) -> Self {
+    pub fn unless(against: Vec<Point>, figure: impl Into<String>) -> Self {
         Self::Points(if against.is_empty() { vec![Point::shown(figure)] } else { against })
     }
 }
 
 /// A way to search. It replies to every need, by one `match` without a wildcard.
-pub(crate) trait Engine {
+pub trait Engine {
     /// What is known of this.
     fn reply(&self, need: Need) -> Reply;
 }
@@ -155,7 +155,7 @@ pub struct Obligations {
 impl Obligations {
     /// By asking an engine for every need there is.
     #[must_use]
-    pub(crate) fn of(engine: &impl Engine) -> Self {
+    pub fn of(engine: &impl Engine) -> Self {
         let points = |need: Need| match engine.reply(need) {
             Reply::NotAsked(_) => Vec::new(),
             Reply::Points(points) if points.is_empty() => vec![Point::open("nothing is known of it")],
@@ -167,18 +167,6 @@ impl Obligations {
             points(need).into_iter().map(obligation)
         };
         Self { all: Need::ALL.into_iter().flat_map(of).collect() }
-    }
-
-    /// As if everything were shown, for tests of what is written of results.
-    #[cfg(test)]
-    pub(crate) fn all_shown() -> Self {
-        struct Everything;
-        impl Engine for Everything {
-            fn reply(&self, _: Need) -> Reply {
-                Reply::Points(vec![Point::shown("all of it")])
-            }
-        }
-        Self::of(&Everything)
     }
 
     /// All of them, in the order of the needs.
@@ -200,7 +188,7 @@ impl Obligations {
 
     /// That a clean word may be said: nothing is open. Of no obligations at all nothing clean is said.
     #[must_use]
-    pub(crate) fn clean(&self) -> Option<Clean> {
+    pub fn clean(&self) -> Option<Clean> {
         (!self.all.is_empty() && self.open().next().is_none()).then(Clean::earned)
     }
 
@@ -217,7 +205,7 @@ impl Obligations {
 
     /// Why nothing clean is said, in half a sentence: the first that is open, and how many more.
     #[must_use]
-    pub(crate) fn first_reason(&self) -> Option<String> {
+    pub fn first_reason(&self) -> Option<String> {
         let mut open = self.open().filter_map(Obligation::why);
         let mut words = open.next()?.to_owned();
         match open.count() {
@@ -249,7 +237,7 @@ impl Obligation {
 
     /// In words: what is needed, and what is known of it.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let of = self.about.as_ref().map_or_else(String::new, |about| format!(" ({about})"));
         let known = match &self.standing {
             Standing::Shown { figure } => figure.clone(),

@@ -58,7 +58,7 @@ pub struct Acceptance {
 impl Assumption {
     /// As in the cell file, behind `what`.
     #[must_use]
-    pub(crate) const fn name(&self) -> &'static str {
+    pub const fn name(&self) -> &'static str {
         match self {
             Self::RobotIgnoresSensor { .. } => "robot_ignores_sensor",
             Self::PeopleAlike => "people_alike",
@@ -102,7 +102,7 @@ impl Assumption {
 
     /// Whether accepting this accepts `other`: the same, or more presses, or more time, than were asked for.
     #[must_use]
-    pub(crate) fn covers(&self, other: &Self) -> bool {
+    pub fn covers(&self, other: &Self) -> bool {
         match (self, other) {
             // Whoever says that there is one press at most is answered by a search with two.
             (Self::Presses { at_most: mine }, Self::Presses { at_most: its }) => mine <= its,

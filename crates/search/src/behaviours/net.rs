@@ -14,7 +14,7 @@ use super::stays::{Stays, Ways};
 use super::{Begins, Behaviours, Ended, Extent, Hold, Machine, NONE, Number, Shown};
 
 /// A machine of which can be told how far apart two things are that it shows.
-pub(crate) trait Measured: Machine {
+pub trait Measured: Machine {
     /// The state at the start, and what it shows.
     ///
     /// # Errors
@@ -49,7 +49,7 @@ pub(crate) trait Measured: Machine {
 }
 
 /// Rows, one after the other, and the state after the last, of several holds.
-pub(crate) type AllRows<S> = Vec<(Vec<f64>, S)>;
+pub type AllRows<S> = Vec<(Vec<f64>, S)>;
 
 /// No farther apart than this is the same, in widths.
 const SAME: f32 = 1e-4;
@@ -95,7 +95,7 @@ struct Instant {
 ///
 /// # Errors
 /// What the machine reports.
-pub(crate) fn find<M: Measured>(
+pub fn find<M: Measured>(
     machine: &mut M,
     extent: Extent<'_>,
     tell: &mut dyn FnMut(usize) -> ControlFlow<()>,
@@ -339,7 +339,7 @@ struct Ahead<S> {
 
 /// How far apart traits are, if that is no more than so.
 #[must_use]
-pub(crate) fn apart(one: &[f32], other: &[f32], most: f32) -> Option<f32> {
+pub fn apart(one: &[f32], other: &[f32], most: f32) -> Option<f32> {
     let mut farthest = 0.0_f32;
     for (one, other) in one.chunks(16).zip(other.chunks(16)) {
         for (one, other) in one.iter().zip(other) {
@@ -355,7 +355,7 @@ pub(crate) fn apart(one: &[f32], other: &[f32], most: f32) -> Option<f32> {
 /// The cell of this size that a place is in.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "some thousand widths")]
-pub(crate) fn cell(place: [f32; 3], size: f32) -> [i64; 3] {
+pub fn cell(place: [f32; 3], size: f32) -> [i64; 3] {
     place.map(|at| (at / size).floor() as i64)
 }
 
@@ -391,7 +391,7 @@ impl Ways for Free {
 }
 
 /// What stands for all that a machine shows: by reading and what is shown, for how long the reading may have lasted.
-pub(crate) struct Covers {
+pub struct Covers {
     longest: BTreeMap<(usize, Shown), u32>,
     most: u32,
 }
@@ -399,7 +399,7 @@ pub(crate) struct Covers {
 impl Covers {
     /// Of a net, with stays of so many steps at most.
     #[must_use]
-    pub(crate) fn new(found: &Behaviours, most: u32) -> Self {
+    pub fn new(found: &Behaviours, most: u32) -> Self {
         let stays = Stays::find(found, &Free::new(found.others()), most);
         let mut longest: BTreeMap<(usize, Shown), u32> = BTreeMap::new();
         #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
@@ -438,7 +438,7 @@ impl Covers {
 
 /// By how much what stands for something is off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Off {
+pub struct Off {
     /// How fast it is by what stands for it, in the machine's own measures.
     pub fast: f64,
     /// By how much that is off, in the same.
@@ -449,7 +449,7 @@ pub(crate) struct Off {
 
 /// How far what a machine shows on a walk is from what stands for it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Gap {
+pub enum Gap {
     /// No farther than so, in the machine's own measures, by how fast it is.
     Within(Vec<Off>),
     /// After so many steps, with so many changes of readings, nothing stands for it.
@@ -467,7 +467,7 @@ pub(crate) enum Gap {
 ///
 /// # Errors
 /// What the machine reports.
-pub(crate) fn gap<M: Measured>(machine: &mut M, covers: &Covers, readings: &[(usize, usize)]) -> Result<Gap, M::Error> {
+pub fn gap<M: Measured>(machine: &mut M, covers: &Covers, readings: &[(usize, usize)]) -> Result<Gap, M::Error> {
     let (mut state, _) = machine.begin_rows()?;
     let (mut all, mut taken, columns) = (Vec::new(), 0, machine.columns());
     // As long as the same is reported, or what is taken for it.

@@ -4,7 +4,7 @@
 //! reading and one more of another before. Of two timers that began a step apart one runs out first.
 
 use super::{Begins, Hold, Machine, Shown};
-use crate::search::rng::Rng;
+use crate::rng::Rng;
 
 /// Moments at which readings begin to change, and pairs of states after that.
 const MOMENTS: usize = 20;

@@ -1,7 +1,7 @@
 //! Planning on a puzzle where imagination is right until a lever is pulled.
 
 use super::*;
-use crate::search::{Random, Step};
+use crate::{Random, Step};
 
 /// A token on a ring of 12 fields moves by 0, 1 or -1. A guard walks one field on in each step. They must not meet,
 /// but on even fields only. On field 4 lies a lever: from then on the guard stands still.

@@ -37,7 +37,7 @@ pub enum Met<G> {
 
 /// What the random sequences of a search met. `G` tells groups of hazards apart.
 #[derive(Clone, Debug)]
-pub(crate) struct RandomSample<G> {
+pub struct RandomSample<G> {
     sequences: u64,
     hazardous: u64,
     unknown: u64,
@@ -78,12 +78,12 @@ pub struct Figures {
 
 impl<G: Ord> RandomSample<G> {
     /// From now on, random sequences are checked against this list.
-    pub(crate) fn check_against(&mut self, list: BTreeSet<G>) {
+    pub fn check_against(&mut self, list: BTreeSet<G>) {
         self.list = Some(list);
     }
 
     /// Takes in a random sequence.
-    pub(crate) fn observe(&mut self, met: Met<G>) {
+    pub fn observe(&mut self, met: Met<G>) {
         self.sequences += 1;
         let unlisted = match (&met, &self.list) {
             (Met::Nothing, _) | (_, None) => false,
@@ -104,7 +104,7 @@ impl<G: Ord> RandomSample<G> {
 
     /// The figures; none without a sequence.
     #[must_use]
-    pub(crate) fn figures(&self) -> Option<Figures> {
+    pub fn figures(&self) -> Option<Figures> {
         if self.sequences == 0 {
             return None;
         }

@@ -75,7 +75,7 @@ impl From<Word> for Verdict {
 
 /// How a search ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Ended {
+pub struct Ended {
     /// With hazards.
     pub found: bool,
     /// Because the FMU failed, or without what it could not do.
@@ -87,7 +87,7 @@ pub(crate) struct Ended {
 impl Verdict {
     /// Of a search that ended so.
     #[must_use]
-    pub(crate) fn of(Ended { found, failed, interrupted }: Ended, obligations: &Obligations) -> Self {
+    pub fn of(Ended { found, failed, interrupted }: Ended, obligations: &Obligations) -> Self {
         match (found, failed, interrupted, obligations.clean()) {
             (true, ..) => Self::HazardsFound,
             (false, true, ..) => Self::FmuFailed,

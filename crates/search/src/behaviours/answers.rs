@@ -2,10 +2,10 @@
 //! behaviours, and nothing is taken for nearly the same because the one was asked for and then the other.
 
 use super::{Begins, Hold, Machine, Shown};
-use crate::search::rng::Rng;
+use crate::rng::Rng;
 
 /// States after which all readings are tried.
-pub(crate) const STATES: usize = 60;
+pub const STATES: usize = 60;
 /// Changes before each of them, and steps of the shortest stays.
 const MOST_CHANGES: usize = 6;
 const SHORT: usize = 4;

@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 
 use super::{Behaviours, Number};
-use crate::search::tracks::Lasting;
+use crate::tracks::Lasting;
 
 /// The ways to come to readings.
 pub trait Ways {
@@ -38,7 +38,7 @@ pub struct Stays {
 
 /// The most that there is of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stay {
+pub struct Stay {
     /// Steps since the reading began, 0 for the first instant.
     pub steps: u32,
     /// Steps since the reading first changed, 0 for the first instant after that, and where it never did.
@@ -61,7 +61,7 @@ const NONE: u32 = u32::MAX;
 impl Stay {
     /// As tracks have it.
     #[must_use]
-    pub(crate) const fn lasting(self, is_unchanged: bool) -> Lasting {
+    pub const fn lasting(self, is_unchanged: bool) -> Lasting {
         Lasting { steps: self.steps as usize, changes: !is_unchanged as usize, since_first: self.since_first as usize }
     }
 }
@@ -109,14 +109,14 @@ impl Stays {
 
     /// The longest stay on a way to where a behaviour is shown; nothing where nobody can be then.
     #[must_use]
-    pub(crate) fn of(&self, number: Number, way: usize) -> Option<Stay> {
+    pub fn of(&self, number: Number, way: usize) -> Option<Stay> {
         self.all.get(self.last[number as usize * self.ways + way] as usize).map(|come| come.stay)
     }
 
     /// A history that leads to a behaviour on a way, with a stay of so many steps at least if there is one: ways, one after the other, with
     /// the steps that are taken on each.
     #[must_use]
-    pub(crate) fn history(&self, number: Number, way: usize, steps: usize) -> Vec<(usize, usize)> {
+    pub fn history(&self, number: Number, way: usize, steps: usize) -> Vec<(usize, usize)> {
         let mut come = self.last[number as usize * self.ways + way];
         // The first that is long enough takes the fewest steps.
         while let Some(Come { before, .. }) = self.all.get(come as usize)

@@ -10,7 +10,7 @@ const NOBODY: &str = "none";
 
 /// One reading and the one that stands for it, each by the names of the sensors that see somebody.
 #[must_use]
-pub(crate) fn like(reading: &[&str], other: &[&str]) -> String {
+pub fn like(reading: &[&str], other: &[&str]) -> String {
     let named = |names: &[&str]| match names {
         [] => NOBODY.to_owned(),
         names => names.iter().map(|name| in_words(name)).collect::<Vec<_>>().join(WITH),
@@ -26,7 +26,7 @@ fn in_words(name: &str) -> Cow<'_, str> {
 
 /// Whether this is such a line about sensors of these names.
 #[must_use]
-pub(crate) fn is_of(line: &str, names: &[&str]) -> bool {
+pub fn is_of(line: &str, names: &[&str]) -> bool {
     let names: Vec<Cow<'_, str>> = names.iter().map(|name| in_words(name)).collect();
     let is_side = |side: &str| side == NOBODY || is_joined(side, &names);
     line.match_indices(LIKE).any(|(at, _)| is_side(&line[..at]) && is_side(&line[at + LIKE.len()..]))

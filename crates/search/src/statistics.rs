@@ -6,7 +6,7 @@ use super::Rng;
 
 /// Iterations to the first hazard over many seeds; `None` is a miss within the budget.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Runs {
+pub struct Runs {
     /// One entry a seed.
     pub first_hit: Vec<Option<u32>>,
     /// The budget in iterations.
@@ -25,7 +25,7 @@ pub struct Interval {
 /// What repeated independent tries, each a success with the same probability, give until the first success: the exact
 /// figures of random search, where that probability is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Independent {
+pub struct Independent {
     /// Probability of a success in one try.
     pub probability: f64,
     /// Tries at most.
@@ -44,20 +44,20 @@ impl Independent {
 
     /// Probability of no success at all.
     #[must_use]
-    pub(crate) fn miss(&self) -> f64 {
+    pub fn miss(&self) -> f64 {
         self.fails(self.cap)
     }
 
     /// Mean number of tries until the first success without any cap: `1 / probability`; none if there is no success.
     #[must_use]
-    pub(crate) fn mean(&self) -> Option<f64> {
+    pub fn mean(&self) -> Option<f64> {
         (self.probability > 0.0).then(|| 1.0 / self.probability)
     }
 
     /// Mean and standard deviation of the number of tries, the cap counting as the number of a miss: what many runs with
     /// that cap give in the mean, which is the least of cap and [`Independent::mean`] or less.
     #[must_use]
-    pub(crate) fn mean_and_sigma(&self) -> (f64, f64) {
+    pub fn mean_and_sigma(&self) -> (f64, f64) {
         // Sums over k of P(T > k) and of (2 k + 1) P(T > k) are the first two moments.
         let (mut first, mut second) = (0.0, 0.0);
         for k in 0..self.cap {
@@ -81,7 +81,7 @@ impl Runs {
 
     /// Capped mean `T` and sample standard deviation `sigma`.
     #[must_use]
-    pub(crate) fn mean_and_sigma(&self) -> (f64, f64) {
+    pub fn mean_and_sigma(&self) -> (f64, f64) {
         let x = self.capped();
         let mean = mean(&x);
         let n = x.len() as f64;
@@ -91,13 +91,13 @@ impl Runs {
 
     /// Number of seeds that found nothing.
     #[must_use]
-    pub(crate) fn misses(&self) -> usize {
+    pub fn misses(&self) -> usize {
         self.first_hit.iter().filter(|h| h.is_none()).count()
     }
 
     /// Penalised average: a miss counts twice the cap (PAR-2).
     #[must_use]
-    pub(crate) fn par2(&self) -> f64 {
+    pub fn par2(&self) -> f64 {
         let cap = 2.0 * f64::from(self.cap);
         mean(&self.first_hit.iter().map(|h| h.map_or(cap, f64::from)).collect::<Vec<_>>())
     }
@@ -105,7 +105,7 @@ impl Runs {
     /// Kaplan-Meier estimate of the share of runs still without a hazard after each iteration at which one found its
     /// first; misses are censored at the cap.
     #[must_use]
-    pub(crate) fn survival(&self) -> Vec<(u32, f64)> {
+    pub fn survival(&self) -> Vec<(u32, f64)> {
         let mut hits: Vec<u32> = self.first_hit.iter().flatten().copied().collect();
         hits.sort_unstable();
         let mut left = self.first_hit.len() as f64;
@@ -121,34 +121,34 @@ impl Runs {
 
     /// Kaplan-Meier median: the iteration after which at most half of the runs are left; none if more missed.
     #[must_use]
-    pub(crate) fn median(&self) -> Option<u32> {
+    pub fn median(&self) -> Option<u32> {
         self.survival().into_iter().find(|(_, share)| *share <= 0.5).map(|(iteration, _)| iteration)
     }
 
     /// First hits over iterations run: the maximum-likelihood rate where each iteration hits independently, as in
     /// random search.
     #[must_use]
-    pub(crate) fn rate(&self) -> f64 {
+    pub fn rate(&self) -> f64 {
         let hits = self.first_hit.len() - self.misses();
         hits as f64 / self.capped().iter().sum::<f64>().max(1.0)
     }
 
     /// Percentile-bootstrap interval of the capped mean.
     #[must_use]
-    pub(crate) fn mean_interval(&self, seed: u64) -> Interval {
+    pub fn mean_interval(&self, seed: u64) -> Interval {
         mean_interval(&self.capped(), seed)
     }
 
     /// Wilson interval of the probability that a run finds nothing (95 %).
     #[must_use]
-    pub(crate) fn miss_interval(&self) -> Interval {
+    pub fn miss_interval(&self) -> Interval {
         wilson(self.misses(), self.first_hit.len())
     }
 }
 
 /// Percentile-bootstrap interval of the ratio of capped means `a / b` (independent samples).
 #[must_use]
-pub(crate) fn ratio_interval(a: &Runs, b: &Runs, seed: u64) -> Interval {
+pub fn ratio_interval(a: &Runs, b: &Runs, seed: u64) -> Interval {
     ratio_of_means_interval(&a.capped(), &b.capped(), seed)
 }
 

@@ -20,8 +20,8 @@ pub(crate) mod environment;
 pub(crate) mod episode;
 pub mod exhaustive;
 pub(crate) mod hybrid;
-pub(crate) mod mcts_dpw;
-pub(crate) mod plan;
+pub mod mcts_dpw;
+pub mod plan;
 pub(crate) mod random;
 pub mod residual;
 pub(crate) mod rng;
@@ -29,10 +29,10 @@ pub mod statistics;
 pub mod tracks;
 
 pub use environment::{End, Environment, Step};
-pub(crate) use hybrid::Hybrid;
-pub(crate) use mcts_dpw::{MctsDpw, Profile};
+pub use hybrid::Hybrid;
+pub use mcts_dpw::{MctsDpw, Profile};
 pub use plan::{Imagine, Niche, Plan};
-pub(crate) use random::Random;
+pub use random::Random;
 pub use rng::Rng;
 
 /// How one iteration (one episode from the start state) ended.

@@ -7,8 +7,8 @@ use super::decided::{Question, held_for};
 use super::stays::{Stays, Ways};
 use super::walks::{Style, Walked, walk};
 use super::*;
-use crate::search::rng::Rng;
-use crate::search::tracks::{Watch, explore};
+use crate::rng::Rng;
+use crate::tracks::{Watch, explore};
 
 /// What a drive remembers besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
