@@ -66,15 +66,13 @@
 pub(crate) mod campaign;
 pub mod cell;
 pub mod cli;
-pub mod geometry;
 pub mod hazard;
-pub mod human;
 pub mod report;
 pub mod scan;
 pub mod sim;
-pub mod standards;
 
 pub use fmi_hazard_examples as examples;
+pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;
 #[cfg(test)]
 use fmi_hazard_sample as sample;

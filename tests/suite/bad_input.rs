@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::common::{examples, faulty_cell, fmi_hazard, meshes, scan_json, test_fmus, write};
+use crate::common::{examples, faulty_cell, fmi_hazard, scan_json, test_fmus, write};
+use fmi_hazard_sample::meshes;
 
 /// Runs `scan` on `path`, expects `code` and all of `words` on stderr; returns stderr.
 fn fails(dir: &Path, path: &str, code: i32, words: &[&str]) -> String {

@@ -373,8 +373,8 @@ const ARM: &str = "<robot name=\"r\"><link name=\"base\"/><link name=\"bar\"><in
 /// A folder with a turning FMU, and a robot and its mesh at these places.
 fn with_package(urdf: &str, mesh: &str) -> tempfile::TempDir {
     let dir = tempfile::TempDir::new().unwrap();
-    let (points, triangles) = crate::common::meshes::cuboid([0.0, -0.05, 0.8], [0.8, 0.05, 0.9]);
-    for (name, text) in [(urdf, ARM.to_owned()), (mesh, crate::common::meshes::stl(&points, &triangles))] {
+    let (points, triangles) = fmi_hazard_sample::meshes::cuboid([0.0, -0.05, 0.8], [0.8, 0.05, 0.9]);
+    for (name, text) in [(urdf, ARM.to_owned()), (mesh, fmi_hazard_sample::meshes::stl(&points, &triangles))] {
         std::fs::create_dir_all(dir.path().join(name).parent().unwrap()).unwrap();
         write(dir.path(), name, &text);
     }

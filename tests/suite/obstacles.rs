@@ -3,11 +3,12 @@
 
 use std::path::Path;
 
-use crate::common::{assert_same_hazards, examples, fmi_hazard, meshes, scan_json, write};
+use crate::common::{assert_same_hazards, examples, fmi_hazard, scan_json, write};
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
 use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Cuboid, Vec3};
+use fmi_hazard_sample::meshes;
 
 /// The cell with these tables of obstacles.
 fn cell(folder: &Path, obstacles: &str) -> Result<Workcell, String> {

@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
-use crate::common::meshes::{cuboid, stl};
 use crate::common::{fmi_hazard, test_fmus};
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
 use fmi_hazard::examples;
+use fmi_hazard_sample::meshes::{cuboid, stl};
 
 /// A cell in which everything fits.
 const CELL: &str = r#"schema = 1

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use crate::common::archives::with_xml;
-use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, meshes, scan_json, write};
+use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, scan_json, write};
 use fmi_hazard::cell::binding::MotionBinding;
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
@@ -12,6 +12,7 @@ use fmi_hazard::cell::looks;
 use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard_sample::meshes;
 
 /// A cell with a robot from `urdf`, its joints named as told.
 fn cell_of(folder: &Path, urdf: &str, joints: &[&str], more: &str) -> Workcell {

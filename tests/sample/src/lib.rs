@@ -5,6 +5,8 @@
 //! commit and prints, so that another commit looks at other cases and a run can be repeated; or `all`, as in `tools/test --all`. Without
 //! it the number is 0.
 
+pub mod meshes;
+
 /// The number of this run, or none where all cases are looked at.
 fn sample() -> Option<usize> {
     match std::env::var("FMI_HAZARD_SAMPLE") {

@@ -11,7 +11,6 @@ pub mod from_start;
 pub mod guarded;
 pub mod hostile;
 pub mod instant;
-pub mod meshes;
 pub mod pair;
 pub mod scanned;
 pub mod started;
