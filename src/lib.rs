@@ -64,18 +64,15 @@
 //! ```
 
 pub(crate) mod campaign;
-pub mod cell;
 pub mod cli;
-pub mod hazard;
 pub mod report;
 pub mod scan;
 pub mod sim;
 
+pub use fmi_hazard_cell::{cell, hazard};
 pub use fmi_hazard_examples as examples;
 pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;
-#[cfg(test)]
-use fmi_hazard_sample as sample;
 pub use fmi_hazard_search as search;
 pub use fmi_hazard_stop as stop;
 pub use fmu_host::{fmi, host};

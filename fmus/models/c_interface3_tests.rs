@@ -1,6 +1,5 @@
 //! The C interface of FMI 3.0 from the importer's side: a whole life, refusals, each fault, and all types.
 #![expect(unsafe_code, reason = "calls the C interface")]
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use crate::fmi2;
 use crate::fmi3::*;

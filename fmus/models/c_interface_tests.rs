@@ -1,6 +1,5 @@
 //! The C interface from the importer's side: null pointers, wrong GUID, state handles.
 #![expect(unsafe_code, reason = "calls the C interface")]
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use crate::fmi2::*;
 use crate::interface::variables::{Interface, Variant};

@@ -3,7 +3,9 @@
 use super::*;
 use crate::geometry::Vec3;
 use crate::hazard::contact::{Against, Clamped, Touch};
-use crate::hazard::{Contact, Criterion, Strike};
+use crate::hazard::criterion::Criteria;
+use crate::hazard::criterion::pressure::LinkContact;
+use crate::hazard::{Contact, Strike};
 use crate::human::Who;
 use crate::standards::BodyRegion;
 
@@ -28,7 +30,11 @@ fn met(who: Who, step: usize, speed_m_s: f64, closing_m_s: Option<f64>) -> Findi
         travel_m: 0.0,
         closing_m_s,
     });
-    let contact = Contact::judged(&touch, clamped.as_ref(), &Strike::of_robot(29.1, 12.5, Criterion::Absolute));
+    let contact = Contact::judged(
+        &touch,
+        clamped.as_ref(),
+        &Strike::new(29.1, 12.5, Criteria::default(), LinkContact::default()),
+    );
     Finding {
         class: contact.class().unwrap(),
         contact,

@@ -26,7 +26,12 @@ fn rays_enter_boxes_through_the_face_that_they_see() {
 /// robot goes on one of 140 mm does.
 #[test]
 fn gaps_hold_what_needs_more_room() {
-    let strike = Strike::of_robot(29.1, 5.0, crate::hazard::Criterion::Absolute);
+    let strike = Strike::new(
+        29.1,
+        5.0,
+        crate::hazard::criterion::Criteria::default(),
+        crate::hazard::criterion::pressure::LinkContact::default(),
+    );
     let clamped = |gap_m: f64, travel_m: f64| Clamped {
         at: Vec3::ZERO,
         toward: Vec3::Z,

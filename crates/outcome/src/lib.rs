@@ -126,7 +126,7 @@ impl Point {
 #[derive(Clone, Debug)]
 pub enum Reply {
     /// The question has nothing of the kind, and why.
-    NotAsked(#[expect(dead_code, reason = "told to who reads the engine")] &'static str),
+    NotAsked(&'static str),
     /// What is known. Nothing at all is not an answer, and counts as open.
     Points(Vec<Point>),
 }

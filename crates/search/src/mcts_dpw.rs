@@ -13,7 +13,7 @@ use super::{End, Environment, Iteration, Rng, Strategy};
 
 /// The exploration bonus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Bonus {
+pub enum Bonus {
     /// `c * sqrt(N(s) / N(s,a))`, as the paper prints it.
     Paper,
     /// `c * sqrt(ln N(s) / N(s,a))`, as in Lee et al. and in UCB1.

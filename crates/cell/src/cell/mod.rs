@@ -1,0 +1,39 @@
+//! The cell: what surrounds the FMU. Robot geometry, obstacles, sensors, the person's start, and which FMU variable is
+//! which.
+//!
+//! - [`file`](mod@file): the cell file, from its text to a [`Workcell`]
+//! - [`workcell`]: the cell as it is understood, in SI units
+//! - [`foreign`]: robots, shapes and systems in the formats of others: URDF, meshes, SSP
+//! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
+//! - [`find`]: where the cell of an FMU is looked for
+//! - [`draft`]: a first cell file, from what the variables of an FMU seem to be for
+//! - [`knob`]: what in a cell can be turned to make it safer
+//! - [`error`]: messages that point into a file; `hash`: what tells one file from another
+//!
+//! `binding` and `file` do not know each other; `find` puts them together. Nothing here runs an FMU.
+
+pub mod binding;
+pub mod draft;
+pub mod error;
+pub mod file;
+pub mod find;
+pub mod following;
+pub mod foreign;
+mod hash;
+pub mod knob;
+pub mod looks;
+pub mod workcell;
+
+pub use binding::Binding;
+pub use error::CellError;
+pub use hash::sha256;
+pub use workcell::{Control, Sensor, Workcell, Zone};
+
+/// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
+pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";
+
+/// The JSON Schema of the cell file (draft 2020-12), for editors.
+#[must_use]
+pub fn json_schema() -> serde_json::Value {
+    schemars::schema_for!(file::format::CellFile).to_value()
+}

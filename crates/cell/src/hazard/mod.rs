@@ -1,0 +1,23 @@
+//! What counts as unsafe, and the records of it.
+//!
+//! - [`cause`]: hazards that an engineer would call one flaw, under a stable id
+//! - [`contact`]: a contact against its limits; the unsafe-state criterion U
+//! - [`criterion`]: what may count as unsafe, as the cell chooses
+//! - [`danger`]: danger level and reward of the paper
+//! - [`finding`]: one hazardous action sequence
+//! - [`group`]: findings of the same kind, under a stable id
+//! - [`strike`]: how hard a robot strikes at one instant
+
+pub mod cause;
+pub mod contact;
+pub mod criterion;
+pub mod danger;
+pub mod finding;
+pub mod group;
+pub(crate) mod strike;
+
+pub use contact::Contact;
+pub use criterion::{Class, Criteria, Criterion};
+pub use finding::Finding;
+pub use group::{Group, Groups, Identity};
+pub use strike::Strike;
