@@ -1,0 +1,49 @@
+//! The paper's transition function: plant, person, sensors and contacts joined into one [`Environment`].
+//!
+//! - [`robot`]: the robot at one instant, from the FMU's outputs
+//! - [`sensors`]: what the sensors report while the person walks
+//! - [`encounter`]: person against robot at one instant: contact, danger
+//! - [`clamping`]: what keeps a part of the body from giving way
+//! - [`world`]: what follows without the FMU: walking, sensing, touching
+//! - [`curtain`]: reaching through a light curtain, and when
+//! - [`threads`]: independent work on all cores, for what asks that of many
+//! - [`bound`]: how far robots and person can come at all
+//! - [`simulation`]: one action after the other, with snapshots of *everything*
+//! - [`between`]: where they may be in a part of a communication step
+//! - `befallen`: what befalls people in one action
+//! - `behind`: what comes behind the first hazard by contact
+//! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
+//! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
+//! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
+//! - [`replay`]: one sequence from a fresh instance, with no restore
+//!
+//! [`Environment`]: fmi_hazard_search::Environment
+
+pub mod befallen;
+pub(crate) mod behind;
+pub mod between;
+pub mod bound;
+pub mod clamping;
+pub mod coverage;
+pub mod curtain;
+pub mod encounter;
+pub mod going;
+pub mod imagination;
+pub mod motion;
+pub mod replay;
+pub mod robot;
+pub mod robots;
+pub mod sensors;
+pub mod simulation;
+pub mod threads;
+pub mod world;
+
+pub use coverage::Coverage;
+pub use simulation::{Instant, Options, Simulation, Snapshot};
+pub use world::World;
+
+use fmi_hazard_cell::{cell, hazard};
+use fmi_hazard_human::{geometry, human, standards};
+use fmi_hazard_search as search;
+use fmi_hazard_stop as stop;
+use fmu_host::host;
