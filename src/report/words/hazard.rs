@@ -150,12 +150,13 @@ fn broken(hazard: &Hazard) -> [String; 3] {
 
 /// The formula with its numbers, and what they mean.
 fn computed(hazard: &Hazard) -> String {
-    let other: Vec<String> = hazard.other_criteria().into_iter().flat_map(|(_, paragraphs)| paragraphs).collect();
-    if other.is_empty() {
-        let safe = hazard.safe_speed_words();
-        return format!("{}. {}", hazard.force_formula(), if safe.ends_with(')') { safe } else { safe + "." });
+    let mut said: Vec<String> = hazard.other_criteria().into_iter().flat_map(|(_, paragraphs)| paragraphs).collect();
+    if said.is_empty() {
+        said = vec![hazard.force_formula(), hazard.safe_speed_words()];
     }
-    other.join(" ")
+    // A formula ends without a full stop.
+    let sentence = |text: String| if text.ends_with(['.', ')']) { text } else { text + "." };
+    said.into_iter().map(sentence).collect::<Vec<_>>().join(" ")
 }
 
 /// What they report, and for how long they have.
