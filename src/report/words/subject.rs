@@ -111,14 +111,14 @@ mod tests {
         assert_eq!(told("posture_sweep", json!(true)), "posture sweep: yes");
         assert_eq!(told("criteria", json!(null)), "criteria: none");
         assert_eq!(told("also", json!(["run", "kneel"])), "also: run; kneel");
-        assert_eq!(told("body", json!({ "sex": "man", "radii_m": {} })), "body: sex man, radii m ()");
+        assert_eq!(told("body", json!({ "sex": "man", "radii_m": {} })), "body: radii m (), sex man");
         assert_eq!(
             told("begins", json!({ "xy_m": [1.0, -0.5], "heading_deg": 90.0 })),
-            "begins: xy 1; -0.5 m, heading 90 degrees"
+            "begins: heading 90 degrees, xy 1; -0.5 m"
         );
         let corners = json!([[0.0, 1.0], [2.5, 1.0]]);
         assert_eq!(told("floor_m", corners), "floor: (0; 1); (2.5; 1) m");
         let second = json!({ "names": ["a", "b"], "body": { "percentile": 50 } });
-        assert_eq!(told("second", second), "second: names a; b, body (percentile 50)");
+        assert_eq!(told("second", second), "second: body (percentile 50), names a; b");
     }
 }
