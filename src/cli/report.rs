@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::{earlier, output, results, stopping};
+use crate::report::headline::Headline;
 use crate::report::page;
 use crate::scan::causes::causes;
 use crate::scan::film;
@@ -55,6 +56,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         // As older versions wrote it.
         let causes = causes(&prepared, prepared.rung, &recorded.hazards, None);
         scan["causes"] = serde_json::to_value(causes).map_err(Failure::unusable)?;
+    }
+    if scan["headline"].is_null() {
+        let headline = Headline::of_an_earlier_version();
+        scan["headline"] = serde_json::to_value(headline).map_err(Failure::unusable)?;
     }
     let subject = &prepared.subject;
     let reproduce = earlier::reproduce(&arguments.scan)

@@ -8,9 +8,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::advice::{Outcome, Remedy};
-use super::judged::{Judged, measure_words};
+use super::headline::plural;
+use super::judged::{Judged, Measure};
 use super::model::{HELD_WORDS, Hazard, SensorState};
 use super::paragraph::wrapped;
+use super::terminal::percent;
 use super::worked::worked_words;
 use crate::hazard::Class;
 use crate::hazard::cause::{LONG_S, Part};
@@ -188,11 +190,35 @@ impl Cause {
         }
     }
 
-    /// Force and limit of the worst hazard, in words.
+    /// Force and limit of the worst hazard.
+    #[must_use]
+    pub(crate) fn measured(&self) -> Measure {
+        let figures = (self.force_n, self.limit_n, self.ratio, self.speed_m_s.unwrap_or_default());
+        Measure::of(self.class, self.judged.as_ref(), figures)
+    }
+
+    /// The same in words.
     #[must_use]
     pub(crate) fn force_words(&self) -> String {
-        let figures = (self.force_n, self.limit_n, self.ratio, self.speed_m_s.unwrap_or_default());
-        measure_words(self.class, self.judged.as_ref(), figures)
+        self.measured().words()
+    }
+
+    /// From when on it is met.
+    #[must_use]
+    pub(crate) fn earliest_words(&self) -> String {
+        format!("from {:.2} s on", self.earliest_time_s)
+    }
+
+    /// How many ways lead to it.
+    #[must_use]
+    pub(crate) fn ways_words(&self) -> String {
+        plural(self.hazards.len(), "way")
+    }
+
+    /// How many of all sequences it is, where they were counted.
+    #[must_use]
+    pub(crate) fn share_words(&self) -> Option<String> {
+        self.share.map(|share| format!("{} of all sequences", percent(share)))
     }
 }
 
@@ -258,7 +284,9 @@ fn also_hit(hazards: &[&Hazard]) -> String {
     other.map_or_else(String::new, |name| format!(" {} is hit too.", capitalised(name)))
 }
 
-fn capitalised(text: &str) -> String {
+/// With a capital letter.
+#[must_use]
+pub(crate) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -350,10 +378,14 @@ impl Change {
     /// The change, and what is left then.
     #[must_use]
     pub(crate) fn words(&self) -> String {
+        format!("{} ({})", self.change, self.left_words())
+    }
+
+    /// What is left with it.
+    fn left_words(&self) -> String {
         if let Some(until_s) = self.enough_until_s {
-            let change = &self.change;
             return format!(
-                "{change} (nothing is left: every sequence from the start, and everybody from anywhere until {until_s:.1} s)"
+                "nothing is left: every sequence from the start, and everybody from anywhere until {until_s:.1} s"
             );
         }
         let left = match (self.removes_all, self.complete) {
@@ -362,7 +394,23 @@ impl Change {
             (false, true) => "this cause is gone, every sequence looked at; others are left",
             (false, false) => "this cause was not met any more; others are left",
         };
-        format!("{} ({left})", self.change)
+        left.to_owned()
+    }
+
+    /// The same as a sentence of its own.
+    #[must_use]
+    pub(crate) fn effect(&self) -> String {
+        match self.enough_until_s {
+            Some(_) => format!("{}.", capitalised(&self.left_words())),
+            None => format!("{TRIED_IN_PART}: {}.", self.left_words()),
+        }
+    }
+
+    /// What it was held against, as a sentence.
+    #[must_use]
+    pub(crate) fn checked_words(&self) -> String {
+        let part = if self.complete { "" } else { " (not every sequence)" };
+        format!("Checked: {}{part}.", self.checked.trim_end_matches('.'))
     }
 
     /// A change with which the cause was not met any more; nothing if it was.
@@ -414,6 +462,12 @@ impl CauseAdvice {
         Self { changes, note: format!("The same changes as for a worse cause. {NO_PROOF}") }
     }
 }
+
+/// Of changes that are not shown to be enough.
+pub(crate) const TRIED_IN_PART: &str = "Tried in part";
+
+/// What helps where nothing does.
+pub(crate) const NO_CHANGE: &str = "no single change that was tried";
 
 /// What advice is worth.
 const NO_PROOF: &str = "Tried in the model only, from the starts and for the times said here: no proof for the real cell. \

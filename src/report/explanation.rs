@@ -9,12 +9,12 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::advice::{self, Remedy};
-use super::model::{Hazard, STANDARD_EDITION, Through};
+use super::does::moves;
+use super::model::{Hazard, STANDARD_EDITION};
 use super::paragraph::{wrapped, wrapped_under};
 use super::people::SecondRecord;
 use super::worked::Working;
-use crate::hazard::criterion::Class;
-use crate::human::{Action, Walk, Who};
+use crate::human::{Action, Who};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
 use crate::standards::tables::tables;
@@ -144,33 +144,19 @@ impl Explanation {
             let whom = if self.second.is_some() { "somebody" } else { "the person" };
             say(&format!("{} {}.", sensor.name, sensor.words(whom)));
         }
-        let arm = hazard.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
-        let meets = if hazard.class == Class::Separation { "comes too near" } else { "meets" };
-        let (of, who) = match &hazard.person {
-            Some(name) => (format!(" of {name}"), name.clone()),
-            None => (String::new(), "The person".to_owned()),
-        };
-        say(&format!(
-            "At {:.2} s the robot's {}, which moves at {:.2} m/s, {meets} the {}{of}{arm} at ({:.2}, {:.2}, {:.2}) m. {who} \
-             stands at ({:.2}, {:.2}) m then.",
-            hazard.time_s,
-            hazard.robot_link,
-            hazard.speed_m_s,
-            hazard.struck_words(),
-            hazard.contact_point_m[0],
-            hazard.contact_point_m[1],
-            hazard.contact_point_m[2],
-            hazard.person_xy_m[0],
-            hazard.person_xy_m[1],
-        ));
+        say(&hazard.meeting_words());
         for outside in &self.outside {
             say(&format!("That is {:.2} m outside the zone of {}.", outside.distance_m, outside.name));
         }
-        for Through { sensor, since_s, until_s } in &hazard.through {
-            let ahead = if *until_s > 0.0 { ", ahead of the body" } else { "" };
-            say(&format!("The arm went past {sensor} {since_s:.2} s before{ahead}, on its way there."));
+        for through in &hazard.through {
+            say(&through.words());
         }
-        if !self.other_criterion(&mut out) {
+        let other = hazard.other_criteria();
+        for (title, paragraphs) in &other {
+            let _ = writeln!(out, "\n {title}");
+            paragraphs.iter().for_each(|text| out += &wrapped(text, "   "));
+        }
+        if other.is_empty() {
             self.force(&mut out);
         }
         out
@@ -187,15 +173,7 @@ impl Explanation {
         let by_approach = hazard.is_by_approach();
         let speed = if by_approach { hazard.approach_m_s } else { hazard.speed_m_s };
         let _ = writeln!(out, "\n Force, after {STANDARD_EDITION}");
-        let _ = writeln!(
-            out,
-            "   F = v sqrt(mu k) = {:.3} m/s x sqrt({mu:.3} kg x {:.0} kN/m) = {:.0} N   limit {:.0} N   {:.2}x",
-            speed,
-            k / 1000.0,
-            hazard.deciding_force_n(),
-            hazard.limit_n,
-            hazard.ratio
-        );
+        let _ = writeln!(out, "   {}   limit {:.0} N   {:.2}x", hazard.force_formula(), hazard.limit_n, hazard.ratio);
         let rows = [
             (
                 "v",
@@ -251,22 +229,7 @@ impl Explanation {
             let state = if verified { "verified" } else { "not yet verified against the purchased standard" };
             *out += &wrapped_under("   from  ", &format!("{title}: {source}; {state}"));
         }
-        let _ = if region.permits_no_contact() {
-            writeln!(
-                out,
-                "\n No speed is safe: only a robot that stands may touch the head or the throat. (The force would stay within {:.0} N \
-                 below {:.2} m/s.)",
-                hazard.limit_n, hazard.safe_below_m_s
-            )
-        } else {
-            writeln!(
-                out,
-                "\n Safe below {:.2} m/s{} at this point: {:.0} % of the speed there",
-                hazard.safe_below_m_s,
-                if by_approach { " of approach" } else { "" },
-                100.0 * hazard.safe_below_m_s / speed
-            )
-        };
+        let _ = writeln!(out, "\n {}", hazard.safe_speed_words());
     }
 }
 
@@ -312,28 +275,7 @@ fn steps(actions: &[Action], worked: &[Working], names: Option<&[String; 2]>, ac
         let (from, lasts) = (first as f64 * action_s, times as f64 * action_s);
         let meanwhile = worked.iter().filter(|working| (working.at_s - from).abs() < 0.5 * action_s);
         let meanwhile: String = meanwhile.map(|working| format!("; {}", working.words())).collect();
-        let does = |action: Action| format!("{}, {}", walks(action.walk()), action.posture().words());
-        let does = match names {
-            None => does(action),
-            Some(names) => {
-                let of = |who: Who| format!("{} {}", names[who as usize], does(action.of(who)));
-                format!("{}; {}", of(Who::First), of(Who::Second))
-            }
-        };
-        (from, format!("{does}, for {lasts:.1} s{meanwhile}"))
+        (from, format!("{}, for {lasts:.1} s{meanwhile}", moves(action, names)))
     };
     steps.into_iter().map(told).collect()
-}
-
-const fn walks(walk: Walk) -> &'static str {
-    match walk {
-        Walk::Stop => "stands",
-        Walk::Forward => "walks straight ahead",
-        Walk::Left45 => "turns left by 45 degrees and walks on",
-        Walk::Left90 => "turns left by 90 degrees and walks on",
-        Walk::Right45 => "turns right by 45 degrees and walks on",
-        Walk::Right90 => "turns right by 90 degrees and walks on",
-        Walk::Back => "steps back",
-        Walk::Run => "runs straight ahead",
-    }
 }

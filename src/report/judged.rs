@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::model::Hazard;
 use crate::hazard::contact::{Against, Contact};
 use crate::hazard::criterion::Class;
+use crate::standards::BodyRegion;
 
 /// Whether the part of the body can give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -189,37 +190,103 @@ impl Judged {
     }
 }
 
-/// What is broken, and by how much, in few words: "270 N, 2.00x the limit of 135 N".
-#[must_use]
-pub(crate) fn measure_words(
-    class: Class,
-    judged: Option<&Judged>,
-    (force_n, limit_n, ratio, speed_m_s): (f64, f64, f64, f64),
-) -> String {
-    let pressure = judged.and_then(|judged| judged.pressure);
-    let separation = judged.and_then(|judged| judged.separation);
-    let by_pressure = judged.is_some_and(|judged| judged.limit == LimitKind::Pressure);
-    match (class, pressure, separation) {
-        (Class::Clamping | Class::Pressure, Some(p), _) if by_pressure => {
-            format!("{:.0} N/cm2, {ratio:.2}x the limit of {:.0} N/cm2", p.n_cm2, p.limit_n_cm2)
-        }
-        (Class::Force | Class::Pressure, ..) => format!("{force_n:.0} N, {ratio:.2}x the limit of {limit_n:.0} N"),
-        (Class::Clamping, ..) => {
-            format!("{force_n:.0} N, {ratio:.2}x the limit of {limit_n:.0} N for what cannot give way")
-        }
-        (Class::HeadContact, ..) => format!("{force_n:.0} N; a moving robot may not touch it at all"),
-        (Class::MovingContact, ..) => format!("touched at {speed_m_s:.2} m/s; a moving robot may not touch it at all"),
-        (Class::Separation, _, Some(s)) => match s.required_m {
-            Some(required) => {
-                format!("{:.2} m away, {:.2} m less than {required:.2} m", s.distance_m, required - s.distance_m)
+/// What is broken, and by how much, in parts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Measure {
+    /// What was measured: "270 N".
+    is: String,
+    /// How bad that is: "2.00x the limit"; nothing if that says it.
+    beyond: String,
+    /// The limit, if there is a figure: "135 N".
+    limit: Option<String>,
+    /// What stands between the first two.
+    stop: &'static str,
+}
+
+impl Measure {
+    /// Of force, limit, ratio and speed.
+    #[must_use]
+    pub(crate) fn of(
+        class: Class,
+        judged: Option<&Judged>,
+        (force_n, limit_n, ratio, speed_m_s): (f64, f64, f64, f64),
+    ) -> Self {
+        let pressure = judged.and_then(|judged| judged.pressure);
+        let separation = judged.and_then(|judged| judged.separation);
+        let by_pressure = judged.is_some_and(|judged| judged.limit == LimitKind::Pressure);
+        let over = |is: String, limit: String| Self {
+            is,
+            beyond: format!("{ratio:.2}x the limit"),
+            limit: Some(limit),
+            stop: ", ",
+        };
+        let never = |is: String| Self {
+            is,
+            beyond: "a moving robot may not touch it at all".to_owned(),
+            limit: None,
+            stop: "; ",
+        };
+        let plain = |is: String, beyond: String| Self { is, beyond, limit: None, stop: ", " };
+        match (class, pressure, separation) {
+            (Class::Clamping | Class::Pressure, Some(p), _) if by_pressure => {
+                over(format!("{:.0} N/cm2", p.n_cm2), format!("{:.0} N/cm2", p.limit_n_cm2))
             }
-            None => format!("{:.2} m away from a robot that does not stop", s.distance_m),
-        },
-        (Class::Separation, ..) => "too near".to_owned(),
+            (Class::Force | Class::Pressure, ..) => over(format!("{force_n:.0} N"), format!("{limit_n:.0} N")),
+            (Class::Clamping, ..) => {
+                over(format!("{force_n:.0} N"), format!("{limit_n:.0} N for what cannot give way"))
+            }
+            (Class::HeadContact, ..) => never(format!("{force_n:.0} N")),
+            (Class::MovingContact, ..) => never(format!("touched at {speed_m_s:.2} m/s")),
+            (Class::Separation, _, Some(s)) => match s.required_m {
+                Some(required) => plain(
+                    format!("{:.2} m away", s.distance_m),
+                    format!("{:.2} m less than {required:.2} m", required - s.distance_m),
+                ),
+                None => plain(format!("{:.2} m away from a robot that does not stop", s.distance_m), String::new()),
+            },
+            (Class::Separation, ..) => plain("too near".to_owned(), String::new()),
+        }
+    }
+
+    /// In few words: "270 N, 2.00x the limit of 135 N".
+    #[must_use]
+    pub(crate) fn words(&self) -> String {
+        let Self { is, beyond, limit, stop } = self;
+        match limit {
+            _ if beyond.is_empty() => is.clone(),
+            Some(limit) => format!("{is}{stop}{beyond} of {limit}"),
+            None => format!("{is}{stop}{beyond}"),
+        }
+    }
+
+    /// How bad it is, and the figures of that: "2.00x the limit", "270 N, limit 135 N".
+    #[must_use]
+    pub(crate) fn worst_first(self) -> [String; 2] {
+        let Self { is, beyond, limit, stop: _ } = self;
+        match limit {
+            _ if beyond.is_empty() => [is, String::new()],
+            Some(limit) => [beyond, format!("{is}, limit {limit}")],
+            None => [beyond, is],
+        }
     }
 }
 
-/// The same for a narrow column: measure and limit.
+/// Of a region that no moving robot may touch.
+pub(crate) const NO_CONTACT: &str = "no contact allowed";
+
+/// A ratio for a region; below 1 it would read as harmless where no contact is allowed.
+#[must_use]
+pub(crate) fn ratio_words(region: BodyRegion, ratio: f64) -> String {
+    match ratio < 1.0 && region.permits_no_contact() {
+        true => format!("{NO_CONTACT} ({ratio:.2}x)"),
+        false => format!("{ratio:.2}x"),
+    }
+}
+
+/// The limit of contacts that a moving robot may not have at all.
+pub(crate) const NONE_ALLOWED: &str = "none allowed";
+
+/// What is broken for a narrow column: measure and limit.
 #[must_use]
 pub(crate) fn measure_cell(
     class: Class,
@@ -233,8 +300,8 @@ pub(crate) fn measure_cell(
         }
         (Class::Clamping, ..) => format!("{force_n:.0} N / {limit_n:.0} N clamped"),
         (Class::Force | Class::Pressure, ..) => format!("{force_n:.0} N / {limit_n:.0} N"),
-        (Class::HeadContact, ..) => format!("{force_n:.0} N / none allowed"),
-        (Class::MovingContact, ..) => format!("{speed_m_s:.2} m/s / none allowed"),
+        (Class::HeadContact, ..) => format!("{force_n:.0} N / {NONE_ALLOWED}"),
+        (Class::MovingContact, ..) => format!("{speed_m_s:.2} m/s / {NONE_ALLOWED}"),
         (Class::Separation, _, Some(s)) => match s.required_m {
             Some(required) => format!("{:.2} m / {required:.2} m", s.distance_m),
             None => format!("{:.2} m / does not stop", s.distance_m),
@@ -280,10 +347,16 @@ impl Hazard {
         below.map_or_else(|| if no_speed { "none" } else { "-" }.to_owned(), |below| format!("{below:.2} m/s"))
     }
 
-    /// What is broken, and by how much, in few words.
+    /// What is broken, and by how much.
+    #[must_use]
+    pub(crate) fn measured(&self) -> Measure {
+        let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
+        Measure::of(self.class, self.judged.as_ref(), figures)
+    }
+
+    /// The same in few words.
     #[must_use]
     pub(crate) fn measure_words(&self) -> String {
-        let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
-        measure_words(self.class, self.judged.as_ref(), figures)
+        self.measured().words()
     }
 }

@@ -12,8 +12,11 @@
 //! - [`csv`], [`junit`], [`sarif`]: the hazards for other tools
 //! - [`assumptions`]: what every report rests on beside its obligations
 //! - [`page`]: the report that one looks at
+//! - [`words`]: every sentence that it shows
 //! - [`worked`]: controls that are worked on the way to a hazard
 //! - [`explanation`]: a hazard in plain words and with all its numbers
+//! - [`does`]: what people do in an action, in words
+//! - [`forces`], [`formula`]: both forces of a hazard; what happens at a contact and how its force comes about
 //! - [`advice`]: changes of a cell, and what came of them
 //! - [`inspection`]: what an FMU is, and what of it a scan could use
 //! - [`verified`]: what became of known hazards
@@ -22,6 +25,7 @@
 //! - [`distance`]: safeguards and their distances
 //! - [`share`]: how much of the robots' cycle a search from the start met
 //! - [`speeds`]: told speeds that are not those of the motion
+//! - [`covered`]: what a search covered, in sentences
 //! - [`headline`]: what was found, and of what that is said
 //! - `resting`: what a result rests on, in words
 //! - [`terminal`]: the table on the terminal
@@ -38,14 +42,18 @@ pub(crate) mod assumptions;
 pub(crate) mod baseline;
 pub(crate) mod campaign;
 pub mod cause;
+pub(crate) mod covered;
 pub(crate) mod criteria;
 pub(crate) mod csv;
 pub(crate) mod difference;
 pub(crate) mod distance;
+pub(crate) mod does;
 pub(crate) mod explanation;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub(crate) mod floorplan;
+pub(crate) mod forces;
+pub(crate) mod formula;
 pub(crate) mod foxglove;
 pub(crate) mod headline;
 mod immovable;
@@ -74,6 +82,7 @@ pub(crate) mod topview;
 pub(crate) mod trace;
 pub(crate) mod verified;
 pub(crate) mod whole;
+pub(crate) mod words;
 pub(crate) mod worked;
 
 /// Rows under a header in aligned columns, for a terminal or as Markdown.

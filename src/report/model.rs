@@ -231,7 +231,7 @@ pub struct FmuSubject {
 }
 
 /// How it was searched.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Settings {
     /// Strategy name.
     pub strategy: String,
@@ -298,7 +298,7 @@ pub struct Settings {
 }
 
 /// What the search cost.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Spent {
     /// Iterations run.
     pub iterations: u64,
@@ -491,7 +491,7 @@ pub struct Shortest {
 
 /// What an exhaustive search covered, and what random search can expect from that. Numbers of sequences are decimal
 /// strings: they do not fit into JSON's numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Certificate {
     /// Whether every sequence is accounted for, and nothing is open that this needs.
     pub complete: bool,
@@ -551,7 +551,7 @@ impl Certificate {
 /// How much of what an FMU did in a search was run again from the start, by a fresh instance with all inputs and without
 /// any restore, and gave the same in all bound outputs, bit for bit. Where it is not all, it is a sample, chosen by a key
 /// made from the inputs.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RunAgain {
     /// Actions of the FMU that were stepped.
     pub transitions: u64,
@@ -564,7 +564,7 @@ pub struct RunAgain {
 }
 
 /// Exact figures of uniform random search, from the share of hazardous sequences.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RandomSearch {
     /// Budget, iterations.
     pub iterations: u32,
@@ -580,10 +580,10 @@ pub struct RandomSearch {
 
 /// What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
 /// that a strategy chose are never counted. See [`crate::search::residual`].
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Residual {
     /// What the figures hold for.
-    pub holds_for: &'static str,
+    pub holds_for: String,
     /// Uniformly random sequences.
     pub random_sequences: u64,
     /// Of these, hazardous by their own end; findings in other postures of their walks do not count.
@@ -600,7 +600,7 @@ pub struct Residual {
 }
 
 /// How often a random sequence ends in a hazard that is not listed.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Unlisted {
     /// Random sequences after the first quarter of the search, each checked against the hazards known by then.
     pub checked: u64,
@@ -628,7 +628,7 @@ impl Residual {
             good_turing_estimate: f.good_turing,
         };
         Self {
-            holds_for: Self::HOLDS_FOR,
+            holds_for: Self::HOLDS_FOR.to_owned(),
             random_sequences: f.sequences,
             hazardous: f.hazardous,
             not_evaluated: f.not_evaluated,
@@ -770,12 +770,12 @@ impl Hazard {
     /// What happens, in words.
     #[must_use]
     pub fn described(&self) -> String {
-        let reports = if self.person.is_some() { "reports somebody" } else { "reports the person" };
+        let reports = self.reports_words();
         let stands = match &self.person {
             Some(name) => format!("{name} stands"),
             None => "the person stands".to_owned(),
         };
-        let state = |s: &SensorState| format!("{} {}", s.name, if s.person_detected { reports } else { "clear" });
+        let state = |s: &SensorState| s.words(reports);
         let sensors: Vec<String> = self.sensors.iter().map(state).collect();
         let sensors = if sensors.is_empty() { String::new() } else { format!("; {}", sensors.join(", ")) };
         let begins = self.begins.map_or_else(String::new, |begins| format!("; begun {}", begins.words()));

@@ -13,19 +13,21 @@ use super::anywhere::Anywhere;
 use super::assessment::Assessments;
 use super::assumptions::assumptions;
 use super::whole::Whole;
+use super::words::Words;
 
 /// What the viewer is built to.
 const SCRIPT: &str = include_str!("viewer/viewer.js");
 const STYLE: &str = include_str!("viewer/viewer.css");
 
 /// Version of the form of [`Data`].
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// What is in the page. Lengths in m, world frame, z up.
 #[derive(Serialize)]
 struct Data<'a, S> {
     format: u32,
     scan: &'a S,
+    words: Words,
     reproduce: &'a str,
     assumptions: Vec<String>,
     assessments: &'a Assessments,
@@ -91,10 +93,22 @@ pub(crate) struct ZoneOutline {
     pub name: String,
     /// `mat`, `field`, `curtain`, `door`, `post` or `button`.
     pub kind: &'static str,
+    /// Kind and name, the kind only where the name does not tell it.
+    pub title: String,
     /// Its outline on the floor plan.
     pub polygon_m: Vec<[f64; 2]>,
     /// From which height to which.
     pub z_m: [f64; 2],
+}
+
+impl ZoneOutline {
+    /// One of this kind and name.
+    #[must_use]
+    pub(crate) fn new(name: &str, kind: &'static str, polygon_m: Vec<[f64; 2]>, z_m: [f64; 2]) -> Self {
+        let told = name.to_lowercase().contains(kind);
+        let title = if told { name.to_owned() } else { format!("{kind} {name}") };
+        Self { name: name.to_owned(), kind, title, polygon_m, z_m }
+    }
 }
 
 /// A robot link.
@@ -146,8 +160,10 @@ pub(crate) struct LinkLook {
 /// A part of the body, a capsule.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct PartShape {
-    /// Its name.
+    /// Its id.
     pub region: String,
+    /// Its name.
+    pub name: String,
     /// Its radius.
     pub radius_m: f64,
 }
@@ -316,7 +332,7 @@ fn packed_list<T: Serialize, S: Serializer>(list: &[T], to: S) -> Result<S::Ok, 
 /// who come from anywhere, if that was asked.
 ///
 /// # Errors
-/// When the data cannot be written as JSON, or not be packed.
+/// When `scan` is none, or the data cannot be written as JSON, or not be packed.
 pub(crate) fn render(
     scan: &impl Serialize,
     title: &str,
@@ -327,8 +343,9 @@ pub(crate) fn render(
     whole: Option<&Anywhere>,
 ) -> std::io::Result<String> {
     let (replays, whole) = (packed(replays)?, whole.map(Whole::from));
-    let assumptions = assumptions(&serde_json::to_value(scan)?["settings"]);
-    let data = Data { format: FORMAT, scan, reproduce, assumptions, assessments, cell, replays, whole };
+    let told = serde_json::to_value(scan)?;
+    let (assumptions, words) = (assumptions(&told["settings"]), Words::of(&told, &cell.sensors)?);
+    let data = Data { format: FORMAT, scan, words, reproduce, assumptions, assessments, cell, replays, whole };
     // Nothing in a JSON text can end the element that holds it, then.
     let data = serde_json::to_string(&data)?.replace('<', "\\u003c");
     let title = title.replace('&', "&amp;").replace('<', "&lt;");

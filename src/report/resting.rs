@@ -5,6 +5,9 @@ use super::paragraph::wrapped_to;
 use super::terminal::View;
 use crate::obligations::{Obligations, Standing};
 
+/// What stands before the lines that accept what can be.
+pub(super) const TO_ACCEPT: &str = "Whoever accepts what was only tried out adds to the cell file:";
+
 /// All of it.
 pub(super) fn rests_on(obligations: &Obligations, view: View) -> String {
     let mut out = String::new();
@@ -19,7 +22,7 @@ pub(super) fn rests_on(obligations: &Obligations, view: View) -> String {
     }
     if let Some(lines) = obligations.lines_to_accept() {
         let head = "            ";
-        out += &wrapped_to(view.width, head, "Whoever accepts what was only tried out adds to the cell file:");
+        out += &wrapped_to(view.width, head, TO_ACCEPT);
         for line in lines.lines() {
             out += format!("{head}  {line}").trim_end();
             out.push('\n');

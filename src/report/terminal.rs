@@ -2,16 +2,14 @@
 
 use std::fmt::Write as _;
 
-use super::cause::{Cause, Change};
-use super::headline::Headline;
+use super::cause::{Cause, Change, NO_CHANGE, TRIED_IN_PART};
+use super::covered::{self, Bounds, NO_SENSORS};
+use super::headline::{Headline, confirmed_words};
 use super::judged::measure_cell;
-use super::model::{Certificate, Hazard, Residual, RunAgain, ScanReport};
+use super::model::{Certificate, Hazard, Residual, ScanReport};
 use super::paragraph::{WIDTH, wrapped_to};
 use super::resting::rests_on;
-use crate::hazard::contact::STANDSTILL_M_S;
 use crate::human::Action;
-use crate::human::arm::ArmModel;
-use crate::sim::coverage::RobotCoverage;
 
 /// How the result is shown.
 #[derive(Clone, Copy, Debug)]
@@ -62,12 +60,8 @@ pub(crate) fn render(report: &ScanReport, view: View) -> String {
         out += &wrapped_to(view.width, "  Note      ", warning);
     }
     if view.verbose {
-        let unverified = report.tables.iter().filter(|t| !t.verified).count();
-        let limits = format!(
-            "{}; {unverified} of {} tables not yet verified against the purchased standards",
-            report.standard_edition,
-            report.tables.len()
-        );
+        let verified = report.tables.iter().filter(|t| t.verified).count();
+        let limits = limits_words(report.standard_edition, report.tables.len(), verified);
         out += &wrapped_to(view.width, "  Limits    ", &limits);
     }
     if !out.is_empty() {
@@ -90,8 +84,8 @@ pub(crate) fn cards(report: &ScanReport, view: View) -> String {
         out.push('\n');
         let worst = report.hazards.iter().find(|hazard| hazard.id == cause.worst);
         card(cause, worst, view, &mut out);
-        if let Some(worst) = worst {
-            out += &other_force(worst, view);
+        if let Some(other) = worst.and_then(Hazard::other_force) {
+            out += &wrapped_to(view.width, "   But: ", &other);
         }
     }
     if report.causes.len() > CAUSES {
@@ -117,20 +111,17 @@ impl View {
 /// One cause: what is wrong, how bad it is, where its worst hazard begins if that is not where the scan did, what is hit by
 /// what, what helps.
 fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
-    let ways = cause.hazards.len();
-    let s = if ways == 1 { "" } else { "s" };
-    let share = cause.share.map_or_else(String::new, |share| format!("; {} of all sequences", percent(share)));
+    let share = cause.share_words().map_or_else(String::new, |share| format!("; {share}"));
     let (bold, off) = view.ink(BOLD);
     let head = format!(" {bold}{}{off}  ", cause.id);
     let text = wrapped_to(view.width, &" ".repeat(cause.id.len() + 3), &cause.sentence);
     *out += &text.replacen(&" ".repeat(cause.id.len() + 3), &head, 1);
     let own = worst.and_then(|worst| Some((worst, worst.begins?)));
-    let from = if own.is_some() { String::new() } else { format!("; from {:.2} s on", cause.earliest_time_s) };
-    let figures = format!("{}{from}; {ways} way{s}{share}", cause.force_words());
+    let from = if own.is_some() { String::new() } else { format!("; {}", cause.earliest_words()) };
+    let figures = format!("{}{from}; {}{share}", cause.force_words(), cause.ways_words());
     *out += &wrapped_to(view.width, "   ", &figures);
     if let Some((worst, begins)) = own {
-        let begins = format!("The worst begins {}; hit {:.2} s later", begins.words(), worst.time_s);
-        *out += &wrapped_to(view.width, "   ", &begins);
+        *out += &wrapped_to(view.width, "   ", &worst.begins_words(begins));
     }
     let mut regions: Vec<(String, Vec<&str>)> = Vec::new();
     for line in &cause.lines {
@@ -149,41 +140,14 @@ fn card(cause: &Cause, worst: Option<&Hazard>, view: View, out: &mut String) {
         advice.changes.iter().partition(|change| change.enough_until_s.is_some());
     let words = |changes: &[&Change]| changes.iter().take(CHANGES).map(|change| change.words()).collect::<Vec<_>>();
     if advice.changes.is_empty() {
-        *out += &wrapped_to(view.width, "   What helps: ", "no single change that was tried");
+        *out += &wrapped_to(view.width, "   What helps: ", NO_CHANGE);
     }
-    for (title, changes) in [("   What helps: ", enough), ("   Tried in part: ", part)] {
+    for (title, changes) in [("What helps", enough), (TRIED_IN_PART, part)] {
         if !changes.is_empty() {
-            *out += &wrapped_to(view.width, title, &words(&changes).join("; or "));
+            *out += &wrapped_to(view.width, &format!("   {title}: "), &words(&changes).join("; or "));
         }
     }
 }
-
-/// The force with the other speed, where the two are far apart.
-fn other_force(worst: &Hazard, view: View) -> String {
-    if worst.class.beside_force().is_some() {
-        return String::new();
-    }
-    let own = worst.force_n / worst.limit_n;
-    let [less, more] =
-        if own < worst.directed_ratio { [own, worst.directed_ratio] } else { [worst.directed_ratio, own] };
-    if more <= FAR_APART * less {
-        return String::new();
-    }
-    let other = if worst.is_by_approach() {
-        format!("with the robot's own speed {own:.2}x")
-    } else {
-        format!("with the speed of approach, the person's walking included, {:.2}x", worst.directed_ratio)
-    };
-    let decides = if worst.body_region.permits_no_contact() {
-        "no contact is allowed there either way"
-    } else {
-        "criterion in the cell file says which decides"
-    };
-    wrapped_to(view.width, "   But: ", &format!("{other} ({decides})"))
-}
-
-/// Forces that differ by more than this factor are both told.
-const FAR_APART: f64 = 2.0;
 
 /// Most changes on a card.
 const CHANGES: usize = 3;
@@ -193,17 +157,46 @@ pub(super) fn percent(part: f64) -> String {
     match 100.0 * part {
         p if p <= 0.0 => "0 %".to_owned(),
         p if p >= 99.95 => "100 %".to_owned(),
-        p if p >= 9.95 => format!("{p:.0} %"),
-        p if p >= 0.095 => format!("{p:.1} %"),
+        p => match places(p) {
+            Some(places) => format!("{p:.places$} %"),
+            None => "less than 0.0001 %".to_owned(),
+        },
+    }
+}
+
+/// Decimal places with which a percentage is told; none if it is too small for that.
+fn places(percentage: f64) -> Option<usize> {
+    match percentage {
+        p if p >= 9.95 => Some(0),
+        p if p >= 0.095 => Some(1),
         p if p >= 0.000_095 => {
             // Two digits that are not zero.
             let places = (-libm::floor(libm::log10(p)) + 1.0).clamp(2.0, 6.0);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 6")]
             let places = places as usize;
-            format!("{p:.places$} %")
+            Some(places)
         }
-        _ => "less than 0.0001 %".to_owned(),
+        _ => None,
     }
+}
+
+/// A bound from above: never rounded down.
+pub(super) fn at_most(part: f64) -> String {
+    rounded(part, f64::ceil)
+}
+
+/// A bound from below: never rounded up.
+pub(super) fn at_least(part: f64) -> String {
+    rounded(part, f64::floor)
+}
+
+fn rounded(part: f64, to: fn(f64) -> f64) -> String {
+    let Some(places) = places(100.0 * part) else { return percent(part) };
+    let scale = (0..places).fold(100.0, |scale, _| 10.0 * scale);
+    // What is a round figure but for the last bits stays it.
+    let nearest = (part * scale).round();
+    let whole = if (part * scale - nearest).abs() < 1e-9 { nearest } else { to(part * scale) };
+    percent(whole / scale)
 }
 
 fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
@@ -224,12 +217,7 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
             h.safe_words(),
             format!("{:.2} s", h.time_s),
             h.times_found.to_string(),
-            match h.confirmed {
-                Some(true) => "yes",
-                Some(false) => "NO",
-                None => "not tried",
-            }
-            .to_owned(),
+            confirmed_words(h.confirmed).to_owned(),
         ]
     };
     let rows: Vec<[String; 9]> = report.hazards.iter().take(ROWS).map(row).collect();
@@ -271,6 +259,12 @@ fn hazard_table(report: &ScanReport, view: View, out: &mut String) {
     }
 }
 
+/// Where the limits are from, and how many of the tables nobody verified.
+pub(super) fn limits_words(edition: &str, tables: usize, verified: usize) -> String {
+    let unverified = tables - verified;
+    format!("{edition}; {unverified} of {tables} tables not yet verified against the purchased standards")
+}
+
 /// A number with its thousands set apart.
 #[must_use]
 pub(crate) fn grouped(digits: &str) -> String {
@@ -282,159 +276,50 @@ pub(crate) fn grouped(digits: &str) -> String {
 
 /// What an exhaustive search covered.
 fn certified(report: &ScanReport, c: &Certificate, view: View, out: &mut String) {
-    let settings = &report.settings;
     let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
-    say("  Covered   ", &format!("{} of {} sequences", grouped(&c.covered), grouped(&c.sequences)));
+    say("  Covered   ", &covered::sequences(c));
     let what = if c.complete { "complete within:" } else { "NOT complete within:" };
-    let held = settings.held_m.map_or_else(String::new, |held_m| {
-        let tolerance_m = ArmModel::holding(held_m).hand_tolerance_m(settings.reach_tolerance_m);
-        format!(", {:.0} mm for what is held", tolerance_m * 1000.0)
-    });
-    let within = format!(
-        "{what} {} actions, {} steps of {:.0} ms, contact checked every {:.0} ms, reach tolerance {:.0} mm{held}",
-        c.actions,
-        c.horizon,
-        settings.action_s * 1000.0,
-        settings.contact_check_interval_s * 1000.0,
-        settings.reach_tolerance_m * 1000.0
-    );
-    say(UNDER, &within);
+    say(UNDER, &format!("{what} {}", covered::within(c, &report.settings)));
     if !view.verbose {
         return;
     }
-    let kinds = format!(
-        "{} hazardous ({}), {} harmless, {} too far away to meet the robot any more",
-        grouped(&c.hazardous),
-        percent(c.hazardous_share),
-        grouped(&c.harmless),
-        grouped(&c.excluded)
-    );
-    say(UNDER, &kinds);
-    let tried = match c.merged {
-        0 => String::new(),
-        of => {
-            format!(" ({} histories merged, {} of the merges tried out)", grouped(&of.to_string()), c.merges_tried_out)
-        }
-    };
-    let states = grouped(&c.states.to_string());
-    say(UNDER, &format!("{states} distinct states; equal FMU states told by {}{tried}", c.merged_by));
-    if c.run_again.compared > 0 {
-        say(UNDER, &run_again(&c.run_again));
-    }
-    if let Some((random, mean)) =
-        c.random_search.as_ref().and_then(|random| Some((random, random.iterations_to_hazard?)))
-    {
-        let mean = if mean < 10.0 { format!("{mean:.1}") } else { grouped(&format!("{mean:.0}")) };
-        let random = format!(
-            "one in {mean} random sequences is hazardous: random search needs {mean} iterations on average; within {} it \
-             finds nothing in {} of runs",
-            random.iterations,
-            percent(random.miss_probability)
-        );
-        say(UNDER, &random);
+    say(UNDER, &covered::fates(c));
+    say(UNDER, &covered::states(c));
+    for text in [covered::run_again(&c.run_again), covered::random_search(c)].into_iter().flatten() {
+        say(UNDER, &text);
     }
 }
 
 /// What stands under the head of a paragraph.
 const UNDER: &str = "            ";
 
-/// What was run again plainly.
-fn run_again(again: &RunAgain) -> String {
-    let part = |done: u64, of: u64| match done == of {
-        true => format!("all {}", grouped(&of.to_string())),
-        false => format!("{} of {}", grouped(&done.to_string()), grouped(&of.to_string())),
-    };
-    let merges = match again.merges {
-        0 => String::new(),
-        of => format!(", and {} merges gone on with", part(again.merges_compared, of)),
-    };
-    let whole = (again.compared, again.merges_compared) == (again.transitions, again.merges);
-    let sample = if whole { "" } else { " (a sample, chosen by a key)" };
-    format!("{} FMU transitions run again from the start{merges}{sample}", part(again.compared, again.transitions))
-}
-
 /// What random sequences say about what is left.
 fn residual(r: &Residual, view: View, out: &mut String) {
     let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
-    let not_evaluated =
-        if r.not_evaluated > 0 { format!(", {} not evaluated", r.not_evaluated) } else { String::new() };
-    let share = match r.hazardous {
-        0 => format!("below {}", percent(r.hazardous_share_below)),
-        _ => format!("{} to {}", percent(r.hazardous_share_interval[0]), percent(r.hazardous_share_interval[1])),
-    };
-    let random = format!(
-        "{} of {} uniformly random sequences hazardous{not_evaluated}: of all sequences {share} are",
-        r.hazardous, r.random_sequences
-    );
-    say("  Residual  ", &random);
+    say("  Residual  ", &covered::share(r, Bounds::Nearest));
     if let Some(u) = &r.unlisted {
-        let unlisted = format!(
-            "one more ends in a hazard not listed here with a probability below {} ({} of {} later ones did)",
-            percent(u.probability_below),
-            u.met_others,
-            u.checked
-        );
-        say(UNDER, &unlisted);
+        say(UNDER, &covered::unlisted(u, Bounds::Nearest));
         if view.verbose {
-            let estimate = percent(u.good_turing_estimate);
-            say(UNDER, &format!("Good-Turing estimate without the chosen sequences: {estimate}"));
+            say(UNDER, &covered::estimate(u));
         }
     }
-    say(UNDER, &format!("95 % confidence each; for {}", r.holds_for));
+    say(UNDER, &covered::confidence(r));
 }
 
 fn coverage(report: &ScanReport, view: View, out: &mut String) {
     let mut say = |head: &str, text: &str| *out += &wrapped_to(view.width, head, text);
     let c = &report.coverage;
-    let sequences = match &report.certificate {
-        Some(_) => String::new(),
-        None => format!("{} sequences, {} not evaluated; ", report.spent.iterations, c.episodes_not_evaluated),
-    };
-    let spent = format!(
-        "{sequences}{} actions, {} FMU steps, {} contact checks",
-        c.actions, report.spent.fmu_steps, c.contact_checks
-    );
-    say("  Coverage  ", &spent);
-    let robot = format!(
-        "robot moved at up to {:.2} m/s; closest approach of the body {}; robot within arm's reach at {} instants",
-        c.robot_top_speed_m_s,
-        approach(c.closest_approach_m),
-        c.checks_with_robot_in_arm_reach
-    );
-    say(UNDER, &robot);
+    say("  Coverage  ", &covered::spent(c, &report.spent, report.certificate.is_some()));
+    say(UNDER, &format!("robot {}", covered::robot(c)));
     for robot in c.robots.iter().filter(|_| c.robots.len() > 1) {
-        say(UNDER, &of_robot(robot));
+        say(UNDER, &format!("{}: {}", robot.name, covered::of_robot(robot)));
     }
-    let contacts = format!(
-        "{} contacts within the limits (highest {:.2}x); obstacles stopped the person {} times",
-        c.contacts_within_limits, c.highest_ratio_within_limits, c.walks_blocked
-    );
-    say(UNDER, &contacts);
-    let sensors = &report.coverage.sensor_actions;
-    let text = match sensors.len() {
-        0 => "none in this cell: the safeguard is the guarding itself".to_owned(),
-        _ => format!("reported the person in {sensors:?} actions"),
+    say(UNDER, &covered::contacts(c));
+    let text = match &c.sensor_actions {
+        none if none.is_empty() => NO_SENSORS.to_owned(),
+        sensors => format!("reported the person in {sensors:?} actions"),
     };
     say(UNDER, &format!("sensors {text}"));
-}
-
-/// How near somebody came.
-fn approach(closest_m: f64) -> String {
-    if closest_m < 1e6 { format!("{closest_m:.2} m") } else { "never near".to_owned() }
-}
-
-/// What was seen of one of several robots.
-fn of_robot(robot: &RobotCoverage) -> String {
-    let moved = match (robot.moved, robot.top_speed_m_s) {
-        (false, speed) if speed < STANDSTILL_M_S => "never moved".to_owned(),
-        (_, speed) => format!("up to {speed:.2} m/s"),
-    };
-    let closest = match (robot.instants_in_reach, robot.closest_approach_m) {
-        // Too slow to harm whenever somebody was near: its distance was not asked for.
-        (1.., closest_m) if closest_m >= 1e6 => String::new(),
-        (_, closest_m) => format!("closest approach {}; ", approach(closest_m)),
-    };
-    format!("{}: {moved}; {closest}near enough to touch at {} instants", robot.name, robot.instants_in_reach)
 }
 
 #[cfg(test)]
@@ -456,5 +341,15 @@ mod tests {
         ] {
             assert_eq!(percent(part), words);
         }
+    }
+
+    #[test]
+    fn bounds_hold_as_they_are_printed() {
+        let bounds =
+            [(0.019_3, "2.0 %", "1.9 %"), (0.02, "2.0 %", "2.0 %"), (0.254_6, "26 %", "25 %"), (0.0, "0 %", "0 %")];
+        for (part, above, below) in bounds {
+            assert_eq!([at_most(part), at_least(part)], [above, below]);
+        }
+        assert_eq!([at_most(0.999_1), at_least(0.999_9)], ["100 %", "99 %"]);
     }
 }

@@ -48,6 +48,27 @@ impl From<&Control> for ControlRecord {
     }
 }
 
+/// Who works a control that is out of reach.
+const COLLEAGUE: &str = "a colleague";
+
+const fn verb(kind: ControlKind) -> &'static str {
+    match kind {
+        ControlKind::Momentary => "presses",
+        ControlKind::Held => "holds",
+        ControlKind::Toggled => "switches",
+    }
+}
+
+impl ControlRecord {
+    /// What is done in any action that works it, behind what the person does: "presses reset", "a colleague presses reset".
+    #[must_use]
+    pub(crate) fn words(&self) -> String {
+        let who = if self.by == ControlledBy::Anyone { format!("{COLLEAGUE} ") } else { String::new() };
+        let does = if self.door { "opens or closes" } else { verb(self.kind) };
+        format!("{who}{does} {}", self.name)
+    }
+}
+
 impl Working {
     /// What is done: "the person presses reset", "a colleague opens door".
     #[must_use]
@@ -55,15 +76,13 @@ impl Working {
         let who = match self.control.by {
             ControlledBy::Person if self.by_either => "one of the people",
             ControlledBy::Person => "the person",
-            ControlledBy::Anyone => "a colleague",
+            ControlledBy::Anyone => COLLEAGUE,
             ControlledBy::Nobody => "nobody",
         };
         let does = match (self.opens, self.control.kind) {
             (Some(true), _) => "opens",
             (Some(false), _) => "closes",
-            (None, ControlKind::Momentary) => "presses",
-            (None, ControlKind::Held) => "holds",
-            (None, ControlKind::Toggled) => "switches",
+            (None, kind) => verb(kind),
         };
         format!("{who} {does} {}", self.control.name)
     }

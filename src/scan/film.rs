@@ -74,7 +74,11 @@ pub(crate) fn scenery(prepared: &Prepared) -> Scenery {
         body: upright
             .parts()
             .iter()
-            .map(|(part, capsule)| PartShape { region: part.name().to_owned(), radius_m: capsule.radius })
+            .map(|(part, capsule)| PartShape {
+                region: part.name().to_owned(),
+                name: part.name().replace('_', " "),
+                radius_m: capsule.radius,
+            })
             .collect(),
         arm: arm_shape(cell),
         robots: cell
@@ -135,7 +139,7 @@ fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
         Zone::TwoHand { .. } => ("post", [0.0, FLOOR_M]),
         Zone::Reported => return None,
     };
-    Some(ZoneOutline { name: name.to_owned(), kind, polygon_m: outline::zone(zone)?, z_m })
+    Some(ZoneOutline::new(name, kind, outline::zone(zone)?, z_m))
 }
 
 /// A control as something upright that is as large as what a hand has to get to, or a little larger.
@@ -143,7 +147,7 @@ fn button(control: &Control) -> Option<ZoneOutline> {
     let place = control.place?;
     let half = place.radius.max(outline::BUTTON_M);
     let z_m = [place.a.z.min(place.b.z) - half, place.a.z.max(place.b.z) + half];
-    Some(ZoneOutline { name: control.name.clone(), kind: "button", polygon_m: outline::button(control)?, z_m })
+    Some(ZoneOutline::new(&control.name, "button", outline::button(control)?, z_m))
 }
 
 /// Runs the sequence of `hazard` and keeps everything that there is to see, of two people with the one who is hit as the person. Where it takes an arm through a light curtain,

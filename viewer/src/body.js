@@ -1,7 +1,6 @@
 // A person drawn front and back, with the regions of ISO/TS 15066 as areas of which those that are hit are marked.
 
 import { h, svg } from "./dom.js";
-import * as words from "./words.js";
 
 /** Width of one figure, and where its middle is. */
 const WIDTH = 100;
@@ -54,23 +53,21 @@ function areas(side) {
   return [...(side === "front" ? FRONT : BACK).map(([region, d]) => [region, d, false]), ...limbs.flatMap(([region, d]) => [[region, d, false], [region, d, true]])];
 }
 
-/** The worst ratio of each region of a cause, worst first. */
-export function worstByRegion({ lines }) {
+/** The worst ratio of each region of a cause. */
+function worstByRegion({ lines }) {
   const worst = new Map();
   for (const { body_region: region, ratio } of lines) {
     worst.set(region, Math.max(worst.get(region) ?? 0, ratio));
   }
-  return [...worst].sort(([, a], [, b]) => b - a);
+  return worst;
 }
 
 /** The drawing of a person with the regions that a cause hits; `mark` makes the region of one hazard stand out. */
-export function bodyOutline(cause) {
-  const worst = new Map(worstByRegion(cause));
+export function bodyOutline(cause, words) {
+  const worst = worstByRegion(cause);
   const most = Math.max(...worst.values());
-  const text = ([region, ratio]) => {
-    const size = words.ratioOf(region, ratio);
-    return `${words.region(region)}${size === words.ratio(ratio) ? "" : ":"} ${size}`;
-  };
+  const { regions } = words.causes[cause.id];
+  const texts = new Map(regions);
   const drawn = [];
 
   function area([region, d, mirrored]) {
@@ -79,7 +76,7 @@ export function bodyOutline(cause) {
     const path = svg(
       "path",
       { d, class: hit ? "region hit" : "region", "data-region": region, transform: mirrored ? `translate(${WIDTH} 0) scale(-1 1)` : null, style: hit ? `--heat:${Math.max(PALEST, ratio / most).toFixed(3)}` : null },
-      svg("title", {}, hit ? `${text([region, ratio])}, as many times the limit` : `${words.region(region)}: not hit`),
+      svg("title", {}, hit ? texts.get(region) : `${words.regions[region]}: not hit`),
     );
     drawn.push(path);
     return path;
@@ -93,14 +90,14 @@ export function bodyOutline(cause) {
       svg("path", { class: "feature", d: FEATURES[side] }),
       svg("text", { x: WIDTH / 2, y: HEIGHT + 9 }, side),
     );
-  const names = [...worst].map(text);
-  const items = [...worst.keys()].map((region, index) => h("li", { "data-region": region }, names[index]));
+  const names = [...texts.values()];
+  const items = regions.map(([region, text]) => h("li", { "data-region": region }, text));
   const element = h(
     "figure",
     { class: "body-outline", "data-test": "body-outline" },
     svg(
       "svg",
-      { viewBox: `2 -2 ${2 * WIDTH - 14} ${HEIGHT + 15}`, role: "img", "aria-label": `Person from the front and from the back. Hit, times the limit: ${names.join(", ")}.` },
+      { viewBox: `2 -2 ${2 * WIDTH - 14} ${HEIGHT + 15}`, role: "img", "aria-label": `Person, front and back. Hit: ${names.join(", ")}.` },
       figure("front", -3),
       figure("back", WIDTH - 11),
     ),

@@ -3,7 +3,7 @@
 import { bodyOutline } from "./body.js";
 import { command, current, h } from "./dom.js";
 import { requiredLevel } from "./assessments.js";
-import * as words from "./words.js";
+import { count } from "./words.js";
 
 /** Changes that are shown in full; more of them are folded. */
 const IN_FULL = 3;
@@ -20,64 +20,49 @@ export const colourOf = ({ number }) => COLOURS[(number - 1) % COLOURS.length];
 /** Number of a cause in its colour. */
 export const badge = (cause) => h("span", { class: "badge", style: `background:${colourOf(cause)}` }, String(cause.number));
 
-/** How often, how early, how many, as pairs; of a cause whose worst hazard has a beginning of its own, when that is. */
-export function figures(data, cause) {
-  const { begins } = data.hazard(cause.worst);
-  return [
-    ["share", typeof cause.share === "number" ? `${words.share(cause.share)} of all sequences` : ""],
-    ["earliest", begins ? `worst begins ${words.begun(begins)}` : `after ${words.time(cause.earliest_time_s)}`],
-    ["ways", `${words.count(cause.hazards.length, "way")}, ${cause.confirmed === cause.hazards.length ? (cause.confirmed === 1 ? "confirmed" : "all confirmed") : `${cause.confirmed} confirmed`}`],
-  ].filter(([, text]) => text);
-}
+/** How often, how early, how many, as pairs of a key and a text. */
+export const figures = ({ share, earliest, ways }) => Object.entries({ share, earliest, ways }).filter(([, text]) => text);
 
-function change({ change: what, checked, complete, enough_until_s: until, removes_all: all, less }) {
-  const enough = typeof until === "number";
-  const effect = [
-    ["With it this cause was not met any more; other causes are left.", "It removes this cause; other causes are left."],
-    ["Tried in part: with it no hazard was met any more.", "Tried in part: with it nothing is hazardous from the starts in the cell file; from elsewhere that is not shown."],
-    ["", `Enough: with it nothing in this cell is hazardous any more, by any sequence from the start and from anywhere until ${until} s.`],
-  ][Number(all) + Number(all && complete && enough)][Number(complete)];
+function change({ change: what, removes_all: all, less }, [effect, checked]) {
   return h(
     "li",
     { "data-test": "change", class: all ? "all" : null },
     h("b", {}, what),
     h("p", {}, effect),
-    h("p", { class: "note" }, `Checked: ${checked}${complete ? "" : " (not every sequence)"}.`.replace(/\.\.$/, ".")),
+    h("p", { class: "note" }, checked),
     less ? h("p", { class: "note" }, less) : null,
   );
 }
 
 /** The force that does not decide, where it is far from the one that does. */
-export function otherForce(data, cause) {
-  const { own, approach, decides, apart } = words.forces(data.hazard(cause.worst), data.scan.settings);
-  const other = decides === own ? approach : own;
-  return apart ? h("p", { class: "flag" }, `${other.name[0].toUpperCase()}${other.name.slice(1)}: ${words.ratio(other.ratio)} the limit, ${words.force(other.force)}.`) : null;
-}
+export const otherForce = ({ other }) => (other ? h("p", { class: "flag" }, other) : null);
 
 /** What to change, as far as it is known. */
-export function remedy({ id, advice }) {
+export function remedy({ id, advice }, words) {
   const title = h("h4", {}, "What to change");
   if (!advice) {
-    return h("div", { class: "remedy" }, title, h("p", { "data-test": "no-advice" }, "Changes are tried out by:"), command(`fmi-hazard explain . ${id}`));
+    const [when, explain] = words.commands.explain;
+    return h("div", { class: "remedy" }, title, h("p", { "data-test": "no-advice" }, when), command(`${explain}${id}`));
   }
-  const { changes, note } = advice;
-  const more = changes.slice(IN_FULL);
+  const { changes, no_change: none } = words.causes[id];
+  const items = advice.changes.map((one, index) => change(one, changes[index]));
+  const more = items.slice(IN_FULL);
   return h(
     "div",
     { class: "remedy" },
     title,
-    changes.length > 0
-      ? h("ol", { class: "changes" }, changes.slice(0, IN_FULL).map(change))
-      : h("p", { "data-test": "no-change" }, "No single change that was tried keeps this cause from being met."),
-    more.length > 0 ? h("details", {}, h("summary", {}, `${words.count(more.length, "other change")}`), h("ol", { class: "changes", start: IN_FULL + 1 }, more.map(change))) : null,
-    note ? h("p", { class: "note" }, note) : null,
+    items.length > 0 ? h("ol", { class: "changes" }, items.slice(0, IN_FULL)) : h("p", { "data-test": "no-change" }, none),
+    more.length > 0 ? h("details", {}, h("summary", {}, count(more.length, "other change")), h("ol", { class: "changes", start: IN_FULL + 1 }, more)) : null,
+    advice.note ? h("p", { class: "note" }, advice.note) : null,
   );
 }
 
 /** The card; `choose` selects an id, `assess` leads to the form. */
 export function causeCard(data, cause, { choose, assess, assessments }) {
-  const [worst, sizes] = words.severity(cause, data.hazard(cause.worst));
-  const outline = bodyOutline(cause);
+  const { words } = data;
+  const said = words.causes[cause.id];
+  const [worst, sizes] = said.severity;
+  const outline = bodyOutline(cause, words);
   const decision = h("p", { class: "decided", "data-test": "cause-decision" });
   const chosen = (id) => (event) => {
     // A new window or a part of the text that is marked is not a choice.
@@ -88,20 +73,13 @@ export function causeCard(data, cause, { choose, assess, assessments }) {
     }
   };
 
-  const way = (id) => {
-    const hazard = data.hazard(id);
-    return h(
-      "li",
-      {},
-      h("a", { href: `#${id}`, "data-test": "way", "data-id": id, onclick: chosen(id) }, h("span", { class: "id" }, id), ` ${words.ratio(words.forces(hazard, data.scan.settings).decides.ratio)} after ${words.time(hazard.time_s)}`),
-    );
-  };
-  const size = (region, ratio) => (words.byForce(cause) ? words.ratioOf(region, ratio) : words.ratio(ratio));
-  const line = ({ body_region: region, robot_link: link, ratio, hazards }) =>
+  const way = (id) =>
+    h("li", {}, h("a", { href: `#${id}`, "data-test": "way", "data-id": id, onclick: chosen(id) }, h("span", { class: "id" }, id), ` ${words.hazards[id].way}`));
+  const line = ({ hazards }, index) =>
     h(
       "details",
       { class: "line", "data-test": "line" },
-      h("summary", {}, `${link} ${words.deed({ ...data.hazard(hazards[0]), body_region: region })}: `, h("b", {}, size(region, ratio)), `, ${words.count(hazards.length, "way")}`),
+      h("summary", {}, `${words.hazards[hazards[0]].deed}: `, h("b", {}, said.lines[index][1]), `, ${count(hazards.length, "way")}`),
       h("ul", { class: "ways" }, hazards.map(way)),
     );
 
@@ -111,11 +89,11 @@ export function causeCard(data, cause, { choose, assess, assessments }) {
     { class: "cause", "data-test": "cause", "data-id": cause.id, style: `--cause:${colourOf(cause)}` },
     h("header", { class: "cause-head" }, badge(cause), h("h3", { class: cause.sentence.length > LONG ? "long" : null, "data-test": "cause-sentence" }, link), h("span", { class: "id" }, cause.id)),
     h("p", { class: "severity" }, h("b", { class: "worst" }, worst), " ", h("span", {}, sizes)),
-    otherForce(data, cause),
-    h("ul", { class: "figures" }, figures(data, cause).map(([key, text]) => h("li", { class: `figure-${key}` }, text))),
-    h("div", { class: "cause-body" }, remedy(cause), outline.element),
+    otherForce(said),
+    h("ul", { class: "figures" }, figures(said).map(([key, text]) => h("li", { class: `figure-${key}` }, text))),
+    h("div", { class: "cause-body" }, remedy(cause, words), outline.element),
     h("div", { class: "decision-row" }, decision, h("button", { type: "button", class: "screen-only", onclick: assess }, "Assess it")),
-    h("details", { class: "lines", "data-test": "lines" }, h("summary", {}, `${words.count(cause.hazards.length, "way")} of this cause, by region and link`), cause.lines.map(line)),
+    h("details", { class: "lines", "data-test": "lines" }, h("summary", {}, `${count(cause.hazards.length, "way")} of this cause, by region and link`), cause.lines.map(line)),
   );
   element.addEventListener("click", (event) => {
     if (element.classList.contains("compact") && !event.defaultPrevented && String(getSelection()) === "") {
@@ -130,7 +108,7 @@ export function causeCard(data, cause, { choose, assess, assessments }) {
       "Decision: ",
       h("b", {}, assessments.ofCause(cause.id)),
       level ? ` · PL r: ${level}` : "",
-      apart > 0 ? ` · ${words.count(apart, "way")} decided on ${apart === 1 ? "its" : "their"} own` : "",
+      apart > 0 ? ` · ${count(apart, "way")} decided on ${apart === 1 ? "its" : "their"} own` : "",
     );
   }
   assessments.follow(decide);

@@ -1,7 +1,7 @@
 // The data of the page: read once, replays unpacked at once and decoded when they are first looked at.
 
 /** The form of the data that is read. */
-const FORMAT = 2;
+const FORMAT = 3;
 
 /** What a base64 text stands for. */
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));

@@ -67,7 +67,7 @@ export function command(text) {
 export function drawing(markup) {
   const parsed = new DOMParser().parseFromString(markup, "image/svg+xml").documentElement;
   if (parsed.localName !== "svg") {
-    return h("p", { class: "note" }, "The drawing cannot be read.");
+    return h("p", { class: "note" }, "This drawing is not SVG.");
   }
   for (const element of [parsed, ...parsed.querySelectorAll("*")]) {
     if (["script", "foreignObject"].includes(element.localName)) {

@@ -1,8 +1,6 @@
 // What happens in a replay, in order: controls are worked, sensors begin to report, contact, the link comes to rest. Marked on every
 // time axis.
 
-import { worked } from "./words.js";
-
 /** Below this speed a link counts as standing still, m/s. */
 const RESTS_BELOW = 0.01;
 
@@ -13,17 +11,18 @@ function restFrame(speeds, from) {
 }
 
 /** The events of a replay: frame, kind (`press`, `sensor`, `contact`, `rest`) and what it is in words. */
-export function eventsOf(replay, hazard) {
+export function eventsOf(replay, hazard, words) {
+  const said = words.hazards[hazard.id];
   const reports = replay.sensors
-    .map(({ name, detected }) => ({ frame: detected.indexOf("1"), kind: "sensor", text: `${name} reports` }))
+    .map(({ name, detected }) => ({ frame: detected.indexOf("1"), kind: "sensor", text: `${name} ${words.people.begins}` }))
     .filter(({ frame }) => frame >= 0);
   const from = reports.length > 0 ? Math.min(...reports.map(({ frame }) => frame)) : 0;
   const rest = restFrame(replay.speed_m_s, from);
-  const presses = (hazard.worked ?? []).map((control) => ({ frame: Math.round(control.at_s / replay.step), kind: "press", text: worked(control) }));
+  const presses = (hazard.worked ?? []).map(({ at_s: at }, index) => ({ frame: Math.round(at / replay.step), kind: "press", text: said.worked[index] }));
   return [
     ...presses,
     ...reports,
-    { frame: replay.contact_frame, kind: "contact", text: hazard.class === "separation" ? "too near" : "contact" },
-    ...(rest >= 0 ? [{ frame: rest, kind: "rest", text: `${hazard.robot_link} stands still` }] : []),
+    { frame: replay.contact_frame, kind: "contact", text: said.event },
+    ...(rest >= 0 ? [{ frame: rest, kind: "rest", text: said.rests }] : []),
   ].sort((a, b) => a.frame - b.frame);
 }

@@ -2,7 +2,7 @@
 
 import { h, section } from "./dom.js";
 import { FIELDS, requiredLevel } from "./assessments.js";
-import { count, deed, ratio } from "./words.js";
+import { count } from "./words.js";
 
 const FILE = "assessments.json";
 
@@ -52,12 +52,12 @@ export function assessmentForm(data, selection, assessments) {
 
   /** Puts what is known of the cause or the hazard into the fields. */
   function fill() {
-    const hazard = data.hazard(selection.now.hazard);
+    const { deed, way } = data.words.hazards[selection.now.hazard];
     const whole = data.cause(selection.now.cause);
     subject.replaceChildren(
       h("b", {}, id()),
       scope.checked
-        ? `: only ${hazard.robot_link} ${deed(hazard)}, ${ratio(hazard.ratio)}. What is left empty is as for the cause.`
+        ? `: only ${deed}, ${way}. What is left empty is as for the cause.`
         : `, for ${whole.hazards.length === 1 ? "its one way" : `all its ${count(whole.hazards.length, "way")}`}: ${whole.sentence}`,
     );
     for (const [field, element] of inputs) {

@@ -16,7 +16,6 @@ import { makeSelection } from "./selection.js";
 import { hazardTable } from "./table.js";
 import { verdict } from "./verdict.js";
 import { wholeSection } from "./whole.js";
-import { nameControls, namePeople } from "./words.js";
 
 function unknownNote(selection) {
   const note = h("p", { class: "notice", "data-test": "unknown-id" });
@@ -31,8 +30,6 @@ function unknownNote(selection) {
 
 async function build(root) {
   const data = await readData();
-  nameControls(data.scan.settings.controls ?? []);
-  namePeople(data.scan.settings.second?.names);
   root.append(verdict(data));
   const selection = makeSelection(data.causes);
   root.append(unknownNote(selection), ...(data.whole ? [wholeSection(data)] : []));
@@ -50,13 +47,13 @@ async function build(root) {
     );
     replay.start();
   } else {
-    root.append(section("hazards", "Hazards", h("p", { "data-test": "none" }, "None was found. What that is worth is told by what the search covered, below.")));
+    root.append(section("hazards", "Hazards", h("p", { "data-test": "none" }, data.words.nothing_found)));
   }
   root.append(coverage(data), provenance(data));
 }
 
 const root = document.getElementById("report");
 build(root).catch((error) => {
-  root.append(h("p", { class: "notice" }, `This report cannot be shown: ${error.message}. scan.json beside it holds the same results.`));
+  root.append(h("p", { class: "notice" }, `This report cannot be shown: ${error.message}. See scan.json beside it.`));
   throw error;
 });

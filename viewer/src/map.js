@@ -2,10 +2,9 @@
 
 import { badge, colourOf } from "./card.js";
 import { h, section, svg } from "./dom.js";
-import { zoneName } from "./names.js";
 import { outline } from "./plan.js";
 import { footprint, swept } from "./sweep.js";
-import { count, forces, ratio } from "./words.js";
+import { count, ratio } from "./words.js";
 
 const BIN_M = 0.1;
 const MARGIN_M = 0.4;
@@ -67,8 +66,7 @@ export function map(data, selection, setBin) {
   const [[left, right], [low, high]] = bounds;
   const at = ([x, y]) => [x - left, high - y].map((value) => Number(value.toFixed(3)));
   const points = (polygon) => polygon.map((p) => at(p).join(",")).join(" ");
-  const worstOf = (hazards) => hazards.reduce((a, b) => (times(b) > times(a) ? b : a));
-  const times = (hazard) => forces(hazard, scan.settings).decides.ratio;
+  const worstOf = (hazards) => hazards.reduce((a, b) => (b.ratio > a.ratio ? b : a));
   let place = "person";
   let colour = "cause";
 
@@ -101,7 +99,7 @@ export function map(data, selection, setBin) {
 
   function drawBins() {
     const all = binsOf(scan.hazards, PLACES[place]);
-    const value = ({ hazards }) => (colour === "count" ? hazards.length : Math.max(...hazards.map(times)));
+    const value = ({ hazards }) => (colour === "count" ? hazards.length : Math.max(...hazards.map((hazard) => hazard.ratio)));
     const values = all.map(value);
     const [least, most] = [Math.min(...values), Math.max(...values)];
     bins.replaceChildren(
@@ -109,7 +107,7 @@ export function map(data, selection, setBin) {
         const [x, y] = bin.corner.map((index) => index * BIN_M);
         const worst = worstOf(bin.hazards);
         const name = `${place === "person" ? "person at" : "contact at"} ${x.toFixed(1)} to ${(x + BIN_M).toFixed(1)}, ${y.toFixed(1)} to ${(y + BIN_M).toFixed(1)} m`;
-        const text = `${name}: ${count(bin.hazards.length, "hazard")}, worst ${ratio(times(worst))}, cause ${data.causeOf(worst.id).number}`;
+        const text = `${name}: ${count(bin.hazards.length, "hazard")}, worst ${ratio(worst.ratio)}, cause ${data.causeOf(worst.id).number}`;
         const choose = () => {
           setBin({ name, ids: new Set(bin.hazards.map((z) => z.id)) });
           selection.select(worst.id);
@@ -160,13 +158,13 @@ export function map(data, selection, setBin) {
   // What the programme moves is in the replay alone.
   const still = cell.obstacles.filter((o) => !o.follows);
   const obstacles = still.map((o) => svg("polygon", { points: points(outline(o)), class: "obstacle" }, svg("title", {}, o.name)));
-  const zones = cell.zones.map((z) => svg(z.polygon_m.length > 2 ? "polygon" : "polyline", { points: points(z.polygon_m), class: `zone ${z.kind}` }, svg("title", {}, `${z.kind} ${z.name}`)));
+  const zones = cell.zones.map((z) => svg(z.polygon_m.length > 2 ? "polygon" : "polyline", { points: points(z.polygon_m), class: `zone ${z.kind}` }, svg("title", {}, z.title)));
   /** Names of zones stand at their lower left corner: in the middle are the bins. */
   const names = [
     ...still.map((o) => label(o.name, middleOf(outline(o), bounds), "obstacle-name")),
     ...cell.zones.map((z) => {
       const [from, edge] = [0, 1].map((axis) => Math.max(bounds[axis][0] + 0.05, Math.min(...z.polygon_m.map((p) => p[axis]))));
-      return label(zoneName(z), [from + 0.05, edge + 0.05], `zone-name ${z.kind}`);
+      return label(z.title, [from + 0.05, edge + 0.05], `zone-name ${z.kind}`);
     }),
   ];
   const [sx, sy] = at(cell.start.xy_m);
@@ -194,7 +192,7 @@ export function map(data, selection, setBin) {
       viewBox: `${-AXIS_M} 0 ${(size[0] + AXIS_M).toFixed(3)} ${(size[1] + 0.26).toFixed(3)}`,
       class: "map",
       role: "group",
-      "aria-label": "the cell from above",
+      "aria-label": "map of the cell",
       "data-test": "map",
     },
     svg("defs", {}, clip),

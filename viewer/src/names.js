@@ -9,9 +9,6 @@ const OBSTACLES = 8;
 
 const middle = (points) => [0, 1, 2].map((axis) => points.reduce((sum, p) => sum + p[axis], 0) / points.length);
 
-/** Kind and name of a zone, the kind only where the name does not tell it. */
-export const zoneName = ({ kind, name }) => (name.toLowerCase().includes(kind) ? name : `${kind} ${name}`);
-
 const nearest = (points, to) => [...points].sort((a, b) => Math.hypot(a[0] - to[0], a[1] - to[1]) - Math.hypot(b[0] - to[0], b[1] - to[1]));
 
 /** Edges' middles and corners of a polygon at a height, those near the contact first. */
@@ -34,7 +31,7 @@ export function namesFor({ replay, cell, hazard, hitting, marks, colours, frame 
   const zones = cell.zones.map((zone) => {
     const upright = zone.kind === "curtain" || zone.kind === "door";
     const points = along(zone.polygon_m, upright ? zone.z_m[1] : Math.max(...zone.z_m), contact);
-    return { text: zoneName(zone), kind: "zone", colour: colours[zone.kind], anchors: still(points) };
+    return { text: zone.title, kind: "zone", colour: colours[zone.kind], anchors: still(points) };
   });
   const obstacles = cell.obstacles
     .map((item, index) => ({ item, index, polygon: outline(item), distance: toOutline(contact, outline(item)) }))

@@ -57,7 +57,7 @@ export class Person extends Group {
     super();
     this.cell = cell;
     const { upper_arm_radius_m: upper, forearm_radius_m: forearm, hand_radius_m: around } = cell.arm;
-    this.parts = cell.body.map((part) => name(new Capsule(part.radius_m, materialOf(part.region)), part.region.replaceAll("_", " ")));
+    this.parts = cell.body.map((part) => name(new Capsule(part.radius_m, materialOf(part.region)), part.name));
     this.arms = SIDES.map((side) => [
       name(new Capsule(upper, MATERIALS.shirt), `${side} upper arm`),
       name(new Capsule(forearm, MATERIALS.skin), `${side} lower arm`),

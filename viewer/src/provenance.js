@@ -1,25 +1,8 @@
 // What was scanned, with what, and under which assumptions; licences of the libraries in this page.
 
 import { command, definitions, h, section } from "./dom.js";
-import { criterion } from "./words.js";
 
 const hash = (value) => h("code", { class: "hash" }, value);
-
-function agreement(value) {
-  const result = value?.result ?? String(value);
-  switch (result) {
-    case "exact":
-      return "exact";
-    case "not_offered":
-      return "not offered";
-    case "differs":
-      return `WRONG, differs by up to ${value.largest.toExponential(2)}`;
-    case "failed":
-      return `FAILED: ${value.reason}`;
-    default:
-      return result;
-  }
-}
 
 function subject({ subject: s, tool }) {
   const fmus = s.fmus.map((fmu) => [
@@ -41,60 +24,15 @@ function subject({ subject: s, tool }) {
   );
 }
 
-const label = (key) => key.replaceAll("_", " ");
+const settings = (rows) => [h("h3", {}, "Settings"), definitions(rows)];
 
-const UNITS = [
-  ["_m_s", " m/s"],
-  ["_s", " s"],
-  ["_m", " m"],
-  ["_deg", " degrees"],
+const selfTest = (rows) => [
+  h("h3", {}, "Self-test of the FMU"),
+  h("p", { class: "note" }, "Whether runs repeat exactly, and what saved states, reset and copies are worth."),
+  definitions(rows),
 ];
 
-/** Any value in words, with the unit that its name ends in, and the name without it. */
-function named(key, value) {
-  const measured = [value].flat().every((one) => typeof one === "number");
-  const [end, unit] = (measured && UNITS.find(([ending]) => key.endsWith(ending))) || ["", ""];
-  return [label(key.slice(0, key.length - end.length)), `${inWords(value)}${unit}`];
-}
-
-function inWords(value) {
-  if (typeof value === "number") {
-    return String(Number(value.toPrecision(12)));
-  }
-  if (typeof value === "boolean") {
-    return value ? "yes" : "no";
-  }
-  if (Array.isArray(value)) {
-    return value.map((one) => (one !== null && typeof one === "object" ? `(${inWords(one)})` : inWords(one))).join("; ") || "none";
-  }
-  if (value !== null && typeof value === "object") {
-    return Object.entries(value).map(([key, one]) => {
-      const [name, words] = named(key, one);
-      return one !== null && typeof one === "object" && !Array.isArray(one) ? `${name} (${words})` : `${name} ${words}`;
-    }).join(", ");
-  }
-  return value === null ? "none" : String(value);
-}
-
-function settings(all) {
-  const pairs = Object.entries(all).map(([key, value]) => (key === "speed_criterion" ? [label(key), criterion(all)] : named(key, value)));
-  return [h("h3", {}, "Settings"), definitions(pairs)];
-}
-
-function selfTest(test) {
-  const pairs = Object.entries(test).map(([key, value]) => [
-    label(key.replace(/_s$/, "")),
-    typeof value === "object" && value !== null ? agreement(value) : `${value}${key.endsWith("_s") ? " s" : ""}`,
-  ]);
-  return [
-    h("h3", {}, "Self-test of the FMU"),
-    h("p", { class: "note" }, "Whether runs repeat exactly, and what saved states, reset and copies are worth."),
-    definitions(pairs),
-  ];
-}
-
-function tables({ standard_edition: edition, tables: all }) {
-  const open = all.filter((table) => !table.verified).length;
+function tables({ tables: all }, limits) {
   const rows = all.map((table) =>
     h("tr", {}, h("td", {}, table.title), h("td", {}, table.verified ? "verified" : "not verified"), h("td", {}, table.source), h("td", {}, table.confidence)),
   );
@@ -102,7 +40,7 @@ function tables({ standard_edition: edition, tables: all }) {
     "div",
     {},
     h("h3", {}, "Limits and tables"),
-    h("p", {}, `${edition}. ${open} of ${all.length} tables are not yet verified against the purchased standards.`),
+    h("p", {}, limits),
     h(
       "div",
       { class: "scroll", tabindex: 0 },
@@ -112,16 +50,16 @@ function tables({ standard_edition: edition, tables: all }) {
 }
 
 /** The last section. */
-export function provenance({ scan, assumptions, reproduce }) {
+export function provenance({ scan, words, assumptions, reproduce }) {
   return section(
     "provenance",
-    "What was scanned",
-    h("div", { class: "columns" }, subject(scan), h("div", {}, settings(scan.settings)), h("div", {}, selfTest(scan.self_test))),
-    tables(scan),
+    "Subject and settings",
+    h("div", { class: "columns" }, subject(scan), h("div", {}, settings(words.settings)), h("div", {}, selfTest(words.self_test))),
+    tables(scan, words.limits),
     h("h3", {}, "Assumptions"),
     h("ul", { class: "assumptions", "data-test": "assumptions" }, assumptions.map((text) => h("li", {}, text))),
     h("h3", {}, "Reproduce"),
-    h("p", { class: "note" }, "In the folder with this report:"),
+    h("p", { class: "note" }, words.commands.replay[0]),
     command(reproduce),
     h(
       "p",

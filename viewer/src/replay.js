@@ -8,16 +8,16 @@ import { makePlots } from "./plots.js";
 import { legend, makeStage } from "./stage.js";
 import { actionAt, makeStrips } from "./strips.js";
 import { makeTransport } from "./transport.js";
-import * as words from "./words.js";
+import { time } from "./words.js";
 
 /** The replay: `picture` belongs beside the card of the cause, `element` is the section with everything else. */
 export function makeReplay(data, selection) {
-  const { cell, scan } = data;
+  const { cell, words } = data;
   const title = h("span");
   const stage = makeStage(cell);
   const player = makePlayer();
   const plots = makePlots(player.seek);
-  const strips = makeStrips(player.seek);
+  const strips = makeStrips(words, player.seek);
   const instantText = h("p", { class: "instant", "data-test": "instant" });
   const details = h("div", { class: "facts" });
   let shown = false;
@@ -30,15 +30,16 @@ export function makeReplay(data, selection) {
   function instant(frame) {
     const name = current.actions[actionAt(current.actions, frame)]?.name;
     const reporting = current.sensors.filter((sensor) => sensor.detected[frame] === "1").map((sensor) => sensor.name);
+    const { people } = words;
     const parts = [
-      `${words.time(frame * cell.step_s)} of ${words.time((current.frames - 1) * cell.step_s)}`,
-      name ? words.does(name) : "start",
+      `${time(frame * cell.step_s)} of ${time((current.frames - 1) * cell.step_s)}`,
+      name ? `${people.who} ${words.actions[name]}`.trim() : "start",
     ];
     if (current.sensors.length > 0) {
-      parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? "report" : "reports"} ${words.somebody()}` : `no sensor reports ${words.somebody()}`);
+      parts.push(reporting.length > 0 ? `${reporting.join(", ")} ${reporting.length > 1 ? people.report : people.reports}` : people.unseen);
     }
     if (frame === current.contact_frame) {
-      parts.push(`${hazard.class === "separation" ? "" : "contact: "}${hazard.robot_link} ${words.deed(hazard)}`);
+      parts.push(words.hazards[hazard.id].deed);
     }
     return parts.join(" · ");
   }
@@ -65,23 +66,25 @@ export function makeReplay(data, selection) {
   function choose({ hazard: id }) {
     hazard = data.hazard(id);
     current = data.replay(id) ?? null;
-    title.textContent = `${id}: ${hazard.robot_link} ${words.deed(hazard)}`;
+    const { deed, way, forces } = words.hazards[id];
+    title.textContent = `${id}: ${deed}`;
     const worst = data.causeOf(id)?.worst === id;
-    caption.replaceChildren(h("b", {}, worst ? "Its worst way" : "One of its ways"), `: ${hazard.robot_link} ${words.deed(hazard)} after ${words.time(hazard.time_s)} `, h("span", { class: "id" }, id));
-    details.replaceChildren(facts(hazard, scan.settings));
+    caption.replaceChildren(h("b", {}, worst ? "Its worst way" : "One of its ways"), `: ${deed}, ${way} `, h("span", { class: "id" }, id));
+    details.replaceChildren(facts(data, hazard));
     full.hidden = current === null;
     graphs.hidden = current === null;
     none.hidden = current !== null;
     if (!current) {
       player.pause();
-      none.replaceChildren(h("p", {}, `This report carries the replays of the worst ways only, not of ${id}. To get it, in the folder with this report:`), command(`fmi-hazard report . --hazard ${id}`));
+      const [when, report] = words.commands.report;
+      none.replaceChildren(h("p", {}, when), command(`${report}${id}`));
       return;
     }
-    const events = eventsOf(current, hazard);
+    const events = eventsOf(current, hazard, words);
     stage.drawFlat(data.topView(id));
     stage.scene?.load(current, hazard);
     transport.load(current, events);
-    plots.load(current, events, words.byForce(hazard));
+    plots.load(current, events, forces !== undefined);
     strips.load(current, events);
     player.load(current.frames, cell.step_s, current.contact_frame);
     stage.look("overview");

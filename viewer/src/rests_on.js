@@ -18,7 +18,7 @@ const row = (one) =>
 const ORDER = ["open", "assumed", "shown"];
 
 /** The table, and the lines that accept what was only tried out. */
-export function restsOn({ obligations }) {
+export function restsOn({ obligations }, words) {
   if (!obligations || obligations.length === 0) {
     return null;
   }
@@ -33,6 +33,6 @@ export function restsOn({ obligations }) {
       { class: "scroll", tabindex: 0 },
       h("table", { class: "plain obligations" }, h("thead", {}, h("tr", {}, ["", "needed", "known"].map((title) => h("th", { scope: "col" }, title)))), h("tbody", {}, rows.map(row))),
     ),
-    lines.length > 0 ? [h("p", {}, "Whoever accepts what was only tried out adds to the cell file:"), h("pre", { "data-test": "accept" }, lines.join("\n"))] : null,
+    lines.length > 0 ? [h("p", {}, words.to_accept), h("pre", { "data-test": "accept" }, lines.join("\n"))] : null,
   );
 }

@@ -117,7 +117,7 @@ export function makeScene(canvas, cell, labels, tellName) {
   scene.add(ground(), axes, mark, ...columns);
   const obstacles = cell.obstacles.map((item) => name(obstacle(item, MATERIALS.obstacle, MATERIALS.edge), item.name));
   scene.add(...obstacles);
-  const zones = cell.zones.map((item) => name(new Zone(item, COLOURS[item.kind] ?? COLOURS.obstacle), `${item.kind} ${item.name}`));
+  const zones = cell.zones.map((item) => name(new Zone(item, COLOURS[item.kind] ?? COLOURS.obstacle), item.title));
   const links = cell.links.map((link) => {
     const { radius_m: radius, points_m: points, triangles } = link;
     const shape = link.shape === "capsule" ? new Capsule(radius, MATERIALS.robot) : new Hull(points, triangles, MATERIALS.robot);

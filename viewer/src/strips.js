@@ -2,7 +2,6 @@
 
 import { h } from "./dom.js";
 import { GUTTER_PX, RIGHT_PX } from "./plots.js";
-import * as words from "./words.js";
 
 /** Frames from and to (exclusive) in which the sensor reports the person. */
 function spans(detected) {
@@ -14,8 +13,8 @@ export function actionAt(actions, frame) {
   return actions.findLastIndex((item) => item.frame <= frame);
 }
 
-/** The strips; `seek` hears the frame that was clicked. */
-export function makeStrips(seek) {
+/** The strips, with the words of the page; `seek` hears the frame that was clicked. */
+export function makeStrips(words, seek) {
   const element = h("div", { class: "strips", style: `--gutter:${GUTTER_PX}px; --right:${RIGHT_PX}px`, onclick: click });
   let last = 1;
   let parts = [];
@@ -54,14 +53,15 @@ export function makeStrips(seek) {
     load(next, events) {
       last = Math.max(next.frames - 1, 1);
       const sensors = next.sensors.map(({ name, detected }) =>
-        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} reports ${words.somebody()}` })), events),
+        strip(name, "sensor", spans(detected).map(([from, to]) => h("div", { class: "on", style: place(from, to), title: `${name} ${words.people.reports}` })), events),
       );
       parts = runs(next.actions).map(({ name, from, to }) => {
-        const [walk, ...rest] = words.action(name).split(", ");
-        const block = h("div", { class: "action", style: place(from, to), title: words.action(name) }, h("span", {}, walk), h("span", {}, rest.join(", ")));
+        const text = words.actions[name];
+        const [walk, ...rest] = text.split(", ");
+        const block = h("div", { class: "action", style: place(from, to), title: text }, h("span", {}, walk), h("span", {}, rest.join(", ")));
         return { from, to, block };
       });
-      element.replaceChildren(...sensors, strip(words.whose(), "actions", parts.map(({ block }) => block), events));
+      element.replaceChildren(...sensors, strip(words.people.heading, "actions", parts.map(({ block }) => block), events));
     },
     show(frame) {
       element.querySelectorAll(".now").forEach((line) => (line.style.left = `${(100 * frame) / last}%`));

@@ -2,48 +2,49 @@
 
 import { badge } from "./card.js";
 import { current, h, section } from "./dom.js";
-import * as words from "./words.js";
+import { count } from "./words.js";
 
 /** Columns: title, what it is sorted by, what a cell holds, whether it is a number. */
-function columns({ decisionOf, worst, counted, causeOf, settings, others }) {
+function columns({ decisionOf, worst, counted, causeOf, words, others }) {
   const number = true;
   const times = (z) => z.sequences ?? z.times_found;
-  const of = (z) => words.forces(z, settings);
+  const cell = (index) => (z) => words.hazards[z.id].row[index];
+  const region = (z) => words.regions[z.body_region];
   return [
     ["id", (z) => z.id, (z) => h("a", { href: `#${z.id}`, class: "id" }, z.id)],
     ["cause", (z) => causeOf(z.id).number, (z) => badge(causeOf(z.id)), number],
-    ["ratio", (z) => of(z).decides.ratio, (z) => bar(of(z), worst), number],
-    ["body region", (z) => words.region(z.body_region), (z) => words.region(z.body_region)],
+    ["ratio", (z) => z.ratio, (z) => bar(z, worst, words.hazards[z.id]), number],
+    ["body region", region, region],
     ["hit by", (z) => z.robot_link, (z) => z.robot_link],
-    ["force: own speed", (z) => z.force_n, (z) => words.force(z.force_n), number],
-    ["force: approach", (z) => z.directed_force_n, (z) => words.force(z.directed_force_n), number],
-    ["limit", (z) => z.limit_n, words.limit, number],
-    ...(others ? [["what is broken", (z) => z.class, words.measure]] : []),
-    ["speed", (z) => z.speed_m_s, (z) => words.speed(z.speed_m_s), number],
-    ["safe below", (z) => z.safe_below_m_s, words.safeBelow, number],
-    ["time", (z) => z.time_s, (z) => words.time(z.time_s), number],
-    [counted ? "sequences" : "times found", (z) => Number(times(z)), (z) => words.grouped(times(z)), number],
-    ["report the person", (z) => words.reporting(z.sensors), (z) => words.reporting(z.sensors)],
-    ["confirmed", (z) => words.confirmed(z.confirmed), (z) => words.confirmed(z.confirmed)],
+    ["force: own speed", (z) => z.force_n, cell(1), number],
+    ["force: approach", (z) => z.directed_force_n, cell(2), number],
+    ["limit", (z) => z.limit_n, cell(3), number],
+    ...(others ? [["what is broken", (z) => z.class, cell(4)]] : []),
+    ["speed", (z) => z.speed_m_s, cell(5), number],
+    ["safe below", (z) => z.safe_below_m_s, cell(6), number],
+    ["time", (z) => z.time_s, cell(7), number],
+    [counted ? "sequences" : "times found", (z) => Number(times(z)), cell(8), number],
+    ["sensors that report", cell(9), cell(9)],
+    ["confirmed", cell(10), cell(10)],
     ["decision", (z) => decisionOf(z.id), (z) => decisionOf(z.id)],
   ];
 }
 
 /** A ratio with a bar; the mark stands at the limit. Where the two forces are far apart, a sign says so. */
-function bar({ decides: { ratio }, own, approach, apart }, worst) {
+function bar({ ratio }, worst, { row: [text], apart, forces }) {
   const scale = Math.max(worst, 1.05);
   const part = (value) => `${((100 * value) / scale).toFixed(1)}%`;
   return h(
     "span",
     { class: "ratio" },
-    apart ? h("span", { class: "flag", "data-test": "apart", title: `${words.APART_TEXT} Own speed ${words.ratio(own.ratio)}, approach ${words.ratio(approach.ratio)}.` }, "differ") : null,
+    apart ? h("span", { class: "flag", "data-test": "apart", title: [apart, ...forces[0]].join("\n") }, "differ") : null,
     h(
       "span",
       { class: "bar screen-only", "aria-hidden": "true" },
       h("span", { class: ratio >= 1 ? "over" : "under", style: `width:${part(ratio)}` }),
       h("span", { class: "mark", style: `left:${part(1)}` }),
     ),
-    h("b", {}, words.ratio(ratio)),
+    h("b", {}, text),
   );
 }
 
@@ -55,17 +56,17 @@ function choice(label, test, values, change) {
 /** The section with the table; `setBin` shows only the hazards of a bin of the map, `toReplay` leads to the picture. */
 export function hazardTable(data, selection, assessments, toReplay) {
   const hazards = data.scan.hazards;
-  const { settings } = data.scan;
-  const worst = Math.max(...hazards.map((hazard) => words.forces(hazard, settings).decides.ratio));
+  const { words } = data;
+  const worst = Math.max(...hazards.map((hazard) => hazard.ratio));
   const decisionOf = (id) => assessments.decision(id);
   const counted = hazards.some((hazard) => hazard.sequences !== null);
-  const shown = columns({ decisionOf, worst, counted, causeOf: data.causeOf, settings, others: hazards.some((hazard) => !words.byForce(hazard)) });
+  const shown = columns({ decisionOf, worst, counted, causeOf: data.causeOf, words, others: hazards.some(({ id }) => words.hazards[id].broken) });
   const distinct = (of) => [...new Set(hazards.map(of))].sort();
   let sorted = { column: 2, descending: true };
   let bin = null;
 
   const filter = h("input", { type: "search", placeholder: "any text", "data-test": "filter", oninput: show });
-  const regions = choice("region", "filter-region", distinct((z) => z.body_region).map((r) => [r, words.region(r)]), show);
+  const regions = choice("region", "filter-region", distinct((z) => z.body_region).map((r) => [r, words.regions[r]]), show);
   const links = choice("hit by", "filter-link", distinct((z) => z.robot_link).map((l) => [l, l]), show);
   const decisions = choice("decision", "filter-decision", assessments.decisions.map((d) => [d, d]), show);
   const number = h("output", { "data-test": "shown" });
@@ -153,19 +154,15 @@ export function hazardTable(data, selection, assessments, toReplay) {
     show();
   }
 
-  const bounded = data.scan.hazards.some((z) => z.class === "head_contact")
-    ? h("p", { class: "note" }, "“None allowed”: a moving robot may not touch head or throat at all; the ratio is that to the force limit and may be below 1.")
-    : null;
   const chosen = h("button", { type: "button", class: "to-replay screen-only", "data-test": "to-replay", onclick: toReplay });
   const fold = h(
     "details",
     { "data-test": "ways" },
-    h("summary", {}, hazards.length === 1 ? "The one way, as a row" : `All ${words.grouped(hazards.length)} ways, one row each`),
+    h("summary", {}, hazards.length === 1 ? "The one way, as a row" : `All ${count(hazards.length, "way")}, one row each`),
     h("div", { class: "filters screen-only" }, h("label", {}, "filter ", filter), regions, links, decisions, binNote, number),
     chosen,
     h("div", { class: "scroll", tabindex: 0 }, h("table", { class: "hazards" }, h("thead", {}, h("tr", {}, heads)), body)),
-    h("p", { class: "note" }, `Force with the robot's own speed, and with the speed of approach (the person's walking included); ${words.criterion(settings)} decides. “differ”: by more than a factor of 2.`),
-    bounded,
+    words.table_notes.map((note) => h("p", { class: "note" }, note)),
   );
 
   assessments.follow(refresh);

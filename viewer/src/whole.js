@@ -2,9 +2,8 @@
 // nothing is known.
 
 import { h, section, svg } from "./dom.js";
-import { zoneName } from "./names.js";
 import { outline } from "./plan.js";
-import { count, ratio, ratioOf, region, time } from "./words.js";
+import { count, ratio, time } from "./words.js";
 
 const MARGIN_M = 0.35;
 /** Zones and floor may reach far beyond what matters: no more than this around the rest is drawn. */
@@ -67,7 +66,7 @@ function middleOf(polygon, bounds) {
 
 /** The picture; `key` tells its patterns from those of another one in the page. */
 function drawn(data, key) {
-  const { cell, whole } = data;
+  const { cell, whole, words } = data;
   const edge = whole.cell_m;
   const bounds = extent(data);
   const [[left, right], [low, high]] = bounds;
@@ -112,7 +111,7 @@ function drawn(data, key) {
       svg("circle", { class: "at", cx: x, cy: y, r: number(0.25 * letter) }),
       svg("circle", { class: "disc", cx: number(bx), cy: number(by), r: number(radius) }),
       svg("text", { x: number(bx), y: number(by + 0.37 * letter), "font-size": number(letter) }, String(index + 1)),
-      svg("title", {}, placeText(hit)),
+      svg("title", {}, placeText(hit, words)),
     );
   });
 
@@ -122,10 +121,10 @@ function drawn(data, key) {
     return svg("g", { class: "base" }, svg("circle", { cx: x, cy: y, r: number(0.6 * letter) }), svg("path", { d: `M${x - arm} ${y}h${2 * arm}M${x} ${y - arm}v${2 * arm}` }), label(robot.name, [robot.base_m[0], robot.base_m[1] + 1.3 * letter], "base-name"));
   });
   const obstacles = cell.obstacles.map((o) => svg("polygon", { points: points(outline(o)), class: "obstacle" }, svg("title", {}, o.name)));
-  const zones = cell.zones.map((z) => svg(z.polygon_m.length > 2 ? "polygon" : "polyline", { points: points(z.polygon_m), class: `zone ${z.kind}` }, svg("title", {}, zoneName(z))));
+  const zones = cell.zones.map((z) => svg(z.polygon_m.length > 2 ? "polygon" : "polyline", { points: points(z.polygon_m), class: `zone ${z.kind}` }, svg("title", {}, z.title)));
   const names = cell.zones.flatMap((z) => {
     const corner = middleOf(z.polygon_m, bounds) && [0, 1].map((axis) => Math.max(bounds[axis][0], Math.min(...z.polygon_m.map((p) => p[axis]))) + 0.4 * letter);
-    return corner ? [label(zoneName(z), corner, "zone-name")] : [];
+    return corner ? [label(z.title, corner, "zone-name")] : [];
   });
   const wholes = ([from, to]) => Array.from({ length: Math.max(0, Math.floor(to) - Math.ceil(from) + 1) }, (_, index) => Math.ceil(from) + index);
   const tick = number(0.5 * letter);
@@ -196,10 +195,12 @@ function drawn(data, key) {
 }
 
 /** One way to be hit, in words. */
-function placeText(hit) {
+function placeText(hit, words) {
+  // Nothing below 1 is a hit but of what may not be touched at all.
+  const hard = hit.ratio < 1 ? `${words.not_allowed} (${ratio(hit.ratio)})` : ratio(hit.ratio);
   const when = typeof hit.time_s === "number" ? ` after ${time(hit.time_s)}` : "";
   const how = hit.walks_in ? `walks from ${place(hit.start_m)} to ${place(hit.xy_m)}` : `stands at ${place(hit.xy_m)}`;
-  return `${ratioOf(hit.body_region, hit.ratio)}: ${region(hit.body_region)} hit by ${hit.robot_link}${when}; ${how}, ${hit.posture}${hit.confirmed ? "" : "; not confirmed"}`;
+  return `${hard}: ${words.regions[hit.body_region]} hit by ${hit.robot_link}${when}; ${how}, ${hit.posture}${hit.confirmed ? "" : "; not confirmed"}`;
 }
 
 const swatch = (style, text) => h("li", {}, h("span", { class: "surface", style }), h("span", {}, text));
@@ -224,7 +225,7 @@ const MOMENTS = "A moment shows who is hit then of those who are hit at some mom
 
 /** The picture for paper, with its legend. */
 export function wholePage(data) {
-  const { whole } = data;
+  const { whole, words } = data;
   const picture = drawn(data, "whole-paper");
   picture.colour((square) => hardness(square.ratio).colour);
   return h(
@@ -235,7 +236,7 @@ export function wholePage(data) {
     picture.element,
     h("ul", { class: "whole-key" }, hardClasses(whole).map(({ text, colour }) => swatch(`background:${colour}`, text)), surfaces(data)),
     h("p", { class: "note" }, TRIED),
-    h("ol", { class: "whole-places" }, whole.places.slice(0, NUMBERED).map((hit) => h("li", {}, placeText(hit)))),
+    h("ol", { class: "whole-places" }, whole.places.slice(0, NUMBERED).map((hit) => h("li", {}, placeText(hit, words)))),
   );
 }
 
@@ -244,7 +245,7 @@ const hardClasses = ({ floor }) => HARD.filter(({ below }) => below > 1 || floor
 
 /** The section with the floor. */
 export function wholeSection(data) {
-  const { whole } = data;
+  const { whole, words } = data;
   const edge = whole.cell_m;
   const picture = drawn(data, "whole");
   const squareOf = ([x, y]) => [x, y].map((value) => Math.floor(value / edge + 1e-6)).join(",");
@@ -323,7 +324,7 @@ export function wholeSection(data) {
     }
   });
   const link = (hit, text) => (hit.id && data.hazard(hit.id) ? h("a", { href: `#${hit.id}` }, text) : text);
-  const listed = whole.places.slice(0, NUMBERED).map((hit) => h("li", { onmouseenter: () => to(hit.xy_m), onmouseleave: () => to(null) }, link(hit, placeText(hit))));
+  const listed = whole.places.slice(0, NUMBERED).map((hit) => h("li", { onmouseenter: () => to(hit.xy_m), onmouseleave: () => to(null) }, link(hit, placeText(hit, words))));
   const more = whole.places.length - listed.length;
   draw();
   return section(

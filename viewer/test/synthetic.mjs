@@ -277,7 +277,72 @@ function scan(hazards, { exhaustive, faults }) {
   };
 }
 
+/** What the page says: as short as it gets, the real sentences come from the Rust side. */
+function words({ hazards, causes, coverage, certificate, residual, faults, settings, self_test: test }, sensors) {
+  const pairs = (object) => Object.entries(object).map(([key, value]) => [key.replaceAll("_", " "), String(value?.result ?? value)]);
+  const by = (all, of) => Object.fromEntries(all.map((one) => [one.id, of(one)]));
+  const times = (value) => `${value.toFixed(2)}x`;
+  const newtons = (value) => `${value.toFixed(0)} N`;
+  const names = (all) => Object.fromEntries(all.map((name) => [name, name.replaceAll("_", " ")]));
+  const size = ({ body_region: region, ratio }) => (ratio < 1 ? `${region} untouchable (${times(ratio)})` : `${region} ${times(ratio)}`);
+  const regions = ({ lines }) => [...new Map([...lines].reverse().map((line) => [line.body_region, size(line)]))].reverse();
+  const lines = (z) => [`with the robot's own speed: ${newtons(z.force_n)}`, `with the speed of approach: ${newtons(z.directed_force_n)}`];
+  const apart = (z) => Math.max(z.ratio, z.directed_ratio) > 2 * Math.min(z.ratio, z.directed_ratio);
+  const hazard = (z) => ({
+    deed: `${z.robot_link} hits ${z.body_region}`,
+    way: `${times(z.ratio)} after ${z.time_s.toFixed(2)} s`,
+    row: [times(z.ratio), newtons(z.force_n), newtons(z.directed_force_n), newtons(z.limit_n), "", String(z.speed_m_s), String(z.safe_below_m_s), String(z.time_s), String(z.times_found), "mat", z.confirmed === null ? "not tried" : "yes"],
+    what: `${z.robot_link} hits ${z.body_region}.`,
+    person: "looks on",
+    forces: [lines(z), 0],
+    ...(apart(z) ? { apart: "They differ." } : {}),
+    computed: "F = v",
+    ...(z.through.length > 0 ? { through: z.through.map(({ sensor }) => `Past ${sensor}.`) } : {}),
+    sensors: z.sensors.map(({ name }) => name).join(", "),
+    found: "found",
+    shortest: "shorter",
+    event: "contact",
+    rests: `${z.robot_link} rests`,
+  });
+  const cause = (one) => ({
+    severity: one.class === "head_contact" ? ["a moving robot may not touch it", newtons(one.force_n)] : [`${times(one.ratio)} too much`, newtons(one.force_n)],
+    ...(typeof one.share === "number" ? { share: `${(100 * one.share).toFixed(4)} % of all sequences` } : {}),
+    earliest: `from ${one.earliest_time_s.toFixed(2)} s on`,
+    ways: `${one.hazards.length} ways`,
+    lines: one.lines.map((line) => [line.body_region, times(line.ratio)]),
+    regions: regions(one),
+    changes: (one.advice?.changes ?? []).map(({ checked }) => ["It helps.", `Checked: ${checked}.`]),
+    ...(one.advice?.changes.length > 0 ? {} : { no_change: "none" }),
+  });
+  const part = (id, title, says, rows) => ({ id, title, ...(says ? { says } : {}), ...(rows ? { rows: Object.entries(rows) } : {}) });
+  return {
+    hazard_is: "A hazard is what was found.",
+    nothing_found: "None was found.",
+    people: { who: "the person", heading: "the person", reports: "reports the person", report: "report the person", unseen: "no sensor reports the person", begins: "reports" },
+    actions: names([...ACTIONS, ...hazards.flatMap((z) => z.shortest.actions)]),
+    regions: names(["skull_forehead", "face", "neck", "neck_front", "back_shoulders", "chest", "abdomen", "pelvis", "upper_arm", "lower_arm", "hand", "thigh", "lower_leg"]),
+    hazards: by(hazards, hazard),
+    causes: by(causes, cause),
+    not_allowed: "untouchable",
+    table_notes: ["Forces.", "Limits."],
+    arm: "An arm.",
+    confirmed: "again",
+    searched: [
+      part("certificate", certificate ? "Complete" : "Not complete", certificate ? "" : "Not all.", certificate ? { sequences: certificate.sequences, "run again": "30 FMU transitions run again from the start" } : null),
+      ...(residual ? [part("residual", "Residual", "", { share: "below 2 %" })] : []),
+      part("seen", "Coverage", "", { sensors: sensors.map((name, index) => `${name} in ${coverage.sensor_actions[index]} actions`).join(", ") }),
+      part("faults", "Faults", `${faults.length} faults.`),
+    ],
+    to_accept: "To accept:",
+    settings: pairs(settings),
+    self_test: pairs(test),
+    limits: "Tables.",
+    commands: { explain: ["Try:", "fmi-hazard explain . "], replay: ["Here:", "fmi-hazard replay scan.json "], report: ["To get it:", "fmi-hazard report . --hazard "] },
+  };
+}
+
 const QUARTER = Math.SQRT1_2;
+const SENSORS = ["mat", "field", "curtain"];
 
 /** The floor in front of the table: who stands there is hit twice, later the farther off they are; beside it only who walks in. */
 function whole(hazards) {
@@ -309,9 +374,11 @@ export function report({ hazards = 8, replays = 50, arm = "some", hitting = "too
   const next = random(7 + hazards);
   const episodes = Array.from({ length: hazards }, (_, index) => episode(index, next, { arm, hitting }));
   episodes.sort((a, b) => b.hazard.ratio - a.hazard.ratio);
+  const scanned = scan(episodes.map(({ hazard }) => hazard), { exhaustive, faults });
   return {
-    format: 2,
-    scan: scan(episodes.map(({ hazard }) => hazard), { exhaustive, faults }),
+    format: 3,
+    scan: scanned,
+    words: words(scanned, SENSORS),
     ...(floor ? { whole: whole(episodes.map(({ hazard }) => hazard)) } : {}),
     reproduce: "fmi-hazard scan cell.toml --strategy hybrid --seed 1 --iterations 320",
     assumptions: [
@@ -328,17 +395,17 @@ export function report({ hazards = 8, replays = 50, arm = "some", hitting = "too
         { name: "fence left", centre_m: [-1.9, 0, 1], size_m: [1.6, 0.02, 2], quaternion: [0, 0, 0, 1] },
         { name: "fence right", centre_m: [1.9, 0, 1], size_m: [2, 0.02, 1.6], quaternion: [0, QUARTER, 0, QUARTER] },
       ],
-      sensors: ["mat", "field", "curtain"],
+      sensors: SENSORS,
       zones: [
-        { name: "mat", kind: "mat", polygon_m: [[-0.8, -1.1], [0.8, -1.1], [0.8, -0.05], [-0.8, -0.05]], z_m: [0, 0] },
-        { name: "field", kind: "field", polygon_m: [[-1.4, -0.9], [1.4, -0.9], [1.1, 1.6], [-1.1, 1.6]], z_m: [0.2, 0.2] },
-        { name: "curtain", kind: "curtain", polygon_m: [[-1.1, -0.55], [1.1, -0.55]], z_m: [0.3, 1.8] },
+        { name: "mat", kind: "mat", title: "mat", polygon_m: [[-0.8, -1.1], [0.8, -1.1], [0.8, -0.05], [-0.8, -0.05]], z_m: [0, 0] },
+        { name: "field", kind: "field", title: "field", polygon_m: [[-1.4, -0.9], [1.4, -0.9], [1.1, 1.6], [-1.1, 1.6]], z_m: [0.2, 0.2] },
+        { name: "curtain", kind: "curtain", title: "curtain", polygon_m: [[-1.1, -0.55], [1.1, -0.55]], z_m: [0.3, 1.8] },
       ],
       links: LINKS(hitting),
       looks,
       arm: ARM,
       robots: [{ name: "r1", base_m: pedestal ? [0.4, 1.3, 0.9] : BASE, upright: true }],
-      body: BODY.map(([region, radius_m]) => ({ region, radius_m })),
+      body: BODY.map(([region, radius_m]) => ({ region, name: region.replaceAll("_", " "), radius_m })),
       start: { xy_m: [1.6, -2.2], heading_deg: 135 },
     },
     replays: episodes.slice(0, replays).map(({ replay }) => replay),

@@ -59,6 +59,21 @@ impl Walk {
         }
     }
 
+    /// For people.
+    #[must_use]
+    pub(crate) const fn words(self) -> &'static str {
+        match self {
+            Self::Stop => "stands",
+            Self::Forward => "walks straight ahead",
+            Self::Left45 => "turns left by 45 degrees and walks on",
+            Self::Left90 => "turns left by 90 degrees and walks on",
+            Self::Right45 => "turns right by 45 degrees and walks on",
+            Self::Right90 => "turns right by 90 degrees and walks on",
+            Self::Back => "steps back",
+            Self::Run => "runs straight ahead",
+        }
+    }
+
     /// Turn to the left at the start of the action, in eighths of a full turn.
     #[must_use]
     pub const fn turn_eighths(self) -> i8 {
