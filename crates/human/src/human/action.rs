@@ -61,7 +61,7 @@ impl Walk {
 
     /// For people.
     #[must_use]
-    pub(crate) const fn words(self) -> &'static str {
+    pub const fn words(self) -> &'static str {
         match self {
             Self::Stop => "stands",
             Self::Forward => "walks straight ahead",
