@@ -1,6 +1,8 @@
 //! README and book: their commands are those of the program, and are run as they stand (those that take long in `tools/test --all`), the
 //! reference is what the program writes, and links lead somewhere. Needs the Python environment that `tools/test` makes.
 //!
+//! A page about an example is that example's README, which mdBook includes: so does [`text_of`], through which every page is read.
+//!
 //! What stands behind the fence of a block says how it is run: `exit=1` (the exit code; 0 or 1 otherwise), `trusted` (with
 //! Python's library), `setup` and `download` (not run again), `file=NAME` (the block is that file, or a change of it).
 
@@ -17,6 +19,31 @@ use tempfile::TempDir;
 
 fn book() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/src")
+}
+
+/// A line with which mdBook includes a file: its path from the page.
+fn included(line: &str) -> Option<&str> {
+    line.strip_prefix("{{#include ")?.strip_suffix("}}")
+}
+
+/// A page as the book shows it, with the files that it includes.
+fn text_of(page: &Path) -> String {
+    let read = |path: &Path| std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let folder = page.parent().unwrap();
+    let mut text = String::new();
+    for line in read(page).lines() {
+        match included(line) {
+            Some(file) => text.push_str(&read(&folder.join(file))),
+            None => text.extend([line, "\n"]),
+        }
+    }
+    assert!(text.starts_with("# ") && text.len() > 200, "{} says nothing:\n{text}", page.display());
+    assert!(
+        !text.contains("{{#"),
+        "{}: only lines of their own, in pages alone, are taken as includes",
+        page.display()
+    );
+    text
 }
 
 /// A block of code: what stands behind its fence, and its text.
@@ -169,7 +196,7 @@ fn the_commands_of_the_tutorial_do_what_it_says() {
         return;
     }
     let mut reader = Reader::new(None);
-    reader.read(&std::fs::read_to_string(book().join("tutorial.md")).unwrap(), &library);
+    reader.read(&text_of(&book().join("tutorial.md")), &library);
     assert!(reader.commands >= 11 && reader.edits >= 6, "{} commands, {} edits", reader.commands, reader.edits);
     for file in
         ["PandaCell.cell.check.svg", "first/report.html", "first/scan.json", "PandaCell-packed.fmu", "cell.schema.json"]
@@ -207,7 +234,7 @@ fn the_commands_of_the_assessment_tell_what_helps() {
 fn assessed(quicker: &'static [(&'static str, &'static str)]) -> Value {
     let mut reader = Reader::new(None);
     reader.quicker = quicker;
-    let page = std::fs::read_to_string(book().join("howto/assessment.md")).unwrap();
+    let page = text_of(&book().join("howto/assessment.md"));
     assert!(quicker.iter().all(|(old, _)| page.contains(old)), "the page is another one");
     reader.read(&page, "");
     let dir = reader.dir.path();
@@ -233,7 +260,7 @@ fn other_pages() -> Vec<PathBuf> {
 /// Runs the commands of a page of which `runs` says so; how many it ran. What a reader brings along is there: an FMU with the robot's
 /// description, and the cell file with its TODOs filled in.
 fn gone_through(page: &Path, runs: impl Fn(&str) -> bool) -> usize {
-    let text = std::fs::read_to_string(page).unwrap();
+    let text = text_of(page);
     let mut reader = Reader::new(Some(SECONDS));
     let dir = reader.dir.path().to_owned();
     fmi_hazard::examples::export(&dir.join("cells")).unwrap();
@@ -302,7 +329,7 @@ fn every_command_of_readme_and_book_is_understood() {
     all.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
     let mut understood = 0;
     for page in all {
-        for (info, block) in blocks(&std::fs::read_to_string(&page).unwrap()) {
+        for (info, block) in blocks(&text_of(&page)) {
             for line in block.lines().filter(|line| info[0] == "sh" && line.starts_with("fmi-hazard ")) {
                 let (command, _) = line.split_once(" #").unwrap_or((line, ""));
                 let (code, told) = reader.run(&format!("{} --help", command.trim_end()), None);
@@ -367,21 +394,67 @@ fn pages(folder: &Path) -> Vec<PathBuf> {
     all
 }
 
+/// What links name the headings of a page: words joined by hyphens, as mdBook and GitHub do.
+fn headings(text: &str) -> Vec<String> {
+    let mut code = false;
+    let is_heading = |line: &&str| {
+        code ^= line.starts_with("```");
+        !code && line.starts_with('#')
+    };
+    let named = |line: &str| {
+        let kept = line.trim_start_matches('#').trim().chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+        kept.collect::<String>().to_lowercase().replace(' ', "-")
+    };
+    text.lines().filter(is_heading).map(named).collect()
+}
+
+/// Where the links of a text lead: file, nothing for the text itself, and heading. Not those out of the book.
+fn links(text: &str) -> Vec<(&str, Option<&str>)> {
+    let targets = text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
+    let inside = targets.filter(|target| !target.contains("://"));
+    inside
+        .map(|target| target.split_once('#').map_or((target, None), |(file, heading)| (file, Some(heading))))
+        .collect()
+}
+
 #[test]
 fn every_page_is_in_the_book_and_every_link_leads_to_one() {
-    let summary = std::fs::read_to_string(book().join("SUMMARY.md")).unwrap();
+    let summary = text_of(&book().join("SUMMARY.md"));
     let all = pages(&book());
     assert!(all.len() > 10);
     for page in &all {
         let name = page.strip_prefix(book()).unwrap().to_str().unwrap();
         assert!(name == "SUMMARY.md" || summary.contains(&format!("({name})")), "{name} is not in SUMMARY.md");
-        let text = std::fs::read_to_string(page).unwrap();
-        for target in text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
-            let target = target.split('#').next().unwrap();
-            let outside = target.is_empty() || target.contains("://");
-            assert!(outside || page.parent().unwrap().join(target).is_file(), "{name}: {target} leads nowhere");
+        for (file, heading) in links(&text_of(page)) {
+            let target = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            assert!(target.is_file(), "{name}: {file} leads nowhere");
+            if let Some(heading) = heading {
+                assert!(headings(&text_of(&target)).iter().any(|h| h == heading), "{name}: {file} has no #{heading}");
+            }
         }
     }
+}
+
+/// A page about an example is the README that is exported with it. There no other page is beside it.
+#[test]
+fn a_page_about_an_example_is_its_readme_and_needs_no_other_page() {
+    let mut examples = 0;
+    for page in pages(&book()) {
+        let written = std::fs::read_to_string(&page).unwrap();
+        let Some(file) = included(written.trim_end()) else { continue };
+        let name = file.strip_prefix("../../../scenarios/").and_then(|rest| rest.strip_suffix("/README.md")).unwrap();
+        let example = fmi_hazard::examples::by_name(name).unwrap();
+        let (_, readme) = example.files.iter().find(|(file, _)| *file == "README.md").unwrap();
+        let text = text_of(&page);
+        assert!(text.as_bytes() == *readme, "{name}");
+        assert!(links(&text).iter().all(|(file, _)| file.is_empty()), "{name}: links to {:?}", links(&text));
+        for file in ["cell", "fixed"] {
+            let scan = format!("\nfmi-hazard scan cells/{name}/{file}.toml");
+            assert!(text.contains(&scan), "{name}: no command that scans {file}.toml");
+        }
+        examples += 1;
+    }
+    assert_eq!(examples, 6, "pages about examples");
 }
 
 #[test]
@@ -392,8 +465,7 @@ fn cell_files_in_the_book_are_cell_files() {
     let keys: Vec<&String> =
         tables.filter_map(|table| table["properties"].as_object()).flat_map(serde_json::Map::keys).collect();
     for page in pages(&book()) {
-        let text = std::fs::read_to_string(&page).unwrap();
-        for (info, block) in blocks(&text) {
+        for (info, block) in blocks(&text_of(&page)) {
             if info[0] == "toml" {
                 let table: toml::Table = block.parse().unwrap_or_else(|e| panic!("{}: {e}\n{block}", page.display()));
                 for key in table.keys() {
