@@ -150,7 +150,8 @@ fn twice(viewer: &[String], program: &BTreeMap<String, Vec<String>>) -> Vec<Stri
 fn what_the_viewer_says_the_program_does_not_say_as_well() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let viewer = all_said(&root.join("viewer/src"), "js");
-    let program = [all_said(&root.join("src"), "rs"), all_said(&root.join("crates"), "rs")].into_iter().flatten().collect();
+    let program: BTreeMap<_, _> =
+        [all_said(&root.join("src"), "rs"), all_said(&root.join("crates"), "rs")].into_iter().flatten().collect();
     assert!(viewer.len() > 30 && program.len() > 100, "{} and {} files", viewer.len(), program.len());
     let mut wrong = Vec::new();
     for (file, pieces) in &viewer {
