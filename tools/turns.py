@@ -14,16 +14,16 @@ TURN = re.compile(r"fn (\w+)\(\) \{\s*if !sample::is_turn\((\d+), (\d+)\)")
 
 def turns():
     """Each test that takes turns: its name, its place, and of how many."""
-    unit, suite = Path("src"), Path("tests/suite")
-    for path in sorted(unit.rglob("*.rs")) + sorted(suite.rglob("*.rs")):
+    suite = Path("tests/suite")
+    roots = [Path("src"), *sorted(Path("crates").glob("*/src")), suite]
+    for root, path in ((root, path) for root in roots for path in sorted(root.rglob("*.rs"))):
         text = path.read_text(encoding="utf-8")
         found = TURN.findall(text)
         if len(found) != text.count("sample::is_turn("):
             sys.exit(f"{path}: a turn that is not the first thing of a test")
-        of_unit = path.is_relative_to(unit)
         # Unit tests stand in the file that they are about, or beside it.
-        module = "::".join(path.relative_to(unit if of_unit else suite).with_suffix("").parts)
-        module = module.removesuffix("_tests") + "::tests" if of_unit else module
+        module = "::".join(path.relative_to(root).with_suffix("").parts)
+        module = module if root == suite else module.removesuffix("_tests") + "::tests"
         for name, place, of in found:
             yield f"{module}::{name}", int(place), int(of)
 

@@ -435,6 +435,29 @@ fn every_page_is_in_the_book_and_every_link_leads_to_one() {
     }
 }
 
+/// Files of this repository that a page names, as they are written: from its root.
+fn files_named(text: &str) -> impl Iterator<Item = &str> {
+    let roots =
+        ["src/", "crates/", "fmus/", "tests/", "tools/", "research/", "viewer/", "benches/", "docs/", "scenarios/"];
+    let path = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted.filter(move |of| roots.iter().any(|root| of.starts_with(root)) && of.chars().all(path))
+}
+
+#[test]
+fn every_file_that_readme_and_book_name_is_there() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let others = ["README.md", "CONTRIBUTING.md", "SECURITY.md"].map(|file| root.join(file));
+    let mut found = 0;
+    for page in pages(&book()).into_iter().chain(others) {
+        for file in files_named(&text_of(&page)) {
+            assert!(root.join(file).exists(), "{}: there is no {file}", page.display());
+            found += 1;
+        }
+    }
+    assert!(found > 80, "{found}");
+}
+
 /// A page about an example is the README that is exported with it. There no other page is beside it.
 #[test]
 fn a_page_about_an_example_is_its_readme_and_needs_no_other_page() {

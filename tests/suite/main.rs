@@ -42,6 +42,7 @@ mod exhaustive_planes;
 mod explain;
 mod exporter_zoo;
 mod first_cell;
+mod floors;
 mod fmi3_fmus;
 mod fmpy_agrees;
 mod following;
