@@ -7,7 +7,6 @@ mod beginnings;
 mod bench;
 mod bench_format;
 mod campaign;
-mod changed_cell;
 mod changes;
 mod check;
 mod compare;

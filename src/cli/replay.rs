@@ -1,5 +1,7 @@
 //! `fmi-hazard replay`: simulate recorded hazards again and say whether they reproduce, or in a changed cell whether they are still there.
 
+mod changed;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -10,7 +12,7 @@ use super::events::Event;
 use super::exit::{Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
-use super::{changed_cell, earlier, output, recording};
+use super::{earlier, output, recording};
 use crate::hazard::Finding;
 use crate::report::model::{Begin, Hazard};
 use crate::report::recorded::Recorded;
@@ -98,17 +100,17 @@ pub(super) struct Arguments {
     changed: Option<PathBuf>,
     /// With --changed: write the result as JUnit XML into this file too
     #[arg(long, value_name = "FILE", requires = "changed")]
-    pub(super) junit: Option<PathBuf>,
+    junit: Option<PathBuf>,
     #[command(flatten)]
-    pub(super) elsewhere: earlier::Elsewhere,
+    elsewhere: earlier::Elsewhere,
     /// Write the hazard as a recording for Foxglove and PlotJuggler
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
     /// How to print the result
     #[arg(long, value_enum, default_value_t)]
-    pub(super) format: Format,
+    format: Format,
     #[command(flatten)]
-    pub(super) hosting: HostingArguments,
+    hosting: HostingArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
@@ -122,7 +124,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if let Some(changed) = &arguments.changed {
         // Where nothing was known nothing is tried.
         let known = if recorded.hazards.is_empty() && arguments.id == "all" { Vec::new() } else { wanted(&recorded)? };
-        return changed_cell::run(arguments, &recorded, &known, changed);
+        return changed::run(arguments, &recorded, &known, changed);
     }
     let count = wanted(&recorded)?.len();
     if let Some(file) = &arguments.mcap {

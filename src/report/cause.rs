@@ -15,7 +15,8 @@ use super::paragraph::wrapped;
 use super::terminal::percent;
 use super::worked::worked_words;
 use crate::hazard::Class;
-use crate::hazard::cause::{LONG_S, Part};
+use crate::hazard::Part;
+use crate::hazard::cause::LONG_S;
 use crate::standards::BodyRegion;
 
 /// Hazards that are one flaw.

@@ -2,7 +2,7 @@
 
 use super::model::{Certificate, Residual, RunAgain, Settings, Spent, Unlisted};
 use super::terminal::{at_least, at_most, grouped, percent};
-use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::STANDSTILL_M_S;
 use crate::human::arm::ArmModel;
 use crate::sim::Coverage;
 use crate::sim::coverage::RobotCoverage;

@@ -3,27 +3,31 @@
 
 use std::sync::Arc;
 
-use super::hosting::StateChoice;
-use super::prepare::Prepared;
-use super::stop_time;
-use crate::hazard::contact::STANDSTILL_M_S;
-use crate::host::{Plant as _, PlantError};
+use crate::cell::Workcell;
+use crate::cell::binding::Binding;
+use crate::hazard::STANDSTILL_M_S;
+use crate::host::{Plant, PlantError};
 use crate::sim::World;
 use crate::sim::robot::RobotFrame;
 
-/// How long the FMU is run at most, and after the contact, s.
-const RUN_S: f64 = 10.0;
+/// How long the FMU is run at most before the contact, and how long after it, s.
+pub(super) const RUN_S: f64 = 10.0;
 const WAIT_S: f64 = 5.0;
 
 /// Moments are so far apart, s.
 const APART_S: f64 = 0.1;
 
-/// For each link how far it goes on, m, at the worst of the moments; nothing if the robots do not stand after some of them.
+/// For each link how far it goes on, m, at the worst of the moments until `until_s`; nothing if the robots do not stand after some of
+/// them. `plant` opens the FMU with its first inputs.
 ///
 /// # Errors
 /// When the FMU fails.
-pub(super) fn travel_after_contact(prepared: &Prepared, signal: &str) -> Result<Option<Vec<f64>>, PlantError> {
-    let (cell, binding) = (&prepared.cell, &prepared.binding);
+pub(super) fn travel_after_contact<P: Plant>(
+    (cell, binding): (&Arc<Workcell>, &Arc<Binding>),
+    signal: &str,
+    until_s: f64,
+    plant: impl FnOnce(&[f64]) -> P,
+) -> Result<Option<Vec<f64>>, PlantError> {
     let Some((column, value)) = binding.command(cell, signal) else {
         return Err(PlantError::of(format!("`{signal}` is no input of the FMU")));
     };
@@ -40,8 +44,8 @@ pub(super) fn travel_after_contact(prepared: &Prepared, signal: &str) -> Result<
         let steps = (seconds / cell.step_s).round() as usize;
         steps
     };
-    let until = steps(stop_time::run_s(cell, &prepared.fmus, RUN_S));
-    let mut plant = prepared.plant_from(StateChoice::Replay, &idle);
+    let until = steps(until_s);
+    let mut plant = plant(&idle);
     let mut worst_m = vec![0.0_f64; cell.links.len()];
     for at in (0..until).step_by(steps(APART_S).max(1)) {
         let mut rows = plant.restart()?;

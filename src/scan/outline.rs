@@ -1,8 +1,9 @@
 //! Parts of a cell from above, m.
 
 use crate::cell::{Control, Workcell, Zone};
-use crate::geometry::{Cuboid, Vec3};
-use crate::report::topview::Point;
+use crate::geometry::polygon::convex_outline;
+use crate::geometry::{Cuboid, Pose, Solid, Vec3};
+use crate::report::topview::{Part, Point};
 
 pub(super) const fn flat(v: Vec3) -> Point {
     [v.x, v.y]
@@ -56,4 +57,29 @@ fn corners(c: &Cuboid) -> impl Iterator<Item = Vec3> + '_ {
             .into_iter()
             .map(move |(x, y)| c.centre + c.rotation * (c.half * Vec3::new(x, y, z)))
     })
+}
+
+/// A hull of more corners than this is drawn by those that are outermost along so many directions.
+const MANY: usize = 500;
+const DIRECTIONS: u32 = 90;
+
+/// A link from above; of a mesh the outline of its hull.
+pub(super) fn part(link: &Solid) -> Part {
+    let outline = |points: &[Vec3], pose: Pose| {
+        Part::Outline(convex_outline(points.iter().map(|point| flat(pose * *point)).collect()))
+    };
+    match link {
+        Solid::Capsule(c) => Part::Capsule(flat(c.a), flat(c.b), c.radius),
+        // Of thousands of corners as many as can be told apart in a picture.
+        Solid::Hull(hull) if hull.shape().points().len() > MANY => {
+            let around = (0..DIRECTIONS).map(|n| std::f64::consts::TAU * f64::from(n) / f64::from(DIRECTIONS));
+            let farthest = around.map(|angle| {
+                let (y, x) = libm::sincos(angle);
+                flat(hull.outermost(Vec3::new(x, y, 0.0)))
+            });
+            Part::Outline(convex_outline(farthest.collect()))
+        }
+        Solid::Hull(hull) => outline(hull.shape().points(), hull.pose()),
+        Solid::Mesh(mesh) => outline(&mesh.surface().triangles().points, mesh.pose()),
+    }
 }

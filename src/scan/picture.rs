@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use super::anywhere::map;
 use super::film;
-use super::outline::{flat, outline, top, zones};
+use super::outline::{flat, outline, part, top, zones};
 use super::prepare::Prepared;
 use super::probe::Probe;
-use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Pose, Solid, Vec3};
 use crate::hazard::Class;
 use crate::human::{Action, Place, Posture};
@@ -54,31 +53,6 @@ pub(crate) fn scene(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> 
         body: until[contact].body.parts().iter().map(|(_, c)| (flat(c.a), flat(c.b), c.radius)).collect(),
         arm: hazard.arm.iter().flat_map(|a| [a.shoulder_m, a.elbow_m, a.wrist_m]).map(|p| [p[0], p[1]]).collect(),
         contact: Some([hazard.contact_point_m[0], hazard.contact_point_m[1]]),
-    }
-}
-
-/// A hull of more corners than this is drawn by those that are outermost along so many directions.
-const MANY: usize = 500;
-const DIRECTIONS: u32 = 90;
-
-/// A link from above; of a mesh the outline of its hull.
-pub(super) fn part(link: &Solid) -> Part {
-    let outline = |points: &[Vec3], pose: Pose| {
-        Part::Outline(convex_outline(points.iter().map(|point| flat(pose * *point)).collect()))
-    };
-    match link {
-        Solid::Capsule(c) => Part::Capsule(flat(c.a), flat(c.b), c.radius),
-        // Of thousands of corners as many as can be told apart in a picture.
-        Solid::Hull(hull) if hull.shape().points().len() > MANY => {
-            let around = (0..DIRECTIONS).map(|n| std::f64::consts::TAU * f64::from(n) / f64::from(DIRECTIONS));
-            let farthest = around.map(|angle| {
-                let (y, x) = libm::sincos(angle);
-                flat(hull.outermost(Vec3::new(x, y, 0.0)))
-            });
-            Part::Outline(convex_outline(farthest.collect()))
-        }
-        Solid::Hull(hull) => outline(hull.shape().points(), hull.pose()),
-        Solid::Mesh(mesh) => outline(&mesh.surface().triangles().points, mesh.pose()),
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::contact_stop::travel_after_contact;
+use super::contact_stop::{self, travel_after_contact};
 use super::hosting::{Hosting, Source, StateChoice};
 use super::prepare_error::PrepareError;
 use super::stop_time;
@@ -330,7 +330,10 @@ impl Prepared {
     /// The same with how far links go on after a contact, where that is to be found out.
     fn knowing_contact_stop(mut self) -> Result<Self, PrepareError> {
         let Some(signal) = self.cell.clamping.signal.clone() else { return Ok(self) };
-        let travel = travel_after_contact(&self, &signal).map_err(PrepareError::FirstRun)?;
+        let until_s = stop_time::run_s(&self.cell, &self.fmus, contact_stop::RUN_S);
+        let plant = |idle: &[f64]| self.plant_from(StateChoice::Replay, idle);
+        let travel = travel_after_contact((&self.cell, &self.binding), &signal, until_s, plant);
+        let travel = travel.map_err(PrepareError::FirstRun)?;
         match travel {
             Some(travel_m) => {
                 let mut cell = Workcell::clone(&self.cell);

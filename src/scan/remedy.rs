@@ -34,11 +34,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use self::aim::{Aim, Whose};
 use self::behaviour::{Answers, Behaviour, Names, Objection, probes};
-pub use self::everywhere::Everywhere;
 use self::looking::Known;
 pub(crate) use self::looking::Purse;
 use self::standpoint::{Standpoint, begin_at, with_each_start};
 use self::trial::Trial;
+use super::anywhere::Until;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use crate::cell::binding::BoundUnit;
@@ -97,6 +97,26 @@ pub(crate) const STATES: u32 = 18_000;
 const WORK: u64 = MILLIONS as u64 * 1_000_000;
 /// The same in millions of boxes.
 pub(crate) const MILLIONS: u32 = 3;
+
+/// How changes are looked at from anywhere.
+#[derive(Clone, Copy, Debug)]
+pub struct Everywhere {
+    /// How long after the start of the FMU.
+    pub until: Until,
+    /// Most presses of controls.
+    pub presses: u32,
+    /// Most states of the FMU.
+    pub states: usize,
+    /// Most such searches, for all changes together.
+    pub searches: u32,
+}
+
+impl Everywhere {
+    /// Most searches against the causes of a scan, and against one that is asked about.
+    pub(crate) const OF_A_SCAN: u32 = 4;
+    /// See there.
+    pub const OF_ONE: u32 = 12;
+}
 
 /// What is told while changes are tried.
 pub enum Told<'a> {

@@ -10,7 +10,7 @@ use super::prepare::Prepared;
 use super::prepare_error::PrepareError;
 use super::run::criteria;
 use crate::cell::{Workcell, Zone};
-use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::STANDSTILL_M_S;
 use crate::hazard::{Class, Finding};
 use crate::host::PlantError;
 use crate::human::{Action, Body};

@@ -21,7 +21,7 @@ use super::sensors::DelayLine;
 use super::world::{Earlier, Frames, HadTold, Hit, Places, Sensed, Walks, Window, Worked, World};
 use crate::geometry::Vec3;
 use crate::hazard::Class;
-use crate::hazard::group::place_cell;
+use crate::hazard::place::place_cell;
 use crate::host::{NodeId, Plant, Recall};
 use crate::human::{Action, Posture, Presses, Who};
 use crate::search::Niche;

@@ -10,7 +10,7 @@ use super::Coverage;
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
 use super::world::{Command, Earlier, Frames, HadTold, Window, World};
-use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
 use crate::human::walk::WalkTrace;

@@ -25,7 +25,7 @@ use super::threads::Memo;
 use crate::cell::following::Following;
 use crate::cell::{Binding, Workcell};
 use crate::geometry::{Cuboid, Vec3};
-use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Separation, Stop, Stopping};
 use crate::hazard::finding::{ArmPose, Through};
 use crate::hazard::{Contact, Finding};

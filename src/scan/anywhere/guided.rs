@@ -5,8 +5,7 @@
 
 use super::behaviours::Few;
 use super::seek::{Drawn, Place, Seek};
-use super::show::shown_by;
-use super::walk_in::WalkIn;
+use super::walk_in::{WalkIn, shown_by};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Walk};
 use crate::search::Rng;

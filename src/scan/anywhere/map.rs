@@ -8,7 +8,7 @@ use crate::geometry::distance::point_segment;
 use crate::geometry::polygon::contains;
 use crate::report::anywhere::{Cell, Ground};
 use crate::report::topview::Part;
-use crate::scan::picture::part;
+use crate::scan::outline::part;
 use crate::scan::prepare::Prepared;
 use crate::sim::anywhere::{Anywhere as Search, CELL_M, Moment, told_in};
 use crate::sim::robot::RobotFrame;

@@ -3,8 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
-use super::show::shown_by;
-use super::walk_in::WalkIn;
+use super::walk_in::{WalkIn, shown_by};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Walk};
 use crate::scan::prepare::Prepared;

@@ -6,16 +6,13 @@ use std::collections::BTreeMap;
 use super::behaviours::Few;
 use super::guided::Guided;
 use super::seek::Seek;
-use super::walk_in::WalkIn;
+use super::walk_in::{WalkIn, shown_by};
 use super::{Looking, pressing};
-use crate::cell::Zone;
 use crate::hazard::{Finding, Identity};
 use crate::human::Walk;
 use crate::report::anywhere::Place;
 use crate::report::model::SensorState;
-use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
-use crate::search::Environment as _;
 use crate::sim::anywhere::zones::Way;
 use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
 
@@ -228,29 +225,4 @@ fn shown(
         }
     }
     None
-}
-
-/// The first harm that a walk leads to; while sensors report `readings`, if given.
-pub(super) fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
-    let actions = u32::try_from(way.actions.len()).ok()?;
-    let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
-    let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;
-    simulation.reset().ok()?;
-    let mut findings = Vec::new();
-    for action in &way.actions {
-        let step = simulation.take(*action).ok()?;
-        findings.extend(simulation.take_findings());
-        if step.end.is_some() {
-            break;
-        }
-    }
-    let as_told = |finding: &Finding| {
-        let Some(readings) = readings else { return true };
-        let sensors = prepared.cell.sensors.iter().zip(finding.sensors.iter().zip(readings));
-        finding.through.is_empty()
-            && sensors
-                .into_iter()
-                .all(|(sensor, (told, reading))| told == reading || matches!(sensor.zone, Zone::Reported))
-    };
-    findings.into_iter().find(as_told)
 }

@@ -3,8 +3,12 @@
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
-use crate::cell::Workcell;
+use crate::cell::{Workcell, Zone};
+use crate::hazard::Finding;
 use crate::human::{Action, Posture, Start, Walk};
+use crate::scan::hosting::StateChoice;
+use crate::scan::prepare::Prepared;
+use crate::search::Environment as _;
 use crate::sim::anywhere::{Anywhere, Harm, History, Seen, known};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
@@ -132,4 +136,29 @@ impl Way<'_> {
         }
         all
     }
+}
+
+/// The first harm that a walk leads to; while sensors report `readings`, if given.
+pub(super) fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[bool]>) -> Option<Finding> {
+    let actions = u32::try_from(way.actions.len()).ok()?;
+    let there = prepared.standing(way.start(), way.lead_in, actions).ok()?;
+    let mut simulation = there.simulation(StateChoice::Replay, false).ok()?;
+    simulation.reset().ok()?;
+    let mut findings = Vec::new();
+    for action in &way.actions {
+        let step = simulation.take(*action).ok()?;
+        findings.extend(simulation.take_findings());
+        if step.end.is_some() {
+            break;
+        }
+    }
+    let as_told = |finding: &Finding| {
+        let Some(readings) = readings else { return true };
+        let sensors = prepared.cell.sensors.iter().zip(finding.sensors.iter().zip(readings));
+        finding.through.is_empty()
+            && sensors
+                .into_iter()
+                .all(|(sensor, (told, reading))| told == reading || matches!(sensor.zone, Zone::Reported))
+    };
+    findings.into_iter().find(as_told)
 }

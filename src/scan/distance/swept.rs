@@ -4,7 +4,7 @@ use crate::geometry::distance::segment_segment;
 use crate::geometry::polygon::contains;
 use crate::geometry::{Solid, Vec3};
 use crate::report::topview::Part;
-use crate::scan::picture::part;
+use crate::scan::outline::part;
 use crate::scan::prepare::Prepared;
 use crate::sim::motion::Comparison;
 use crate::sim::robot::RobotFrame;

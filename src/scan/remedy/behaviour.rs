@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use crate::geometry::sampled::surface_points;
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};
 use crate::geometry::{Cuboid, Solid, Vec3};
-use crate::hazard::contact::STANDSTILL_M_S;
+use crate::hazard::STANDSTILL_M_S;
 use crate::host::{Hosted, PlantError};
 use crate::human::{Action, Repertoire};
 use crate::search::Rng;

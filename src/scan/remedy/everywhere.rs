@@ -3,35 +3,16 @@
 
 use std::ops::ControlFlow;
 
+use super::Everywhere;
 use super::looking::{Changed, Known, Purse, Witness};
 use super::standpoint::Standpoint;
 use crate::obligations::Need;
 use crate::report::advice::FromAnywhere;
 use crate::report::anywhere::Place;
 use crate::report::model::Begin;
-use crate::scan::anywhere::{self, Told, Until, anywhere};
+use crate::scan::anywhere::{self, Told, anywhere};
 use crate::scan::hosting::StateChoice;
 use crate::sim::anywhere::ledger::Ledger;
-
-/// How changes are looked at from anywhere.
-#[derive(Clone, Copy, Debug)]
-pub struct Everywhere {
-    /// How long after the start of the FMU.
-    pub until: Until,
-    /// Most presses of controls.
-    pub presses: u32,
-    /// Most states of the FMU.
-    pub states: usize,
-    /// Most such searches, for all changes together.
-    pub searches: u32,
-}
-
-impl Everywhere {
-    /// Most searches against the causes of a scan, and against one that is asked about.
-    pub(crate) const OF_A_SCAN: u32 = 4;
-    /// See there.
-    pub const OF_ONE: u32 = 12;
-}
 
 impl Changed<'_> {
     /// Looks from anywhere, if that is asked for and the purse has a search left; a way to be hit as soon as there is one.

@@ -3,9 +3,8 @@
 use std::ops::ControlFlow;
 
 use super::aim::member_of;
-use super::everywhere::Everywhere;
 use super::standpoint::Standpoint;
-use super::{Bench, Effort, Goal, Why};
+use super::{Bench, Effort, Everywhere, Goal, Why};
 use crate::cell::knob::Knob;
 use crate::geometry::Vec3;
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid};

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 
 use sha2::{Digest as _, Sha256};
 
-use super::group::PLACE_CELL_M;
-use crate::standards::BodyRegion;
+use super::part::Part;
+use super::place::PLACE_CELL_M;
 
 /// Hazards belong together if neither where people stand nor where they are hit is farther apart than this, m. Before a fence
 /// with two openings people may stand anywhere, but arms are hit behind the one or the other.
@@ -22,38 +22,6 @@ pub const LONG_S: f64 = 0.5;
 /// Places of one cause among several of the same kind are told apart by the square of this edge that the middle of their
 /// contacts is nearest to, m.
 const SQUARE_M: f64 = 2.0;
-
-/// What of the person is hit: an arm needs other guards than the rest.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
-)]
-#[serde(rename_all = "snake_case")]
-pub enum Part {
-    /// Head, trunk and legs, which are where the person stands.
-    Body,
-    /// A hand, a lower arm or an upper arm, which reaches.
-    Arm,
-}
-
-impl Part {
-    /// In words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Body => "body",
-            Self::Arm => "arm",
-        }
-    }
-
-    /// That of a region.
-    #[must_use]
-    pub const fn of(region: BodyRegion) -> Self {
-        match region {
-            BodyRegion::UpperArm | BodyRegion::LowerArm | BodyRegion::Hand => Self::Arm,
-            _ => Self::Body,
-        }
-    }
-}
 
 /// What tells causes apart but for the place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,15 +3,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::cause::Part;
 use super::criterion::{Class, Criterion};
-use super::strike::Strike;
+use super::part::Part;
+use super::strike::{STANDSTILL_M_S, Strike};
 use crate::geometry::{Vec3, coordinates};
 use crate::standards::iso_ts_15066::{Recoil, quasi_static_limit_n, transient_limit_n};
 use crate::standards::{BodyArea, BodyRegion};
-
-/// Robot points slower than this count as standing still, m/s.
-pub const STANDSTILL_M_S: f64 = 1e-3;
 
 /// A contact between a body region and a robot link at one instant.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use super::contact::Contact;
 use super::criterion::Class;
-use super::group::place_cell;
+use super::place::place_cell;
 use crate::geometry::Vec3;
 use crate::human::{Action, Who};
 

@@ -11,20 +11,9 @@ use sha2::{Digest as _, Sha256};
 
 use super::criterion::Class;
 use super::finding::Finding;
-use crate::geometry::Vec3;
+use super::place::place_cell;
 use crate::human::{Action, Who};
 use crate::standards::BodyRegion;
-
-/// Edge of a place cell, m.
-pub(crate) const PLACE_CELL_M: f64 = 0.25;
-
-/// The square of floor that a place is on.
-#[must_use]
-pub fn place_cell(person: Vec3) -> (i64, i64) {
-    #[expect(clippy::cast_possible_truncation, reason = "metres on a shop floor, divided by 0.25")]
-    let square = |v: f64| (v / PLACE_CELL_M).floor() as i64;
-    (square(person.x), square(person.y))
-}
 
 /// What makes two findings the same hazard.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,6 +6,8 @@
 //! - [`danger`]: danger level and reward of the paper
 //! - [`finding`]: one hazardous action sequence
 //! - [`group`]: findings of the same kind, under a stable id
+//! - `part`: what of a person is hit
+//! - [`place`]: the floor in squares
 //! - [`strike`]: how hard a robot strikes at one instant
 
 pub mod cause;
@@ -14,10 +16,13 @@ pub mod criterion;
 pub mod danger;
 pub mod finding;
 pub mod group;
+mod part;
+pub mod place;
 pub(crate) mod strike;
 
 pub use contact::Contact;
 pub use criterion::{Class, Criteria, Criterion};
 pub use finding::Finding;
 pub use group::{Group, Groups, Identity};
-pub use strike::Strike;
+pub use part::Part;
+pub use strike::{STANDSTILL_M_S, Strike};

@@ -1,7 +1,6 @@
 //! How hard a robot strikes at one instant: force ratios per speed, for somebody who can give way and for a part of the body that
 //! cannot, and pressures where the link says how small it touches.
 
-use super::contact::STANDSTILL_M_S;
 use super::criterion::pressure::{LinkContact, Surface};
 use super::criterion::{Criteria, Criterion};
 use crate::geometry::Vec3;
@@ -10,6 +9,9 @@ use crate::standards::iso_ts_15066::{
     Recoil, TRANSIENT_FACTOR, padded_impedance_n_s_m, quasi_static_limit_n, robot_effective_mass, transient_limit_n,
 };
 use crate::standards::{BodyArea, BodyRegion};
+
+/// Robot points slower than this count as standing still, m/s.
+pub const STANDSTILL_M_S: f64 = 1e-3;
 
 /// How hard a link of a robot strikes as a whole at one instant.
 #[derive(Clone, Debug, PartialEq)]

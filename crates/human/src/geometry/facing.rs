@@ -5,7 +5,6 @@
 //! point can be farther beyond one of them than that allows.
 
 use super::Vec3;
-use super::polyhedron::longest;
 use crate::stop::worked;
 
 /// See the top of this file.
@@ -90,6 +89,12 @@ fn halve(centre: Vec3, sides: &mut [(Vec3, f64)], begins: usize, groups: &mut Ve
         halve(centre, second, begins + half, groups);
     }
     groups[at].next = groups.len();
+}
+
+/// The axis along which a box of this size is longest.
+pub(super) fn longest(size: Vec3) -> Vec3 {
+    let axes = [Vec3::X, Vec3::Y, Vec3::Z].into_iter();
+    axes.fold(Vec3::X, |longest, axis| if size.dot(axis) > size.dot(longest) { axis } else { longest })
 }
 
 #[cfg(test)]

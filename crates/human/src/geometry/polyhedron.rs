@@ -14,7 +14,7 @@ use parry3d_f64::transformation::try_convex_hull;
 use parry3d_f64::utils::{point_cloud_support_point, point_cloud_support_point_id};
 
 use super::distance::{point_segment, segment_segment};
-use super::facing::Facing;
+use super::facing::{Facing, longest};
 use super::sampled::Once;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
@@ -403,12 +403,6 @@ fn capsule_around(points: &[Vec3], low: Vec3, high: Vec3) -> Capsule {
     let radius = points.iter().map(|point| point_segment(*point, a, b).distance).fold(0.0, f64::max);
     // Placing it elsewhere rounds.
     Capsule { a, b, radius: radius + ROUNDING_M }
-}
-
-/// The axis along which a box of this size is longest.
-pub(super) fn longest(size: Vec3) -> Vec3 {
-    let axes = [Vec3::X, Vec3::Y, Vec3::Z].into_iter();
-    axes.fold(Vec3::X, |longest, axis| if size.dot(axis) > size.dot(longest) { axis } else { longest })
 }
 
 /// Whether points are in no common plane.

@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use super::Vec3;
 use super::coarse::coarse;
-use super::polyhedron::{Polyhedron, longest};
+use super::facing::longest;
+use super::polyhedron::Polyhedron;
 
 /// The slabs of a polyhedron.
 #[derive(Clone, Debug, Default)]

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::low::{Legs, OnFloor};
+use super::low::{HIP_PIVOT, Legs, OnFloor};
 use super::part::{BodyPart, Side};
 use super::placed::{SHOULDER_OUT, SHOULDER_UP, moved, shoulder_line};
 use super::{BendFraction, PlacedBody, Posture};
@@ -19,8 +19,6 @@ use crate::standards::anthropometry::{Percentile, Sex, measures};
 
 /// Stature of the median man for whom the measures below are given, m.
 const REFERENCE_STATURE_M: f64 = 1.755;
-/// Height of the hip pivot.
-pub(super) const HIP_PIVOT: f64 = 0.92;
 /// Centre of the head above the hip pivot.
 const HEAD_UP: f64 = 0.72;
 const HEAD_RADIUS: f64 = 0.105;

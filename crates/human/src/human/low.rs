@@ -9,7 +9,6 @@
 //! The place where somebody is lies below the knees of who kneels, below the feet of who crouches, and below the middle of who
 //! crawls.
 
-use super::body::HIP_PIVOT;
 use super::part::BodyPart;
 use super::{BendFraction, Posture};
 use crate::geometry::{Pose, Vec3, rotation_about};
@@ -17,6 +16,8 @@ use crate::geometry::{Pose, Vec3, rotation_about};
 /// Ankle and knee of the standing median man above the floor, m.
 const ANKLE: f64 = 0.055;
 const KNEE: f64 = 0.49;
+/// Height of the hip pivot, m.
+pub(super) const HIP_PIVOT: f64 = 0.92;
 /// From the hip pivot to the shoulders, along the trunk, and from the middle to each hand on the floor, m.
 const SHOULDERS: f64 = 0.48;
 const HANDS_OUT: f64 = 0.19;

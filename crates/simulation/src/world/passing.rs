@@ -6,7 +6,8 @@ use super::super::encounter::Person;
 use super::super::robot::RobotFrame;
 use super::{Earlier, Frames, Hit, Stance, World};
 use crate::hazard::Contact;
-use crate::hazard::contact::{Apart, STANDSTILL_M_S};
+use crate::hazard::STANDSTILL_M_S;
+use crate::hazard::contact::Apart;
 use crate::hazard::criterion::separation::{Separation, Stopping};
 use crate::human::Place;
 

@@ -1,13 +1,17 @@
 //! Checks of how a robot's mass is spread, as joints or a URDF tell, and of where it carries its payload.
 
+use std::collections::BTreeMap;
+
 use super::checker::Checker;
 use super::format::{InertiaTable, JointTable, RobotTable};
-use super::robots::Places;
 use crate::cell::CellError;
 use crate::cell::workcell::{Driven, Link};
 use crate::fmi::number;
 use crate::geometry::inertia::{Drive, Inertia, Masses};
 use crate::geometry::{Pose, Vec3};
+
+/// What shapes may be attached to: the index of the joint or frame, and where they are in its frame.
+pub(super) type Places = BTreeMap<String, (usize, Pose)>;
 
 /// How the mass of what a joint moves is spread.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,5 @@
 //! Checks of the robots in a cell file: kinematics, link shapes, masses.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -10,6 +9,7 @@ use super::checker::{Checker, pose};
 use super::described::{Described, Shown, upright};
 use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
+use super::inertias::Places;
 use crate::cell::CellError;
 use crate::cell::error::nearest;
 use crate::cell::workcell::{Driven, FileLine, Kinematics, Link, Robot};
@@ -22,9 +22,6 @@ use crate::hazard::criterion::pressure::LinkContact;
 /// Most triangles of a mesh that is taken exactly: arm searches ask for distances from it all the time, and reports carry
 /// it.
 const MOST_TRIANGLES: usize = 20_000;
-
-/// What shapes may be attached to: the index of the joint or frame, and where they are in its frame.
-pub(super) type Places = BTreeMap<String, (usize, Pose)>;
 
 impl Checker<'_> {
     /// All robots, and their links one robot after the other.

@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use super::exit::{FMU_FAILED, Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
-use super::output;
-use super::output::Format;
-use super::replay::Arguments;
+use super::Arguments;
+use crate::cli::exit::{FMU_FAILED, Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
+use crate::cli::output::{self, Format};
 use crate::report::model::Hazard;
 use crate::report::recorded::Recorded;
 use crate::report::verified::{Standing, as_junit, render, rows, together};
