@@ -10,7 +10,8 @@ use super::CampaignError;
 use super::description::Search;
 use super::values::Values;
 use crate::cell::find::OpenedCell;
-use crate::report::model::{Begin, FileSubject};
+use crate::report::begin::Begin;
+use crate::report::model::FileSubject;
 
 /// Name of the plan in the folder of the campaign.
 pub(crate) const MANIFEST: &str = "manifest.json";

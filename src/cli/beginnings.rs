@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::{self, Failure};
 use super::output;
-use crate::report::model::{BeginningSubject, FileSubject, Hazard, Subject};
+use crate::report::hazard::Hazard;
+use crate::report::model::{BeginningSubject, FileSubject, Subject};
 
 /// Where the table is kept.
 const TABLE: &str = "beginnings.json";

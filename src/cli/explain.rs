@@ -10,7 +10,7 @@ use super::scan_arguments::{From, MOST_STATES, PRESSES, UNTIL, until};
 use super::{earlier, output, stopping};
 use crate::host::PlantError;
 use crate::report::advice::Remedy;
-use crate::report::model::Hazard;
+use crate::report::hazard::Hazard;
 use crate::report::verified::Outcome;
 use crate::scan::anywhere::Until;
 use crate::scan::explain::explain;

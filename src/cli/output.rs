@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::events::{self, Event};
 use super::exit::Failure;
 use crate::fmi::{escaped, is_unsafe};
-use crate::report::terminal::View;
+use crate::report::view::View;
 
 /// How much is told besides results.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::exit::Failure;
+use crate::report::hazard::Hazard;
 use crate::report::mcap::{self, Recording};
-use crate::report::model::Hazard;
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 
 /// Refuses what cannot be recorded before anything is simulated.

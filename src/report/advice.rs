@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::model::Begin;
+use super::begin::Begin;
+use super::figures::grouped;
 use super::paragraph::wrapped;
-use super::terminal::grouped;
 use crate::hazard::criterion::Class;
 use crate::human::Action;
 use crate::standards::BodyRegion;

@@ -6,11 +6,13 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::headline::{Headline, counted, not_shown};
-use super::model::{ScanReport, SensorState, Subject, Verdict};
+use super::hazard::SensorState;
+use super::headline::{counted, not_shown};
+use super::model::{Headline, ScanReport, Subject, Verdict};
 use super::paragraph::wrapped_to;
 use super::resting::rests_on;
-use super::terminal::{View, cards};
+use super::terminal::cards;
+use super::view::View;
 use crate::hazard::{Class, Criterion};
 use crate::human::Action;
 use crate::obligations::Obligations;

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::cause::{Cause, Grouped, grouped};
 use super::difference::Change;
+use super::hazard::Hazard;
 use super::looks::Looks;
-use super::model::{Hazard, ScanReport};
+use super::model::ScanReport;
 use super::narrower::Narrower;
 use super::recorded::{Recorded, RecordedSubject};
 

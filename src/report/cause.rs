@@ -8,15 +8,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::advice::{Outcome, Remedy};
-use super::headline::plural;
+use super::figures::{percent, plural};
+use super::hazard::{HELD_WORDS, Hazard, SensorState};
 use super::judged::{Judged, Measure};
-use super::model::{HELD_WORDS, Hazard, SensorState};
 use super::paragraph::wrapped;
-use super::terminal::percent;
 use super::worked::worked_words;
-use crate::hazard::Class;
-use crate::hazard::Part;
 use crate::hazard::cause::LONG_S;
+use crate::hazard::{Class, Part};
 use crate::standards::BodyRegion;
 
 /// Hazards that are one flaw.

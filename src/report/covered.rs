@@ -1,7 +1,8 @@
 //! What a search covered, in sentences: certificate, residual figures, what was seen. The terminal and the page set them differently.
 
-use super::model::{Certificate, Residual, RunAgain, Settings, Spent, Unlisted};
-use super::terminal::{at_least, at_most, grouped, percent};
+use super::certificate::{Certificate, Residual, RunAgain, Unlisted};
+use super::figures::{at_least, at_most, grouped, percent};
+use super::model::{Settings, Spent};
 use crate::hazard::STANDSTILL_M_S;
 use crate::human::arm::ArmModel;
 use crate::sim::Coverage;

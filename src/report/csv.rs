@@ -6,8 +6,9 @@ use std::collections::BTreeMap;
 
 use super::assessment::{Assessment, Assessments};
 use super::cause::Cause;
+use super::hazard::Hazard;
 use super::judged::Judged;
-use super::model::{Hazard, ScanReport};
+use super::model::ScanReport;
 use crate::hazard::criterion::Class;
 use crate::standards::iso_13849::required_performance_level;
 

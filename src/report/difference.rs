@@ -8,7 +8,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::cause::{Grouped, grouped};
-use super::model::{FmuSubject, Hazard};
+use super::hazard::Hazard;
+use super::model::FmuSubject;
 use super::narrower::Narrower;
 use super::paragraph::wrapped_under;
 use super::recorded::{Recorded, RecordedSubject};

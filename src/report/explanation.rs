@@ -10,7 +10,8 @@ use serde::Serialize;
 
 use super::advice::{self, Remedy};
 use super::does::moves;
-use super::model::{Hazard, STANDARD_EDITION};
+use super::hazard::Hazard;
+use super::model::STANDARD_EDITION;
 use super::paragraph::{wrapped, wrapped_under};
 use super::people::SecondRecord;
 use super::worked::Working;

@@ -3,8 +3,8 @@
 use serde_json::json;
 
 use super::cause::Cause;
-use super::headline::Headline;
-use super::model::{Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
+use super::hazard::Hazard;
+use super::model::{Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::hazard::Criterion;
 use crate::host::selftest::{Agreement, Motion, SelfTest};
 use crate::obligations::verdict::Ended;

@@ -1,6 +1,6 @@
 //! Both forces of a hazard, with the robot's own speed and with the speed of approach: in words, and whether they are far apart.
 
-use super::model::Hazard;
+use super::hazard::Hazard;
 use crate::hazard::Criterion;
 
 /// Forces that differ by more than this factor are both told.

@@ -1,6 +1,7 @@
 //! What happens at a contact and how its force comes about, with its numbers: sentences that `explain` and the page share.
 
-use super::model::{Begin, Hazard, SensorState, Through};
+use super::begin::Begin;
+use super::hazard::{Hazard, SensorState, Through};
 use crate::hazard::Class;
 use crate::standards::iso_ts_15066 as limits;
 

@@ -1,30 +1,9 @@
 //! The head of a result in words, the same at the terminal, in the report and in `scan.json`: what was found, and of what that is said.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::model::{ScanReport, Verdict};
-use super::terminal::grouped;
+use super::figures::{grouped, plural};
+use super::model::{Headline, ScanReport, Verdict};
 use crate::human::action::ACTION_S;
 use crate::obligations::Obligations;
-
-/// The head of a result.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub struct Headline {
-    /// What was found, or why nothing is said.
-    pub says: String,
-    /// What was asked, and what of it was looked at.
-    pub covers: String,
-}
-
-impl Headline {
-    /// Of a result that has none.
-    #[must_use]
-    pub(crate) fn of_an_earlier_version() -> Self {
-        let says = "This result was written by an earlier version, which did not say what it rests on. Scan again.";
-        Self { says: says.to_owned(), covers: String::new() }
-    }
-}
 
 /// Of a search from a start.
 #[must_use]
@@ -68,12 +47,6 @@ pub(crate) fn counted(report: &ScanReport) -> String {
     let sure = confirmed_of(report.hazards.iter().filter(|h| h.confirmed == Some(true)).count(), n);
     let causes = plural(report.causes.len(), "cause");
     format!("{causes} of {}, {sure} by a fresh replay.", plural(n, "possible hazard"))
-}
-
-/// So many of them.
-#[must_use]
-pub(crate) fn plural(n: usize, one: &str) -> String {
-    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
 }
 
 /// How many are confirmed.

@@ -3,7 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::model::Hazard;
 use crate::hazard::contact::{Against, Contact};
 use crate::hazard::criterion::Class;
 use crate::standards::BodyRegion;
@@ -307,56 +306,5 @@ pub(crate) fn measure_cell(
             None => format!("{:.2} m / does not stop", s.distance_m),
         },
         (Class::Separation, ..) => "too near".to_owned(),
-    }
-}
-
-impl Hazard {
-    /// Gives what holds a part of the body its name, where it is an obstacle.
-    pub(crate) fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
-        if let Some(judged) = &mut self.judged {
-            judged.name_obstacles(name);
-        }
-    }
-
-    /// What holds the part of the body, if that is what counts.
-    #[must_use]
-    pub(crate) fn clamping(&self) -> Option<&Clamping> {
-        self.judged.as_ref().filter(|_| self.class == Class::Clamping)?.clamping.as_ref()
-    }
-
-    /// The limit of the force that decides, N.
-    #[must_use]
-    pub(crate) fn deciding_limit_n(&self) -> f64 {
-        self.clamping().map_or(self.limit_n, |clamping| clamping.limit_n)
-    }
-
-    /// The speed below which it would be none, in few words.
-    #[must_use]
-    pub(crate) fn safe_words(&self) -> String {
-        let below = match self.class {
-            Class::Force | Class::HeadContact if self.body_region.permits_no_contact() => None,
-            Class::Force => Some(self.safe_below_m_s),
-            Class::Clamping => self
-                .clamping()
-                .filter(|_| self.judged.as_ref().is_some_and(|judged| judged.limit == LimitKind::Force))
-                .map(|clamping| clamping.closing_m_s * clamping.limit_n / clamping.force_n),
-            Class::HeadContact | Class::Pressure | Class::MovingContact | Class::Separation => None,
-        };
-        // No speed of a moving robot is safe for a head or a throat.
-        let no_speed = self.class == Class::MovingContact || self.body_region.permits_no_contact();
-        below.map_or_else(|| if no_speed { "none" } else { "-" }.to_owned(), |below| format!("{below:.2} m/s"))
-    }
-
-    /// What is broken, and by how much.
-    #[must_use]
-    pub(crate) fn measured(&self) -> Measure {
-        let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
-        Measure::of(self.class, self.judged.as_ref(), figures)
-    }
-
-    /// The same in few words.
-    #[must_use]
-    pub(crate) fn measure_words(&self) -> String {
-        self.measured().words()
     }
 }

@@ -5,7 +5,8 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::baseline::{Baseline, Standing};
 use super::cause::grouped;
-use super::model::{Hazard, ScanReport, Verdict};
+use super::hazard::Hazard;
+use super::model::{ScanReport, Verdict};
 use super::recorded::is_complete;
 
 /// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that

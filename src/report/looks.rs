@@ -14,8 +14,10 @@
 
 use serde::Deserialize;
 
+use super::begin::Begin;
 use super::criteria::{CriteriaRecord, judges, tells_all};
-use super::model::{Begin, Hazard, Settings};
+use super::hazard::Hazard;
+use super::model::Settings;
 use super::narrower::Narrower;
 use super::people::{BodyRecord, SecondRecord};
 use super::worked::ControlRecord;

@@ -12,7 +12,8 @@ use ::mcap::{McapResult, WriteOptions, Writer};
 use serde_json::{Map, Value, json};
 
 use super::foxglove::{Color, Entity, SceneUpdate};
-use super::model::{Hazard, Subject};
+use super::hazard::Hazard;
+use super::model::Subject;
 use super::page::{ArmPose, LinkShape, Replay, Scenery};
 use super::trace::Trace;
 use crate::geometry::{Rotation, Vec3};

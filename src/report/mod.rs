@@ -1,7 +1,9 @@
 //! What people and pipelines read. Plain data in, text out: one file a format.
 //!
 //! - [`model`]: the result of a scan as it stands in `scan.json`
-//! - [`cause`]: hazards that are one flaw
+//! - [`hazard`], [`cause`]: a hazard in it; hazards that are one flaw
+//! - [`certificate`]: what a search of all sequences came to
+//! - [`begin`]: where and when a person begins
 //! - [`recorded`]: the same, read back
 //! - [`moved`]: its paths, so that it can be moved
 //! - [`looks`]: what a scan looks for, and whether that is as much as an earlier one did
@@ -28,7 +30,8 @@
 //! - [`covered`]: what a search covered, in sentences
 //! - [`headline`]: what was found, and of what that is said
 //! - `resting`: what a result rests on, in words
-//! - [`terminal`]: the table on the terminal
+//! - [`terminal`], [`view`]: the table on the terminal, and how it is shown
+//! - [`figures`]: figures in words
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`anywhere`]: what is known of people who come from anywhere
 //! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
@@ -40,8 +43,10 @@ pub mod anywhere;
 pub(crate) mod assessment;
 pub(crate) mod assumptions;
 pub(crate) mod baseline;
+pub mod begin;
 pub(crate) mod campaign;
 pub mod cause;
+pub mod certificate;
 pub(crate) mod covered;
 pub(crate) mod criteria;
 pub(crate) mod csv;
@@ -49,12 +54,14 @@ pub(crate) mod difference;
 pub(crate) mod distance;
 pub(crate) mod does;
 pub(crate) mod explanation;
+pub(crate) mod figures;
 #[cfg(test)]
 pub(crate) mod fixtures;
 pub(crate) mod floorplan;
 pub(crate) mod forces;
 pub(crate) mod formula;
 pub(crate) mod foxglove;
+pub mod hazard;
 pub(crate) mod headline;
 mod immovable;
 pub(crate) mod inspection;
@@ -81,6 +88,7 @@ pub(crate) mod terminal;
 pub(crate) mod topview;
 pub(crate) mod trace;
 pub(crate) mod verified;
+pub(crate) mod view;
 pub(crate) mod whole;
 pub(crate) mod words;
 pub(crate) mod worked;

@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::anywhere::ANYWHERE;
+use super::begin::Begin;
 use super::cause::{Cause, CauseAdvice};
+use super::hazard::Hazard;
 use super::looks::Looks;
-use super::model::{Begin, BeginningSubject, FileSubject, FmuSubject, Hazard, SCHEMA_VERSION, Verdict};
+use super::model::{BeginningSubject, FileSubject, FmuSubject, SCHEMA_VERSION, Verdict};
 use super::moved::found;
 use super::narrower::Narrower;
 use crate::obligations::Obligations;

@@ -2,7 +2,7 @@
 //! shown.
 
 use super::paragraph::wrapped_to;
-use super::terminal::View;
+use super::view::View;
 use crate::obligations::{Obligations, Standing};
 
 /// What stands before the lines that accept what can be.

@@ -4,7 +4,8 @@
 use serde_json::{Value, json};
 
 use super::baseline::{Baseline, Standing};
-use super::model::{Hazard, ScanReport};
+use super::hazard::Hazard;
+use super::model::ScanReport;
 use crate::hazard::Class;
 
 /// What of the cell file a finding points to.

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
+use super::begin::Begin;
 use super::columns;
-use super::model::{Begin, Hazard};
+use super::hazard::Hazard;
 
 /// Version of the format of `campaign.json`.
 const SCHEMA: u32 = 1;

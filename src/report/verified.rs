@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::cause::{Cause, grouped};
+use super::hazard::Hazard;
 use super::junit::{self, xml};
-use super::model::Hazard;
 use super::narrower::Narrower;
 use super::paragraph::wrapped;
 

@@ -15,7 +15,7 @@ use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, PlantError, Policy, Unlike};
 use crate::human::Action;
 use crate::obligations::{Need, Point};
-use crate::report::model::{FirstContact, Hazard};
+use crate::report::hazard::{FirstContact, Hazard};
 use crate::report::worked::Working;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;

@@ -19,7 +19,8 @@ use crate::hazard::cause::{self, Kind, Member};
 use crate::host::selftest::Rung;
 use crate::human::BodyPart;
 use crate::report::cause::{Cause, Circumstances};
-use crate::report::model::{Certificate, Hazard};
+use crate::report::certificate::Certificate;
+use crate::report::hazard::Hazard;
 use crate::report::worked::Working;
 use crate::sim::simulation::Instant;
 

@@ -6,7 +6,7 @@ use crate::cell::Zone;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
-use crate::report::model::Hazard;
+use crate::report::hazard::Hazard;
 use crate::report::people::SecondRecord;
 use crate::sim::simulation::Watched;
 

@@ -10,8 +10,8 @@ use super::prepare::Prepared;
 use super::searched::Searched;
 use crate::cell::workcell::Robot;
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
+use crate::report::figures::grouped;
 use crate::report::speeds::Speeds;
-use crate::report::terminal::grouped;
 use crate::sim::coverage::{NeverMet, RobotCoverage};
 
 /// A search that has ended.

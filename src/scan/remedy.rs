@@ -47,7 +47,7 @@ use crate::hazard::cause::Member;
 use crate::host::PlantError;
 use crate::human::Action;
 use crate::report::advice::{Outcome, Remedy};
-use crate::report::model::Hazard;
+use crate::report::hazard::Hazard;
 
 /// How hard a remedy is tried.
 #[derive(Clone, Copy, Debug)]

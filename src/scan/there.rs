@@ -11,7 +11,8 @@ use crate::cell::Workcell;
 use crate::cell::workcell::Beginning;
 use crate::host::{Hosted, PlantError};
 use crate::human::{Body, Start};
-use crate::report::model::{Begin, Hazard};
+use crate::report::begin::Begin;
+use crate::report::hazard::Hazard;
 use crate::sim::simulation::Watched;
 use crate::sim::{Simulation, World};
 

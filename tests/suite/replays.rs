@@ -7,7 +7,7 @@ use crate::sample;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::geometry::distance::point_segment;
 use fmi_hazard::human::arm::ArmModel;
-use fmi_hazard::report::model::Hazard;
+use fmi_hazard::report::hazard::Hazard;
 use fmi_hazard::report::page::Replay;
 use fmi_hazard::report::recorded::Recorded;
 use fmi_hazard::scan::prepare::prepare;

@@ -24,10 +24,9 @@ use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
 use crate::report::speeds::Speeds;
-use crate::scan::Hosting;
-use crate::scan::PrepareError;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe_inputs};
+use crate::scan::{Hosting, PrepareError};
 
 /// What may help an FMU that fails from the start.
 const TRUST: &str = "`fmi-hazard inspect --self-test` tries it in parts; an FMU that needs files or a tool of this machine (Python, \

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Arguments;
 use crate::cli::exit::{FMU_FAILED, Failure, HAZARDS, INCONCLUSIVE, NO_HAZARD};
 use crate::cli::output::{self, Format};
-use crate::report::model::Hazard;
+use crate::report::hazard::Hazard;
 use crate::report::recorded::Recorded;
 use crate::report::verified::{Standing, as_junit, render, rows, together};
 use crate::scan::PrepareError;

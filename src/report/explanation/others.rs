@@ -1,8 +1,9 @@
 //! What is broken other than the transient force, explained: formula, numbers, and what would remove it.
 
 use crate::hazard::criterion::Class;
+use crate::report::hazard::Hazard;
 use crate::report::judged::{Clamping, LimitKind, Pressure, Separation};
-use crate::report::model::{Hazard, STANDARD_EDITION};
+use crate::report::model::STANDARD_EDITION;
 use crate::standards::iso_13854::least_gap_m;
 use crate::standards::iso_ts_15066::spring_constant_n_m;
 

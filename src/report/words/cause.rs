@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::report::cause::{Cause, CauseAdvice, Change, NO_CHANGE, capitalised};
+use crate::report::hazard::Hazard;
 use crate::report::headline::confirmed_of;
 use crate::report::judged::ratio_words;
-use crate::report::model::Hazard;
 use crate::standards::BodyRegion;
 
 /// Of one cause.

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use crate::hazard::Class;
-use crate::report::headline::{confirmed_words, plural};
+use crate::report::figures::{grouped, plural};
+use crate::report::hazard::{Hazard, SensorState, Through};
+use crate::report::headline::confirmed_words;
 use crate::report::judged::{LimitKind, NONE_ALLOWED, measure_cell};
-use crate::report::model::{Hazard, SensorState, Through};
-use crate::report::terminal::grouped;
 use crate::report::worked::Working;
 
 /// Of one hazard.

@@ -4,10 +4,9 @@ use serde::Serialize;
 
 use super::{Row, Told};
 use crate::report::anywhere::ANYWHERE;
+use crate::report::certificate::{Certificate, Residual};
 use crate::report::covered::{self, Bounds, NO_SENSORS};
-use crate::report::headline::plural;
-use crate::report::model::{Certificate, Residual};
-use crate::report::terminal::grouped;
+use crate::report::figures::{grouped, plural};
 
 /// One part.
 #[derive(Serialize)]

@@ -3,8 +3,8 @@
 use super::Looking;
 use super::fields::{Fields, options};
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
+use crate::report::figures::grouped;
 use crate::report::speeds::Speeds;
-use crate::report::terminal::grouped;
 
 /// A search that has ended.
 pub(super) struct FromAnywhere<'a> {

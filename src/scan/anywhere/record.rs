@@ -9,10 +9,9 @@ use crate::hazard::{Finding, Group, Identity};
 use crate::host::{self, PlantError};
 use crate::human::action::ACTION_S;
 use crate::report::anywhere::{ANYWHERE, Anywhere};
-use crate::report::headline::Headline;
-use crate::report::model::{
-    Begin, Hazard, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Shortest, Spent, Subject, Verdict,
-};
+use crate::report::begin::Begin;
+use crate::report::hazard::{Hazard, Shortest};
+use crate::report::model::{Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::report::speeds::SpeedRecord;
 use crate::scan::attempts::{confirm, worked};
 use crate::scan::causes::causes;

@@ -11,7 +11,7 @@ use super::{Looking, pressing};
 use crate::hazard::{Finding, Identity};
 use crate::human::Walk;
 use crate::report::anywhere::Place;
-use crate::report::model::SensorState;
+use crate::report::hazard::SensorState;
 use crate::scan::prepare::Prepared;
 use crate::sim::anywhere::zones::Way;
 use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};

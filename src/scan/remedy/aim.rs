@@ -4,10 +4,9 @@
 use std::collections::BTreeSet;
 
 use crate::cell::Workcell;
-use crate::hazard::Finding;
-use crate::hazard::Part;
 use crate::hazard::cause::{Kind, Member, TOGETHER_M, apart, causes};
-use crate::report::model::Hazard;
+use crate::hazard::{Finding, Part};
+use crate::report::hazard::Hazard;
 use crate::scan::causes::member;
 use crate::scan::prepare::Prepared;
 

@@ -9,7 +9,7 @@ use super::standpoint::Standpoint;
 use crate::obligations::Need;
 use crate::report::advice::FromAnywhere;
 use crate::report::anywhere::Place;
-use crate::report::model::Begin;
+use crate::report::begin::Begin;
 use crate::scan::anywhere::{self, Told, anywhere};
 use crate::scan::hosting::StateChoice;
 use crate::sim::anywhere::ledger::Ledger;

@@ -8,8 +8,7 @@
 //! The same holds of whoever stands before a plane that was clear a step ago, and leans through it since.
 
 use super::{Anywhere, History, Seen};
-use crate::geometry::Hull;
-use crate::geometry::{Cuboid, Solid, Vec3};
+use crate::geometry::{Cuboid, Hull, Solid, Vec3};
 use crate::human::reach::cells::{ArmCells, Target};
 use crate::human::{BendFraction, Floor, PoseBox, Posture, Side};
 use crate::sim::curtain::{Curtain, depth_m};

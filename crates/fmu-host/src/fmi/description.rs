@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::variable::Causality;
-use super::variable::{Dimension, Handle, Scalar, Variable};
+use super::variable::{Causality, Dimension, Handle, Scalar, Variable};
 use super::version::FmiVersion;
 
 /// The content of modelDescription.xml that matters to an importer.

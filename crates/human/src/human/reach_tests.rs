@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use parry3d_f64::query;
-use parry3d_f64::shape;
+use parry3d_f64::{query, shape};
 
 use super::*;
 use crate::geometry::kinematics::Twist;

@@ -5,10 +5,9 @@ use super::super::Coverage;
 use super::super::encounter::Person;
 use super::super::robot::RobotFrame;
 use super::{Earlier, Frames, Hit, Stance, World};
-use crate::hazard::Contact;
-use crate::hazard::STANDSTILL_M_S;
 use crate::hazard::contact::Apart;
 use crate::hazard::criterion::separation::{Separation, Stopping};
+use crate::hazard::{Contact, STANDSTILL_M_S};
 use crate::human::Place;
 
 impl World {

@@ -13,8 +13,7 @@ use super::xml::{Result, Xml, child, children};
 use crate::cell::error::{Source, nearest};
 use crate::fmi::number;
 use crate::geometry::kinematics::Motion;
-use crate::geometry::roll_pitch_yaw;
-use crate::geometry::{Inertia, Pose, Vec3};
+use crate::geometry::{Inertia, Pose, Vec3, roll_pitch_yaw};
 
 /// A robot description.
 #[derive(Debug)]

@@ -5,9 +5,8 @@
 //! sees how each one ends.
 #![expect(unsafe_code, reason = "fork, wait and signals have no safe form")]
 
-use std::fmt;
-use std::io;
 use std::os::fd::{AsRawFd, BorrowedFd};
+use std::{fmt, io};
 
 /// How a process ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
