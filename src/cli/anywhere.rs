@@ -6,9 +6,10 @@ use std::time::{Duration, Instant};
 
 use super::events::Event;
 use super::exit::{self, Failure};
+use super::introduction::introduce;
 use super::output::{self, Format, Progress};
 use super::resume::{self, Command};
-use super::scan::{Run, file_name, introduce};
+use super::run::{Run, file_name};
 use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
 use crate::report::anywhere::{Anywhere, Place};

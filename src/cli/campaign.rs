@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::exit::{self, Failure};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
-use super::scan::file_name;
+use super::run::file_name;
 use super::stopping;
 use crate::campaign::description::Description;
 use crate::campaign::merge::merge;

@@ -10,7 +10,7 @@ use clap::builder::PossibleValue;
 use super::hosting::HostingArguments;
 use super::output::Format;
 use crate::cell::Workcell;
-use crate::cell::file::format::PeopleFrom;
+use crate::cell::file::format::{PeopleFrom, SearchTable};
 use crate::report::moved::seen_from;
 use crate::scan::anywhere::Until;
 use crate::scan::options::Method;
@@ -220,8 +220,20 @@ impl Default for ExhaustiveArguments {
 }
 
 impl Arguments {
+    /// How it searches from a beginning: what the command line says, else what the cell says.
+    pub(super) fn options(&self, cell: &SearchTable) -> ScanOptions {
+        ScanOptions {
+            method: self.method(),
+            seed: self.seed.unwrap_or(cell.seed),
+            iterations: self.iterations.unwrap_or(cell.iterations),
+            stop_at_first: self.stop_at == StopAt::First,
+            posture_sweep: !self.paper_iterations,
+            state: self.state,
+        }
+    }
+
     /// How sequences are chosen.
-    pub(super) fn method(&self) -> Method {
+    fn method(&self) -> Method {
         let cores = || std::thread::available_parallelism().map_or(1, Into::into);
         if let Choice::One(name) = self.strategy {
             return Method::Strategy(name);
