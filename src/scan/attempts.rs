@@ -1,26 +1,22 @@
 //! A search, and the same again on the next rung when it is not to be relied on.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
+use super::confirm::confirm;
 use super::exhaustive::census;
 use super::footing::{Doubt, Footing, Shown};
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::quick::{Quick, search};
 use super::searched::{AUTO, Searched};
-use crate::hazard::{Finding, Group, Groups};
+use crate::hazard::{Group, Groups};
 use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
-use crate::host::{Effort, Hosted, Plant as _, PlantError, Policy, Unlike};
-use crate::human::Action;
+use crate::host::{Effort, Hosted, Plant as _, Unlike};
 use crate::obligations::{Need, Point};
-use crate::report::hazard::{FirstContact, Hazard};
-use crate::report::worked::Working;
+use crate::report::hazard::Hazard;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
-use crate::sim::replay::{Replayed, Wanted, replay_watched};
-use crate::sim::{Options, Simulation, World};
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;
@@ -85,18 +81,7 @@ pub(super) fn attempts(
         let confirmed = |(done, group): (usize, &Group)| {
             searched.interrupted |= tell(Progress::Confirming { done, of }).is_break() && stop.is_asked();
             let mut hazard = Hazard::new(group, links, &sensors, prepared.cell.names());
-            hazard.worked = worked(prepared, &mut plain, &hazard.actions);
-            hazard.name_obstacles(|number| prepared.cell.obstacles[number].name.clone());
-            let (confirmed, again) = confirm(prepared, &mut plain, &group.worst, &mut not_run);
-            hazard.confirmed = confirmed;
-            hazard.first_contact = again.first.map(|first| FirstContact::of(&first, links, prepared.cell.names()));
-            for (sensor, since_s) in hazard.sensors.iter_mut().zip(again.reported_s) {
-                sensor.since_s = since_s;
-            }
-            hazard.shortest.confirmed = match group.shortest == group.worst {
-                true => hazard.confirmed,
-                false => confirm(prepared, &mut plain, &group.shortest, &mut not_run).0,
-            };
+            confirm(prepared, &mut plain, group, &mut hazard, &mut not_run);
             // A plain run of this scan has confirmed it before.
             let before = only_kept.contains(&hazard.id).then_some(true);
             hazard.confirmed = hazard.confirmed.or(before);
@@ -235,59 +220,5 @@ fn once(
                 _ => Searched { name: AUTO, ..quick },
             })
         }
-    }
-}
-
-/// What is really worked in a sequence: not where a hand presses into the air.
-pub(super) fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<Working> {
-    if prepared.cell.following.is_empty() || actions.iter().all(|action| action.presses().is_none()) {
-        return worked_alone(prepared, actions);
-    }
-    // Where people get to, the FMU has a say in.
-    let options = Options { policy: Policy::Replay, posture_sweep: false };
-    let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    let watched = Simulation::new(cell, binding, plant, options).and_then(|mut s| s.watch(actions, &[]));
-    let worked = watched.map(|watched| watched.worked).unwrap_or_default();
-    Working::all(worked, &prepared.cell.controls, prepared.cell.second.is_some())
-}
-
-/// The same where nothing follows the FMU.
-pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
-    if actions.iter().all(|action| action.presses().is_none()) {
-        return Vec::new();
-    }
-    let world = World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    let mut places = world.starts();
-    let presses = actions.iter().map(|action| {
-        let action = world.taken_by_all(&places, *action);
-        let walks = world.walks(places, action);
-        places = walks.ends();
-        world.worked_by(&walks.starts(), action).presses
-    });
-    Working::all(presses, &prepared.cell.controls, prepared.cell.second.is_some())
-}
-
-/// Whether a fresh instance without any restore gives the same contact to the last bit, and what goes with it; nothing if there was no time to see, or the FMU does not begin any more: why is put into
-/// `not_run`.
-pub(super) fn confirm(
-    prepared: &Prepared,
-    plant: &mut Hosted,
-    finding: &Finding,
-    not_run: &mut Option<PlantError>,
-) -> (Option<bool>, Replayed) {
-    let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
-    let wanted = Wanted { who: Some(finding.who), like: &|found| found == finding };
-    match replay_watched(cell, binding, plant, &finding.actions, &wanted) {
-        Ok(again) => match again.found.as_ref() == Some(finding) {
-            true => (Some(true), again),
-            false => (Some(false), Replayed::default()),
-        },
-        Err(error) if error.tried_nothing() => {
-            if !error.stopped {
-                not_run.get_or_insert(error);
-            }
-            (None, Replayed::default())
-        }
-        Err(_) => (Some(false), Replayed::default()),
     }
 }

@@ -2,7 +2,7 @@
 
 use num_bigint::BigUint;
 
-use super::attempts::worked_alone;
+use super::confirm::worked_alone;
 use super::explain::outside;
 use super::film;
 use super::hosting::StateChoice;

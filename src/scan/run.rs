@@ -8,19 +8,16 @@ use super::from_start::FromStart;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
+use super::settings::of_cell;
 use super::share::share;
 use crate::cell::Workcell;
-use crate::hazard::criterion::separation::Stop;
 use crate::host::Effort;
 use crate::host::selftest::Rung;
-use crate::human::action::ACTION_S;
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Obligations, Verdict};
 use crate::report::certificate::Residual;
-use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
 use crate::report::headline::{self};
 use crate::report::model::{FaultRecord, Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
-use crate::report::people::SecondRecord;
 use crate::report::speeds::Speeds;
 use crate::sim::journal::Journal;
 use crate::standards::provenance::Table;
@@ -172,35 +169,6 @@ fn numbers_are_about(cell: &Workcell) -> Option<String> {
     })
 }
 
-/// What counts as unsafe, where that is more or other than the transient force.
-pub(super) fn criteria(cell: &Workcell) -> Option<CriteriaRecord> {
-    (!cell.judges_by_force_alone()).then(|| CriteriaRecord {
-        transient_force: cell.criteria.transient_force,
-        clamping: cell.criteria.clamping.then(|| ClampingRecord {
-            contact_signal: cell.clamping.signal.clone(),
-            travel_after_contact_m: cell.travel_after_contact_m.iter().copied().fold(0.0, f64::max),
-        }),
-        pressure: cell.criteria.pressure,
-        moving_contact_faster_than_m_s: cell.criteria.moving_contact_m_s,
-        separation: cell.separation.as_ref().map(|separation| SeparationTerms {
-            stop: match &separation.stop {
-                Stop::Measured(name) => Some(name.clone()),
-                Stop::Stated { .. } => None,
-            },
-            stated: match separation.stop {
-                Stop::Measured(_) => None,
-                Stop::Stated { reaction_s, stop_time_s, stop_distance_m } => {
-                    Some(StatedStop { reaction_s, stop_time_s, stop_distance_m })
-                }
-            },
-            intrusion_m: separation.intrusion_m,
-            person_uncertainty_m: separation.person_uncertainty_m,
-            robot_uncertainty_m: separation.robot_uncertainty_m,
-            approach_m_s: separation.approach_m_s,
-        }),
-    })
-}
-
 fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settings {
     let exhaustive = matches!(options.method, Method::Exhaustive(_));
     Settings {
@@ -209,24 +177,8 @@ fn settings(prepared: &Prepared, options: ScanOptions, strategy: &str) -> Settin
         iterations: if exhaustive { 0 } else { options.iterations },
         stop_at_first: options.stop_at_first && !exhaustive,
         posture_sweep: options.posture_sweep || exhaustive,
-        actions_per_sequence: prepared.cell.search.actions,
-        action_s: ACTION_S,
-        contact_check_interval_s: prepared.cell.step_s,
-        reach_tolerance_m: prepared.cell.search.reach_tolerance_m,
-        speed_criterion: prepared.cell.criteria.speed(),
-        criteria: criteria(&prepared.cell),
-        arm_speed_m_s: prepared.cell.arm_speed_m_s,
-        held_m: prepared.cell.holds_m(),
-        also: prepared.cell.repertoire.abilities().to_vec(),
-        run_m_s: prepared.cell.repertoire.run_m_s(),
-        second: SecondRecord::of(&prepared.cell),
-        controls: prepared.cell.controls.iter().map(Into::into).collect(),
-        until_s: None,
-        presses: None,
         begins: Some(prepared.begins()),
         seen_at_start: prepared.seen_at_start(),
-        body: Some((&prepared.cell.body).into()),
-        floor_m: None,
-        start_region_m: None,
+        ..of_cell(&prepared.cell)
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::prepare_error::PrepareError;
-use super::run::criteria;
+use super::settings::criteria;
 use crate::cell::{Workcell, Zone};
 use crate::hazard::{Class, Finding, STANDSTILL_M_S};
 use crate::host::PlantError;

@@ -13,13 +13,14 @@ use crate::report::begin::Begin;
 use crate::report::hazard::{Hazard, Shortest};
 use crate::report::model::{Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::report::speeds::SpeedRecord;
-use crate::scan::attempts::{confirm, worked};
 use crate::scan::causes::causes;
+use crate::scan::confirm::confirm;
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
 use crate::scan::minimise::minimise;
 use crate::scan::prepare::Prepared;
 use crate::scan::run::Scanned;
+use crate::scan::settings::of_cell;
 use crate::sim::Coverage;
 use crate::sim::expansion::Merge;
 use crate::standards::tables::of_every_scan;
@@ -124,34 +125,17 @@ impl Looked {
 }
 
 fn settings(prepared: &Prepared, found: &Anywhere) -> Settings {
-    let search = &prepared.cell.search;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an hour of actions at most")]
     let actions = (found.until_s / ACTION_S).ceil() as u32;
     Settings {
         strategy: ANYWHERE.to_owned(),
-        seed: search.seed,
-        iterations: 0,
-        stop_at_first: false,
         posture_sweep: true,
         actions_per_sequence: actions,
-        action_s: ACTION_S,
-        contact_check_interval_s: prepared.cell.step_s,
-        reach_tolerance_m: search.reach_tolerance_m,
-        speed_criterion: prepared.cell.criteria.speed(),
-        criteria: None,
-        arm_speed_m_s: prepared.cell.arm_speed_m_s,
-        held_m: prepared.cell.holds_m(),
-        also: prepared.cell.repertoire.abilities().to_vec(),
-        run_m_s: prepared.cell.repertoire.run_m_s(),
-        second: None,
-        controls: prepared.cell.controls.iter().map(Into::into).collect(),
         until_s: Some(found.until_s),
         presses: found.presses,
-        begins: None,
-        seen_at_start: Vec::new(),
-        body: Some((&prepared.cell.body).into()),
         floor_m: prepared.cell.floor.clone(),
         start_region_m: prepared.cell.start_region.clone(),
+        ..of_cell(&prepared.cell)
     }
 }
 
@@ -199,20 +183,11 @@ fn hazard(prepared: &Prepared, footing: Footing, identity: &Identity, shown: &Wa
     }
     let mut hazard = with(&group);
     let mut plain = footing.plain(&there);
-    let (confirmed, again) = confirm(&there, &mut plain, &group.worst, &mut None);
-    hazard.confirmed = confirmed;
-    hazard.worked = worked(&there, &mut plain, &hazard.actions);
-    for (sensor, since_s) in hazard.sensors.iter_mut().zip(again.reported_s) {
-        sensor.since_s = since_s;
-    }
-    hazard.shortest.confirmed = match group.shortest == group.worst {
-        true => confirmed,
-        false => confirm(&there, &mut plain, &group.shortest, &mut None).0,
-    };
+    confirm(&there, &mut plain, &group, &mut hazard, &mut None);
     if hazard.shortest.confirmed != Some(true) {
         // The worst is sure, so it stands for both.
         group.shortest = group.worst.clone();
-        hazard.shortest = Shortest { confirmed, ..with(&group).shortest };
+        hazard.shortest = Shortest { confirmed: hazard.confirmed, ..with(&group).shortest };
     }
     hazard
 }
