@@ -4,6 +4,7 @@
 //! every link, so that no harmless contact hides another; an arm whose shoulder is behind a wall is not available; a hand
 //! acts only along a free straight line from the wrist.
 
+mod clamping;
 mod targets;
 
 pub use self::targets::Judge;

@@ -3,7 +3,7 @@
 //! - [`robot`]: the robot at one instant, from the FMU's outputs
 //! - [`sensors`]: what the sensors report while the person walks
 //! - [`encounter`]: person against robot at one instant: contact, danger
-//! - [`clamping`]: what keeps a part of the body from giving way
+//! - `pinch`: where a link may clamp an arm
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
 //! - [`curtain`]: reaching through a light curtain, and when
 //! - [`threads`]: independent work on all cores, for what asks that of many
@@ -23,13 +23,13 @@ pub mod befallen;
 pub(crate) mod behind;
 pub mod between;
 pub mod bound;
-pub mod clamping;
 pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod going;
 pub mod imagination;
 pub mod motion;
+pub(crate) mod pinch;
 pub mod replay;
 pub mod robot;
 pub mod robots;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::clamping::Pinches;
+use super::pinch::Pinches;
 use crate::cell::binding::{FrameBinding, MotionBinding, Reader, RobotBinding};
 use crate::cell::workcell::{Kinematics, Link, Robot};
 use crate::cell::{Binding, Workcell};

@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::clamping::Pinch;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::{Capsule, Solid, Vec3};
 use crate::human::reach::{ArmSegment, ContactScore};
+use crate::pinch::Pinch;
 use crate::robot::RobotFrame;
 use crate::standards::BodyRegion;
 

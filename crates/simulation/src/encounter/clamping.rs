@@ -4,17 +4,14 @@
 //! The rule is in `docs/src/howto/criteria.md`. Surfaces are looked at by points that are no farther apart than the tolerance
 //! of the arm search: a clamping that ends when its point is moved by that may be missed.
 
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
-
-use super::encounter::Encounter;
-use super::robot::RobotFrame;
+use super::Encounter;
 use crate::geometry::distance::point_segment;
 use crate::geometry::sampled::{SurfacePoint, surface_points};
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid_apart};
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
-use crate::hazard::Strike;
 use crate::hazard::contact::{Against, Clamped};
+use crate::pinch::{Pinch, ratio};
+use crate::robot::RobotFrame;
 use crate::standards::BodyRegion;
 use crate::standards::iso_13854::{LONGEST_OF_ARMS_M, least_gap_m};
 
@@ -29,49 +26,6 @@ const SOON_TOLD_M: f64 = 0.01;
 
 /// Steps of a ray before it is given up: it glides along a surface.
 const MOST_STEPS: u32 = 1000;
-
-/// Where a link may clamp an arm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Pinch {
-    /// The link.
-    pub link: usize,
-    /// Where, how wide and how fast.
-    pub clamped: Clamped,
-}
-
-/// Where the links of a frame may clamp an arm, by the number of the encounter, whose obstacles decide it, and the link: each once it was
-/// asked for.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Pinches(Arc<Mutex<ByEncounter>>);
-
-/// By the number of the encounter and the link.
-type ByEncounter = BTreeMap<(usize, usize), Arc<[Pinch]>>;
-
-impl Pinches {
-    fn of(&self, encounter: usize, link: usize, work: impl FnOnce() -> Vec<Pinch>) -> Arc<[Pinch]> {
-        let known = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = known().get(&(encounter, link)) {
-            return Arc::clone(known);
-        }
-        let worked_out: Arc<[Pinch]> = work().into();
-        known().insert((encounter, link), Arc::clone(&worked_out));
-        worked_out
-    }
-}
-
-impl Pinch {
-    /// How unsafe a contact of this region is there: nothing where the gap is wide enough for it.
-    #[must_use]
-    pub(crate) fn ratio(&self, region: BodyRegion, strike: &Strike) -> f64 {
-        ratio(&self.clamped, region, strike)
-    }
-}
-
-/// The same of any part of the body.
-fn ratio(clamped: &Clamped, region: BodyRegion, strike: &Strike) -> f64 {
-    let is_narrow = clamped.gap_m <= least_gap_m(region) + clamped.travel_m;
-    if is_narrow { strike.clamped_ratio(region, clamped.closing_m_s) } else { 0.0 }
-}
 
 /// What a ray meets.
 struct Met {
