@@ -16,6 +16,7 @@ use crate::report::topview::{Part, Point, Scene};
 use crate::sim::World;
 use crate::sim::robot::RobotFrame;
 use crate::sim::simulation::Watched;
+use crate::sim::world::Occupant;
 
 /// The scene of `hazard`, whose sequence was watched.
 #[must_use]
@@ -123,7 +124,7 @@ fn reachable(all: &[&Prepared]) -> Vec<Point> {
     let every = all.len().div_ceil(WALKED).max(1);
     let world = |prepared: &&Prepared| World::new(Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     // Headings are told apart there, and are one point here.
-    let points = all.iter().step_by(every).flat_map(|prepared| places(&world(prepared)));
+    let points = all.iter().step_by(every).flat_map(|prepared| places(&world(prepared).first));
     let dot = |point: Point| point.map(|v| (v / DOT_M).round() * DOT_M);
     let mut points: Vec<Point> = if all.len() > ONE_BY_ONE { points.map(dot).collect() } else { points.collect() };
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -132,21 +133,21 @@ fn reachable(all: &[&Prepared]) -> Vec<Point> {
 }
 
 /// From the start of a person, doors taken to be open: who gets a hand to which takes arm searches.
-fn places(world: &World) -> Vec<Point> {
-    let start = world.start();
-    let mut known = BTreeSet::from([start.with_open(start.open().either(world.doors()))]);
+fn places(own: &Occupant) -> Vec<Point> {
+    let start = own.start();
+    let mut known = BTreeSet::from([start.with_open(start.open().either(own.doors()))]);
     let mut last = known.clone();
-    for _ in 0..world.cell.search.actions {
+    for _ in 0..own.cell.search.actions {
         let next = last.iter().flat_map(|place| {
             // Everybody who stands goes the same ways, however they bend.
-            let repertoire = &world.cell.repertoire;
+            let repertoire = &own.cell.repertoire;
             let postures = std::iter::once(Posture::Upright).chain(repertoire.low().iter().copied());
             let moves =
                 postures.flat_map(|posture| repertoire.walks().iter().map(move |walk| Action::new(*walk, posture)));
-            moves.map(|action| world.walk(*place, world.taken(place, action)).end()).collect::<Vec<_>>()
+            moves.map(|action| own.walk(*place, own.taken(place, action)).end()).collect::<Vec<_>>()
         });
         let next: BTreeSet<Place> = next.collect();
         last = next.into_iter().filter(|place| known.insert(*place)).collect();
     }
-    known.iter().map(|place| flat(world.position(place))).collect()
+    known.iter().map(|place| flat(own.position(place))).collect()
 }

@@ -22,7 +22,6 @@ use crate::fmi::{Fmu, number};
 use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
-use crate::human::Who;
 use crate::obligations::{Point, Reply};
 use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
@@ -230,8 +229,8 @@ fn fit(
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let setup = binding.setup(&names, world.initial_inputs(), cell.step_s);
     let setup = SystemSetup { lead_in_steps: cell.lead_in_steps(), ..setup };
-    let start = world.position(&world.start());
-    let second = world.of(Who::Second).filter(|second| !second.start_is_free());
+    let start = world.first.position(&world.first.start());
+    let second = world.second.as_ref().filter(|second| !second.start_is_free());
     let at_times = world.seen_at_start_at_times();
     let free_start = if let Some(sensor) = at_times.first() {
         let message = format!("somebody begins where `{sensor}` sees them, which counts only while the FMU says so");
@@ -247,7 +246,7 @@ fn fit(
         let span = cell.file().human.second.as_ref().map_or_else(|| source.table("human"), |table| table.start.span());
         let help = "move it; the body needs 0.14 m of room around it".to_owned();
         Err(PrepareError::NoRoom(source.error(span, "here", message, Some(help))))
-    } else if world.start_is_free() {
+    } else if world.first.start_is_free() {
         Ok(())
     } else {
         let message =

@@ -191,9 +191,9 @@ impl<P: Plant> Expander<P> {
         let mut recall = Recall::new(plant, policy)?;
         recall.ends_at(usize::try_from(cell.search.actions).unwrap_or(usize::MAX));
         let by_bytes = merge == Merge::Auto && recall.merge_equal_states()?;
-        let world = Arc::new(World::new(cell, binding).heeding(stop));
+        let world = Arc::new(World::new(cell, binding).heeding(&stop));
         Ok(Self {
-            bounds: world.people().map(|(_, own)| RobotBounds::new(&own.cell)).collect(),
+            bounds: world.people().map(|own| RobotBounds::new(&own.cell)).collect(),
             robots: Robots::new(Arc::clone(&world), recall),
             workers: workers.max(1),
             by_bytes,
@@ -270,15 +270,15 @@ impl<P: Plant> Expander<P> {
     fn representative(&mut self, node: NodeId, place: &Place, delays: &[DelayLine]) -> Result<NodeId, PlantError> {
         let same = self.robots.recall.same(node);
         // With two people there are none.
-        if self.world.curtains.is_empty() {
+        if self.world.first.curtains.is_empty() {
             return Ok(same);
         }
-        if !self.world.neighbours.is_empty() {
+        if !self.world.first.neighbours.is_empty() {
             return Ok(node);
         }
         let (mut sinces, mut bundle) = (Vec::new(), vec![Shadow::Is(same)]);
-        for plane in 0..self.world.curtains.len() {
-            let since = delays[self.world.curtains[plane].sensor].first_seen();
+        for plane in 0..self.world.first.curtains.len() {
+            let since = delays[self.world.first.curtains[plane].sensor].first_seen();
             let shadows = self.robots.shadows(node, place, plane, since)?;
             bundle.extend(shadows.into_iter().map(|shadow| shadow.map(|n| self.robots.recall.same(n))));
             sinces.extend([since, bundle.len()]);
@@ -308,7 +308,7 @@ impl<P: Plant> Expander<P> {
         for index in 0..self.actions() {
             let repertoire = &self.world.cell.repertoire;
             let (wanted, (own, others)) = (repertoire.action(index), repertoire.apart(index));
-            let Move { taken, way, sight } = ahead.taken(own, self.world.works_doors(wanted));
+            let Move { taken, way, sight } = ahead.taken(own, self.world.first.works_doors(wanted));
             let second = beside.map(|beside| (beside, beside.taken(others, Presses::NONE)));
             let action = taken.pressing(wanted.presses());
             let action = second.as_ref().map_or(action, |(_, second)| action.beside(second.taken));
@@ -538,8 +538,8 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn may_matter(&self, state: &State, remaining: usize) -> bool {
-        self.world.people().zip(&self.bounds).any(|((who, own), bounds)| {
-            let place = state.places.of(who);
+        self.world.people().zip(&self.bounds).any(|(own, bounds)| {
+            let place = state.places.of(own.who);
             place.is_none_or(|place| bounds.may_meet(own.position(place), own.reach_m(), remaining))
         })
     }
@@ -564,7 +564,7 @@ impl<P: Plant> Expansion for Expander<P> {
             transitions.push(own);
         }
         let ahead = |p: &Pending| outlook.of(p.who, &states[p.state].places);
-        let nowhere = WalkTrace { start: self.world.start(), places: Vec::new(), blocked: Vec::new() };
+        let nowhere = WalkTrace { start: self.world.first.start(), places: Vec::new(), blocked: Vec::new() };
         let walked = |p: &Pending| match &transitions[p.state][p.transition].amid {
             Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
             None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
@@ -580,9 +580,11 @@ impl<P: Plant> Expansion for Expander<P> {
                 let Some(&(q, s)) = places.next().and_then(Option::as_ref) else { return true };
                 let Some(hit) = &answers[q][s] else { return true };
                 let transition = &transitions[p.state][p.transition];
-                let readings = &transition.sensed.readings[i];
-                let frame = &transition.frames[i];
-                let finding = |hit| self.world.finding(hit, &questions[q].0, readings, frame, (depth + 1, i));
+                let stance = &questions[q].0;
+                let finding = |hit| {
+                    let sensors = self.world.readings(&transition.sensed.readings[i], &transition.frames[i]);
+                    self.world.of_stance(stance).finding(hit, stance, sensors, (depth + 1, i))
+                };
                 let Some(found) = finding(hit) else { return true };
                 let clamping = hit.clamps.as_deref().and_then(finding);
                 let ends = !p.struck && found.class.ends();
@@ -602,7 +604,7 @@ impl<P: Plant> Expansion for Expander<P> {
 
     fn release_before(&mut self, depth: usize) {
         // What an arm meets that passes two planes at once is worked out from the beginning.
-        if !self.world.neighbours.is_empty() {
+        if !self.world.first.neighbours.is_empty() {
             self.robots.forget_motions();
             return;
         }
@@ -614,7 +616,7 @@ impl<P: Plant> Expansion for Expander<P> {
 
     /// What is behind planes takes the most memory, and so do two people.
     fn together(&self) -> usize {
-        match (self.world.of(Who::Second), self.world.curtains.is_empty()) {
+        match (&self.world.second, self.world.first.curtains.is_empty()) {
             // About as many as there are actions of one person.
             (Some(_), _) => (64 * 1296 / self.actions().max(1)).clamp(1, 64),
             (None, true) => 1024,
@@ -637,7 +639,7 @@ impl<P: Plant> Expansion for Expander<P> {
 
     /// A person who is not there takes none.
     fn state_bytes(&self) -> usize {
-        let second = if self.world.of(Who::Second).is_some() { 0 } else { size_of::<Option<Place>>() };
+        let second = if self.world.second.is_some() { 0 } else { size_of::<Option<Place>>() };
         size_of::<State>() - second
     }
 }

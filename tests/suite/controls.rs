@@ -107,13 +107,13 @@ fn a_hand_that_gets_there_is_not_missed() {
     let (arm, mut rng) = (ArmModel::default(), Rng::new(5));
     let mut uniform = |(low, high): (f64, f64)| low + (high - low) * rng.below(1 << 30) as f64 / f64::from(1 << 30);
     let (mut reached, mut out_of_reach) = (0, 0);
-    let mut place = world.start();
+    let mut place = world.first.start();
     for step in 0..40 {
         let walks = [Walk::Forward, Walk::Left45, Walk::Stop, Walk::Right45, Walk::Forward];
         let posture = Posture::USUAL[step % 6];
-        let walked = world.walk(place, Action::new(walks[step % 5], posture));
+        let walked = world.first.walk(place, Action::new(walks[step % 5], posture));
         let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
-        let known = !world.worked(&walked, action).presses.is_none();
+        let known = !world.first.worked(&walked, action).presses.is_none();
         let stance = Stance {
             who: Who::First,
             place: walked.start,
@@ -123,7 +123,7 @@ fn a_hand_that_gets_there_is_not_missed() {
             raised: None,
             struck: false,
         };
-        let body = world.body_of(&stance);
+        let body = world.first.body_of(&stance);
         let mut touched = false;
         for side in Side::BOTH.into_iter().filter(|side| shoulder::is_available(&body, *side, &obstacles)) {
             let frame = body.shoulder(side);
@@ -191,10 +191,10 @@ fn a_press_through_a_curtain_is_seen_by_it() {
     let prepared = prepare(&dir.join(variant(dir, "light-curtain", "cell.toml", behind)), None).unwrap();
     let world = World::new(prepared.cell.clone(), prepared.binding.clone());
     let press = Action::new(Walk::Stop, Posture::Upright).pressing(Presses::one(0));
-    let walked = world.walk(world.start(), press);
-    let worked = world.worked(&walked, press);
+    let walked = world.first.walk(world.first.start(), press);
+    let worked = world.first.worked(&walked, press);
     assert!(!worked.presses.is_none(), "a hand gets there");
-    let sights = world.sights(&walked, press.posture());
+    let sights = world.first.sights(&walked, press.posture());
     let sensed = world.sense(&world.delays_at_start(), Presses::NONE, &sights, &worked);
     let without = world.sense(&world.delays_at_start(), Presses::NONE, &sights, &Default::default());
     assert!(sensed.readings.iter().all(|readings| readings[0]), "the curtain tells of the arm");

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use fmi_hazard::human::{Action, Place, Posture, Presses, Walk, Who};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Walk};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::Rng;
@@ -41,27 +41,27 @@ fn a_leaf_is_in_the_way_while_it_is_closed() {
     let dir = examples();
     let prepared = prepared(dir.path(), "[human]\nstart = { xy_m = [0.2, -2.04], heading_deg = 90 }\n");
     let world = world(&prepared);
-    let y = |place: &Place| world.position(place).y;
+    let y = |place: &Place| world.first.position(place).y;
     let walk = |mut place: Place, actions: &[Action]| {
         for action in actions {
-            place = world.walk(place, *action).end();
+            place = world.first.walk(place, *action).end();
         }
         place
     };
-    let stopped = walk(world.start(), &[go(Presses::NONE); 3]);
+    let stopped = walk(world.first.start(), &[go(Presses::NONE); 3]);
     assert!((y(&stopped) + 1.784).abs() < 1e-9 && stopped.open().is_none(), "{}", y(&stopped));
     // Opened, it stays open, and is no more in the way of bends than of walks.
     let inside = walk(stopped, &[go(DOOR), go(Presses::NONE)]);
     assert!((y(&inside) + 1.784 - 0.64).abs() < 1e-9 && inside.open() == DOOR, "{}", y(&inside));
     let bends = |open| {
-        let walked = world.walk(stopped.with_open(open), Action::new(Walk::Stop, Posture::Forward));
+        let walked = world.first.walk(stopped.with_open(open), Action::new(Walk::Stop, Posture::Forward));
         let sensed = world.sense(
             &world.delays_at_start(),
             open,
-            &world.sights(&walked, Posture::Forward),
-            &world.worked(&walked, go(Presses::NONE)),
+            &world.first.sights(&walked, Posture::Forward),
+            &world.first.worked(&walked, go(Presses::NONE)),
         );
-        let body = world.body_of(&world.stance((Who::First, &walked), (0, 9), Posture::Forward, &sensed));
+        let body = world.first.body_of(&world.first.stance(&walked, (0, 9), Posture::Forward, &sensed));
         body.parts()[0].1.a.y
     };
     assert!(bends(DOOR) > bends(Presses::NONE) + 0.1, "{} {}", bends(DOOR), bends(Presses::NONE));
@@ -70,7 +70,7 @@ fn a_leaf_is_in_the_way_while_it_is_closed() {
     let out = [go(Presses::NONE); 6];
     let near = walk(inside, &back[..1]);
     let shut = walk(near, &[Action::new(Walk::Stop, Posture::Upright).pressing(DOOR)]);
-    assert!(shut.open().is_none(), "{:?}", world.position(&near));
+    assert!(shut.open().is_none(), "{:?}", world.first.position(&near));
     assert!(y(&walk(walk(shut, &back[1..]), &out)) > -1.6 + 0.14);
     assert!(y(&walk(walk(near, &back[1..]), &out)) < -1.6 - 0.14);
     let far = walk(inside, &[go(Presses::NONE), go(Presses::NONE), go(DOOR)]);
@@ -79,13 +79,13 @@ fn a_leaf_is_in_the_way_while_it_is_closed() {
     let doorway = walk(stopped, &[go(DOOR)]);
     assert!(y(&doorway) > -1.6 - 0.14 && y(&doorway) < -1.6 + 0.14, "{}", y(&doorway));
     let stands = Action::new(Walk::Stop, Posture::Upright).pressing(DOOR);
-    let walked = world.walk(doorway, stands);
-    assert!(world.worked(&walked, stands).presses.is_none() && walked.end().open() == DOOR);
+    let walked = world.first.walk(doorway, stands);
+    assert!(world.first.worked(&walked, stands).presses.is_none() && walked.end().open() == DOOR);
     // Nor on who bends through it from before; upright there it does.
-    let before = world.start().with_open(DOOR);
+    let before = world.first.start().with_open(DOOR);
     for (posture, closes) in [(Posture::Upright, true), (Posture::Forward, false), (Posture::ForwardLeft, false)] {
         let works = Action::new(Walk::Stop, posture).pressing(DOOR);
-        assert_eq!(world.walk(before, works).end().open().is_none(), closes, "{posture:?}");
+        assert_eq!(world.first.walk(before, works).end().open().is_none(), closes, "{posture:?}");
     }
 }
 
@@ -105,16 +105,16 @@ fn no_hand_is_where_a_door_moves() {
     for (y, outside) in [(-1.7, true), (-1.4, false)] {
         let prepared = prepared(dir.path(), &button(y));
         let world = world(&prepared);
-        let before = world.walk(world.start(), go(Presses::NONE)).end();
-        let inside = [go(DOOR), go(Presses::NONE)].iter().fold(before, |at, a| world.walk(at, *a).end());
+        let before = world.first.walk(world.first.start(), go(Presses::NONE)).end();
+        let inside = [go(DOOR), go(Presses::NONE)].iter().fold(before, |at, a| world.first.walk(at, *a).end());
         let back = Action::new(Walk::Right90, Posture::Upright);
-        let inside = world.walk(inside, back).end().with_open(Presses::NONE);
+        let inside = world.first.walk(inside, back).end().with_open(Presses::NONE);
         for (at, same_side) in [(before, outside), (inside, !outside)] {
             let worked = |open, presses| {
-                let walked = world.walk(at.with_open(open), stands(presses));
-                world.worked(&walked, stands(presses)).presses
+                let walked = world.first.walk(at.with_open(open), stands(presses));
+                world.first.worked(&walked, stands(presses)).presses
             };
-            let told = format!("y {y}, from {:?}", world.position(&at));
+            let told = format!("y {y}, from {:?}", world.first.position(&at));
             // What is on this side is always in reach, what is on the other side through an open door.
             assert_eq!(worked(Presses::NONE, RESET) == RESET, same_side, "{told}");
             assert_eq!(worked(DOOR, RESET), RESET, "{told}");
@@ -161,17 +161,17 @@ fn a_locked_door_is_not_opened() {
             };
             let actions: Vec<Action> = (0..5).map(&mut action).collect();
             let watched = simulation.watch(&actions, &[]).unwrap();
-            let mut place = world.start();
+            let mut place = world.first.start();
             for (number, action) in actions.iter().enumerate() {
                 let said =
                     number.checked_sub(1).map(|before| watched.outputs[(before + 1) * steps * width - width + legs]);
                 let is_open = place.open() == DOOR;
                 let is_locked = !is_open && action.presses().has(0) && said.is_some_and(|leg| leg != 1.0);
                 let left = if is_locked { action.presses().common(RESET) } else { action.presses() };
-                let walked = world.walk(place, action.pressing(left));
-                let worked = world.worked(&walked, action.pressing(left)).presses;
+                let walked = world.first.walk(place, action.pressing(left));
+                let worked = world.first.worked(&walked, action.pressing(left)).presses;
                 assert_eq!(watched.worked[number], worked, "{begins} {number} {actions:?}");
-                kept_out += usize::from(is_locked && world.worked(&walked, *action).presses.has(0));
+                kept_out += usize::from(is_locked && world.first.worked(&walked, *action).presses.has(0));
                 opened += usize::from(!is_open && worked.has(0));
                 closed += usize::from(is_open && worked.has(0) && said != Some(1.0));
                 place = walked.end();

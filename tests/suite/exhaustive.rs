@@ -12,7 +12,7 @@ use crate::common::{examples, fmi_hazard, scan_json, write};
 use crate::sample;
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, Recall};
-use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk, Who};
+use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk};
 use fmi_hazard::report::hazard::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::Budget;
@@ -21,7 +21,7 @@ use fmi_hazard::search::{End, Environment as _, Rng};
 use fmi_hazard::sim::expansion::Merge;
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
-use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window};
+use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window};
 use fmi_hazard::sim::{Coverage, World};
 
 /// A cell of the examples, started elsewhere, with other search settings.
@@ -62,7 +62,7 @@ impl<'a> Enumeration<'a> {
     fn of(prepared: &Prepared, actions: &'a [Action], horizon: u32) -> Self {
         let world = World::new(prepared.cell.clone(), prepared.binding.clone());
         let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
-        let (start, delays) = (world.start(), world.delays_at_start());
+        let (start, delays) = (world.first.start(), world.delays_at_start());
         let mut all =
             Self { world, recall, actions, horizon, found: Unsafe::new(), harmless: 0, answers: BTreeMap::new() };
         all.below(0, NodeId::ROOT, start, (&delays, Presses::NONE));
@@ -75,9 +75,10 @@ impl<'a> Enumeration<'a> {
             return;
         }
         for &action in self.actions {
-            let action = self.world.taken(&place, action);
-            let walked = self.world.walk(place, action);
-            let (sights, worked) = (self.world.sights(&walked, action.posture()), self.world.worked(&walked, action));
+            let action = self.world.first.taken(&place, action);
+            let walked = self.world.first.walk(place, action);
+            let (sights, worked) =
+                (self.world.first.sights(&walked, action.posture()), self.world.first.worked(&walked, action));
             let sensed = self.world.sense(delays, switched, &sights, &worked);
             let steps = self.world.cell.steps_per_action;
             let Advanced::To(to) = self.recall.advance(node, steps, &sensed.inputs).unwrap() else { panic!("a fault") };
@@ -86,12 +87,18 @@ impl<'a> Enumeration<'a> {
             let frames: Frames = rows.map(frame).collect();
             let mut coverage = Coverage::new(self.world.cell.sensors.len());
             let met = (0..steps).find_map(|i| {
-                let stance = self.world.stance((Who::First, &walked), (depth as usize, i), action.posture(), &sensed);
+                let stance = self.world.first.stance(&walked, (depth as usize, i), action.posture(), &sensed);
                 let robots = frames[i].outputs().iter().map(|v| v.to_bits()).collect();
-                let ask = || self.world.contact(&stance, &frames, i, &mut NoCurtain, &mut coverage).unwrap();
+                let mut instant = Instant { frames: &frames, i, earlier: NoCurtain };
+                let ask = || self.world.first.contact(&stance, &mut instant, &mut coverage).unwrap();
                 let hit = self.answers.entry((stance.clone(), robots)).or_insert_with(ask).clone()?;
                 let taken = usize::try_from(depth).unwrap() + 1;
-                self.world.finding(&hit, &stance, &sensed.readings[i], &frames[i], (taken, i))
+                self.world.first.finding(
+                    &hit,
+                    &stance,
+                    self.world.readings(&sensed.readings[i], &frames[i]),
+                    (taken, i),
+                )
             });
             match met {
                 Some(finding) => {
@@ -256,11 +263,13 @@ fn what_else_people_do_as_in_plain_enumeration() {
     assert!(report.hazards.iter().any(|hazard| low(hazard) > 1));
     // Below the beam an upright action is taken low, and the walk goes on.
     let world = World::new(prepared.cell.clone(), prepared.binding.clone());
-    let below = world.walk(world.start(), Action::new(Walk::Run, Posture::Crouching)).places[3];
+    let below = world.first.walk(world.first.start(), Action::new(Walk::Run, Posture::Crouching)).places[3];
     let upright = Action::new(Walk::Forward, Posture::ForwardLeft);
-    assert_eq!(world.taken(&below, upright), Action::new(Walk::Forward, Posture::Crouching));
-    assert_eq!(world.taken(&world.start(), upright), upright);
-    assert!(world.walk(world.start(), Action::new(Walk::Forward, Posture::Upright)).blocked.contains(&true));
+    assert_eq!(world.first.taken(&below, upright), Action::new(Walk::Forward, Posture::Crouching));
+    assert_eq!(world.first.taken(&world.first.start(), upright), upright);
+    assert!(
+        world.first.walk(world.first.start(), Action::new(Walk::Forward, Posture::Upright)).blocked.contains(&true)
+    );
 }
 
 #[test]

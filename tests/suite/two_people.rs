@@ -15,7 +15,7 @@ use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk, Who};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
-use fmi_hazard::sim::world::{Frames, Hit, Sensed, Stance};
+use fmi_hazard::sim::world::{Frames, Hit, Instant, Sensed, Stance};
 use fmi_hazard::sim::{Coverage, World};
 
 /// What is remembered of one of them: where they are, what is on its way to the FMU of them alone, and what they switched.
@@ -56,8 +56,11 @@ impl<'a> Enumeration<'a> {
         }
         rest.extend(binding.controls.iter().map(|values| values[0]));
         let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
-        let start =
-            |world: &World| Alone { place: world.start(), delays: world.delays_at_start(), switched: Presses::NONE };
+        let start = |world: &World| Alone {
+            place: world.first.start(),
+            delays: world.delays_at_start(),
+            switched: Presses::NONE,
+        };
         let people = [start(&worlds[0]), start(&worlds[1])];
         let (found, answers) = (Unsafe::new(), BTreeMap::new());
         let mut all = Self { worlds, rest, recall, actions, horizon, found, both_at_once: 0, harmless: 0, answers };
@@ -82,11 +85,11 @@ impl<'a> Enumeration<'a> {
         }
         for &action in self.actions {
             let does = Who::ALL.map(|who| action.of(who));
-            let walked = [0, 1].map(|n| self.worlds[n].walk(people[n].place, does[n]));
+            let walked = [0, 1].map(|n| self.worlds[n].first.walk(people[n].place, does[n]));
             let sensed = [0, 1].map(|n| {
                 let (world, alone) = (&self.worlds[n], &people[n]);
-                let sights = world.sights(&walked[n], does[n].posture());
-                world.sense(&alone.delays, alone.switched, &sights, &world.worked(&walked[n], does[n]))
+                let sights = world.first.sights(&walked[n], does[n].posture());
+                world.sense(&alone.delays, alone.switched, &sights, &world.first.worked(&walked[n], does[n]))
             });
             let inputs = self.told([&sensed[0], &sensed[1]]);
             let steps = self.worlds[0].cell.steps_per_action;
@@ -99,13 +102,14 @@ impl<'a> Enumeration<'a> {
                 let reported = |sensor: usize| sensed.iter().any(|sensed| sensed.readings[i][sensor]);
                 let readings: Vec<bool> = (0..world.cell.sensors.len()).map(reported).collect();
                 let hit = |n: usize| {
-                    let world = &self.worlds[n];
-                    let stance = world.stance((Who::First, &walked[n]), (depth, i), does[n].posture(), &sensed[n]);
+                    let own = &self.worlds[n].first;
+                    let stance = own.stance(&walked[n], (depth, i), does[n].posture(), &sensed[n]);
                     let robots = frames[i].outputs().iter().map(|v| v.to_bits()).collect();
                     let mut coverage = Coverage::new(readings.len());
-                    let ask = || world.contact(&stance, &frames, i, &mut NoCurtain, &mut coverage).unwrap();
+                    let mut instant = Instant { frames: &frames, i, earlier: NoCurtain };
+                    let ask = || own.contact(&stance, &mut instant, &mut coverage).unwrap();
                     let hit = self.answers.entry((n, stance.clone(), robots)).or_insert_with(ask).clone()?;
-                    let finding = world.finding(&hit, &stance, &readings, &frames[i], (depth + 1, i))?;
+                    let finding = own.finding(&hit, &stance, world.readings(&readings, &frames[i]), (depth + 1, i))?;
                     Some(Finding { actions: vec![action], who: Who::ALL[n], ..finding })
                 };
                 let hits: Vec<Finding> = [0, 1].into_iter().filter_map(hit).collect();

@@ -104,6 +104,6 @@ impl<P: Plant> Robots<P> {
             return None;
         }
         let said = self.said(node);
-        (!World::is_amid(walks, &said)).then_some(said)
+        (!walks.are_amid(&said)).then_some(said)
     }
 }

@@ -18,7 +18,7 @@ use super::Coverage;
 use super::curtain::Curtain;
 use super::robots::Robots;
 use super::sensors::DelayLine;
-use super::world::{Earlier, Frames, HadTold, Hit, Places, Sensed, Walks, Window, Worked, World};
+use super::world::{Earlier, Frames, HadTold, Hit, Instant, Places, Sensed, Walks, Window, Worked, World};
 use crate::geometry::Vec3;
 use crate::hazard::Class;
 use crate::hazard::place::place_cell;
@@ -136,7 +136,7 @@ impl Imagination {
 
     pub(super) fn new(world: &World) -> Self {
         let own = World::new(Arc::clone(&world.cell), Arc::clone(&world.binding));
-        let own = own.heeding(world.stop().clone()).content_with_any();
+        let own = own.heeding(world.stop()).content_with_any();
         Self {
             world: Arc::new(own),
             reached: BTreeSet::new(),
@@ -213,7 +213,7 @@ impl Imagination {
     }
 
     fn walk(&mut self, world: &World, from: Places, action: Action) -> Arc<Walks> {
-        let doors = world.works_doors(action);
+        let doors = world.first.works_doors(action);
         // Who stands goes the same way in every posture, but may get to another door.
         let goes_as = |action: Action| {
             let stands = !action.posture().is_low() && doors.is_none();
@@ -321,7 +321,7 @@ impl Imagination {
         }
         let mut key = vec![self.outputs_of(robots, node)];
         let mut certain = true;
-        for Curtain { sensor, .. } in &world.curtains {
+        for Curtain { sensor, .. } in &world.first.curtains {
             for first in EARLIEST..world.cell.steps_per_action.cast_signed() {
                 key.push(match self.shadow(world, robots, node, *sensor, first) {
                     Shadow::Known(shadow) => self.outputs_of(robots, shadow),
@@ -352,7 +352,7 @@ impl Imagination {
     ) -> Option<(Option<Niche>, Situation)> {
         let situation = self.situation(world, robots, node);
         // Without light curtains, contacts do not depend on what was sensed.
-        let delays = if world.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
+        let delays = if world.first.curtains.is_empty() { Vec::new() } else { person.delays.clone() };
         let key = (situation.number, person.places, action, delays);
         if let Some((known, cost)) = self.met.get(&key).copied() {
             return self.spend(key, cost).then_some((known, situation));
@@ -360,8 +360,8 @@ impl Imagination {
         let before = self.unreal.cost(0);
         let walks = self.walk(world, person.places, action);
         let frames = robots.frames(node);
-        let mut shadows = Vec::with_capacity(world.curtains.len());
-        for Curtain { sensor, .. } in &world.curtains {
+        let mut shadows = Vec::with_capacity(world.first.curtains.len());
+        for Curtain { sensor, .. } in &world.first.curtains {
             let firsts = EARLIEST..world.cell.steps_per_action.cast_signed();
             let of = |first| match self.shadow(world, robots, node, *sensor, first) {
                 Shadow::Known(node) => Some(robots.frames(node)),
@@ -378,11 +378,12 @@ impl Imagination {
                 return None;
             }
             for (who, walked) in walks.each() {
-                let stance = world.stance((who, walked), (LONG_AFTER, i), action.of(who).posture(), sensed);
-                let mut earlier = IfBroken { own: &frames, shadows: &shadows, i };
-                let Ok(hit) = world.contact(&stance, &frames, i, &mut earlier, &mut self.unreal);
+                let Some(own) = world.of(who) else { continue };
+                let stance = own.stance(walked, (LONG_AFTER, i), action.of(who).posture(), sensed);
+                let earlier = IfBroken { own: &frames, shadows: &shadows, i };
+                let Ok(hit) = own.contact(&stance, &mut Instant { frames: &frames, i, earlier }, &mut self.unreal);
                 if let Some(hit) = hit.filter(|hit| hit.contact.class().is_some_and(Class::ends)) {
-                    met = Some(niche(&hit, who, world.of_stance(&stance).position(&stance.place)));
+                    met = Some(niche(&hit, who, own.position(&stance.place)));
                     break 'action;
                 }
             }
@@ -434,5 +435,5 @@ fn each_as(action: Action, one: impl Fn(Action) -> Action) -> Action {
 
 fn ends_of(world: &World, places: &Places) -> Ends {
     let of = |who: Who| Some(world.of(who)?.position(places.of(who)?));
-    (world.position(&places.first), of(Who::Second))
+    (world.first.position(&places.first), of(Who::Second))
 }

@@ -437,7 +437,7 @@ impl<P: Plant> Robots<P> {
     /// The steps of the action into a state that a window, seen from step `i` of it, is about.
     fn told(&self, window: &Window, i: usize) -> Told {
         let narrow = |n: isize| i16::try_from(n).unwrap_or(i16::MAX - 1);
-        let number = self.world.curtains[window.curtain].sensor;
+        let number = self.world.first.curtains[window.curtain].sensor;
         let sensor = &self.world.cell.sensors[number];
         let now = (i + 1 + sensor.delay_steps).cast_signed();
         let until = match window.until {
@@ -463,7 +463,7 @@ impl<P: Plant> Robots<P> {
         since: usize,
     ) -> Result<Vec<Shadow>, PlantError> {
         let last = self.world.cell.steps_per_action - 1;
-        let windows = self.world.windows_that_will_matter(place, curtain, since);
+        let windows = self.world.first.windows_that_will_matter(place, curtain, since);
         let shadow = |window: Window| match self.had_told(node, &[self.told(&window, last)])? {
             // The person would go elsewhere from here on.
             Shadow::Is(other) if self.astray.contains(&(node, other)) => Ok(Shadow::Unfinished),

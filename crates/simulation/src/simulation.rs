@@ -17,7 +17,7 @@ use super::motion::Motion;
 use super::robot::RobotFrame;
 use super::robots::{Instead, Robots};
 use super::sensors::DelayLine;
-use super::world::{Places, Sensed, Stance, Walks, World};
+use super::world::{self, Occupant, Places, Sensed, Stance, Walks, World};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::Vec3;
 use crate::hazard::Finding;
@@ -185,7 +185,7 @@ impl<P: Plant> Simulation<P> {
     pub fn new(cell: Arc<Workcell>, binding: Arc<Binding>, plant: P, options: Options) -> Result<Self, PlantError> {
         let stop = plant.stop();
         let recall = Recall::new(plant, options.policy)?;
-        let world = Arc::new(World::new(cell, binding).heeding(stop));
+        let world = Arc::new(World::new(cell, binding).heeding(&stop));
         let robots = Robots::new(Arc::clone(&world), recall);
         let root = Snapshot {
             node: NodeId::ROOT,
@@ -335,7 +335,7 @@ impl<P: Plant> Simulation<P> {
             for (i, frame) in self.robots.frames(node).iter().enumerate() {
                 let placed = |who: Who| {
                     let (own, walked) = (world.of(who)?, walks.of(who)?);
-                    let stance = world.stance((who, walked), (number, i), action.of(who).posture(), &sensed);
+                    let stance = own.stance(walked, (number, i), action.of(who).posture(), &sensed);
                     Some((own.position(&walked.places[i]), own.body_of(&stance)))
                 };
                 let Some((position, body)) = placed(Who::First) else { continue };
@@ -378,16 +378,16 @@ impl<P: Plant> Simulation<P> {
         let world = &self.world;
         let row = world.binding.rows(self.robots.recall.outputs(NodeId::ROOT), None, world.cell.step_s);
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
-        let placed = |(who, own): (Who, &World)| {
-            let (place, posture) = (own.start(), Posture::Upright);
+        let placed = |own: &Occupant| {
+            let (who, place, posture) = (own.who, own.start(), Posture::Upright);
             let stance = Stance { who, place, posture, moved: 0, broken: Vec::new(), raised: None, struck: false };
             (own.position(&place), own.body_of(&stance))
         };
-        let (position, body) = placed((Who::First, world));
+        let (position, body) = placed(&world.first);
         Instant {
             position,
             body,
-            second: world.of(Who::Second).map(|own| placed((Who::Second, own))),
+            second: world.second.as_ref().map(placed),
             readings: world.readings(&world.readings_at_start(), &frame),
             arrangement: self.root.places.first.arrangement(),
             frame,
@@ -519,9 +519,9 @@ impl<P: Plant> Simulation<P> {
             let world = Arc::clone(&self.world);
             let last = frames.len() - 1;
             let reward = walks.each().map(|(who, walked)| {
-                let own = world.of(who).unwrap_or(&world);
+                let own = world.of(who).unwrap_or(&world.first);
                 let when = (self.state.actions.len(), last);
-                let person = own.person(&world.stance((who, walked), when, action.of(who).posture(), &sensed));
+                let person = own.person(&own.stance(walked, when, action.of(who).posture(), &sensed));
                 let walls = own.unbroken();
                 let space = ArmSpace { walls: &walls, links: None };
                 let encounter = own.encounter(&walked.places[last]);
@@ -639,16 +639,18 @@ impl<P: Plant> Simulation<P> {
         coverage: &mut Coverage,
     ) -> Result<Course, PlantError> {
         let frames = self.robots.frames(node);
+        let world = Arc::clone(&self.world);
+        let own = world.of(who).unwrap_or(&world.first);
         let (mut met, mut struck) = (Course::default(), self.state.struck);
         for i in 0..frames.len() {
             let when = (self.state.actions.len(), i);
-            let stance = self.world.stance((who, walked), when, action.posture(), sensed);
-            let stance = Stance { struck, ..stance };
-            let told = self.world.any_reports(&sensed.readings[i], &frames[i]);
-            let mut earlier = Instead::new(&mut self.robots, node, i, told);
-            let Some(hit) = self.world.contact(&stance, &frames, i, &mut earlier, coverage)? else { continue };
+            let stance = Stance { struck, ..own.stance(walked, when, action.posture(), sensed) };
+            let told = world.any_reports(&sensed.readings[i], &frames[i]);
+            let earlier = Instead::new(&mut self.robots, node, i, told);
+            let mut instant = world::Instant { frames: &frames, i, earlier };
+            let Some(hit) = own.contact(&stance, &mut instant, coverage)? else { continue };
             let when = (self.state.actions.len() + 1, i);
-            let finding = |hit| self.world.finding(hit, &stance, &sensed.readings[i], &frames[i], when);
+            let finding = |hit| own.finding(hit, &stance, world.readings(&sensed.readings[i], &frames[i]), when);
             let Some(found) = finding(&hit) else { continue };
             if struck {
                 met.is_clamped(found);

@@ -265,10 +265,10 @@ impl Backwards<'_, '_> {
     fn hand(&self, presses: Presses, at: &Stance, walk: Walk) -> Option<Posture> {
         let [x, y] = at.xy_m;
         let there = self.prepared.standing(Start::new(x, y, at.heading_rad().to_degrees()), 0, 1).ok()?;
-        let world = World::new(there.cell.clone(), there.binding.clone());
+        let own = World::new(there.cell.clone(), there.binding.clone()).first;
         Posture::USUAL.into_iter().find(|posture| {
             let action = Action::new(walk, *posture).pressing(presses);
-            world.worked(&world.walk(world.start(), action), action).presses == presses
+            own.worked(&own.walk(own.start(), action), action).presses == presses
         })
     }
 

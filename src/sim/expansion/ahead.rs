@@ -7,7 +7,7 @@ use crate::host::Plant;
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Posture, Presses, Walk, Who};
 use crate::sim::threads::shared_out;
-use crate::sim::world::{Places, Sight, World};
+use crate::sim::world::{Occupant, Places, Sight};
 
 /// A way that some of the actions from a place lead.
 pub(super) struct Way {
@@ -45,11 +45,11 @@ struct Known {
 }
 
 impl Ahead {
-    fn new(world: &World, place: Place) -> Self {
+    fn new(own: &Occupant, place: Place) -> Self {
         let mut known = Known::default();
-        let sets = Presses::all(if world.doors().is_none() { 0 } else { Presses::MOST });
-        let doors = sets.filter(|doors| doors.common(world.doors()) == *doors);
-        let moves = doors.map(|doors| (doors, Self::moves(world, place, doors, &mut known))).collect();
+        let sets = Presses::all(if own.doors().is_none() { 0 } else { Presses::MOST });
+        let doors = sets.filter(|doors| doors.common(own.doors()) == *doors);
+        let moves = doors.map(|doors| (doors, Self::moves(own, place, doors, &mut known))).collect();
         Self { ways: known.ways, moves }
     }
 
@@ -59,36 +59,36 @@ impl Ahead {
         moves[number % moves.len()]
     }
 
-    fn moves(world: &World, place: Place, doors: Presses, known: &mut Known) -> Vec<Move> {
+    fn moves(own: &Occupant, place: Place, doors: Presses, known: &mut Known) -> Vec<Move> {
         let Known { ways, leads, shows } = known;
-        let repertoire = &world.cell.repertoire;
+        let repertoire = &own.cell.repertoire;
         let mut moves = Vec::with_capacity(repertoire.moves());
-        let controls = (0..world.cell.controls.len()).map(Presses::one);
-        let others = controls.filter(|control| control.common(world.doors()).is_none());
+        let controls = (0..own.cell.controls.len()).map(Presses::one);
+        let others = controls.filter(|control| control.common(own.doors()).is_none());
         let all = others.fold(doors, Presses::and);
         for &walk in repertoire.walks() {
             // Whoever stands goes the same way in every posture; of the low ones each may get elsewhere, and to other doors.
             for &posture in repertoire.postures() {
-                let taken = world.taken(&place, Action::new(walk, posture));
+                let taken = own.taken(&place, Action::new(walk, posture));
                 let stands_as = if taken.posture().is_low() { taken.posture() } else { Posture::Upright };
-                let goes_as = (walk, stands_as, world.walk_opens(place, taken.pressing(doors)));
+                let goes_as = (walk, stands_as, own.walk_opens(place, taken.pressing(doors)));
                 let way = match leads.iter().find(|(as_well, _)| *as_well == goes_as) {
                     Some((_, way)) => *way,
                     None => {
                         leads.push((goes_as, ways.len()));
-                        ways.push(Way { walked: world.walk(place, taken.pressing(doors)), sights: Vec::new() });
+                        ways.push(Way { walked: own.walk(place, taken.pressing(doors)), sights: Vec::new() });
                         ways.len() - 1
                     }
                 };
                 let Way { walked, sights } = &mut ways[way];
                 // Hands that get to controls are looked for here, on all threads, and remembered.
-                let _ = world.worked(walked, taken.pressing(all));
-                let seen_as = if world.posture_is_unseen_on(walked) { stands_as } else { taken.posture() };
+                let _ = own.worked(walked, taken.pressing(all));
+                let seen_as = if own.posture_is_unseen_on(walked) { stands_as } else { taken.posture() };
                 let sight = match shows.iter().find(|(as_well, of, _)| (*as_well, *of) == (seen_as, way)) {
                     Some((_, _, sight)) => *sight,
                     None => {
                         shows.push((seen_as, way, sights.len()));
-                        sights.push(world.sights(walked, seen_as));
+                        sights.push(own.sights(walked, seen_as));
                         sights.len() - 1
                     }
                 };
@@ -123,7 +123,7 @@ impl<P: Plant> Expander<P> {
         let places: Vec<(Who, Place)> = places.into_iter().collect();
         let world = &self.world;
         let looked = shared_out(self.workers, places.len(), go_on, |numbers, _| {
-            let of = |(who, place): &(Who, Place)| Ahead::new(world.of(*who).unwrap_or(world), *place);
+            let of = |(who, place): &(Who, Place)| Ahead::new(world.of(*who).unwrap_or(&world.first), *place);
             places[numbers].iter().map(of).collect::<Vec<_>>()
         })?;
         let mut outlook = Outlook { first: BTreeMap::new(), second: BTreeMap::new() };

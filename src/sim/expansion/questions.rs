@@ -14,7 +14,7 @@ use crate::sim::answers::Sharing;
 use crate::sim::encounter::Person;
 use crate::sim::journal::Block;
 use crate::sim::threads::shared_out;
-use crate::sim::world::{Hit, Instant, Stance, World};
+use crate::sim::world::{Hit, Instant, Occupant, Stance};
 
 /// A stance, and the numbers of the situations that it is asked about.
 pub(super) type Question = (Stance, Vec<usize>);
@@ -39,7 +39,7 @@ impl<P: Plant> Expander<P> {
             let broken = *numbers.entry(&sensed.broken[i]).or_insert(next);
             let (walked, posture) = (walked(p), p.action.posture());
             all.push((
-                (p.who, walked.places[i], posture, World::moved(walked, i), broken, p.struck),
+                (p.who, walked.places[i], posture, Occupant::moved(walked, i), broken, p.struck),
                 situation,
                 number,
             ));
@@ -49,12 +49,9 @@ impl<P: Plant> Expander<P> {
         let mut places = vec![None; pending.len()];
         for alike in all.chunk_by(|a, b| a.0 == b.0) {
             let p = &pending[alike[0].2];
-            let stance = self.world.stance(
-                (p.who, walked(p)),
-                (depth, i),
-                p.action.posture(),
-                &transitions[p.state][p.transition].sensed,
-            );
+            let own = self.world.of(p.who).unwrap_or(&self.world.first);
+            let sensed = &transitions[p.state][p.transition].sensed;
+            let stance = own.stance(walked(p), (depth, i), p.action.posture(), sensed);
             let mut situations: Vec<usize> = Vec::new();
             for (_, situation, number) in alike {
                 if situations.last() != Some(situation) {
@@ -113,7 +110,7 @@ impl<P: Plant> Expander<P> {
             };
             // All of the stance, as before: what is found for one may follow from what was found for another.
             let mut instants = instants_of(asked, situations);
-            let Ok(hits) = self.world.contacts(stance, &mut None, &mut instants, &mut counted);
+            let Ok(hits) = self.world.of_stance(stance).contacts(stance, &mut None, &mut instants, &mut counted);
             all[together[0].0 as usize] = hits;
         }
         all
@@ -133,7 +130,7 @@ impl<P: Plant> Expander<P> {
             for (stance, asked) in &questions[numbers] {
                 let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let mut instants = instants_of(asked, situations);
-                let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
+                let Ok(hits) = world.of_stance(stance).contacts(stance, &mut posed, &mut instants, &mut coverage);
                 last = Some((stance, posed));
                 // What was under way then says nothing.
                 if world.stop().is_due() {

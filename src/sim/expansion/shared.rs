@@ -108,7 +108,7 @@ impl<P: Plant> Expander<P> {
                 let (stance, asked) = &questions[question];
                 let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let (mut instants, mut coverage) = (instants_of(asked, situations), Coverage::new(sensors));
-                let Ok(hits) = world.contacts(stance, &mut posed, &mut instants, &mut coverage);
+                let Ok(hits) = world.of_stance(stance).contacts(stance, &mut posed, &mut instants, &mut coverage);
                 last = Some((stance, posed));
                 // What was under way then says nothing.
                 if world.stop().is_due() {

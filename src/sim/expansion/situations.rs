@@ -107,8 +107,8 @@ impl<P: Plant> Expander<P> {
         place: &Place,
         situations: &mut Situations,
     ) -> Result<usize, PlantError> {
-        let asked = self.world.windows_that_may_matter(place, &transition.sensed.broken[i]);
-        let asked = situations.windows(asked, &self.world.neighbours);
+        let asked = self.world.first.windows_that_may_matter(place, &transition.sensed.broken[i]);
+        let asked = situations.windows(asked, &self.world.first.neighbours);
         let told = self.world.any_reports(&transition.sensed.readings[i], &transition.frames[i]);
         if let Some(number) = situations.known.get(&(transition.node, asked, told)) {
             return Ok(*number);
@@ -168,7 +168,7 @@ impl<P: Plant> Expander<P> {
                 _ => {
                     let transition = &transitions[p.state][p.transition];
                     // Without light curtains nothing but the present matters.
-                    let harmless = self.world.curtains.is_empty() && !transition.frames[i].may_harm;
+                    let harmless = self.world.first.curtains.is_empty() && !transition.frames[i].may_harm;
                     let situation = match harmless {
                         true => None,
                         false => Some(self.situation(transition, i, &walked(p).places[i], situations)?),

@@ -103,7 +103,7 @@ impl<P: Plant> Imagine for Simulation<P> {
             // Low ones lead elsewhere and are seen otherwise.
             let stands = world.posture_is_unseen() && !action.posture().is_low();
             // So may those that get to another door.
-            let alike = stands && world.works_doors(action).is_none();
+            let alike = stands && world.first.works_doors(action).is_none();
             let others = Posture::USUAL.into_iter().filter(|p| *p != action.posture() && alike);
             let unseen = stands && action.presses().is_none();
             let mut goes_on = None;

@@ -1,29 +1,36 @@
 //! What is asked behind the first hazard by contact of a sequence: whether a part of the body is clamped. A hit, or a pressure, does
 //! not end what the robot does: it may push the person on to something that does not give way, and that is worse.
 
-use super::super::Coverage;
-use super::super::encounter::Person;
-use super::{Earlier, Frames, Hit, Instant, Stance, World};
+use super::contacts::Posed;
+use super::{Earlier, Hit, Instant, Occupant, Stance, World};
+use crate::Coverage;
+use crate::encounter::{Encounter, Person};
+use crate::human::Place;
 
 impl World {
     /// Whether a search goes on behind a hazard by contact, and asks for clamping alone then.
     #[must_use]
     pub const fn goes_on(&self) -> bool {
-        self.clamping.is_some()
+        self.first.clamping.is_some()
+    }
+}
+
+impl Occupant {
+    /// The encounter at a place with clamping alone as what is looked for, where it counts.
+    fn clamping(&self, place: &Place) -> Option<&Encounter> {
+        self.clamping.as_ref().map(|clamping| self.among(clamping, place))
     }
 
-    /// The worst clamping after step `i` of an action, whatever else is touched.
+    /// The worst clamping at an instant, whatever else is touched.
     pub(super) fn clamping_near<E: Earlier>(
         &self,
-        person: &Person,
-        stance: &Stance,
-        (frames, i): (&Frames, usize),
-        earlier: &mut E,
+        posed: Posed<'_>,
+        instant: &mut Instant<'_, E>,
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
-        let Some(clamping) = &self.clamping else { return Ok(None) };
+        let Some(encounter) = self.clamping(&posed.stance.place) else { return Ok(None) };
         let mut own = Coverage::new(self.cell.sensors.len());
-        let hit = clamping.contact_near(person, stance, (frames, i), true, earlier, &mut own)?;
+        let hit = self.contact_near(Posed { encounter, ..posed }, instant, true, &mut own)?;
         coverage.merge_arms(&own);
         Ok(hit)
     }
@@ -36,9 +43,9 @@ impl World {
         instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
     ) -> Result<Vec<Option<Hit>>, E::Error> {
-        let Some(clamping) = &self.clamping else { return Ok(vec![None; instants.len()]) };
+        let Some(clamping) = self.clamping(&stance.place) else { return Ok(vec![None; instants.len()]) };
         let mut own = Coverage::new(self.cell.sensors.len());
-        let hits = clamping.ending_contacts(stance, posed, instants, &mut own)?;
+        let hits = self.ending_contacts(clamping, stance, posed, instants, &mut own)?;
         coverage.contact_checks += own.contact_checks;
         coverage.merge_arms(&own);
         Ok(hits)
@@ -53,17 +60,14 @@ impl World {
         hits: &mut [Option<Hit>],
         coverage: &mut Coverage,
     ) -> Result<(), E::Error> {
-        if !self.goes_on() || hits.iter().all(Option::is_none) {
+        if self.clamping.is_none() || hits.iter().all(Option::is_none) {
             return Ok(());
         }
-        let person = posed.take().unwrap_or_else(|| self.person(stance));
-        let person = Person { velocity: self.velocity(stance), ..person };
+        let posed = Posed { encounter: self.encounter(&stance.place), person: self.posed(stance, posed), stance };
         for (hit, instant) in hits.iter_mut().zip(instants) {
             let Some(hit) = hit else { continue };
-            let Instant { frames, i, earlier } = instant;
-            hit.clamps = self.clamping_near(&person, stance, (frames, *i), earlier, coverage)?.map(Box::new);
+            hit.clamps = self.clamping_near(posed, instant, coverage)?.map(Box::new);
         }
-        *posed = Some(person);
         Ok(())
     }
 }

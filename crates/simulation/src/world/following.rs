@@ -6,9 +6,19 @@
 //! Where an action leads depends on what the FMU says in it, and that on where it leads. A step of the FMU depends on nothing later, so
 //! [`World::walks_amid`] what it last said, again and again, ends after as many rounds as an action has steps, mostly at once.
 
-use super::{Places, Walks, World};
+use super::{Occupant, Places, Walks, World};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Arrangement, Place, Posture, Who, capsule_hits};
+
+impl Walks {
+    /// Whether everybody walks amid what the FMU said after each step of the action.
+    pub(crate) fn are_amid(&self, said: &[Arrangement]) -> bool {
+        self.each().all(|(_, walked)| {
+            let during = walked.places.iter().skip(1).map(Place::arrangement);
+            during.zip(said).all(|(during, said)| during == *said)
+        })
+    }
+}
 
 impl World {
     /// Whether anything follows the FMU.
@@ -23,6 +33,26 @@ impl World {
         self.cell.following.arrangement(|reading| self.binding.followed[reading].read(outputs))
     }
 
+    /// The sensors that see somebody at their start and do not always count: whether they do then, the FMU would have to say before it
+    /// begins.
+    #[must_use]
+    pub fn seen_at_start_at_times(&self) -> Vec<&str> {
+        let following = &self.cell.following;
+        let seen = self.seen_at_start().into_iter().zip(&self.cell.sensors).enumerate();
+        seen.filter(|(n, (seen, _))| *seen && following.has_sensor(*n)).map(|(_, (_, s))| s.name.as_str()).collect()
+    }
+
+    /// Where an action leads everybody, in whose steps the FMU says this.
+    pub(crate) fn walks_amid(&self, from: Places, action: Action, said: &[Arrangement]) -> Walks {
+        let second = self.second.as_ref().zip(from.second);
+        Walks {
+            first: self.first.walk_amid(from.first, action, said),
+            second: second.map(|(own, place)| own.walk_amid(place, action.of(Who::Second), said)),
+        }
+    }
+}
+
+impl Occupant {
     /// How things stand that follow the FMU at a place, but for what stands on the person there: arms and bends pass that, as somebody whom
     /// it pushes along has them free.
     pub(super) fn beside(&self, place: &Place) -> Arrangement {
@@ -38,32 +68,6 @@ impl World {
             let following = &self.cell.following;
             on_the_person.fold(place.arrangement(), |arrangement, number| following.without(number, arrangement))
         })
-    }
-
-    /// The sensors that see somebody at their start and do not always count: whether they do then, the FMU would have to say before it
-    /// begins.
-    #[must_use]
-    pub fn seen_at_start_at_times(&self) -> Vec<&str> {
-        let following = &self.cell.following;
-        let seen = self.seen_at_start().into_iter().zip(&self.cell.sensors).enumerate();
-        seen.filter(|(n, (seen, _))| *seen && following.has_sensor(*n)).map(|(_, (_, s))| s.name.as_str()).collect()
-    }
-
-    /// Whether everybody walks amid what the FMU said after each step of the action.
-    pub(crate) fn is_amid(walks: &Walks, said: &[Arrangement]) -> bool {
-        walks.each().all(|(_, walked)| {
-            let during = walked.places.iter().skip(1).map(Place::arrangement);
-            during.zip(said).all(|(during, said)| during == *said)
-        })
-    }
-
-    /// Where an action leads everybody, in whose steps the FMU says this.
-    pub(crate) fn walks_amid(&self, from: Places, action: Action, said: &[Arrangement]) -> Walks {
-        let second = self.of(Who::Second).zip(from.second);
-        Walks {
-            first: self.walk_amid(from.first, action, said),
-            second: second.map(|(own, place)| own.walk_amid(place, action.of(Who::Second), said)),
-        }
     }
 
     fn walk_amid(&self, from: Place, action: Action, said: &[Arrangement]) -> WalkTrace {

@@ -1,13 +1,12 @@
 //! How near people get to each robot in an action, whatever they could do there: what a result rests on that says nobody is hit.
 
-use super::World;
+use super::{Frames, World};
 use crate::Coverage;
 use crate::bound::RobotBounds;
 use crate::geometry::Vec3;
 use crate::human::Who;
 use crate::human::walk::WalkTrace;
 use crate::robot::RobotFrame;
-use crate::world::Frames;
 
 impl World {
     /// Nothing seen yet of the cell, but which robots are within reach by lengths alone.
@@ -15,7 +14,7 @@ impl World {
     pub fn nothing_seen(&self) -> Coverage {
         let mut coverage = Coverage::of(&self.cell);
         let actions = usize::try_from(self.cell.search.actions).unwrap_or(usize::MAX);
-        for (_, own) in self.people() {
+        for own in self.people() {
             let reachable = RobotBounds::new(&own.cell).each(own.position(&own.start()), own.reach_m(), actions);
             for (robot, reachable) in reachable.into_iter().enumerate() {
                 coverage.robot(robot).reachable |= reachable;
@@ -38,7 +37,7 @@ impl World {
             #[expect(clippy::cast_precision_loss, reason = "at most 64 000 steps")]
             let time_s = (before * self.cell.steps_per_action + i + 1) as f64 * self.cell.step_s;
             for (who, walked) in walks {
-                let own = self.of(*who).unwrap_or(self);
+                let own = self.of(*who).unwrap_or(&self.first);
                 let (at, reach_m) = (own.position(&walked.places[i]) + Vec3::Z, own.reach_m());
                 let start = own.position(&own.start()) + Vec3::Z;
                 for link in 0..frame.links.len() {

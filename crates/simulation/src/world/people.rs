@@ -1,10 +1,9 @@
 //! Everybody in the cell at once: where they are, where an action leads them, and what the sensors see of any of them.
 //!
-//! A second person is a [`World`] of their own beside the first one's: the same obstacles, sensors and controls, another body and
-//! start. They do not stand in each other's way. A sensor that sees either reports somebody, and a control is worked if the hands of
+//! The second person is an [`Occupant`] like the first: with the same obstacles, sensors and controls, but another body and start. They do not stand in each other's way. A sensor that sees either reports somebody, and a control is worked if the hands of
 //! either get to it.
 
-use super::{Sight, Stance, World};
+use super::{Occupant, Sight, Stance, Worked, World};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Arrangement, Place, Posture, Who};
 
@@ -78,70 +77,94 @@ impl Walks {
 }
 
 impl World {
-    /// The world of one of the people, if they are there.
+    /// One of the people, if they are there.
     #[must_use]
-    pub fn of(&self, who: Who) -> Option<&Self> {
+    pub const fn of(&self, who: Who) -> Option<&Occupant> {
         match who {
-            Who::First => Some(self),
-            Who::Second => self.second.as_deref(),
+            Who::First => Some(&self.first),
+            Who::Second => self.second.as_ref(),
         }
     }
 
-    /// The world of who has this stance.
-    pub fn of_stance(&self, stance: &Stance) -> &Self {
-        self.of(stance.who).unwrap_or(self)
+    /// Who has this stance.
+    #[must_use]
+    pub fn of_stance(&self, stance: &Stance) -> &Occupant {
+        self.of(stance.who).unwrap_or(&self.first)
     }
 
-    /// Everybody who is there, each with their world.
-    pub fn people(&self) -> impl Iterator<Item = (Who, &Self)> {
-        Who::ALL.into_iter().filter_map(|who| Some((who, self.of(who)?)))
+    /// Everybody who is there.
+    pub fn people(&self) -> impl Iterator<Item = &Occupant> {
+        std::iter::once(&self.first).chain(&self.second)
+    }
+
+    /// The second one with something of theirs, if there is one.
+    fn second_with<'a, T>(&'a self, of: Option<&'a T>) -> Option<(&'a Occupant, &'a T)> {
+        self.second.as_ref().zip(of)
     }
 
     /// Where everybody begins.
     #[must_use]
     pub fn starts(&self) -> Places {
-        Places { first: self.start(), second: self.second.as_ref().map(|second| second.start()) }
+        Places { first: self.first.start(), second: self.second.as_ref().map(Occupant::start) }
     }
 
-    /// The action as everybody takes it, see [`World::taken`].
+    /// The action as everybody takes it, see [`Occupant::taken`].
     #[must_use]
     pub fn taken_by_all(&self, from: &Places, action: Action) -> Action {
-        match (&self.second, &from.second) {
-            (Some(second), Some(place)) => {
-                let own = self.taken(&from.first, action.of(Who::First));
+        match self.second_with(from.second.as_ref()) {
+            Some((second, place)) => {
+                let own = self.first.taken(&from.first, action.of(Who::First));
                 own.beside(second.taken(place, action.of(Who::Second)))
             }
-            _ => self.taken(&from.first, action),
+            None => self.first.taken(&from.first, action),
         }
+    }
+
+    /// Actions from the start as people take them.
+    #[must_use]
+    pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
+        let mut places = self.starts();
+        let mut take = |action: &Action| {
+            let taken = self.taken_by_all(&places, *action);
+            places = self.walks(places, taken).ends();
+            taken
+        };
+        let nobody_is_low = self.people().all(|own| own.cell.repertoire.low().is_empty());
+        // Nobody is low where obstacles follow the FMU, which is not asked here.
+        if nobody_is_low { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
     }
 
     /// Where an action leads everybody.
     #[must_use]
     pub fn walks(&self, from: Places, action: Action) -> Walks {
-        let second = self.second.as_ref().zip(from.second);
+        let second = self.second_with(from.second.as_ref());
         Walks {
-            first: self.walk(from.first, action),
-            second: second.map(|(second, place)| second.walk(place, action.of(Who::Second))),
+            first: self.first.walk(from.first, action),
+            second: second.map(|(second, place)| second.walk(*place, action.of(Who::Second))),
         }
+    }
+
+    /// Controls that are really worked in an action from where everybody stands, turns already made and doors still as they were.
+    #[must_use]
+    pub fn worked_by(&self, starts: &Places, action: Action) -> Worked {
+        self.first.worked_with(&starts.first, self.second_with(starts.second.as_ref()), action)
     }
 
     /// What there is for the sensors to see of anybody at the start of each step.
     #[must_use]
     pub(crate) fn sights_of_all(&self, walks: &Walks, action: Action) -> Vec<Sight> {
-        let own = self.sights(&walks.first, action.posture());
-        match (&self.second, &walks.second) {
-            (Some(second), Some(walked)) => {
-                Sight::of_either(&own, &second.sights(walked, action.of(Who::Second).posture()))
-            }
-            _ => own,
+        let own = self.first.sights(&walks.first, action.posture());
+        match self.second_with(walks.second.as_ref()) {
+            Some((second, walked)) => Sight::of_either(&own, &second.sights(walked, action.of(Who::Second).posture())),
+            None => own,
         }
     }
 
     /// What each sensor sees at the start.
     #[must_use]
     pub fn seen_at_start(&self) -> Vec<bool> {
-        let of = |world: &Self| world.seen_by_each(&world.start(), Posture::Upright);
-        let own = of(self);
+        let of = |own: &Occupant| own.seen_by_each(&own.start(), Posture::Upright);
+        let own = of(&self.first);
         match &self.second {
             Some(second) => own.iter().zip(of(second)).map(|(own, other)| *own || other).collect(),
             None => own,

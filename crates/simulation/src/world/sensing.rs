@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Worked, World};
+use super::{Occupant, Worked, World};
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Sensor, Zone};
 use crate::curtain::Curtain;
@@ -88,7 +88,7 @@ impl World {
     /// The input values an FMU gets at initialisation: sensors as they read at the start.
     #[must_use]
     pub fn initial_inputs(&self) -> Vec<f64> {
-        let seen = self.seen(&self.start(), Posture::Upright);
+        let seen = self.first.seen(&self.first.start(), Posture::Upright);
         let readings = self.readings_at_start();
         let mut row = Vec::new();
         input_row(&self.cell, &self.binding, &readings, &seen, Presses::NONE, &mut row);
@@ -98,10 +98,76 @@ impl World {
     /// Whether inputs and contacts of an action depend on the walk only, and not on the posture of who stands.
     #[must_use]
     pub(crate) fn posture_is_unseen(&self) -> bool {
-        self.curtains.is_empty()
+        self.first.curtains.is_empty()
     }
 
-    /// The same of this walk: no plane that would tell of the body is near.
+    /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
+    #[must_use]
+    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
+        let steps = sights.len();
+        let mut sensed = Sensed {
+            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
+            delays: delays.to_vec(),
+            switched: self.switched_after(switched, worked),
+            readings: Vec::with_capacity(steps),
+            broken: Vec::with_capacity(steps),
+        };
+        for (step, Sight { seen, raw, unknown }) in sights.iter().enumerate() {
+            let by_arm: Vec<usize> =
+                self.arm_in_planes(step, worked).map(|plane| self.first.curtains[plane].sensor).collect();
+            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).enumerate();
+            let reading = |(number, (sensor, line)): (usize, (&Sensor, &mut DelayLine))| {
+                told(sensor, line, [raw[number], unknown[number]], by_arm.contains(&number))
+            };
+            let readings: Vec<bool> = sensors.map(reading).collect();
+            let on = self.on_in_step(step, switched, worked);
+            input_row(&self.cell, &self.binding, &readings, seen, on, &mut sensed.inputs);
+            sensed.readings.push(readings);
+            sensed.broken.push(self.first.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
+        }
+        for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
+            *line = remembered(sensor, *line);
+        }
+        sensed
+    }
+
+    /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
+    pub(crate) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
+        let Some(column) = self.binding.sensors[sensor].input() else { return };
+        let active = self.cell.sensors[sensor].signal.value(true);
+        let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
+        // What is held stays when the arm is back.
+        let end = if self.cell.sensors[sensor].latched { usize::MAX } else { steps.end };
+        for (row, readings) in rows.zip(&mut sensed.readings).take(end).skip(steps.start) {
+            row[column] = active;
+            readings[sensor] = true;
+        }
+    }
+
+    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says at the step's
+    /// end of one that it evaluates.
+    #[must_use]
+    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
+        // Of one that the FMU evaluates alone nothing is read outside of it.
+        readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].signal)
+    }
+
+    /// Whether each sensor reports the person, see [`World::reading`].
+    #[must_use]
+    pub fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
+        (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
+    }
+
+    /// Whether any sensor reports the person.
+    #[must_use]
+    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
+        (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
+    }
+}
+
+impl Occupant {
+    /// Whether inputs and contacts of an action along this way do not depend on the posture of who stands: no plane that would tell of the
+    /// body is near.
     #[must_use]
     pub fn posture_is_unseen_on(&self, walked: &WalkTrace) -> bool {
         std::iter::once(&walked.start).chain(&walked.places).all(|place| !self.may_be_in_a_plane(place))
@@ -161,69 +227,6 @@ impl World {
         };
         let begins = std::iter::once(&walked.start).chain(&walked.places).take(steps);
         begins.zip(&walked.places).map(sight).collect()
-    }
-
-    /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
-    #[must_use]
-    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
-        let steps = sights.len();
-        let mut sensed = Sensed {
-            inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
-            delays: delays.to_vec(),
-            switched: self.switched_after(switched, worked),
-            readings: Vec::with_capacity(steps),
-            broken: Vec::with_capacity(steps),
-        };
-        for (step, Sight { seen, raw, unknown }) in sights.iter().enumerate() {
-            let by_arm: Vec<usize> =
-                self.arm_in_planes(step, worked).map(|plane| self.curtains[plane].sensor).collect();
-            let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).enumerate();
-            let reading = |(number, (sensor, line)): (usize, (&Sensor, &mut DelayLine))| {
-                told(sensor, line, [raw[number], unknown[number]], by_arm.contains(&number))
-            };
-            let readings: Vec<bool> = sensors.map(reading).collect();
-            let on = self.on_in_step(step, switched, worked);
-            input_row(&self.cell, &self.binding, &readings, seen, on, &mut sensed.inputs);
-            sensed.readings.push(readings);
-            sensed.broken.push(self.curtains.iter().map(|c| sensed.delays[c.sensor].first_seen()).collect());
-        }
-        for (sensor, line) in self.cell.sensors.iter().zip(&mut sensed.delays) {
-            *line = remembered(sensor, *line);
-        }
-        sensed
-    }
-
-    /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
-    pub(crate) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
-        let Some(column) = self.binding.sensors[sensor].input() else { return };
-        let active = self.cell.sensors[sensor].signal.value(true);
-        let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
-        // What is held stays when the arm is back.
-        let end = if self.cell.sensors[sensor].latched { usize::MAX } else { steps.end };
-        for (row, readings) in rows.zip(&mut sensed.readings).take(end).skip(steps.start) {
-            row[column] = active;
-            readings[sensor] = true;
-        }
-    }
-
-    /// Whether a sensor reports the person: what it told the FMU at the start of the step, or what the FMU says at the step's
-    /// end of one that it evaluates.
-    #[must_use]
-    pub fn reading(&self, sensor: usize, readings: &[bool], frame: &RobotFrame) -> bool {
-        // Of one that the FMU evaluates alone nothing is read outside of it.
-        readings[sensor] || self.binding.sensors[sensor].reports(frame.outputs(), self.cell.sensors[sensor].signal)
-    }
-
-    /// Whether each sensor reports the person, see [`World::reading`].
-    #[must_use]
-    pub(crate) fn readings(&self, readings: &[bool], frame: &RobotFrame) -> Vec<bool> {
-        (0..readings.len()).map(|sensor| self.reading(sensor, readings, frame)).collect()
-    }
-
-    /// Whether any sensor reports the person.
-    #[must_use]
-    pub fn any_reports(&self, readings: &[bool], frame: &RobotFrame) -> bool {
-        (0..readings.len()).any(|sensor| self.reading(sensor, readings, frame))
     }
 }
 

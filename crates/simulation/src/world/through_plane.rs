@@ -4,18 +4,19 @@
 //! Where the shoulder is decides (see the method page, "Arms and planes"): while the body is in the plane, arms are on both
 //! sides; before it they stay there or go through; behind it they have the true run, with the plane clear behind them. For
 //! each way the robots are those of a run in which the plane told of the arm in a [`Window`] of samples. The geometry is in
-//! [`super::super::curtain`]; how the robots would move, [`Earlier`] tells.
+//! [`curtain`]; how the robots would move, [`Earlier`] tells.
 
 use std::sync::Arc;
 
-use super::super::curtain::{self, Curtain};
-use super::super::encounter::{ArmSpace, Encountered, Person};
-use super::super::robot::RobotFrame;
-use super::super::sensors::{DelayLine, breaks};
-use super::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
+use super::contacts::Posed;
+use super::{Earlier, Frames, HadTold, Hit, Instant, Occupant, Stance, Window};
 use crate::Coverage;
+use crate::curtain::{self, Curtain};
+use crate::encounter::{ArmSpace, Encounter, Encountered, Person};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::{Place, Side};
+use crate::robot::RobotFrame;
+use crate::sensors::{DelayLine, breaks};
 use crate::standards::iso_13855::HAND_SPEED_M_S;
 
 /// Samples since a plane was broken, or a control let go, that are not counted any more: anything is possible since.
@@ -92,8 +93,8 @@ struct Passage {
 }
 
 /// Arms of a person whose shoulders are on the same sides of all planes.
-struct Arms {
-    place: Place,
+struct Arms<'a> {
+    encounter: &'a Encounter,
     person: Person,
     sides: Vec<ArmSide>,
     ways: Vec<Ways>,
@@ -102,7 +103,7 @@ struct Arms {
 }
 
 /// A person at planes: arms by the ways that they have. Where the robots are has no part in it.
-pub(super) struct AtPlanes(Vec<Arms>);
+pub(super) struct AtPlanes<'a>(Vec<Arms<'a>>);
 
 /// The runs of one passage, with the number of those that the FMU could not finish.
 type OfPassage = (Vec<Run>, u64);
@@ -112,35 +113,39 @@ pub(super) struct Runs(Vec<Vec<Option<OfPassage>>>);
 
 impl Runs {
     /// None asked for yet.
-    pub(super) fn new(at: &AtPlanes) -> Self {
+    pub(super) fn new(at: &AtPlanes<'_>) -> Self {
         Self(at.0.iter().map(|arms| arms.passages.iter().map(|_| None).collect()).collect())
     }
 
-    /// All of them, for robots as they are after step `i` of an action.
-    pub(super) fn all<E: Earlier>(at: &AtPlanes, instant: (&Frames, usize), earlier: &mut E) -> Result<Self, E::Error> {
+    /// All of them, at an instant.
+    pub(super) fn all<E: Earlier>(at: &AtPlanes<'_>, instant: &mut Instant<'_, E>) -> Result<Self, E::Error> {
         let mut all = Self::new(at);
         for (a, arms) in at.0.iter().enumerate() {
-            for (p, passage) in arms.passages.iter().enumerate() {
-                all.of((a, arms), (p, passage), instant, earlier)?;
+            for p in 0..arms.passages.len() {
+                all.of(at, (a, p), instant)?;
             }
         }
         Ok(all)
     }
 
+    /// Those of one passage of some arms, both by their numbers.
     fn of<E: Earlier>(
         &mut self,
-        (a, arms): (usize, &Arms),
-        (p, passage): (usize, &Passage),
-        (frames, i): (&Frames, usize),
-        earlier: &mut E,
+        at: &AtPlanes<'_>,
+        (a, p): (usize, usize),
+        instant: &mut Instant<'_, E>,
     ) -> Result<&OfPassage, E::Error> {
-        let place = &mut self.0[a][p];
+        let (arms, place) = (&at.0[a], &mut self.0[a][p]);
+        let planes = &arms.passages[p].planes;
         let found = match place.take() {
             Some(known) => known,
-            None if passage.planes.is_empty() => (vec![Run { ways: Vec::new(), frames: Arc::clone(frames), i }], 0),
+            None if planes.is_empty() => {
+                let as_they_are = Run { ways: Vec::new(), frames: Arc::clone(instant.frames), i: instant.i };
+                (vec![as_they_are], 0)
+            }
             None => {
-                let told: Vec<&[Way]> = passage.planes.iter().map(|&c| arms.ways[c].told.as_slice()).collect();
-                runs(&told, i, earlier)?
+                let told: Vec<&[Way]> = planes.iter().map(|&c| arms.ways[c].told.as_slice()).collect();
+                runs(&told, instant)?
             }
         };
         Ok(place.insert(found))
@@ -150,9 +155,10 @@ impl Runs {
 /// Most instants' robots that one search is asked about.
 const MOST_TOGETHER: usize = 48;
 
-impl World {
+impl Occupant {
     /// What arms of a person can do at the planes.
-    pub(super) fn at_planes(&self, person: &Person, stance: &Stance) -> AtPlanes {
+    pub(super) fn at_planes<'a>(&self, posed: Posed<'a>) -> AtPlanes<'a> {
+        let Posed { encounter, person, stance } = posed;
         // Arms whose shoulders are on different sides of a plane go different ways.
         let sides = |side: Side| -> Vec<ArmSide> {
             let shoulder = person.body.shoulder(side).translation;
@@ -170,7 +176,7 @@ impl World {
             let person = Person { arms, ..person.clone() };
             let ways: Vec<Ways> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
             let shoulders = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
-            Arms { place: stance.place, passages: self.passages(&ways), person, sides, ways, shoulders }
+            Arms { encounter, passages: self.passages(&ways), person, sides, ways, shoulders }
         };
         AtPlanes(groups.into_iter().map(arms).collect())
     }
@@ -187,19 +193,18 @@ impl World {
         std::iter::once(Vec::new()).chain(one).chain(two).filter_map(passage).collect()
     }
 
-    /// An unsafe arm contact after step `i` of an action: untold by planes, or with the robots as they are when one plane, or
+    /// An unsafe arm contact at an instant: untold by planes, or with the robots as they are when one plane, or
     /// two, told of the arm as long before as the hand needs.
     pub(super) fn reach_past_planes<E: Earlier>(
         &self,
-        at: &AtPlanes,
-        instant: (&Frames, usize),
+        at: &AtPlanes<'_>,
         runs: &mut Runs,
-        earlier: &mut E,
+        instant: &mut Instant<'_, E>,
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
         for (a, arms) in at.0.iter().enumerate() {
             for (p, passage) in arms.passages.iter().enumerate() {
-                let (runs, unfinished) = runs.of((a, arms), (p, passage), instant, earlier)?;
+                let (runs, unfinished) = runs.of(at, (a, p), instant)?;
                 coverage.arm_runs_not_evaluated += *unfinished;
                 let runs: Vec<&Run> = runs.iter().collect();
                 if let Some((run, found)) = self.first_of(arms, passage, &runs, coverage) {
@@ -213,7 +218,12 @@ impl World {
 
     /// Whether no arm contact above the limit is possible in the runs, all of them asked for, of any of several instants, shown for many of them
     /// at once. `false` says nothing.
-    pub(super) fn none_reaches_past_planes(&self, at: &AtPlanes, instants: &[&Runs], coverage: &mut Coverage) -> bool {
+    pub(super) fn none_reaches_past_planes(
+        &self,
+        at: &AtPlanes<'_>,
+        instants: &[&Runs],
+        coverage: &mut Coverage,
+    ) -> bool {
         let none = at.0.iter().enumerate().all(|(a, arms)| {
             arms.passages.iter().enumerate().all(|(p, passage)| {
                 let mut runs: Vec<&Run> =
@@ -232,7 +242,7 @@ impl World {
     }
 
     /// The same for runs whose ways lead to the same sides.
-    fn nobody_reaches(&self, arms: &Arms, passage: &Passage, runs: &[&Run], coverage: &mut Coverage) -> bool {
+    fn nobody_reaches(&self, arms: &Arms<'_>, passage: &Passage, runs: &[&Run], coverage: &mut Coverage) -> bool {
         let Some(first) = runs.first() else { return true };
         // The space open to the widest ways holds that of all: nothing there is nothing for any.
         let widest = |n: usize| runs.iter().map(|run| run.ways[n]).reduce(Way::wider);
@@ -261,12 +271,12 @@ impl World {
         let mut groups = frames.chunks(MOST_TOGETHER).zip(links.chunks(MOST_TOGETHER * per_frame.max(1)));
         groups.all(|(frames, links)| {
             let space = ArmSpace { walls: &walls, links: Some(links) };
-            self.encounter(&arms.place).no_arm_harmed(&arms.person, frames, &space, coverage)
+            arms.encounter.no_arm_harmed(&arms.person, frames, &space, coverage)
         })
     }
 
     /// For each link of a run whether an arm can get hold of it past these planes.
-    fn links_within(&self, arms: &Arms, passage: &Passage, run: &Run) -> Vec<bool> {
+    fn links_within(&self, arms: &Arms<'_>, passage: &Passage, run: &Run) -> Vec<bool> {
         let others: Vec<usize> = (0..arms.sides.len()).filter(|c| !passage.planes.contains(c)).collect();
         let reach = self.arm().reach();
         let within = |link: &Solid| {
@@ -279,7 +289,7 @@ impl World {
     }
 
     /// Whether some part of a link may be touched without plane `c` telling of it.
-    fn reachable_untold(&self, arms: &Arms, c: usize, link: &Solid) -> bool {
+    fn reachable_untold(&self, arms: &Arms<'_>, c: usize, link: &Solid) -> bool {
         let curtain = &self.curtains[c];
         match arms.sides[c] {
             ArmSide::Front => {
@@ -294,7 +304,7 @@ impl World {
     /// The first of `runs` in which an arm can get hold of a robot in time, and the contact.
     fn first_of<'a>(
         &self,
-        arms: &Arms,
+        arms: &Arms<'_>,
         passage: &Passage,
         runs: &[&'a Run],
         coverage: &mut Coverage,
@@ -305,7 +315,7 @@ impl World {
             if let [run] = group {
                 let (walls, links) = (self.walls_past(passage, &run.ways), self.links_within(arms, passage, run));
                 let space = ArmSpace { walls: &walls, links: Some(&links) };
-                let found = self.encounter(&arms.place).unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
+                let found = arms.encounter.unsafe_arm_contact(&arms.person, run.frame(), &space, coverage);
                 if let Some(found) = found {
                     return Some((run, found));
                 }
@@ -430,7 +440,7 @@ impl World {
     /// person who is at this place and was first seen in the plane `since` samples ago.
     ///
     /// A window matters as long as the hand is not for sure deeper than it reaches. No part of the body, and no hand, is
-    /// farther from the middle of the feet than `World::reach_m`, and these walk slower than a hand moves, so a window that is
+    /// farther from the middle of the feet than `Occupant::reach_m`, and these walk slower than a hand moves, so a window that is
     /// long enough now would be so later. Who is first seen later than now is no farther behind the plane then, or, at a
     /// two-hand control, where it is let go.
     #[must_use]
@@ -512,7 +522,8 @@ impl Asked {
 
 /// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
 /// time. Those that the FMU could not finish are left out; the second number counts them.
-fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<OfPassage, E::Error> {
+fn runs<E: Earlier>(told: &[&[Way]], instant: &mut Instant<'_, E>) -> Result<OfPassage, E::Error> {
+    let i = instant.i;
     let (mut runs, mut unfinished): OfPassage = (Vec::new(), 0);
     let Some((last, before)) = told.split_last() else { return Ok((runs, unfinished)) };
     let before: Vec<Vec<Way>> = match before {
@@ -525,7 +536,7 @@ fn runs<E: Earlier>(told: &[&[Way]], i: usize, earlier: &mut E) -> Result<OfPass
             for &way in of_kind {
                 let ways: Vec<Way> = besides.iter().copied().chain([way]).collect();
                 let windows: Vec<Window> = ways.iter().map(|way| way.window).collect();
-                let frames = match earlier.told_of(&windows)? {
+                let frames = match instant.earlier.told_of(&windows)? {
                     HadTold::Is(frames) => frames,
                     HadTold::BeforeTime => break,
                     HadTold::Unfinished => {

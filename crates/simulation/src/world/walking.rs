@@ -1,12 +1,12 @@
 //! Where an action leads, and how: walks that obstacles end, postures for which there is room, bends that end at a wall.
 
-use super::{Stance, World};
+use super::{Occupant, Stance};
 use crate::geometry::Vec3;
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, BendFraction, Place, Posture, Presses, posture};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
-impl World {
+impl Occupant {
     /// Whether the person's start is free of obstacles.
     #[must_use]
     pub fn start_is_free(&self) -> bool {
@@ -54,20 +54,6 @@ impl World {
         lower.map_or(action, |low| action.in_posture(*low))
     }
 
-    /// Actions from the start as the person takes them.
-    #[must_use]
-    pub fn as_taken(&self, actions: &[Action]) -> Vec<Action> {
-        let mut places = self.starts();
-        let mut take = |action: &Action| {
-            let taken = self.taken_by_all(&places, *action);
-            places = self.walks(places, taken).ends();
-            taken
-        };
-        let nobody_is_low = self.people().all(|(_, world)| world.cell.repertoire.low().is_empty());
-        // Nobody is low where obstacles follow the FMU, which is not asked here.
-        if nobody_is_low { actions.to_vec() } else { actions.iter().map(&mut take).collect() }
-    }
-
     /// Whether there is room for a posture at a place; as much for every one of who stands.
     fn fits(&self, place: &Place, posture: Posture) -> bool {
         let posture = if posture.is_low() { posture } else { Posture::Upright };
@@ -103,7 +89,7 @@ impl World {
             body: self.body(),
             start: &self.cell.start,
             sub_step_len_m: self.sub_step_m(),
-            obstacles: &self.encounters[self.number(place, place.arrangement())].obstacles,
+            obstacles: self.in_the_way(place),
             moving: &self.moving_obstacles,
             strides: self.cell.repertoire.strides(),
         }

@@ -13,7 +13,7 @@
 
 use std::ops::Range;
 
-use super::{Places, World};
+use super::{Occupant, World};
 use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
@@ -58,8 +58,8 @@ impl ContactScore for OnControl {
     }
 }
 
-impl World {
-    /// Which of its controls are really worked in an action of a single person that leads along this way.
+impl Occupant {
+    /// Which controls are really worked in an action of a single person that leads along this way.
     #[must_use]
     pub fn worked(&self, walked: &WalkTrace, action: Action) -> Worked {
         self.worked_at(&walked.start, action)
@@ -67,13 +67,11 @@ impl World {
 
     /// The same in an action from a place, the turn already made and doors still as they were.
     pub(super) fn worked_at(&self, start: &Place, action: Action) -> Worked {
-        self.worked_by(&Places { first: *start, second: None }, action)
+        self.worked_with(start, None, action)
     }
 
-    /// The same in an action of everybody.
-    #[must_use]
-    pub fn worked_by(&self, starts: &Places, action: Action) -> Worked {
-        let start = &starts.first;
+    /// The same beside somebody else, who is at another place.
+    pub(super) fn worked_with(&self, start: &Place, beside: Option<(&Self, &Place)>, action: Action) -> Worked {
         let doors = self.works_doors(action);
         let others = action.presses().either(doors);
         // Ways to share out what is worked so far among the hands: which are busy, and what is worked through which planes.
@@ -96,9 +94,8 @@ impl World {
                     let after = self.hands(&after, action.posture(), control);
                     hands = std::array::from_fn(|side| hands[side].filter(|_| after[side].is_some()));
                 }
-                let others = self.second.as_ref().zip(starts.second.as_ref());
                 let posture = action.of(Who::Second).posture();
-                let others = others.map(|(second, place)| second.hands(place, posture, control)).unwrap_or_default();
+                let others = beside.map(|(second, place)| second.hands(place, posture, control)).unwrap_or_default();
                 let hands = [hands[0], hands[1], others[0], others[1]];
                 let mut after = Vec::new();
                 for (busy, worked) in &ways {
@@ -191,9 +188,11 @@ impl World {
         });
         found.best.is_some() || !found.complete
     }
+}
 
+impl World {
     /// Steps of an action during which a hand is at a control.
-    pub(super) fn at_control(&self, control: usize) -> Range<usize> {
+    fn at_control(&self, control: usize) -> Range<usize> {
         match self.cell.controls[control].kind {
             ControlKind::Momentary => 0..self.cell.controls[control].steps,
             ControlKind::Held => 0..self.cell.steps_per_action,
@@ -219,6 +218,6 @@ impl World {
     pub(super) fn arm_in_planes(&self, step: usize, worked: &Worked) -> impl Iterator<Item = usize> {
         let at = worked.presses.numbers().filter(|control| self.at_control(*control).contains(&step));
         let planes = at.fold(0, |planes, control| planes | worked.through[control]);
-        (0..self.curtains.len().min(MOST_PLANES)).filter(move |plane| planes >> plane & 1 == 1)
+        (0..self.first.curtains.len().min(MOST_PLANES)).filter(move |plane| planes >> plane & 1 == 1)
     }
 }

@@ -12,7 +12,7 @@ use fmi_hazard::human::{Place, Posture, Start};
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Stance, Window, World};
+use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window, World};
 
 use super::body::Body;
 use super::clamp_scenes::{CARRIERS, Case};
@@ -145,7 +145,7 @@ impl Asked {
             raised: None,
             struck: false,
         };
-        let placed = world.body_of(&stance);
+        let placed = world.first.body_of(&stance);
         let turned = placed.world_from_trunk().rotation;
         let columns = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| (turned * axis).to_array());
         let trunk = [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| columns[j][i]));
@@ -157,7 +157,8 @@ impl Asked {
         }
         let frames: Frames = Arc::from([Arc::new(frame)]);
         let mut coverage = Coverage::new(0);
-        let Ok(hit) = world.contact(&stance, &frames, 0, &mut Never, &mut coverage);
+        let mut instant = Instant { frames: &frames, i: 0, earlier: Never };
+        let Ok(hit) = world.first.contact(&stance, &mut instant, &mut coverage);
         assert_eq!(coverage.arm_checks_incomplete, 0);
         (hit, body)
     }
